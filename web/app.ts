@@ -11,7 +11,8 @@ import { Session } from './editor/engine/session';
 import { Gestures } from './editor/hand/gestures';
 import { MirrorTool } from './editor/hand/mirror_tool';
 import { Ruler } from './editor/hand/ruler';
-import { Editor, type State } from './editor/state/editor';
+import { Editor } from './editor/state/editor';
+import type { State } from './editor/state/state';
 import { exposeState } from './inspection';
 import { styleOf } from './model/drawing';
 import { isEmpty } from './model/figure';
@@ -224,7 +225,7 @@ export async function start(): Promise<void> {
     if (viewer.surface !== surfaceShown && distances.shown) distances.onChange(distances.shown);
     const isNew = view.others !== besideShown || viewer.surface !== surfaceShown;
     // The style of what is compared may be another one.
-    if (isNew || (comparison.shown && !editor.dragging)) {
+    if (isNew || (comparison.shown && !editor.state.dragging)) {
       [besideShown, surfaceShown] = [view.others, viewer.surface];
       showBeside();
     }

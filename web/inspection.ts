@@ -1,6 +1,7 @@
 import type { MeshInfo } from 'karcher';
 import type { Distances, ShownDistances } from './editor/engine/distances';
-import type { Editor, State } from './editor/state/editor';
+import type { Editor } from './editor/state/editor';
+import type { State } from './editor/state/state';
 import type { Session } from './editor/engine/session';
 import type { View } from './editor/engine/view';
 import type { Vector } from './model/figure';

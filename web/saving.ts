@@ -1,4 +1,5 @@
-import type { Editor, State } from './editor/state/editor';
+import type { Editor } from './editor/state/editor';
+import type { State } from './editor/state/state';
 import type { History } from './model/history';
 import { formatLink, type Link, parseLink, viewFields } from './model/link';
 import { linkOfWork, readWork, savedLink, savedWork } from './model/saved_work';
@@ -81,7 +82,7 @@ export function saveChanges(
   const saveSoon = () => {
     clearTimeout(timer);
     timer = window.setTimeout(() => {
-      if (editor.dragging) saveSoon();
+      if (editor.state.dragging) saveSoon();
       else save(editor.state);
     }, delayMilliseconds);
   };

@@ -24,7 +24,7 @@ describe('legs that are drawn out', () => {
   });
 
   function step(index, place) {
-    const from = page.editor.base.points[index];
+    const from = page.editor.state.base.points[index];
     page.editor.preview({ type: 'change', index, from, to: { ...from, ...place } });
   }
 

@@ -49,7 +49,7 @@ describe('legs of the pen', () => {
 
   async function drag(index, anchors) {
     for (const to of anchors) {
-      const from = page.editor.base.points[index];
+      const from = page.editor.state.base.points[index];
       page.editor.preview({ type: 'change', index, from, to: { leg: from.leg, ...to } });
       await page.settled();
     }
@@ -138,7 +138,7 @@ describe('legs of the pen', () => {
     isNear(length(), wayOf(-0.02, 1.12));
     for (let step = 1; step <= 8; step++) {
       const [b, c] = [-0.02 - 0.04 * step, 1.12 + 0.02 * step];
-      const { base } = page.editor;
+      const { base } = page.editor.state;
       const to = { ...base, points: handles(b, c) };
       page.editor.preview({ type: 'replace', from: base, to }, [0, 1]);
       await page.settled();

@@ -89,7 +89,7 @@ async function recorded(shape) {
         heading += random() - 0.5;
         const way = [Math.cos(heading), Math.sin(heading), Math.sin(2 * heading)];
         place = mesh.straightest(place, way, 0.04 * diagonal).end;
-        const from = editor.base.points[index];
+        const from = editor.state.base.points[index];
         const to = { ...from, face: place.face, bary: place.bary };
         editor.preview({ type: 'change', index, from, to });
         if (random() < 0.2) continue;

@@ -1,6 +1,6 @@
 /** What the page makes, as text for other programs. */
 import type { CurvePoints } from 'karcher';
-import type { State } from '../editor/state/editor';
+import type { State } from '../editor/state/state';
 import type { View } from '../editor/engine/view';
 import { isRound } from '../model/figure';
 import { gathered } from '../model/gathered';

@@ -1,4 +1,5 @@
-import type { Editor, State } from '../editor/state/editor';
+import type { Editor } from '../editor/state/editor';
+import type { State } from '../editor/state/state';
 import type { View } from '../editor/engine/view';
 import { handleNames, withRadius } from '../model/circle';
 import { type CircleType, fewestArcs, isRound } from '../model/figure';
@@ -44,7 +45,7 @@ export class CircleSettings {
       editor.setCircleForm({ type: this.#type.value as CircleType }),
     );
     this.#arcs.addEventListener('input', () => {
-      const from = editor.base.circleForm;
+      const from = editor.state.base.circleForm;
       const arcs = this.#arcs.valueAsNumber;
       const to = { ...from, arcs: arcs < fewestArcs ? ('auto' as const) : arcs };
       editor.preview({ type: 'circleForm', from, to });

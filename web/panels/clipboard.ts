@@ -1,4 +1,5 @@
-import { type Editor, selectedObjects } from '../editor/state/editor';
+import type { Editor } from '../editor/state/editor';
+import { selectedObjects } from '../editor/state/state';
 import { copiedText, pastedObjects } from '../model/copied';
 import { withSources } from '../model/sources';
 import { isEmpty } from '../model/figure';

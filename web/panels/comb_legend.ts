@@ -1,5 +1,5 @@
 import { polylinesOf } from '../editor/engine/compute';
-import type { State } from '../editor/state/editor';
+import type { State } from '../editor/state/state';
 import type { View } from '../editor/engine/view';
 import { activeObject } from '../model/drawing';
 import type { CombFacts, CombLayer } from '../viewer/comb_layer';

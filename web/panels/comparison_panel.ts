@@ -1,5 +1,6 @@
 import type { Compared, Comparison } from '../editor/engine/comparison';
-import type { Editor, State } from '../editor/state/editor';
+import type { Editor } from '../editor/state/editor';
+import type { State } from '../editor/state/state';
 import type { Gap } from '../model/gap';
 import { isMethod, type MethodId, methods } from '../model/methods';
 import { byId, write } from './elements';

@@ -1,5 +1,6 @@
 import { type Alignment, alignedParts } from '../editor/engine/aligning';
-import { type Editor, type State, selectedObjects } from '../editor/state/editor';
+import type { Editor } from '../editor/state/editor';
+import { type State, selectedObjects } from '../editor/state/state';
 import { clickSlop } from '../editor/hand/stage_pointer';
 import { targetAt } from '../editor/hand/targets';
 import { isEmpty } from '../model/figure';

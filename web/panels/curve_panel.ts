@@ -1,5 +1,6 @@
 import { type CurveEdits, joinable } from '../editor/engine/curve_edits';
-import type { Editor, State } from '../editor/state/editor';
+import type { Editor } from '../editor/state/editor';
+import type { State } from '../editor/state/state';
 import type { View } from '../editor/engine/view';
 import { isDerived } from '../model/derived';
 import { isCurve, isEmpty, isRound, isSpline, type Kind } from '../model/figure';

@@ -1,7 +1,8 @@
 import type { WrittenFormat } from 'karcher/formats';
 import type { ShownPart } from '../editor/engine/cut';
 import type { View } from '../editor/engine/view';
-import type { Editor, State } from '../editor/state/editor';
+import type { Editor } from '../editor/state/editor';
+import type { State } from '../editor/state/state';
 import { remaking } from '../model/combining';
 import { withChoice } from '../model/parts';
 import { formatArea, formatLength, formatVolume, type Unit } from '../model/units';

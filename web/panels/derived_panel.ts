@@ -1,5 +1,6 @@
 import type { Expansion } from '../editor/engine/expansion';
-import { type Editor, type State, selectedObjects } from '../editor/state/editor';
+import type { Editor } from '../editor/state/editor';
+import { type State, selectedObjects } from '../editor/state/state';
 import {
   combinable,
   combining,

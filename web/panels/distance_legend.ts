@@ -1,5 +1,5 @@
 import type { ShownDistances } from '../editor/engine/distances';
-import type { State } from '../editor/state/editor';
+import type { State } from '../editor/state/state';
 import { objectOf } from '../model/drawing';
 import { methodOptions } from '../model/methods';
 import { rampAsCss } from '../viewer/color_ramp';

@@ -1,4 +1,4 @@
-import type { State } from '../editor/state/editor';
+import type { State } from '../editor/state/state';
 import { isEmpty, isRound, parameterOf } from '../model/figure';
 import { recall, remember } from '../model/storage';
 import { byId, write } from './elements';

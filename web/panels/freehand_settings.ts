@@ -1,4 +1,4 @@
-import type { State } from '../editor/state/editor';
+import type { State } from '../editor/state/state';
 import { recall, remember } from '../model/storage';
 import { byId, write } from './elements';
 

@@ -1,4 +1,5 @@
-import { type Editor, type State, selectedObjects } from '../editor/state/editor';
+import type { Editor } from '../editor/state/editor';
+import { type State, selectedObjects } from '../editor/state/state';
 import {
   activeObject,
   type Dash,

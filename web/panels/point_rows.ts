@@ -1,5 +1,6 @@
 import type { SurfacePoint } from 'karcher';
-import type { Editor, Selection, State } from '../editor/state/editor';
+import type { Editor } from '../editor/state/editor';
+import type { Selection, State } from '../editor/state/state';
 import type { View } from '../editor/engine/view';
 import { type CircleHandle, handleNames, isCircleHandle } from '../model/circle';
 import {
@@ -96,8 +97,8 @@ export class PointRows {
 export function makeSlider(editor: Editor, index: () => number): HTMLInputElement {
   const slider = make('input', '', { type: 'range', min: '0', max: `${steps}`, step: '1' });
   const preview = (value: number) => {
-    const name = parameterOf(editor.base.kind);
-    const from = editor.base.points[index()];
+    const name = parameterOf(editor.state.base.kind);
+    const from = editor.state.base.points[index()];
     if (!name || !from) return;
     const to = withParameter(from, name, value);
     editor.preview({ type: 'change', index: index(), from, to });

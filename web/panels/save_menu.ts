@@ -2,7 +2,8 @@ import type { SurfacePoint } from 'karcher';
 import { polylinesOf } from '../editor/engine/compute';
 import type { Session } from '../editor/engine/session';
 import type { View } from '../editor/engine/view';
-import { type Editor, selectedObjects } from '../editor/state/editor';
+import type { Editor } from '../editor/state/editor';
+import { selectedObjects } from '../editor/state/state';
 import { jsonOf, longestInside, partsOfObj, partsWithFile } from '../export/curve_file';
 import {
   type DrawnFill,

@@ -1,6 +1,7 @@
 import type { Parametrization } from 'karcher';
 import type { CurveEdits } from '../editor/engine/curve_edits';
-import type { Editor, State } from '../editor/state/editor';
+import type { Editor } from '../editor/state/editor';
+import type { State } from '../editor/state/state';
 import { type CurveSettings, isCurve } from '../model/figure';
 import { type Joint, jointOf } from '../model/pen';
 import { byId, make } from './elements';

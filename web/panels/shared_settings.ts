@@ -1,4 +1,4 @@
-import { type State, selectedObjects } from '../editor/state/editor';
+import { type State, selectedObjects } from '../editor/state/state';
 import { type CurveSettings, isCurve } from '../model/figure';
 import { make } from './elements';
 

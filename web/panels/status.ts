@@ -1,6 +1,7 @@
 import type { MeshInfo, Uniqueness } from 'karcher';
 import type { ShownCenter } from '../editor/engine/compute';
-import type { Editor, Selection, State } from '../editor/state/editor';
+import type { Editor } from '../editor/state/editor';
+import type { Selection, State } from '../editor/state/state';
 import type { Ruled } from '../editor/hand/ruler';
 import { type Shift, unseenShift } from '../editor/engine/shift';
 import type { View } from '../editor/engine/view';

@@ -1,5 +1,6 @@
 import type { CurveEdits } from '../editor/engine/curve_edits';
-import { type Editor, selectedObjects } from '../editor/state/editor';
+import type { Editor } from '../editor/state/editor';
+import { selectedObjects } from '../editor/state/state';
 import { toggleMirror, toggleTransform } from '../editor/hand/mirror_tool';
 import { isResting } from '../editor/state/tool';
 import { isCurve, isEmpty, kinds } from '../model/figure';
@@ -57,7 +58,7 @@ export class Tools {
 
   #escape(): void {
     const { editor } = this;
-    if (editor.dragging) editor.cancelDrag();
+    if (editor.state.dragging) editor.cancelDrag();
     else if (editor.state.tool === 'transform') editor.setTool('select');
     else if (!isResting(editor.state.tool)) editor.rest();
     else if (editor.state.selection !== null) editor.select(null);

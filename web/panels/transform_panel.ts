@@ -1,4 +1,5 @@
-import type { Editor, State } from '../editor/state/editor';
+import type { Editor } from '../editor/state/editor';
+import type { State } from '../editor/state/state';
 import { type MirrorTool, toggleMirror, toggleTransform } from '../editor/hand/mirror_tool';
 import type { Numbers } from '../editor/hand/transform_gestures';
 import { isEmpty } from '../model/figure';

@@ -6,7 +6,8 @@ import { isRound, plain, withLeg } from '../../model/figure';
 import { placesOf } from '../../model/moving';
 import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
-import { type Editor, type State, selectedObjects } from '../state/editor';
+import type { Editor } from '../state/editor';
+import { type State, selectedObjects } from '../state/state';
 import { Move, movableObjects, replacing } from './moving';
 import type { Session } from './session';
 

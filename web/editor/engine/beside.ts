@@ -17,7 +17,7 @@ import {
   type Shown,
 } from './compute';
 import type { ShownCut } from './cut';
-import type { State } from '../state/editor';
+import type { State } from '../state/state';
 
 /** An object that lies beside the edited one, as it is drawn. */
 export interface Beside {

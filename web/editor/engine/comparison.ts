@@ -3,7 +3,7 @@ import { type Gap, gapBetween } from '../../model/gap';
 import { type MethodId, methodOptions, refinedOptions } from '../../model/methods';
 import type { EngineClient } from '../../worker/client';
 import { compute, messageOf, nothing, type Shown } from './compute';
-import type { State } from '../state/editor';
+import type { State } from '../state/state';
 import { Refinement } from './refinement';
 import type { Session } from './session';
 import type { View } from './view';

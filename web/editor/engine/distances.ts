@@ -5,7 +5,8 @@ import { methodOptions } from '../../model/methods';
 import type { TracedDistances } from '../../model/traced';
 import { type EngineClient, Stopped } from '../../worker/client';
 import { messageOf } from './compute';
-import type { Editor, State } from '../state/editor';
+import type { Editor } from '../state/editor';
+import type { State } from '../state/state';
 import { Newest } from './newest';
 import type { Session } from './session';
 

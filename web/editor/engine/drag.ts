@@ -1,7 +1,7 @@
 import type { DrawnLeg } from 'karcher';
 import type { Figure } from '../../model/figure';
 import { type ToldLegs, withTold } from '../../model/legs';
-import type { State } from '../state/editor';
+import type { State } from '../state/state';
 
 /** A drag of control points: the legs that meet there go on from where its last step drew them. */
 export class Drag {

@@ -30,7 +30,7 @@ import {
 } from './compute';
 import { Drag } from './drag';
 import { shorterLegs } from './shorter_legs';
-import type { State } from '../state/editor';
+import type { State } from '../state/state';
 import { type Ends, endsOf, Legs } from './legs';
 import { Newest } from './newest';
 import { Refinement } from './refinement';

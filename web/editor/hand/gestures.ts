@@ -1,26 +1,24 @@
 import type { SurfacePoint } from 'karcher';
 import { Vector3 } from 'three';
 import { byRadii, newCircle, withHandle } from '../../model/circle';
-import { type CircleShape, isCurve, isRound, type Vector } from '../../model/figure';
-import type { FigureCommand } from '../../model/figure_commands';
+import { isRound, type Vector } from '../../model/figure';
 import type { Joint } from '../../model/pen';
-import { type PenAction, penActionAt, penWords, type UnderPointer } from '../../model/pen_hints';
-import type { DrawnTangents } from '../../model/pen_legs';
-import { Handles } from '../../viewer/handles';
+import { penActionAt, penWords, type UnderPointer } from '../../model/pen_hints';
+import type { Handles } from '../../viewer/handles';
 import type { Pick } from '../../viewer/surface';
 import type { Viewer } from '../../viewer/viewer';
 import type { Session } from '../engine/session';
-import type { Editor, Selection } from '../state/editor';
+import type { Editor } from '../state/editor';
 import type { CurveTool } from '../state/tool';
 import { BoxSelection } from './box_selection';
 import { FreehandGestures } from './freehand';
-import { handlesOf, idOf, selectionOf, tangentOf, underHandle, underPointer } from './handle_list';
+import { HandleDrags } from './handle_drags';
+import { handlesOf, idOf, underPointer } from './handle_list';
 import { MoveGestures } from './move_gestures';
 import { type HeldKeys, PenGestures } from './pen_gestures';
 import { RubberBand } from './rubber_band';
-import { selectPressed, takenAlong } from './several_points';
 import { type Snapped, Snapping } from './snapping';
-import { arrows, StageKeys } from './stage_keys';
+import { StageKeys } from './stage_keys';
 import { clickSlop, type Hold, type Place, StagePointer } from './stage_pointer';
 import { type Target, targetAt } from './targets';
 import { type Numbers, TransformGestures } from './transform_gestures';
@@ -54,27 +52,11 @@ export interface CurveClicks {
   stopped(why: string): void;
 }
 
-/** What a drag of a handle began with. */
-interface Grabbed {
-  x: number;
-  y: number;
-  circle: CircleShape | null;
-  /** Of an anchor of the pen, and of all. */
-  tangents: DrawnTangents;
-  all: readonly DrawnTangents[];
-  /** The points that a click leaves selected. */
-  clicked: readonly number[] | null;
-  /** What a click on an anchor of the pen does. */
-  action: PenAction | null;
-}
-
 /** Turns what the pointer and the keys do on the stage into commands. */
 export class Gestures {
+  readonly #drags: HandleDrags;
   readonly #handles: Handles;
   #press: { id: number; x: number; y: number; slop: number } | null = null;
-  #grabbed: Grabbed | null = null;
-  /** Whether a handle is moved by keys. */
-  #nudges = false;
   readonly #pointer: StagePointer;
   #keys: HeldKeys = { alt: false, shift: false, control: false };
   readonly freehand: FreehandGestures;
@@ -90,7 +72,6 @@ export class Gestures {
   #overHandle: UnderPointer | null = null;
   /** Whether the pointer's place on the surface was marked last. */
   #rules = false;
-  #drag: { id: string; x: number; y: number } | null = null;
   #frame = 0;
 
   constructor(
@@ -101,22 +82,15 @@ export class Gestures {
     layer: HTMLElement,
     private readonly events: CurveClicks,
   ) {
-    this.#handles = new Handles(viewer, layer, {
-      grab: (id, x, y) => this.#grab(id, { x, y }),
-      drag: (id, x, y) => {
-        this.#drag = { id, x, y };
-        this.#schedule();
-      },
-      release: (_, cancelled) => this.#release(cancelled),
-      focus: (id) => {
-        // A press has selected what it means, perhaps several.
-        if (!this.#grabbed) editor.select(selectionOf(id));
-      },
-      key: (id, event) => this.#nudge(id, event),
-    });
     this.snapping = new Snapping(editor, viewer);
     this.#band = new RubberBand(editor, session, viewer);
-    const handles = this.#handles;
+    const pen = new PenGestures(editor, session, viewer, this.snapping);
+    const drags = new HandleDrags(editor, session, viewer, layer, {
+      ...{ pen, snapping: this.snapping },
+      keys: () => this.#keys,
+      schedule: () => this.#schedule(),
+    });
+    const { handles } = drags;
     const severalFingers = twoFingersMeanTheView(stage, {
       get heldBy() {
         return handles.heldBy ?? transforms.heldBy ?? pointer.heldBy;
@@ -130,12 +104,11 @@ export class Gestures {
     const pointer = new StagePointer(stage, severalFingers);
     handles.severalFingers = severalFingers;
     const box = new BoxSelection(editor, viewer, stage);
-    const pen = new PenGestures(editor, session, viewer, this.snapping);
     const moves = new MoveGestures(editor, session, viewer, {
       clicked: (place) => this.#click(place),
       stopped: (why) => events.stopped(why),
     });
-    this.#pointer = pointer;
+    [this.#drags, this.#handles, this.#pointer] = [drags, handles, pointer];
     this.freehand = new FreehandGestures(editor, session, viewer, this.snapping, events.stopped);
     for (const one of [box, this.freehand, pen]) pointer.offer((press) => one.take(press));
     pointer.offer((press) => this.#takeRound(press));
@@ -178,19 +151,12 @@ export class Gestures {
       stage.classList.remove('pointed');
       this.#aim(null);
     });
-    layer.addEventListener('keyup', (event) => {
-      if (event.key in arrows) this.#endNudge();
-    });
-    // Nobody would hear the key being let go.
-    layer.addEventListener('focusout', () => this.#endNudge());
   }
 
   /** Takes back what the pointer has begun; what it does until it is up is no click. */
   letGo(): void {
     this.#press = null;
-    if (this.#nudges) this.editor.cancelDrag();
-    this.#nudges = false;
-    this.#handles.letGo();
+    this.#drags.letGo();
     this.#transforms.letGo();
     this.#pointer.letGo();
     this.#moves.letGo();
@@ -321,7 +287,7 @@ export class Gestures {
       const added = snapped ?? (target?.type === 'surface' ? target.pick : null);
       this.#band.aim(added?.point ?? null);
       if (snapped?.kind) {
-        this.#showSnap(snapped);
+        this.#handles.showPreview(snapped.position, 'snap', snapped.kind);
         if (this.editor.state.tool === 'measure') this.events.rulerAimed(snapped.point);
       } else if (target?.type === 'surface') {
         this.#handles.showPreview(target.pick.position, 'surface');
@@ -335,7 +301,7 @@ export class Gestures {
       } else if (target?.type === 'curve') this.#handles.showPreview(target.position, 'curve');
       else this.#handles.showPreview(null, 'surface');
       if (target?.type !== 'surface') this.#rules = false;
-      this.#dragNow();
+      this.#drags.dragNow();
     });
   }
 
@@ -423,12 +389,6 @@ export class Gestures {
     if (target?.type === 'other' && !this.editor.refuses()) this.editor.setTool('insert');
   }
 
-  /** Marks what a place is taken to. */
-  #showSnap(snapped: Snapped | null): void {
-    if (snapped?.kind) this.#handles.showPreview(snapped.position, 'snap', snapped.kind);
-    else this.#handles.showPreview(null, 'surface');
-  }
-
   /** What a click there would be taken to; null where it places nothing. */
   #snapAt(place: { x: number; y: number; touch: boolean }, target: Target | null): Snapped | null {
     const { control } = this.#keys;
@@ -462,38 +422,6 @@ export class Gestures {
     this.editor.run({ type: 'circle', from, to }, 'rim');
   }
 
-  #grab(id: string, place: { x: number; y: number }): void {
-    const { figure } = this.editor.state;
-    const selection = selectionOf(id);
-    const isPen = figure.kind === 'pen';
-    const under = isPen ? underHandle(id) : null;
-    const action = under
-      ? penActionAt(under, this.#pen.state(this.#keys.alt))
-      : this.#closesAt(selection)
-        ? 'close'
-        : null;
-    const { view } = this.session;
-    const { circle } = figure;
-    const clicked = selectPressed(this.editor, id, this.#keys.shift);
-    this.#grabbed = {
-      ...place,
-      circle: circle && byRadii(circle, view.circle),
-      tangents: (isPen && typeof selection === 'number' && view.tangents?.[selection]) || {},
-      all: (isPen && view.tangents) || [],
-      clicked,
-      action: clicked && this.#keys.shift ? null : action,
-    };
-  }
-
-  /** Whether a click on a control point closes the curve that is drawn, as the pen's does. */
-  #closesAt(point: Selection): boolean {
-    const { figure, tool, selection, dragging } = this.editor.state;
-    const { kind, points, settings } = figure;
-    if (tool !== 'insert' || kind === 'pen' || !isCurve(kind) || settings.closed || dragging)
-      return false;
-    return point === 0 && points.length > 2 && selection === points.length - 1;
-  }
-
   /** A drag draws a circle or an ellipse from its center. */
   #takeRound(press: Place): Hold | null {
     const { editor, session, viewer } = this;
@@ -521,92 +449,5 @@ export class Gestures {
       },
       cancel: () => editor.cancelDrag(),
     };
-  }
-
-  #dragNow(): void {
-    const drag = this.#drag;
-    const grabbed = this.#grabbed;
-    this.#drag = null;
-    if (!drag || !grabbed) return;
-    const moved = Math.hypot(drag.x - grabbed.x, drag.y - grabbed.y);
-    if (!this.editor.dragging && moved <= clickSlop.mouse / 2) return;
-    this.#moveTo(drag.id, drag.x, drag.y, grabbed);
-  }
-
-  /** Moves a handle to the surface's point there; past the silhouette it stays where it was. */
-  #moveTo(id: string, x: number, y: number, { circle, tangents, all }: Grabbed): void {
-    const selection = selectionOf(id);
-    // A handle of the pen gives a direction, and goes as it is drawn.
-    const control = this.#keys.control || tangentOf(id) !== null;
-    const picked = this.snapping.pick({ x, y, control }, selection);
-    if (!picked) return;
-    this.#showSnap(picked);
-    const { point } = picked;
-    const base = this.editor.base;
-    let command: FigureCommand | null = null;
-    if (typeof selection === 'number') {
-      const from = base.points[selection];
-      const side = tangentOf(id)?.side;
-      const to =
-        from && side
-          ? this.#pen.withHandle(from, tangents, side, { x, y }, this.#keys)
-          : from && base.kind === 'pen'
-            ? this.#pen.moved(from, tangents, point, this.#keys)
-            : from && { ...from, ...point };
-      if (from && to) command = { type: 'change', index: selection, from, to };
-      const { more } = this.editor.state;
-      if (from && to && more.length > 0 && !side) {
-        const surface = this.viewer.surface!;
-        const points = takenAlong(base.points, { index: selection, to, more }, (other, before) => {
-          const there = surface.along(from, to, before);
-          return base.kind === 'pen'
-            ? this.#pen.moved(before, all[other] ?? {}, there, this.#keys)
-            : { ...before, ...there };
-        });
-        const replaced: FigureCommand = { type: 'replace', from: base, to: { ...base, points } };
-        this.editor.preview(replaced, [...more, selection]);
-        return;
-      }
-    } else if (base.circle && circle) {
-      const to = withHandle(base.circle, circle, selection, point);
-      command = { type: 'circle', from: base.circle, to };
-    }
-    if (command) this.editor.preview(command);
-  }
-
-  #release(cancelled: boolean): void {
-    this.#dragNow();
-    this.#showSnap(null);
-    const clicked = cancelled || this.editor.dragging ? null : this.#grabbed?.clicked;
-    if (clicked) this.editor.selectPoints(clicked);
-    const action = cancelled || this.editor.dragging ? null : this.#grabbed?.action;
-    const { selection } = this.editor.state;
-    this.#grabbed = null;
-    if (action === 'close') this.editor.setSettings({ closed: true });
-    if (action === 'convert' && typeof selection === 'number') this.#pen.convert(selection);
-    if (cancelled) this.editor.cancelDrag();
-    else this.editor.commitDrag();
-  }
-
-  /** What keys have moved stays, as one step of the history. */
-  #endNudge(): void {
-    if (this.#nudges) this.editor.commitDrag();
-    this.#nudges = false;
-  }
-
-  #nudge(id: string, event: KeyboardEvent): void {
-    const arrow = arrows[event.key];
-    if (!arrow || event.altKey) return;
-    event.preventDefault();
-    event.stopPropagation();
-    const step = event.shiftKey ? 16 : 4;
-    const place = this.#handles.place(id);
-    if (!place) return;
-    if (!this.editor.dragging) this.#grab(id, place);
-    const grabbed = this.#grabbed;
-    if (!grabbed) return;
-    this.#nudges = true;
-    this.#keys = { alt: false, shift: false, control: false };
-    this.#moveTo(id, place.x + step * arrow[0], place.y + step * arrow[1], grabbed);
   }
 }

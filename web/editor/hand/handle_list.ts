@@ -7,7 +7,7 @@ import type { UnderPointer } from '../../model/pen_hints';
 import type { Handle } from '../../viewer/handles';
 import type { Surface } from '../../viewer/surface';
 import type { View } from '../engine/view';
-import type { Selection, State } from '../state/editor';
+import type { Selection, State } from '../state/state';
 
 /**
  * The handles of what is edited: one a control point, or those of a circle or an ellipse; none of

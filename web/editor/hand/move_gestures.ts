@@ -122,7 +122,7 @@ export class MoveGestures {
     // Something else was done since: the move goes on from there.
     if (this.#keyed?.revision !== editor.state.revision) this.#keyed = null;
     // Whatever a pointer drags is none of the keys'.
-    if (!this.#keyed && editor.dragging) return;
+    if (!this.#keyed && editor.state.dragging) return;
     this.#keyed ??= await this.#keyedMove();
     const keyed = this.#keyed;
     if (!keyed || keyed.revision !== editor.state.revision) return;

@@ -110,7 +110,7 @@ export class PenGestures {
       const segment = await bend;
       const command = point && (await segment?.through(point, corrections).catch(() => null));
       // After the release the curve may have gone.
-      if (held && segment && command && editor.base === figure) {
+      if (held && segment && command && editor.state.base === figure) {
         editor.preview(command, segment.anchors);
       }
     };
@@ -122,7 +122,7 @@ export class PenGestures {
         try {
           await newest.end();
           await go(place, atLast);
-          if (held && editor.base === figure) editor.commitDrag();
+          if (held && editor.state.base === figure) editor.commitDrag();
         } finally {
           (await bend)?.end();
         }

@@ -3,7 +3,7 @@ import { activeObject } from '../../model/drawing';
 import { isCurve } from '../../model/figure';
 import type { Pick } from '../../viewer/surface';
 import type { Viewer } from '../../viewer/viewer';
-import type { State } from '../state/editor';
+import type { State } from '../state/state';
 
 /** What a click at a place of the window would act on. */
 export type Target =

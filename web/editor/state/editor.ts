@@ -10,13 +10,11 @@ import {
   restyling,
   withGroups,
 } from '../../model/arranging';
-import type { CircleHandle } from '../../model/circle';
-import { apply, type Command, onlyEditOf } from '../../model/commands';
+import { apply, type Command } from '../../model/commands';
 import {
   activeObject,
   type Drawing,
   type DrawnObject,
-  emptyDrawing,
   indexOf,
   lookOf,
   objectOf,
@@ -42,70 +40,22 @@ import {
   stepBack,
   stepForth,
 } from '../../model/history';
-import { defaultMethod, type MethodId } from '../../model/methods';
+import type { MethodId } from '../../model/methods';
+import {
+  changedState,
+  firstState,
+  noNumbers,
+  type Selection,
+  type State,
+  type StateChange,
+  selectedObjects,
+  selectionAfter,
+} from './state';
 import { type CurveTool, isResting, type RestingTool } from './tool';
-
-/** A control point by its number, or one of a circle's or ellipse's handles. */
-export type Selection = number | CircleHandle | null;
-
-export interface State {
-  /** The key of the surface that is shown; empty before the first one. */
-  readonly mesh: string;
-  readonly drawing: Drawing;
-  /** Of the object that is edited. */
-  readonly figure: Figure;
-  /** The same without the drag that is going on. */
-  readonly base: Figure;
-  /** Whether this surface stands in for one that could not be opened, and nothing was done on it. */
-  readonly standIn: boolean;
-  /** What is selected of the edited object. */
-  readonly selection: Selection;
-  /** Points that are selected with the one of `selection`, by their numbers. */
-  readonly more: readonly number[];
-  /** The objects that are selected, by their ids. */
-  readonly chosen: readonly number[];
-  /** Whether nothing is selected, the edited object neither: it has no handles, and what is drawn next is another. */
-  readonly none: boolean;
-  readonly method: MethodId;
-  /** Whether the drawing is a drag's, which may go on. */
-  readonly dragging: boolean;
-  /** The numbers of the points that are dragged, or of the anchor that is drawn out. */
-  readonly dragged: readonly number[];
-  /** What a click does; `split` and `join` are for one click. */
-  readonly tool: CurveTool;
-  /** Grows with every change of the drawing or the method. */
-  readonly revision: number;
-  /** Grows where an older curve would be wrong to show: any change but a drag's next position. */
-  readonly epoch: number;
-}
-
-const none: readonly number[] = [];
-
-/** The one selection: the ids of the objects that panels, keys and files mean; the edited one is among them. */
-export function selectedObjects({ chosen, none, drawing }: State): readonly number[] {
-  if (none) return [];
-  return chosen.length > 0 ? chosen : [drawing.active];
-}
 
 /** The page's one state, and the only way to change it. */
 export class Editor {
-  #state: State = {
-    mesh: '',
-    drawing: emptyDrawing,
-    figure: activeObject(emptyDrawing).figure,
-    base: activeObject(emptyDrawing).figure,
-    standIn: false,
-    selection: null,
-    more: none,
-    chosen: [],
-    none: false,
-    method: defaultMethod,
-    dragging: false,
-    dragged: none,
-    tool: 'insert',
-    revision: 0,
-    epoch: 0,
-  };
+  #state: State = firstState;
   readonly #listeners: ((state: State, before: State) => void)[] = [];
   /** The surfaces that were shown: what was done there, and the drawing it led to. */
   readonly #histories = new Map<string, History>();
@@ -173,7 +123,7 @@ export class Editor {
    * Shows the drawing as it is after an edit that is not yet done: a drag's next position. `dragged` are
    * the points that an edit of several moves together.
    */
-  preview(edit: FigureCommand, dragged: readonly number[] = none): void {
+  preview(edit: FigureCommand, dragged: readonly number[] = noNumbers): void {
     if (!this.#drag && this.refuses()) return;
     this.#drag ??= { base: this.#state.drawing, command: null };
     const { base } = this.#drag;
@@ -188,12 +138,12 @@ export class Editor {
     this.#drag ??= { base: this.#state.drawing, command: null };
     this.#drag.command = command;
     const drawing = apply(this.#drag.base, command);
-    this.#change({ drawing, dragging: true, dragged: none }, false);
+    this.#change({ drawing, dragging: true, dragged: noNumbers }, false);
   }
 
   /** Shows an edit of an object of a kind that begins with it: both are one step, or none. */
   previewBegun(kind: Kind, edit: FigureCommand): void {
-    const base = this.#drag?.base ?? this.#state.drawing;
+    const base = this.baseDrawing;
     const begin = beginning(base, kind);
     if (!begin) {
       this.preview(edit);
@@ -211,7 +161,7 @@ export class Editor {
     const drawing = command === this.#drag.command ? this.#state.drawing : apply(base, command!);
     if (command && base !== drawing) record(this.#history, command);
     this.#drag = null;
-    this.#change({ drawing, dragging: false, dragged: none }, false);
+    this.#change({ drawing, dragging: false, dragged: noNumbers }, false);
   }
 
   /** A drag's command once it ends, with what it made of the figure beside what the hand did. */
@@ -227,7 +177,7 @@ export class Editor {
   cancelDrag(): void {
     const drag = this.#drag;
     this.#drag = null;
-    if (drag) this.#change({ drawing: drag.base, dragging: false, dragged: none }, true);
+    if (drag) this.#change({ drawing: drag.base, dragging: false, dragged: noNumbers }, true);
   }
 
   /**
@@ -245,18 +195,9 @@ export class Editor {
     if (from?.leg) this.run({ type: 'change', index, from, to: withLeg(from, null) });
   }
 
-  get dragging(): boolean {
-    return this.#state.dragging;
-  }
-
   /** The drawing without the drag that is going on. */
   get baseDrawing(): Drawing {
     return this.#drag?.base ?? this.#state.drawing;
-  }
-
-  /** The edited figure without the drag that is going on. */
-  get base(): Figure {
-    return activeObject(this.#drag?.base ?? this.#state.drawing).figure;
   }
 
   get active(): DrawnObject {
@@ -318,12 +259,12 @@ export class Editor {
     if (selection !== this.#state.selection) this.#change({ selection }, false);
   }
 
-  /** Selects a place of the edited object, and objects, without editing another one. */
   /** Selects points of the edited object by their numbers, the last one foremost. */
   selectPoints(points: readonly number[]): void {
     this.#change({ selection: points.at(-1) ?? null, more: points.slice(0, -1) }, false);
   }
 
+  /** Selects a place of the edited object, and objects, without editing another one. */
   setSelection(selection: Selection, chosen: readonly number[]): void {
     this.#change({ selection, chosen }, false);
   }
@@ -538,7 +479,7 @@ export class Editor {
 
   /** An edit of an object, the active one where none is named, as a command of the drawing before the drag. */
   #commandOf(edit: FigureCommand, of?: number): Command {
-    const base = this.#drag?.base ?? this.#state.drawing;
+    const base = this.baseDrawing;
     const { id, figure: from } = (of !== undefined && objectOf(base, of)) || activeObject(base);
     const wanted = applyToFigure(from, edit);
     const to = fitted(wanted, from, edit);
@@ -573,44 +514,13 @@ export class Editor {
   #step(command: Command): void {
     const drawing = apply(this.#state.drawing, command);
     const chosen = this.#state.chosen.filter((id) => indexOf(drawing, id) >= 0);
-    let { selection } = this.#state;
-    const edit = onlyEditOf(command, drawing.active);
-    if (edit?.type === 'insert' || edit?.type === 'change') selection = edit.index;
-    else if (edit?.type === 'reorder') selection = edit.to;
-    // What was put last is gone: the curve goes on from the one before.
-    else if (edit?.type === 'remove' && edit.index > 0) selection = edit.index - 1;
-    else if (edit?.type !== 'circle' || !edit.to) selection = null;
+    const selection = selectionAfter(command, drawing, this.#state.selection);
     this.#change({ drawing, selection, chosen }, true);
   }
 
-  #change(part: Partial<Omit<State, 'figure' | 'base'>>, newEpoch: boolean): void {
+  #change(part: StateChange, newEpoch: boolean): void {
     const before = this.#state;
-    const state = { ...before, ...part };
-    // An empty object goes where another one is edited, and is selected no more.
-    const isThere = (id: number) => indexOf(state.drawing, id) >= 0;
-    if (!state.chosen.every(isThere)) state.chosen = state.chosen.filter(isThere);
-    // The edited object is always among those that are selected.
-    if (!state.chosen.includes(state.drawing.active)) state.chosen = [];
-    const count = (drawing: Drawing) => activeObject(drawing).figure.points.length;
-    const isOther =
-      state.drawing.active !== before.drawing.active ||
-      count(state.drawing) !== count(before.drawing);
-    if (part.more === undefined && (part.selection !== undefined || isOther)) state.more = none;
-    // What is done, and what is selected of it, is seen.
-    const isSeen = state.drawing !== before.drawing || state.selection !== null;
-    state.none = part.none ?? (before.none && !isSeen && state.chosen.length === 0);
-    const traced =
-      state.drawing !== before.drawing ||
-      state.method !== before.method ||
-      state.mesh !== before.mesh;
-    this.#state = {
-      ...state,
-      figure: activeObject(state.drawing).figure,
-      base: activeObject(this.#drag?.base ?? state.drawing).figure,
-      standIn: part.standIn ?? (before.standIn && !traced),
-      revision: before.revision + (traced ? 1 : 0),
-      epoch: before.epoch + (newEpoch ? 1 : 0),
-    };
+    this.#state = changedState(before, part, this.#drag?.base ?? null, newEpoch);
     for (const listener of this.#listeners) listener(this.#state, before);
   }
 }

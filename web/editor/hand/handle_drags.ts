@@ -1,0 +1,218 @@
+import { byRadii, withHandle } from '../../model/circle';
+import { type CircleShape, type ControlPoint, type Figure, isCurve } from '../../model/figure';
+import { type PenAction, penActionAt } from '../../model/pen_hints';
+import type { DrawnTangents } from '../../model/pen_legs';
+import { Handles } from '../../viewer/handles';
+import type { Viewer } from '../../viewer/viewer';
+import type { Session } from '../engine/session';
+import type { Editor } from '../state/editor';
+import type { Selection } from '../state/state';
+import { selectionOf, tangentOf, underHandle } from './handle_list';
+import type { HeldKeys, PenGestures } from './pen_gestures';
+import { selectPressed, takenAlong } from './several_points';
+import type { Snapped, Snapping } from './snapping';
+import { arrows } from './stage_keys';
+import { clickSlop } from './stage_pointer';
+
+/** What a drag of a handle began with. */
+interface Grabbed {
+  x: number;
+  y: number;
+  circle: CircleShape | null;
+  /** Of an anchor of the pen, and of all. */
+  tangents: DrawnTangents;
+  all: readonly DrawnTangents[];
+  /** The points that a click leaves selected. */
+  clicked: readonly number[] | null;
+  /** What a click on an anchor of the pen does. */
+  action: PenAction | null;
+}
+
+/** What drags of handles share with the other gestures. */
+interface Hand {
+  readonly pen: PenGestures;
+  readonly snapping: Snapping;
+  /** The keys that are held while the pointer moves. */
+  keys(): HeldKeys;
+  /** Has `dragNow` called before the next frame. */
+  schedule(): void;
+}
+
+const noKeys: HeldKeys = { alt: false, shift: false, control: false };
+
+/** Moves control points, anchors and circles by their handles, with the pointer or by keys. */
+export class HandleDrags {
+  readonly handles: Handles;
+  #grabbed: Grabbed | null = null;
+  /** Whether a handle is moved by keys. */
+  #nudges = false;
+  /** The pointer's newest place, to which a handle is not moved yet. */
+  #drag: { id: string; x: number; y: number } | null = null;
+
+  constructor(
+    private readonly editor: Editor,
+    private readonly session: Session,
+    private readonly viewer: Viewer,
+    layer: HTMLElement,
+    private readonly hand: Hand,
+  ) {
+    this.handles = new Handles(viewer, layer, {
+      grab: (id, x, y) => this.#grab(id, { x, y }, hand.keys()),
+      drag: (id, x, y) => {
+        this.#drag = { id, x, y };
+        hand.schedule();
+      },
+      release: (_, cancelled) => this.#release(cancelled),
+      focus: (id) => {
+        // A press has selected what it means, perhaps several.
+        if (!this.#grabbed) editor.select(selectionOf(id));
+      },
+      key: (id, event) => this.#nudge(id, event),
+    });
+    layer.addEventListener('keyup', (event) => {
+      if (event.key in arrows) this.#endNudge();
+    });
+    // Nobody would hear the key being let go.
+    layer.addEventListener('focusout', () => this.#endNudge());
+  }
+
+  /** Takes back the drag that is going on. */
+  letGo(): void {
+    if (this.#nudges) this.editor.cancelDrag();
+    this.#nudges = false;
+    this.handles.letGo();
+  }
+
+  /** Moves the handle to the pointer's newest place. */
+  dragNow(): void {
+    const drag = this.#drag;
+    const grabbed = this.#grabbed;
+    this.#drag = null;
+    if (!drag || !grabbed) return;
+    const moved = Math.hypot(drag.x - grabbed.x, drag.y - grabbed.y);
+    if (!this.editor.state.dragging && moved <= clickSlop.mouse / 2) return;
+    this.#moveTo(drag.id, drag.x, drag.y, grabbed, this.hand.keys());
+  }
+
+  #grab(id: string, place: { x: number; y: number }, keys: HeldKeys): Grabbed {
+    const { figure } = this.editor.state;
+    const selection = selectionOf(id);
+    const isPen = figure.kind === 'pen';
+    const under = isPen ? underHandle(id) : null;
+    const action = under
+      ? penActionAt(under, this.hand.pen.state(keys.alt))
+      : this.#closesAt(selection)
+        ? 'close'
+        : null;
+    const { view } = this.session;
+    const { circle } = figure;
+    const clicked = selectPressed(this.editor, id, keys.shift);
+    this.#grabbed = {
+      ...place,
+      circle: circle && byRadii(circle, view.circle),
+      tangents: (isPen && typeof selection === 'number' && view.tangents?.[selection]) || {},
+      all: (isPen && view.tangents) || [],
+      clicked,
+      action: clicked && keys.shift ? null : action,
+    };
+    return this.#grabbed;
+  }
+
+  /** Whether a click on a control point closes the curve that is drawn, as the pen's does. */
+  #closesAt(point: Selection): boolean {
+    const { figure, tool, selection, dragging } = this.editor.state;
+    const { kind, points, settings } = figure;
+    if (tool !== 'insert' || kind === 'pen' || !isCurve(kind) || settings.closed || dragging)
+      return false;
+    return point === 0 && points.length > 2 && selection === points.length - 1;
+  }
+
+  /** Moves a handle to the surface's point there; past the silhouette it stays where it was. */
+  #moveTo(id: string, x: number, y: number, grabbed: Grabbed, keys: HeldKeys): void {
+    const selection = selectionOf(id);
+    // A handle of the pen gives a direction, and goes as it is drawn.
+    const control = keys.control || tangentOf(id) !== null;
+    const picked = this.hand.snapping.pick({ x, y, control }, selection);
+    if (!picked) return;
+    this.#showSnap(picked);
+    const { base } = this.editor.state;
+    if (typeof selection === 'number') {
+      const from = base.points[selection];
+      const side = tangentOf(id)?.side;
+      if (!from) return;
+      if (side) {
+        const to = this.hand.pen.withHandle(from, grabbed.tangents, side, { x, y }, keys);
+        if (to) this.editor.preview({ type: 'change', index: selection, from, to });
+      } else this.#movePoint(base, selection, picked.point, grabbed, keys);
+    } else if (base.circle && grabbed.circle) {
+      const to = withHandle(base.circle, grabbed.circle, selection, picked.point);
+      this.editor.preview({ type: 'circle', from: base.circle, to });
+    }
+  }
+
+  /** Moves a point, and those that are selected with it along. */
+  #movePoint(
+    base: Figure,
+    index: number,
+    point: Snapped['point'],
+    { tangents, all }: Grabbed,
+    keys: HeldKeys,
+  ): void {
+    const { pen } = this.hand;
+    const moved = (before: ControlPoint, there: Snapped['point'], drawn: DrawnTangents) =>
+      base.kind === 'pen' ? pen.moved(before, drawn, there, keys) : { ...before, ...there };
+    const from = base.points[index]!;
+    const to = moved(from, point, tangents);
+    const { more } = this.editor.state;
+    if (more.length === 0) {
+      this.editor.preview({ type: 'change', index, from, to });
+      return;
+    }
+    const surface = this.viewer.surface!;
+    const points = takenAlong(base.points, { index, to, more }, (other, before) =>
+      moved(before, surface.along(from, to, before), all[other] ?? {}),
+    );
+    this.editor.preview({ type: 'replace', from: base, to: { ...base, points } }, [...more, index]);
+  }
+
+  #showSnap(snapped: Snapped | null): void {
+    if (snapped?.kind) this.handles.showPreview(snapped.position, 'snap', snapped.kind);
+    else this.handles.showPreview(null, 'surface');
+  }
+
+  #release(cancelled: boolean): void {
+    this.dragNow();
+    this.#showSnap(null);
+    const { editor } = this;
+    const click = cancelled || editor.state.dragging ? null : this.#grabbed;
+    this.#grabbed = null;
+    if (click?.clicked) editor.selectPoints(click.clicked);
+    const { selection } = editor.state;
+    if (click?.action === 'close') editor.setSettings({ closed: true });
+    if (click?.action === 'convert' && typeof selection === 'number') {
+      this.hand.pen.convert(selection);
+    }
+    if (cancelled) editor.cancelDrag();
+    else editor.commitDrag();
+  }
+
+  /** What keys have moved stays, as one step of the history. */
+  #endNudge(): void {
+    if (this.#nudges) this.editor.commitDrag();
+    this.#nudges = false;
+  }
+
+  #nudge(id: string, event: KeyboardEvent): void {
+    const arrow = arrows[event.key];
+    if (!arrow || event.altKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const step = event.shiftKey ? 16 : 4;
+    const place = this.handles.place(id);
+    if (!place) return;
+    const grabbed = this.editor.state.dragging ? this.#grabbed : this.#grab(id, place, noKeys);
+    if (!grabbed) return;
+    this.#nudges = true;
+    this.#moveTo(id, place.x + step * arrow[0], place.y + step * arrow[1], grabbed, noKeys);
+  }
+}
