@@ -5,7 +5,8 @@ import { readJson } from './export/curve_file';
 import { type Drawing, emptyDrawing, withDrawingPlaces } from './model/drawing';
 import { type Example, examples } from './model/examples';
 import type { History } from './model/history';
-import { fitting, formatLink, type Link, lostOf, parseLink, pointsOf } from './model/link';
+import { fitting } from './model/fitting';
+import { formatLink, type Link, lostOf, parseLink, pointsOf } from './model/link';
 import { mostLinkPoints } from './model/link_problems';
 import {
   defaultMesh,

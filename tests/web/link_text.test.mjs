@@ -7,7 +7,7 @@ describe('links', () => {
   let link;
   let drawing;
   before(async () => {
-    link = await load('model/link.ts');
+    link = { ...(await load('model/link.ts')), ...(await load('model/fitting.ts')) };
     drawing = await load('model/drawing.ts');
   });
   /** The edited figure of a link. */

@@ -14,7 +14,8 @@ export { isEmpty, isSpline, knotsFit, pointsNeeded } from '../../web/model/figur
 export { applyToFigure, fitted } from '../../web/model/figure_commands';
 export { gapBetween } from '../../web/model/gap';
 export { historyOf } from '../../web/model/history';
-export { fitting, formatLink, parseLink } from '../../web/model/link';
+export { fitting } from '../../web/model/fitting';
+export { formatLink, parseLink } from '../../web/model/link';
 export { blobsOf } from '../../web/model/mesh_blobs';
 export { methodOptions } from '../../web/model/methods';
 export {

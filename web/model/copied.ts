@@ -1,6 +1,6 @@
 /** Objects as text that is copied, and pasted here or in another tab. */
 import type { DrawnObject } from './drawing';
-import { fittingObjects } from './link';
+import { fittingObjects } from './fitting';
 import { drawingVersion, readObjects } from './saved_drawing';
 
 const format = 'karcher-objects';

@@ -1,13 +1,12 @@
 /** What a link says of figures that are made of other ones. */
-import type { SurfacePoint } from 'karcher';
 import { type Derived, mostParts, mostSources, offsetSides, type PartChoice } from './derived';
 import type { Kind } from './figure';
+import { formatPoint, parsePoint } from './link_numbers';
 
 /** The fields that say what a figure is made of; `numberOf` tells an object of an id by its place among all, from 1. */
 export function derivedFields(
   { sources, offset, parts = [], thickness = 0 }: Derived,
   numberOf: (id: number) => number,
-  formatPoint: (point: SurfacePoint) => string,
 ): string[] {
   const choices = parts.map(({ point, state }) => `${formatPoint(point)},${state}`);
   return [
@@ -19,11 +18,7 @@ export function derivedFields(
 }
 
 /** What a fragment says that a figure is made of; objects have their places, from 1, as their ids. */
-export function parseDerived(
-  kind: Kind,
-  fields: URLSearchParams,
-  parsePoint: (text: string) => SurfacePoint | null,
-): Derived {
+export function parseDerived(kind: Kind, fields: URLSearchParams): Derived {
   const texts = (fields.get('of') ?? '').split(',').slice(0, mostSources);
   const sources = texts.filter((text) => /^[1-9]\d{0,8}$/.test(text)).map(Number);
   const positive = (name: string) => {

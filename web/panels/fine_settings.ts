@@ -10,7 +10,7 @@ import {
   samplesRange,
   toleranceRange,
 } from '../model/figure';
-import { levelsOf } from '../model/link';
+import { levelsOf } from '../model/link_figure';
 import { mayHaveLevels } from '../model/splines';
 import { byId, write } from './elements';
 import { sentenceOf } from './messages';

@@ -1,0 +1,55 @@
+/** Drawings on a surface that has fewer triangles than theirs: what is not on it goes. */
+import type { SurfacePoint } from 'karcher';
+import type { Drawing, DrawnObject } from './drawing';
+import { type ControlPoint, type Figure, isEmpty, withFittingKnots, withLeg } from './figure';
+import { withTangents } from './pen';
+
+/** Points of such a surface, with the legs of such points between points that stay neighbours. */
+function fittingPoints(points: readonly ControlPoint[], triangles: number): ControlPoint[] {
+  const fits = ({ face }: SurfacePoint) => face < triangles;
+  const fitting = ({ tangents }: ControlPoint) => {
+    const all = [tangents?.before, tangents?.after];
+    return all.every((tangent) => !tangent || !('face' in tangent) || fits(tangent));
+  };
+  // With its handles a point of the pen loses the ends of its legs.
+  const stays = (point: ControlPoint) => fits(point) && fitting(point);
+  const holds = (i: number) =>
+    points[i]!.leg?.every(fits) && stays(points[i]!) && stays(points[i + 1] ?? points[0]!)
+      ? points[i]!.leg
+      : null;
+  return points
+    .map((point, i) => withLeg(point, holds(i)))
+    .map((point) => (fitting(point) ? point : withTangents(point, undefined)))
+    .filter(fits);
+}
+
+/** A figure of which every place is on a surface of that many triangles. */
+function fittingFigure(figure: Figure, triangles: number): Figure {
+  const fits = (place: object) => !('face' in place) || (place as SurfacePoint).face < triangles;
+  const { circle, derived } = figure;
+  const circleFits = circle && [circle.center, circle.rim, circle.across ?? {}].every(fits);
+  return withFittingKnots({
+    ...figure,
+    points: fittingPoints(figure.points, triangles),
+    circle: circleFits ? circle : null,
+    ...(derived?.parts && {
+      derived: { ...derived, parts: derived.parts.filter(({ point }) => fits(point)) },
+    }),
+  });
+}
+
+/** Objects with what lies on a surface of that many triangles; without those that have nothing there. */
+export const fittingObjects = (objects: readonly DrawnObject[], triangles: number) =>
+  objects
+    .map((object) => ({ ...object, figure: fittingFigure(object.figure, triangles) }))
+    .filter(({ figure }) => !isEmpty(figure));
+
+/** A drawing of which every place is on a surface of that many triangles. */
+export function fitting(drawing: Drawing, triangles: number): Drawing {
+  const { active } = drawing;
+  const objects = drawing.objects.map((object) => ({
+    ...object,
+    figure: fittingFigure(object.figure, triangles),
+  }));
+  return { objects: objects.filter(({ id, figure }) => id === active || !isEmpty(figure)), active };
+}

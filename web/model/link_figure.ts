@@ -1,0 +1,244 @@
+/** What a link says of a figure: its points, legs and handles, its settings, its circle. */
+import type { CurveLevels, SurfacePoint } from 'karcher';
+import { isDerived } from './derived';
+import {
+  type Across,
+  type CircleForm,
+  type CircleShape,
+  type ControlPoint,
+  type CurveSettings,
+  defaultCircleForm,
+  defaultSettings,
+  type Figure,
+  fewestArcs,
+  kinds,
+  marksRange,
+  mostArcs,
+  mostLegPoints,
+  mostLevels,
+  type Rim,
+  samplesRange,
+  type Tangent,
+  type Tangents,
+  toleranceRange,
+  type Vector,
+  withFittingKnots,
+  withLeg,
+  withParameter,
+} from './figure';
+import { derivedFields, parseDerived } from './link_derived';
+import { formatPoint, isWithin, parseNumbers, parsePoint } from './link_numbers';
+import { withTangents } from './pen';
+
+/** The fields of a figure. `numberOf` gives the place of an object among all, from 1; 0 where it is gone. */
+export function figureFields(
+  { kind, points, settings, circle, circleForm, derived }: Figure,
+  numberOf: (id: number) => number,
+): string[] {
+  const parts = [`kind=${kind}`, `points=${points.map(formatControlPoint).join(';')}`];
+  parts.push(...legsFields(points), ...tangentsFields(points), ...settingsFields(settings));
+  if (circle) parts.push(`circle=${formatCircle(circle)}`);
+  if (circleForm.type !== defaultCircleForm.type) parts.push(`circletype=${circleForm.type}`);
+  if (circleForm.arcs !== defaultCircleForm.arcs) parts.push(`arcs=${circleForm.arcs}`);
+  if (isDerived(kind) && derived) parts.push(...derivedFields(derived, numberOf));
+  return parts;
+}
+
+function formatControlPoint(point: ControlPoint): string {
+  const { weight = 1, beta = 1 } = point;
+  const numbers = beta !== 1 ? [weight, beta] : weight !== 1 ? [weight] : [];
+  return [formatPoint(point), ...numbers].join(',');
+}
+
+function formatRim(rim: Rim): string {
+  if ('face' in rim) return formatPoint(rim);
+  return [rim.radius, ...rim.direction].join(',');
+}
+
+function formatAcross(across: Across): string {
+  return 'face' in across ? formatPoint(across) : `${across.radius}`;
+}
+
+function formatCircle({ center, rim, across }: CircleShape): string {
+  const parts = [formatPoint(center), formatRim(rim)];
+  return [...parts, ...(across ? [formatAcross(across)] : [])].join(';');
+}
+
+function legsFields(points: readonly ControlPoint[]): string[] {
+  const legs = points.map(({ leg }, i) => leg && [i, ...leg.map(formatPoint)].join(':'));
+  const told = legs.filter((leg) => leg !== undefined);
+  return told.length > 0 ? [`legs=${told.join(';')}`] : [];
+}
+
+/** The handles of anchors: by a point's number those before and after it, each told as it is. */
+function tangentsFields(points: readonly ControlPoint[]): string[] {
+  const told = points.flatMap(({ tangents }, i) =>
+    tangents ? [`${i}:${formatTangent(tangents.before)}:${formatTangent(tangents.after)}`] : [],
+  );
+  return told.length > 0 ? [`tangents=${told.join(';')}`] : [];
+}
+
+function formatTangent(tangent: Tangent | undefined): string {
+  if (!tangent) return '';
+  if ('face' in tangent) return formatPoint(tangent);
+  if ('direction' in tangent) return [tangent.length, ...tangent.direction].join(',');
+  return tangent.length === null ? 'same' : `${tangent.length}`;
+}
+
+function parseTangent(text: string): Tangent | undefined {
+  if (text === 'same') return { length: null };
+  const point = parsePoint(text);
+  if (point) return point;
+  const [length = -1, ...direction] = parseNumbers(text, 4) ?? parseNumbers(text, 1) ?? [];
+  if (length < 0) return undefined;
+  return direction.length > 0 ? { direction: direction as Vector, length } : { length };
+}
+
+/** Handles by the numbers of their anchors. */
+function parseTangents(text: string): Map<string, Tangents> {
+  const parts = text.split(';').map((part) => part.split(':'));
+  return new Map(
+    parts.map(([number = '', before = '', after = '']) => {
+      const read = { before: parseTangent(before), after: parseTangent(after) };
+      const told = {
+        ...(read.before && { before: read.before }),
+        ...(read.after && { after: read.after }),
+      };
+      return [number, told];
+    }),
+  );
+}
+
+function settingsFields(settings: CurveSettings): string[] {
+  const parts: string[] = [];
+  if (settings.closed) parts.push('closed=1');
+  if (settings.degree !== defaultSettings.degree) parts.push(`degree=${settings.degree}`);
+  if (settings.clamped) parts.push('clamped=1');
+  if (settings.knots) parts.push(`knots=${settings.knots}`);
+  if (settings.parametrization !== defaultSettings.parametrization) {
+    parts.push(`parametrization=${settings.parametrization}`);
+  }
+  if (settings.samples !== defaultSettings.samples) parts.push(`samples=${settings.samples}`);
+  if (settings.tolerance !== null) parts.push(`tolerance=${settings.tolerance}`);
+  if (settings.marks > 0) parts.push(`marks=${settings.marks}`);
+  if (settings.levels !== defaultSettings.levels) parts.push(`levels=${settings.levels}`);
+  return parts;
+}
+
+/** The points of a figure's fragment, as they are said. */
+export function pointTexts(fragment: string): string[] {
+  const fields = new URLSearchParams(fragment.replace(/^#/, ''));
+  return (fields.get('points') ?? '').split(';').filter((text) => text !== '');
+}
+
+/** The figure that a fragment says. */
+export function parseFigure(fragment: string): Figure {
+  const fields = new URLSearchParams(fragment.replace(/^#/, ''));
+  const legs = parseLegs(fields.get('legs') ?? '');
+  const tangents = parseTangents(fields.get('tangents') ?? '');
+  const read = pointTexts(fragment).map(parseControlPoint);
+  const points = read.map((point, i) => {
+    const next = i + 1 < read.length ? read[i + 1] : read[0];
+    const leg = next ? legs.get(i) : null;
+    return point && withTangents(withLeg(point, leg), tangents.get(`${i}`));
+  });
+  const kind = kinds.find((one) => one === fields.get('kind')) ?? 'bspline';
+  return withFittingKnots({
+    kind,
+    settings: parseSettings(fields),
+    points: points.filter((point) => point !== null),
+    circle: parseCircle(fields.get('circle') ?? ''),
+    circleForm: parseCircleForm(fields),
+    ...(isDerived(kind) && { derived: parseDerived(kind, fields) }),
+  });
+}
+
+/** Legs by the numbers of their points; those that are said wrongly are left out. */
+function parseLegs(text: string): Map<number, SurfacePoint[]> {
+  const legs = new Map<number, SurfacePoint[]>();
+  for (const part of text.split(';')) {
+    const [number = '', ...through] = part.split(':');
+    const leg = through.map(parsePoint).filter((point) => point !== null);
+    const whole = leg.length === through.length && leg.length > 0 && leg.length <= mostLegPoints;
+    if (whole && /^\d+$/.test(number)) legs.set(Number(number), leg);
+  }
+  return legs;
+}
+
+function parseControlPoint(text: string): ControlPoint | null {
+  const [face, u, v, weight = '1', beta = '1'] = text.split(',');
+  const point = parsePoint([face, u, v].join(','));
+  const weighted = point && withParameter(point, 'weight', parseParameter(weight));
+  return weighted && withParameter(weighted, 'beta', parseParameter(beta));
+}
+
+/** The parts of a curve that was cut may have any numbers, beyond those of the sliders too. */
+function parseParameter(text: string): number {
+  const [value] = parseNumbers(text, 1) ?? [1];
+  return Math.min(1e12, Math.max(1e-12, value!));
+}
+
+function parseSettings(fields: URLSearchParams): CurveSettings {
+  const degree = Number(fields.get('degree'));
+  const knots = fields.get('knots') ?? '';
+  const within = (name: string, range: { least: number; most: number }) => {
+    const [value] = parseNumbers(fields.get(name) ?? '', 1) ?? [0];
+    return isWithin(value!, range) ? value! : null;
+  };
+  const whole = (value: number | null) => (Number.isInteger(value) ? value : null);
+  return {
+    closed: fields.get('closed') === '1',
+    degree: [1, 2, 3, 4, 5].includes(degree) ? degree : defaultSettings.degree,
+    clamped: fields.get('clamped') === '1',
+    knots: parseNumbers(knots, knots.split(',').length),
+    parametrization:
+      fields.get('parametrization') === 'uniform' ? 'uniform' : defaultSettings.parametrization,
+    samples: whole(within('samples', samplesRange)) ?? defaultSettings.samples,
+    tolerance: within('tolerance', toleranceRange),
+    marks: whole(within('marks', marksRange)) ?? 0,
+    levels: levelsOf(fields.get('levels')) ?? defaultSettings.levels,
+  };
+}
+
+/** What a text says of levels; null where it says none. */
+export function levelsOf(text: string | null): CurveLevels | null {
+  if (text === 'auto' || text === 'limit') return text;
+  const number = Number(text || NaN);
+  return Number.isInteger(number) && number >= 0 && number <= mostLevels ? number : null;
+}
+
+function parseCircle(text: string): CircleShape | null {
+  const [centerText = '', rimText = '', acrossText = ''] = text.split(';');
+  const center = parsePoint(centerText);
+  const rim = parseRim(rimText);
+  if (!center || !rim) return null;
+  const across = parseAcross(acrossText);
+  return { center, rim, ...(across && { across }) };
+}
+
+function parseRim(text: string): Rim | null {
+  const point = parsePoint(text);
+  if (point) return point;
+  const values = parseNumbers(text, 4);
+  if (!values || values[0]! <= 0) return null;
+  const [radius, ...direction] = values as [number, number, number, number];
+  return { radius, direction };
+}
+
+function parseAcross(text: string): Across | null {
+  const point = parsePoint(text);
+  if (point) return point;
+  const [radius] = parseNumbers(text, 1) ?? [0];
+  return radius! > 0 ? { radius: radius! } : null;
+}
+
+function parseCircleForm(fields: URLSearchParams): CircleForm {
+  const type = fields.get('circletype');
+  // Links once named no arcs where there were seven: these circles keep nearer to their radius now.
+  const arcs = Number(fields.get('arcs'));
+  const good = Number.isInteger(arcs) && arcs >= fewestArcs && arcs <= mostArcs;
+  return {
+    type: type === 'linear' || type === 'exact' ? type : defaultCircleForm.type,
+    arcs: good ? arcs : defaultCircleForm.arcs,
+  };
+}
