@@ -2,7 +2,16 @@
 // one of docs/cpp.md. Only against the installed library is it linked and run: the engine is compiled already.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
-import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  cpSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
@@ -131,6 +140,10 @@ FetchContent_MakeAvailable(karcher)
       '--component',
       'karcher',
     );
+    const headers = join(prefix, 'include');
+    assert.deepEqual(readdirSync(headers), ['karcher']);
+    assert.ok(existsSync(join(headers, 'karcher/mesh/error.h')));
+    assert.ok(!existsSync(join(headers, 'karcher/mesh/seams.h')), 'it is internal');
     mkdirSync(join(folder, 'found'));
     cpSync(
       inRoot('build/native/third_party/tiny_obj_loader.h'),
