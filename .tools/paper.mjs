@@ -3,12 +3,13 @@
 // build/paper.json too.
 //
 //   npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N]
-//                    [--meshes FOLDER] [--points FOLDER] [--plots] [--judge] [--save] [--built]
+//                    [--meshes FOLDER] [--points FOLDER] [--plots] [--study NAME] [--judge] [--save] [--built]
 //
 // One figure only (or none), and then no claims; meshes of a part of the triangles; Table 1 up to so many
 // triangles (20,000) and with so many samples a segment; every OBJ file of a folder by every method, for the
 // claims about meshes that the project does not hold; only what the page plots, beside the verdicts of the
-// last report; only the verdicts, from the numbers of the last report (for rules and words that changed); the
+// last report; only a study of the claims, for what it does not time, beside the last report's other numbers,
+// whose rows then tell of which day they are; only the verdicts, from the numbers of the last report (for rules and words that changed); the
 // verdicts kept in docs/paper-report.json, from which the page shows them; what is in
 // dist/ as it is. Where there is nothing to write, the last report stays.
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -22,7 +23,7 @@ import { inRoot } from './shell.mjs';
 import { sourcesDigest } from './sources.mjs';
 
 const usage =
-  'Usage: npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N] [--meshes FOLDER] [--points FOLDER] [--plots] [--judge] [--save] [--built]';
+  'Usage: npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N] [--meshes FOLDER] [--points FOLDER] [--plots] [--study NAME] [--judge] [--save] [--built]';
 const budgetMs = 120_000;
 
 const known = {
@@ -33,6 +34,7 @@ const known = {
   meshes: { type: 'string' },
   points: { type: 'string' },
   plots: { type: 'boolean' },
+  study: { type: 'string' },
   judge: { type: 'boolean' },
   save: { type: 'boolean' },
   built: { type: 'boolean' },
@@ -155,14 +157,38 @@ async function renewPlots({ save }) {
   writeFileSync(path, keptJson({ ...report, plots }));
 }
 
-/** Judges the numbers of the last report anew; a row that they do not suffice for stays as it is. */
-async function judgeAnew() {
-  const { judge } = await load('claims/judge.ts');
+/** Measures one study; the report of everything keeps the rest, and its rows tell what is of another day. */
+async function renewStudy({ study }) {
+  const { runStudies, studyNames } = await load('claims/studies.ts');
+  if (!studyNames.includes(study)) {
+    throw new Error(`There is no study '${study}': ${studyNames.join(', ')}.`);
+  }
+  if (['convergence', 'roughness'].includes(study)) throw new Error('--plots measures it.');
+  const { studySeed } = await load('claims/seed.ts');
+  const { loadPeers } = await load('../../dist/peers/index.js');
+  const found = await runStudies(await loadPeers(), tell, [study]);
+  const { date, version, sources } = about(studySeed);
   const path = inRoot('docs/paper-report.json');
   const report = JSON.parse(readFileSync(path, 'utf8'));
-  const claims = judge(measuredOf(report)).map((row) => {
+  const { studies } = kept({ studies: { ...report.studies, ...found } });
+  await judgeAnew({ ...report, studies }, study, { date, version, sources });
+}
+
+/**
+ * Judges the numbers of the last report anew; a row that they do not suffice for stays as it is. Those that
+ * rest on a study that is newer say so.
+ */
+async function judgeAnew(report, study, newer) {
+  const { judge } = await load('claims/judge.ts');
+  const path = inRoot('docs/paper-report.json');
+  const measured = measuredOf(report);
+  const without = judge({ ...measured, studies: { ...measured.studies, [study]: undefined } });
+  const claims = judge(measured).map((row, i) => {
     const before = report.claims.find(({ id }) => id === row.id);
-    return row.verdict === 'not measured here' && before ? before : row;
+    if (row.verdict === 'not measured here' && before) return before;
+    const rests = without[i].verdict === 'not measured here';
+    const renewed = rests && newer ? newer : before?.renewed;
+    return renewed ? { ...row, renewed } : row;
   });
   writeFileSync(path, keptJson({ ...report, claims }));
   console.log('Judged anew in docs/paper-report.json.');
@@ -204,7 +230,7 @@ async function everything(options) {
 try {
   const options = readOptions();
   if (options.judge) {
-    await judgeAnew();
+    await judgeAnew(JSON.parse(readFileSync(inRoot('docs/paper-report.json'), 'utf8')));
     process.exit(0);
   }
   await setUp('build');
@@ -214,6 +240,10 @@ try {
   }
   if (options.plots) {
     await renewPlots(options);
+    process.exit(0);
+  }
+  if (options.study !== undefined) {
+    await renewStudy(options);
     process.exit(0);
   }
   const { parts, verdicts } = await everything(options);

@@ -36,12 +36,14 @@ class NewtonSearch {
       const Hessian h = hessian(geometry_, point_.face, field);
       if (!h.positiveDefinite()) return {point_, Status::kIndefinite, iteration};
       const Vec3 zero = field.zeroDirection();
+      const Vec2 gradient = field.at(point_.bary);
+      steps_.gradients = {gradient.norm(), steps_.gradients[0], steps_.gradients[1]};
       if (zero.sum() > 0 && zero.minCoeff() >= -kInsideTolerance * zero.sum()) {
+        steps_.inside = true;
         return {clampedPoint(point_.face, zero / zero.sum()), Status::kConverged, iteration};
       }
-      const Vec2 gradient = field.at(point_.bary);
       if (gradient.norm() <= tolerance) return {point_, Status::kConverged, iteration};
-      const Candidate best = bestAlongStep(newtonStep(h, gradient));
+      const Candidate best = bestAlongStep(newtonStep(h, gradient), gradient.norm());
       if (best.gradient < gradient.norm()) {
         point_ = best.point;
         facesTried_ = 0;
@@ -51,6 +53,8 @@ class NewtonSearch {
     }
     return {point_, Status::kLimit, iteration - 1};
   }
+
+  const NewtonSteps& steps() const { return steps_; }
 
  private:
   Vec2 newtonStep(const Hessian& h, const Vec2& gradient) const {
@@ -63,16 +67,27 @@ class NewtonSearch {
   }
 
   /// The point of the geodesic along the step, among its joints with edges and its end, with the
-  /// smallest gradient.
-  Candidate bestAlongStep(const Vec2& step) {
+  /// smallest gradient. `before` is the gradient at its start.
+  Candidate bestAlongStep(const Vec2& step, double before) {
     Candidate best;
+    int bestJoint = 0;
+    double gradient = before;
     traceStraightest(geometry_, point_, step, fields_.step(), {.maxCrossings = crossingsLeft_});
     const SurfacePath& path = fields_.step().path;
     crossingsLeft_ -= path.points.count() / 2;
     for (int i = 1; i < path.points.count(); ++i) {
       const SurfacePoint& p = path.points[i];
-      const double gradient = fields_.blend(p.face, weights_).at(p.bary).norm();
-      if (gradient < best.gradient) best = {p, gradient};
+      gradient = fields_.blend(p.face, weights_).at(p.bary).norm();
+      if (gradient >= best.gradient) continue;
+      best = {p, gradient};
+      bestJoint = i;
+    }
+    ++steps_.traced;
+    if (best.gradient >= before) {
+      ++steps_.stuck;
+    } else if (bestJoint < path.points.count() - 1) {
+      ++steps_.shortened;
+      if (gradient >= before) ++steps_.needed;
     }
     return best;
   }
@@ -155,6 +170,7 @@ class NewtonSearch {
   Weights weights_;
   SurfacePoint point_;
   int crossingsLeft_;
+  NewtonSteps steps_;
   Status status_ = Status::kNoProgress;
   /// Faces around the same edge or vertex that were left without progress.
   int facesTried_ = 0;
@@ -164,7 +180,16 @@ class NewtonSearch {
 }  // namespace
 
 CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
-  return NewtonSearch(fields, weights, start).run();
+  NewtonSteps steps;
+  return newtonCenter(fields, weights, start, steps);
+}
+
+CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,
+                          NewtonSteps& steps) {
+  NewtonSearch search(fields, weights, start);
+  const CenterOfMass center = search.run();
+  steps = search.steps();
+  return center;
 }
 
 }  // namespace karcher

@@ -117,10 +117,38 @@ TEST_P(CenterOfMassOnThePlane, RefusesAMaximum) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BothSearches, CenterOfMassOnThePlane,
-                         testing::Values(newtonCenter, walkToCenter),
+                         testing::Values(Search(newtonCenter), Search(walkToCenter)),
                          [](const testing::TestParamInfo<Search>& search) {
                            return search.index == 0 ? "Newton" : "Walk";
                          });
+
+TEST(NewtonCenter, TellsItsSteps) {
+  // On a plane with one Hessian everywhere a step leads to the zero: none is shortened or stuck.
+  const FlatCase plane({Vec3(1, 4, 0), Vec3(5, 4.3, 0), Vec3(6.2, 1.1, 0)});
+  const Array<double> weights{0.2, 0.5, 0.3};
+  FieldBlend blend = plane.blend();
+  NewtonSteps steps;
+  const CenterOfMass center =
+      newtonCenter(blend, weights, nearestPoint(plane.mesh, Vec3(1.2, 6.4, 0)), steps);
+  EXPECT_EQ(center.status, Status::kConverged);
+  EXPECT_EQ(steps.traced, 1);
+  EXPECT_EQ(steps.shortened + steps.needed + steps.stuck, 0);
+  EXPECT_TRUE(steps.inside);
+  EXPECT_LT(steps.gradients[0], 1e-12);
+  EXPECT_GT(steps.gradients[1], 1);
+  EXPECT_EQ(steps.gradients[2], 0);
+
+  // From the zero itself there is no step.
+  newtonCenter(blend, weights, center.point, steps);
+  EXPECT_EQ(steps.traced, 0);
+  EXPECT_TRUE(steps.inside);
+
+  // Beyond the boundary no joint is better: the search is stuck where the surface ends.
+  newtonCenter(blend, Array<double>{4.0, -3.0, 0.0}, nearestPoint(plane.mesh, Vec3(1.2, 4.4, 0)),
+               steps);
+  EXPECT_GT(steps.stuck, 0);
+  EXPECT_FALSE(steps.inside);
+}
 
 TEST(NewtonCenter, StopsAtAnEdgeWhoseFacesSendItBackToEachOther) {
   // On coarse curved meshes the field jumps at edges: each face may put the zero just behind one.

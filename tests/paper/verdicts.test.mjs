@@ -524,15 +524,72 @@ test('rational curves: leaps are told, and none is a reason', () => {
   assert.match(of(1).on, /^the part: the curves leap; subdivision/);
 });
 
-test('Karcher’s condition: what is found beyond it, without bumps and with', () => {
-  const at = (noise, radius, found, same) => ({ noise, radius, cases: 12, found, same });
+test('Karcher’s condition: how many times its radius all centers are found and alike', () => {
+  const at = (noise, radius, found, same, condition = noise > 0 ? 0.1 : 0.5) => ({
+    ...{ surface: 'sphere', noise, condition, radius, cases: 12, found, same },
+  });
   const of = (...radius) => rowOf({ studies: { radius } }, 'far-stronger');
-  assert.equal(of(at(0, 1, 12, 12), at(0.2, 1, 12, 9)).verdict, 'holds');
-  assert.equal(of(at(0, 0.7, 12, 12), at(0, 1, 12, 11)).verdict, 'does not');
-  const bumpy = of(at(0, 1, 12, 12), at(0.2, 1, 11, 9));
-  assert.equal(bumpy.on, 'bumps: with the slightest some are not found');
-  assert.match(
-    bumpy.measured,
-    /smooth, by radius: 1: .* with bumps of 0\.2 h, by radius: 1: 11 found/,
+  assert.equal(of(at(0, 1.1, 12, 12), at(0.2, 1.1, 12, 12)).verdict, 'holds');
+  assert.equal(of(at(0, 0.4, 12, 12), at(0, 1.1, 12, 11)).verdict, 'does not');
+  // A radius beyond one that fails decides nothing.
+  assert.equal(of(at(0, 0.4, 12, 11), at(0, 1.1, 12, 12)).verdict, 'does not');
+  const mixed = of(at(0, 0.6, 12, 12), at(0, 1.1, 12, 9), at(0.2, 0.8, 12, 12), at(0.2, 1, 11, 9));
+  assert.equal(mixed.verdict, 'depends');
+  assert.equal(
+    mixed.on,
+    'the surface: the radius is 1.2 times on a smooth sphere, 8 times on a sphere with bumps of 0.2 h',
   );
+  assert.match(
+    mixed.measured,
+    /smooth sphere, where the condition ends at 0\.5, all are found up to 2\.2 and alike up to 1\.2 times that radius; on a sphere with bumps/,
+  );
+  assert.equal(of().verdict, 'not measured here');
+});
+
+describe('Newton’s method', () => {
+  const row = (mesh, more) => ({
+    ...{ mesh, triangles: 9, distances: 'exact', start: 'warm', searches: 100, converged: 100 },
+    ...{ half: 1, nearlyAll: 2, most: 3, traced: 50, shortened: 5, needed: 1, stuck: 0 },
+    ...{ inside: 100, order: null },
+    ...more,
+  });
+  const of = (...newton) => rowOf({ studies: { newton } }, 'newton');
+
+  test('holds where steps are few, a joint is always better, and triangles hold all zeros', () => {
+    const held = of(row('a torus'), row('a torus', { start: 'cold', nearlyAll: 40, order: 1.2 }));
+    assert.equal(held.verdict, 'holds');
+    assert.match(
+      held.measured,
+      /with a warm start half of 100 searches take at most 1 iterations, 99 in 100 2 and all 3, on the worst mesh, and 0 are lost; with a cold start .* order of 1\.2 to 1\.2/,
+    );
+    assert.match(
+      held.measured,
+      /Of 100 geodesics 10 are taken to a joint .*, 2 of these .* ends 200 of 200/,
+    );
+  });
+
+  test('depends on the mesh, of which each part is named', () => {
+    const three = [row('a torus'), row('a sphere'), row('a knot')];
+    assert.equal(
+      of(...three, row('a plane', { converged: 99, inside: 99, stuck: 4 })).on,
+      'the mesh: searches are lost on a plane; no joint has a smaller gradient, now and then, on a plane',
+    );
+    assert.match(
+      of(...three, row('a plane', { inside: 99 })).on,
+      /between triangles end some on a/,
+    );
+    assert.match(of(...three, row('a plane', { nearlyAll: 11 })).on, /take many steps on a plane$/);
+    const stuck = { stuck: 1 };
+    assert.match(of(row('a torus'), row('b', stuck), row('c', stuck)).on, /on all but a torus$/);
+    assert.match(of(row('b', stuck)).on, /on all$/);
+  });
+
+  test('does not hold where searches are lost, or take many steps, everywhere', () => {
+    const lost = { converged: 60, inside: 60 };
+    assert.equal(of(row('a', lost), row('b', lost)).verdict, 'does not');
+    assert.equal(of(row('a', { nearlyAll: 30 })).verdict, 'does not');
+    // What cold starts take decides nothing.
+    assert.equal(of(row('a'), row('a', { start: 'cold', nearlyAll: 30 })).verdict, 'holds');
+    assert.equal(of(row('a', { start: 'cold' })).verdict, 'not measured here');
+  });
 });

@@ -21,6 +21,18 @@ export interface PeersModule extends EngineModule {
     weights: Float64Array,
   ): EngineComparedCurve;
   benchmark(mesh: EngineMesh): EngineBenchmark;
+  /**
+   * For each row of weights: whether the search converged, its iterations; of its geodesics how many were
+   * traced, taken to a joint before their end, had to be, and had no better joint; whether it ended inside a
+   * triangle; the gradients where its last three iterations began, the last one first.
+   */
+  newtonSteps(
+    mesh: EngineMesh,
+    points: Float64Array,
+    weights: Float64Array,
+    field: EngineFieldOptions,
+    warm: boolean,
+  ): Float64Array;
   basisWeights(
     name: string,
     parameters: Float64Array,

@@ -3,10 +3,21 @@ import { Engine, Handle } from '../engine.js';
 import { KarcherError } from '../errors.js';
 import { Karcher } from '../karcher.js';
 import { Mesh } from '../mesh.js';
-import type { LongWorkOptions } from '../types.js';
+import { engineFieldOptions } from '../options.js';
+import { wirePoints } from '../points.js';
+import type { FieldOptions, LongWorkOptions, PointLike } from '../types.js';
 import type { EngineBenchmark, PeersModule } from './karcher-peers.mjs';
 import { prepareMethod } from './prepared_method.js';
-import type { CurvePlan, MethodOptions, PreparedCurves, WeightTable } from './types.js';
+import type {
+  CurvePlan,
+  MethodOptions,
+  NewtonSteps,
+  PreparedCurves,
+  WeightTable,
+} from './types.js';
+
+/** Of what the module's `newtonSteps` gives. */
+const numbersASearch = 10;
 
 /** The engine and the methods that it is compared with. */
 export class Peers {
@@ -84,6 +95,34 @@ export class Peers {
     this.#checkMesh(mesh);
     const target = mesh.handle.call((engineMesh) => this.#module.benchmark(engineMesh));
     return new Handle(this.#engine, 'the benchmark', target, mesh.handle);
+  }
+
+  /**
+   * What the searches of the paper's method do, a row of weights each. They begin at the point with the
+   * largest weight; if `warm`, those after one that converged begin where it ended.
+   * @internal
+   */
+  newtonSteps(
+    mesh: Mesh,
+    points: readonly PointLike[],
+    weights: ArrayLike<number>,
+    { warm, ...field }: Pick<FieldOptions, 'solver' | 'rings'> & { warm: boolean },
+  ): NewtonSteps[] {
+    this.#checkMesh(mesh);
+    const options = engineFieldOptions({ method: 'paper', ...field });
+    const wire = wirePoints(points);
+    const rows = toFloat64(weights, 'the weights');
+    const numbers = mesh.handle.call((engineMesh) =>
+      this.#module.newtonSteps(engineMesh, wire, rows, options, warm),
+    );
+    return Array.from({ length: numbers.length / numbersASearch }, (_, k) => {
+      const [converged, iterations, traced, shortened, needed, stuck, inside, ...gradients] =
+        numbers.slice(numbersASearch * k, numbersASearch * (k + 1)) as unknown as number[];
+      return {
+        ...{ converged: converged === 1, inside: inside === 1, iterations: iterations! },
+        ...{ traced: traced!, shortened: shortened!, needed: needed!, stuck: stuck!, gradients },
+      };
+    });
   }
 
   #checkMesh(mesh: Mesh): void {

@@ -140,3 +140,24 @@ export interface LogMapCounts {
   /** The number of log maps that were asked for, each of which a library would make anew. */
   asked: number;
 }
+
+/**
+ * What a search of the paper's method did.
+ * @internal
+ */
+export interface NewtonSteps {
+  converged: boolean;
+  /** Whether a zero inside a triangle ended the search. */
+  inside: boolean;
+  iterations: number;
+  /** Geodesics along steps of Newton's method. */
+  traced: number;
+  /** Of these, those taken to a joint before their end. */
+  shortened: number;
+  /** Of those, the ones whose end has no smaller gradient than their start. */
+  needed: number;
+  /** Geodesics on which no joint has a smaller gradient than their start. */
+  stuck: number;
+  /** The gradients where the last three iterations began, the last one first; 0 for none. */
+  gradients: number[];
+}

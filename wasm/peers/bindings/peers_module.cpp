@@ -3,6 +3,7 @@
 #include "bindings/guard.h"
 #include "peers/bindings/benchmark_handle.h"
 #include "peers/bindings/compared_curve_handle.h"
+#include "peers/bindings/newton_steps.h"
 
 namespace karcher::bindings {
 
@@ -14,6 +15,7 @@ EMSCRIPTEN_BINDINGS(karcher_peers) {
   function("prepareMethod", &Guarded<&prepareMethod>::call);
   function("comparedCurve", &Guarded<&comparedCurve>::call);
   function("basisWeights", &Guarded<&basisWeights>::call);
+  function("newtonSteps", &Guarded<&newtonSteps>::call);
   function("benchmark", &Guarded<&makeBenchmark>::call);
   class_<PreparedMethodHandle>("PreparedMethod");
   class_<ComparedCurveHandle>("ComparedCurve")

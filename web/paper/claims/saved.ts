@@ -1,5 +1,5 @@
-import type { Studies } from './studies';
 import type { TableCell } from '../table/rows';
+import type { Studies } from './studies';
 import type { JudgedClaim, Measured } from './types';
 
 /** Where and when something was measured. */

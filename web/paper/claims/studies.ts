@@ -1,21 +1,21 @@
-import type { Mesh, SurfacePoint } from 'karcher';
+import type { SurfacePoint } from 'karcher';
 import { type Peers, runMethod, standardOptions } from 'karcher/peers';
 import { randomFrom } from '../../model/random';
-import { NearestPoints } from '../lab/nearest';
 import { type ConvergencePoint, convergence } from './convergence';
 import { type DescentFinding, descent } from './descent';
 import { galleryTorus } from './gallery_torus';
-import { type RoughnessPoint, roughened, roughness, type SpreadPoint, spread } from './roughness';
+import { type NewtonFinding, newton } from './newton';
+import { type RadiusPoint, radius } from './radius';
+import { type RoughnessPoint, roughness, type SpreadPoint, spread } from './roughness';
 import { studySeed } from './seed';
 import { middle } from './words';
 
 /** What the figures do not measure and the claims ask for. */
 export interface Studies {
-  /** Four points in a ball of a unit sphere, of growing radius, with bumps of so many mean edges: how often the
-   * paper's method finds a center, and from all four points the same one. */
-  radius: { radius: number; noise: number; cases: number; found: number; same: number }[];
-  /** Newton's steps a sample with warm start, along the paper's curve on the gallery's torus. */
-  newton: { samples: number; lost: number; mean: number; most: number };
+  /** Points in balls of growing radius, on smooth surfaces and on bumpy ones. */
+  radius: RadiusPoint[];
+  /** The searches of random B-splines on meshes of several kinds. */
+  newton: NewtonFinding[];
   /** Milliseconds of four fields, and of one more center of mass in them. */
   oneCenter: { fieldsMs: number; centerMs: number };
   /** Milliseconds of a drag with 256 samples a segment: the field, and the searches a segment. */
@@ -58,69 +58,6 @@ function randomWeights(random: () => number, count: number): number[] {
   const raw = Array.from({ length: count }, () => 0.05 + random());
   const sum = raw.reduce((a, b) => a + b);
   return raw.map((weight) => weight / sum);
-}
-
-export function radius(peers: Peers): Studies['radius'] {
-  const smooth = peers.karcher.shape('sphere', 5_000);
-  const result = [0, 0.2, 0.4].flatMap((noise) => {
-    const mesh = noise > 0 ? roughened(peers.karcher, smooth, noise, studySeed) : smooth;
-    const found = radiusOn(mesh, noise);
-    if (mesh !== smooth) mesh.dispose();
-    return found;
-  });
-  smooth.dispose();
-  return result;
-}
-
-function radiusOn(mesh: Mesh, noise: number): Studies['radius'] {
-  const nearest = new NearestPoints(mesh.positions(), mesh.triangles());
-  const random = randomFrom(studySeed);
-  const cases = 12;
-  return [0.4, 0.6, 0.785, 1, 1.2, 1.4].map((radius) => {
-    let [found, same] = [0, 0];
-    for (let k = 0; k < cases; k++) {
-      const points = Array.from({ length: 4 }, () => {
-        // Evenly over the cap around the pole.
-        const z = 1 - random() * (1 - Math.cos(radius));
-        const angle = 2 * Math.PI * random();
-        const s = Math.sqrt(1 - z * z);
-        return nearest.point([s * Math.cos(angle), s * Math.sin(angle), z]);
-      });
-      const weights = randomWeights(random, 4);
-      const ends = points.map((start) =>
-        mesh.centerOfMass(points, weights, { method: 'paper', solver: 'exact', start }),
-      );
-      const converged = ends.filter(({ status }) => status === 'converged');
-      if (converged.length > 0) found++;
-      const apart = converged.some(
-        ({ position }) =>
-          Math.hypot(...position.map((x, c) => x - converged[0]!.position[c]!)) >
-          0.1 * mesh.info.meanEdge,
-      );
-      if (converged.length === 4 && !apart) same++;
-    }
-    return { radius, noise, cases, found, same };
-  });
-}
-
-function newton(peers: Peers): Studies['newton'] {
-  const { mesh, points } = galleryTorus(peers, 20_000);
-  const { table } = peers.plan(points, 65);
-  const steps: number[] = [];
-  let lost = 0;
-  let start: SurfacePoint | undefined;
-  for (let i = 0; i < table.t.length; i++) {
-    const weights = table.weights.slice(4 * i, 4 * i + 4);
-    const options = { method: 'paper', solver: 'exact', start } as const;
-    const { point, status, iterations } = mesh.centerOfMass(points.slice(0, 4), weights, options);
-    if (status === 'converged') start = point;
-    else lost++;
-    // The first has no warm start.
-    if (i > 0) steps.push(iterations);
-  }
-  mesh.dispose();
-  const mean = steps.reduce((a, b) => a + b) / steps.length;
-  return { samples: steps.length, lost, mean, most: Math.max(...steps) };
 }
 
 function oneCenter(peers: Peers): Studies['oneCenter'] {
@@ -260,28 +197,38 @@ async function large(peers: Peers): Promise<Studies['large']> {
   return result;
 }
 
-/** Runs all studies, a minute or two of work. */
+/** Each study by its name, and what it is of. */
+const studies: {
+  [Name in keyof Studies]: [string, (peers: Peers) => Studies[Name] | Promise<Studies[Name]>];
+} = {
+  radius: ['how far apart points may lie', (all) => radius(all)],
+  newton: ['Newton’s steps', (all) => newton(all)],
+  oneCenter: ['one center of mass', oneCenter],
+  update: ['an update', update],
+  reweigh: ['a change of weights', reweigh],
+  arcs: ['arcs of circles', arcs],
+  inverse: ['weights of points', inverse],
+  roughness: ['rough surfaces', (all) => roughness(all)],
+  spread: ['points far apart', (all) => spread(all)],
+  descent: ['paths between pairs of points', (all) => descent(all)],
+  growth: ['ever finer meshes', growth],
+  convergence: ['convergence', (all) => convergence(all)],
+  large: ['a large mesh', large],
+};
+
+export const studyNames = Object.keys(studies) as (keyof Studies)[];
+
+/** Runs the studies of these names, all together a minute or two of work. */
 export async function runStudies(
   peers: Peers,
   tell: (what: string) => void = () => {},
-): Promise<Studies> {
-  const step = async <Result>(name: string, work: (peers: Peers) => Result | Promise<Result>) => {
-    tell(`Study: ${name}`);
-    return await work(peers);
-  };
-  return {
-    radius: await step('how far apart points may lie', radius),
-    newton: await step('Newton’s steps', newton),
-    oneCenter: await step('one center of mass', oneCenter),
-    update: await step('an update', update),
-    reweigh: await step('a change of weights', reweigh),
-    arcs: await step('arcs of circles', arcs),
-    inverse: await step('weights of points', inverse),
-    roughness: await step('rough surfaces', (all) => roughness(all)),
-    spread: await step('points far apart', (all) => spread(all)),
-    descent: await step('paths between pairs of points', (all) => descent(all)),
-    growth: await step('ever finer meshes', growth),
-    convergence: await step('convergence', (all) => convergence(all)),
-    large: await step('a large mesh', large),
-  };
+  names: readonly (keyof Studies)[] = studyNames,
+): Promise<Partial<Studies>> {
+  const result: Record<string, unknown> = {};
+  for (const name of names) {
+    const [what, work] = studies[name];
+    tell(`Study: ${what}`);
+    result[name] = await work(peers);
+  }
+  return result as Partial<Studies>;
 }

@@ -1,0 +1,132 @@
+import type { Mesh, SurfacePoint } from 'karcher';
+import type { NewtonSteps, Peers } from 'karcher/peers';
+import { makeMesh } from '../../model/made_mesh';
+import { randomFrom } from '../../model/random';
+import type { MeshSpec } from '../figures/types';
+import { roughened } from './roughness';
+import { studySeed } from './seed';
+import { middle, sum } from './words';
+
+/** What Newton's method did on a mesh: sums over all of its searches. */
+export interface NewtonFinding {
+  mesh: string;
+  triangles: number;
+  distances: 'exact' | 'k = 6';
+  /** From where the curve's last sample was found, or from the point with the largest weight. */
+  start: 'warm' | 'cold';
+  /** With how many searches the others sum up. */
+  searches: number;
+  converged: number;
+  /** Of iterations, of all searches: the median, of 99 in a hundred, and the most. */
+  half: number;
+  nearlyAll: number;
+  most: number;
+  /** Geodesics that were traced, taken to a joint before their end, had to be, and had no better joint. */
+  traced: number;
+  shortened: number;
+  needed: number;
+  stuck: number;
+  /** Of searches that converged: those that a zero inside a triangle ended. */
+  inside: number;
+  /** The order of convergence in the last three iterations before the end: the median; null of too few. */
+  order: number | null;
+}
+
+const curvesAMesh = 12;
+const samplesACurve = 65;
+/** From a control point to the next, in diagonals. */
+const leg = 0.1;
+/** Orders of convergence of fewer searches are chance. */
+const leastOrders = 20;
+
+/** The noise is in mean edges. */
+const meshes: Record<string, { spec: MeshSpec; noise?: number }> = {
+  'a coarse sphere': { spec: { kind: 'shape', name: 'sphere', triangles: 1_000 } },
+  'a sphere': { spec: { kind: 'shape', name: 'sphere', triangles: 20_000 } },
+  'a coarse torus': { spec: { kind: 'shape', name: 'torus', triangles: 1_000 } },
+  'a torus': { spec: { kind: 'shape', name: 'torus', triangles: 20_000 } },
+  'a knot': { spec: { kind: 'shape', name: 'knot', triangles: 20_000 } },
+  'a surface of genus 3': { spec: { kind: 'shape', name: 'genus3', triangles: 20_000 } },
+  'a rough torus': { spec: { kind: 'shape', name: 'torus', triangles: 5_000 }, noise: 0.2 },
+  'a plane of fairly regular points': {
+    spec: { kind: 'plane', tessellation: 'fair', triangles: 8_000 },
+  },
+  'a plane of random points': {
+    spec: { kind: 'plane', tessellation: 'delaunay', triangles: 8_000 },
+  },
+};
+
+/** Four points, each so far from the last one in a direction at random. */
+function polygon(mesh: Mesh, random: () => number): SurfacePoint[] {
+  const [a, b] = [Math.sqrt(random()), random()];
+  const face = Math.floor(mesh.info.triangles * random());
+  const points: SurfacePoint[] = [{ face, bary: [1 - a, a * (1 - b), a * b] }];
+  while (points.length < 4) {
+    const direction = [0, 1, 2].map(() => 2 * random() - 1) as [number, number, number];
+    points.push(mesh.straightest(points.at(-1)!, direction, leg * mesh.info.diagonal).end);
+  }
+  return points;
+}
+
+/** The B-splines of random polygons, sample by sample, on meshes of several kinds. */
+export async function newton(
+  peers: Peers,
+  { curves = curvesAMesh, only = Object.keys(meshes) } = {},
+): Promise<NewtonFinding[]> {
+  const result: NewtonFinding[] = [];
+  for (const name of only) {
+    const { spec, noise } = meshes[name]!;
+    const made = await makeMesh(peers.karcher, spec);
+    const mesh = noise ? roughened(peers.karcher, made, noise, studySeed) : made;
+    for (const distances of ['exact', 'k = 6'] as const) {
+      for (const start of ['warm', 'cold'] as const) {
+        const searches = searchesOn(peers, mesh, { curves, distances, start });
+        result.push({
+          ...{ mesh: name, triangles: mesh.info.triangles, distances, start },
+          ...summed(searches),
+        });
+      }
+    }
+    if (made !== mesh) made.dispose();
+    mesh.dispose();
+  }
+  return result;
+}
+
+function searchesOn(
+  peers: Peers,
+  mesh: Mesh,
+  { curves, distances, start }: { curves: number } & Pick<NewtonFinding, 'distances' | 'start'>,
+): NewtonSteps[] {
+  const { weights } = peers.bspline(samplesACurve);
+  const random = randomFrom(studySeed);
+  const solver = distances === 'exact' ? 'exact' : 'graph';
+  const warm = start === 'warm';
+  return Array.from({ length: curves }, () => {
+    const found = peers.newtonSteps(mesh, polygon(mesh, random), weights, { solver, warm });
+    // The first has no warm start.
+    return warm ? found.slice(1) : found;
+  }).flat();
+}
+
+function summed(searches: readonly NewtonSteps[]) {
+  const converged = searches.filter((search) => search.converged);
+  const iterations = searches.map((search) => search.iterations).toSorted((a, b) => a - b);
+  const all = (key: 'traced' | 'shortened' | 'needed' | 'stuck') =>
+    sum(searches.map((search) => search[key]));
+  const orders = converged.flatMap(({ gradients: [last, before, first] }) =>
+    last! > 0 && before! > last! && first! > before!
+      ? [Math.log(before! / last!) / Math.log(first! / before!)]
+      : [],
+  );
+  return {
+    ...{ searches: searches.length, converged: converged.length },
+    half: middle(iterations),
+    nearlyAll: iterations[Math.floor(0.99 * (iterations.length - 1))]!,
+    most: iterations.at(-1)!,
+    ...{ traced: all('traced'), shortened: all('shortened') },
+    ...{ needed: all('needed'), stuck: all('stuck') },
+    inside: converged.filter((search) => search.inside).length,
+    order: orders.length < leastOrders ? null : middle(orders),
+  };
+}
