@@ -200,6 +200,44 @@ test('the saved report says what is measured now', async () => {
 });
 
 describe('studies', () => {
+  test('Karcher’s condition is that of the sphere, by angles too', async () => {
+    const { conditionOf, largestCurvature } = await load('claims/radius.ts');
+    const { karcher } = await loadPeers();
+    const mesh = karcher.shape('sphere', 20_000);
+    const curvature = largestCurvature(mesh);
+    mesh.dispose();
+    assert.ok(curvature > 0.98 && curvature < 1.2, `${curvature}`);
+    assert.equal(conditionOf(1, Math.PI), Math.PI / 4);
+    // A thin tube has short loops.
+    assert.equal(conditionOf(1, 0.1), 0.05);
+  });
+
+  test('a mean in a small ball is found from all points, and it is one', async () => {
+    const { radius } = await load('claims/radius.ts');
+    const rows = radius(await loadPeers(), 2);
+    assert.equal(rows.length, 48);
+    for (const row of rows) {
+      assert.ok(row.same <= row.found && row.found <= row.cases);
+      if (row.noise === 0 && row.radius < row.condition) assert.equal(row.same, row.cases);
+    }
+  });
+
+  test('Newton’s searches add up, with the same curves from warm and cold starts', async () => {
+    const { newton } = await load('claims/newton.ts');
+    const only = ['a coarse torus', 'a plane of random points'];
+    const rows = await newton(await loadPeers(), { curves: 2, only });
+    assert.equal(rows.length, 8);
+    for (const row of rows) {
+      assert.equal(row.searches, row.start === 'warm' ? 128 : 130);
+      assert.ok(row.inside <= row.converged && row.converged <= row.searches);
+      assert.ok(row.shortened + row.stuck <= row.traced && row.needed <= row.shortened);
+      assert.ok(row.half <= row.nearlyAll && row.nearlyAll <= row.most);
+    }
+    const steps = (start) =>
+      rows.filter((row) => row.start === start).reduce((all, row) => all + row.traced, 0);
+    assert.ok(steps('warm') < steps('cold'));
+  });
+
   test('noise moves vertices by no more than is said, and by the same for the same seed', async () => {
     const { roughened } = await load('claims/roughness.ts');
     const { karcher } = await loadPeers();

@@ -56,14 +56,16 @@ const meshes: Record<string, { spec: MeshSpec; noise?: number }> = {
   },
 };
 
-/** Four points, each so far from the last one in a direction at random. */
+/** Four points, each so far from the last one in a direction at random, within the surface. */
 function polygon(mesh: Mesh, random: () => number): SurfacePoint[] {
   const [a, b] = [Math.sqrt(random()), random()];
   const face = Math.floor(mesh.info.triangles * random());
   const points: SurfacePoint[] = [{ face, bary: [1 - a, a * (1 - b), a * b] }];
   while (points.length < 4) {
     const direction = [0, 1, 2].map(() => 2 * random() - 1) as [number, number, number];
-    points.push(mesh.straightest(points.at(-1)!, direction, leg * mesh.info.diagonal).end);
+    const walked = mesh.straightest(points.at(-1)!, direction, leg * mesh.info.diagonal);
+    // Most directions stay within the surface, wherever the point lies.
+    if (walked.stop === 'complete') points.push(walked.end);
   }
   return points;
 }
