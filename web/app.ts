@@ -349,7 +349,10 @@ export async function start(): Promise<void> {
     gestures.freehand.tolerance = tolerance;
   });
   const transformPanel = new TransformPanel(editor, (numbers) => gestures.place(numbers), mirror);
-  mirror.onChange = () => status.showMirroring(mirror.hasFirst, editor.state, session.view);
+  mirror.onChange = () => {
+    transformPanel.showMirror(mirror);
+    status.showMirroring(mirror.hint, editor.state, session.view);
+  };
 
   editor.subscribe((state, before) => {
     const ended = before.dragging && !state.dragging;

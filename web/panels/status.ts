@@ -1,10 +1,10 @@
 import type { MeshInfo, Uniqueness } from 'karcher';
 import type { ShownCenter } from '../editor/engine/compute';
-import type { Editor } from '../editor/state/editor';
-import type { Selection, State } from '../editor/state/state';
-import type { Ruled } from '../editor/hand/ruler';
 import { type Shift, unseenShift } from '../editor/engine/shift';
 import type { View } from '../editor/engine/view';
+import type { Ruled } from '../editor/hand/ruler';
+import type { Editor } from '../editor/state/editor';
+import type { Selection, State } from '../editor/state/state';
 import { isDerived } from '../model/derived';
 import {
   type Figure,
@@ -43,7 +43,7 @@ export class Status {
   readonly #notice = byId('notice');
   #timers: number[] = [];
   #measured: Measured | null = null;
-  #again = false;
+  #mirroring = '';
   #ruled: Ruled | null = null;
   #begun = false;
   #unit: Unit = '';
@@ -136,9 +136,9 @@ export class Status {
     this.showHint(state, view);
   }
 
-  /** Whether the first of two clicks that mirror is done. */
-  showMirroring(again: boolean, state: State, view: View): void {
-    this.#again = again;
+  /** What the next click does while what is selected is mirrored. */
+  showMirroring(hint: string, state: State, view: View): void {
+    this.#mirroring = hint;
     this.showHint(state, view);
   }
 
@@ -159,7 +159,7 @@ export class Status {
     const selection = state.tool === 'measure' ? null : state.selection;
     const hint =
       this.#ruling(state) ||
-      hintOf(state, view, this.#measured, this.#again, this.#unit) ||
+      hintOf(state, view, this.#measured, this.#mirroring, this.#unit) ||
       this.#aim;
     this.#notice.hidden = selection === null && hint === '';
     byId('remove').hidden = selection === null;
@@ -189,7 +189,7 @@ function hintOf(
   { mesh, figure, tool, chosen, selection }: State,
   view: View,
   measured: Measured | null,
-  again: boolean,
+  mirroring: string,
   unit: Unit,
 ): string {
   if (!mesh) return '';
@@ -197,11 +197,7 @@ function hintOf(
   if (tool === 'split') return 'Click the curve where you want to cut it';
   if (tool === 'join') return 'Click the curve to join with this one';
   if (tool === 'look') return 'Click the object whose look it takes';
-  if (tool === 'mirror') {
-    return again
-      ? 'Click a second point of the mirror line'
-      : 'Click the surface where the mirror line goes through';
-  }
+  if (tool === 'mirror') return mirroring;
   if (tool === 'transform' && chosen.length === 0)
     return 'Click an object to move, turn or scale it';
   if (tool === 'transform')

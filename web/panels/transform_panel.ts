@@ -1,7 +1,12 @@
+import {
+  type MirrorIn,
+  type MirrorTool,
+  toggleMirror,
+  toggleTransform,
+} from '../editor/hand/mirror_tool';
+import type { Numbers } from '../editor/hand/transform_gestures';
 import type { Editor } from '../editor/state/editor';
 import type { State } from '../editor/state/state';
-import { type MirrorTool, toggleMirror, toggleTransform } from '../editor/hand/mirror_tool';
-import type { Numbers } from '../editor/hand/transform_gestures';
 import { isEmpty } from '../model/figure';
 import { byId } from './elements';
 import { NumberField } from './number_field';
@@ -13,6 +18,9 @@ const format = (least: number) => ({
   },
   write: (value: number) => `${value}`,
 });
+
+/** Sides that differ by a smaller part of the surface's diagonal are said to be alike. */
+const least = 1e-4;
 
 /** Numbers by which what is selected is moved, turned and scaled, each as one step. */
 export class TransformPanel {
@@ -38,6 +46,18 @@ export class TransformPanel {
     this.#copies.addEventListener('change', () => {
       mirror.copies = this.#copies.checked;
     });
+    const what = byId<HTMLSelectElement>('mirror-in');
+    what.addEventListener('change', () => {
+      mirror.in = what.value as MirrorIn;
+    });
+    byId('mirror-now').addEventListener('click', () => void mirror.mirrorInSymmetry());
+  }
+
+  /** How alike the sides of the surface are, where what is selected is mirrored in its symmetry. */
+  showMirror({ apart }: MirrorTool): void {
+    byId('mirror-symmetric').hidden = apart === null;
+    byId('mirror-apart').textContent =
+      apart === null || apart < least ? '' : `Sides differ by ${(100 * apart).toFixed(2)} %`;
   }
 
   show({ tool, chosen, none, figure }: State): void {

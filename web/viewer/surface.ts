@@ -292,6 +292,11 @@ export class Surface {
     this.object.add(this.#whole, this.#edges, this.#parts.object);
   }
 
+  /** Its vertices and triangles, in the scene. */
+  get arrays(): { positions: Float32Array; triangles: Uint32Array } {
+    return { positions: this.#positions, triangles: this.#triangles };
+  }
+
   /** How many there are. */
   get triangles(): number {
     return this.#triangles.length / 3;

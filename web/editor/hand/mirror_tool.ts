@@ -1,8 +1,15 @@
 import type { SurfacePoint } from 'karcher';
+import type { DrawnObject } from '../../model/drawing';
+import type { Figure } from '../../model/figure';
+import { type Plane, planeThrough, type Symmetry } from '../../model/symmetry';
+import { dotAt } from '../../viewer/object_lines';
+import { sectionOf } from '../../viewer/section';
+import type { Surface } from '../../viewer/surface';
 import type { Viewer } from '../../viewer/viewer';
 import { copiesOf, mirroredAcross, mirrorLine } from '../engine/mirroring';
 import { movableObjects, replacing } from '../engine/moving';
 import { Newest } from '../engine/newest';
+import { figuresInPlane, planeOfSymmetry } from '../engine/plane_mirror';
 import type { Session } from '../engine/session';
 import { isTorn } from '../engine/tearing';
 import type { Editor } from '../state/editor';
@@ -20,13 +27,38 @@ export function toggleMirror(editor: Editor): void {
   else if (editor.state.chosen.length > 0) editor.setTool('mirror');
 }
 
-/** Two clicks on the surface mirror what is selected in the geodesic through them. */
+/** What is mirrored in: the geodesic of two clicks, the plane of three, or the plane of the surface's symmetry. */
+export type MirrorIn = 'line' | 'plane' | 'symmetry';
+
+/** What the next click is for, by how many there were. */
+const hints: Record<MirrorIn, readonly string[]> = {
+  line: [
+    'Click the surface where the mirror line goes through',
+    'Click a second point of the mirror line',
+  ],
+  plane: [
+    'Click three points that the mirror plane goes through',
+    'Click a second point of the mirror plane',
+    'Click a third point of the mirror plane',
+  ],
+  symmetry: ['Click the surface to mirror across the line: both sides of it are alike'],
+};
+
+const torn =
+  'The mirror image would be torn: the figure is too far from the line to have all of it beside it. Choose a line nearer to it.';
+
+/** Clicks on the surface mirror what is selected in the geodesic or the plane through them. */
 export class MirrorTool {
   /** Whether copies are mirrored, and what is selected stays. */
   copies = false;
-  /** Called when the first point is placed, and when it is no more. */
+  /** Called when there is another hint. */
   onChange: () => void = () => {};
-  #first: SurfacePoint | null = null;
+  #in: MirrorIn = 'line';
+  #clicked: SurfacePoint[] = [];
+  /** Undefined while it is looked for. */
+  #symmetry: Symmetry | null | undefined;
+  /** The surface whose symmetry that is. */
+  #of: Surface | null = null;
   readonly #aimed = new Newest<SurfacePoint>((point) => this.#showLine(point));
 
   /** `problem` is called with a sentence where there is no mirror image. */
@@ -36,45 +68,88 @@ export class MirrorTool {
     private readonly viewer: Viewer,
     private readonly problem: (sentence: string) => void,
   ) {
-    editor.subscribe(({ tool }) => {
-      if (tool !== 'mirror') this.#drop();
+    let tool = editor.state.tool;
+    editor.subscribe((state) => {
+      if (state.tool === tool) return;
+      tool = state.tool;
+      this.#begin();
     });
   }
 
-  /** Whether the next click is the second one. */
-  get hasFirst(): boolean {
-    return this.#first !== null;
+  /** From now on what is selected is mirrored in that. */
+  set in(what: MirrorIn) {
+    this.#in = what;
+    this.#begin();
   }
 
-  /** Shows the line through the first click and a point. */
+  /** What the next click does. */
+  get hint(): string {
+    if (this.#in === 'symmetry' && this.#symmetry === undefined) {
+      return 'Looking for the plane in which the surface is symmetric';
+    }
+    if (this.#in === 'symmetry' && this.#symmetry === null) {
+      return 'The surface has no plane of symmetry: choose a plane of three clicks';
+    }
+    return hints[this.#in][this.#clicked.length]!;
+  }
+
+  /** How far the surface's sides differ, as a part of its diagonal; null where nothing is mirrored in its symmetry. */
+  get apart(): number | null {
+    return this.#in === 'symmetry' ? (this.#symmetry?.apart ?? null) : null;
+  }
+
+  /** Shows the line or the plane through the clicks and a point. */
   aim(point: SurfacePoint): void {
-    if (this.#first) this.#aimed.push(point);
+    if (this.#clicked.length === hints[this.#in].length - 1) this.#aimed.push(point);
   }
 
   /** Resolves when all that a click leads to is done. */
   async click(point: SurfacePoint): Promise<void> {
-    const first = this.#first;
-    if (!first) {
-      this.#first = point;
+    if (this.#in === 'symmetry') return this.mirrorInSymmetry();
+    const clicked = [...this.#clicked, point];
+    if (clicked.length < hints[this.#in].length) {
+      this.#clicked = clicked;
+      this.#showClicks();
       this.onChange();
       return;
     }
-    this.#drop();
+    this.#begin();
+    const [first, second, third] = clicked as [SurfacePoint, SurfacePoint, SurfacePoint];
+    if (this.#in === 'line') {
+      const { client } = this.session;
+      return this.#mirror((objects) => mirroredAcross(client!, first, second, objects));
+    }
+    const { surface } = this.viewer;
+    const plane = surface && planeOf(surface, [first, second, third]);
+    if (!plane) this.problem('A plane goes through three points that do not lie on a line.');
+    else await this.#mirror((objects) => figuresInPlane(surface, plane, objects));
+  }
+
+  /** Mirrors what is selected in the surface's plane of symmetry, if it has one. */
+  async mirrorInSymmetry(): Promise<void> {
+    const { surface } = this.viewer;
+    const symmetry = this.#symmetry;
+    if (surface !== this.#of) this.#begin();
+    else if (surface && symmetry) {
+      await this.#mirror((objects) => figuresInPlane(surface, symmetry.plane, objects));
+    }
+  }
+
+  async #mirror(
+    imagesOf: (objects: readonly DrawnObject[]) => Promise<Figure[] | null> | Figure[] | null,
+  ): Promise<void> {
     const { editor, session } = this;
     const { client } = session;
     const { drawing, chosen } = editor.state;
     const objects = movableObjects(drawing, chosen.length > 0 ? chosen : [drawing.active]);
     if (!client || objects.length === 0) return;
     try {
-      const figures = await mirroredAcross(client, first, point, objects);
+      const figures = await imagesOf(objects);
       if (editor.state.drawing !== drawing) return;
       const { surface } = this.viewer;
       if (!figures) this.problem('The mirror image would leave the surface.');
-      else if (surface && (await isTorn(client, surface, objects, figures))) {
-        this.problem(
-          'The mirror image would be torn: the figure is too far from the line to have all of it beside it. Choose a line nearer to it.',
-        );
-      } else if (editor.state.drawing !== drawing) return;
+      else if (surface && (await isTorn(client, surface, objects, figures))) this.problem(torn);
+      else if (editor.state.drawing !== drawing) return;
       else if (this.copies) editor.addObjects(copiesOf(objects, figures));
       else editor.perform(replacing(objects, figures));
     } catch (error) {
@@ -82,22 +157,55 @@ export class MirrorTool {
     }
   }
 
+  #showClicks(): void {
+    const { surface } = this.viewer;
+    if (surface) {
+      this.viewer.aids.showFrame(this.#clicked.map((point) => dotAt(surface.position(point))));
+    }
+  }
+
   async #showLine(point: SurfacePoint): Promise<void> {
-    const first = this.#first;
+    const clicked = this.#clicked;
     const { client } = this.session;
     const { surface } = this.viewer;
-    if (!first || !client || !surface) return;
-    const line = await mirrorLine(client, first, point).catch(() => null);
-    if (!line || this.#first !== first) return;
+    if (!client || !surface) return;
+    if (this.#in === 'plane') {
+      const plane = planeOf(surface, [...clicked, point]);
+      this.viewer.aids.showFrame(plane ? sectionOf(surface, plane) : []);
+    }
+    if (this.#in !== 'line') return;
+    const line = await mirrorLine(client, clicked[0]!, point).catch(() => null);
+    if (!line || this.#clicked !== clicked) return;
     const places = line.flatMap((one) => surface.position(one).toArray());
     this.viewer.aids.showFrame([Float32Array.from(places)]);
   }
 
-  #drop(): void {
-    if (!this.#first) return;
-    this.#first = null;
+  /** Forgets the clicks, and looks for the surface's symmetry where that is mirrored in. */
+  #begin(): void {
+    const isShown = this.#clicked.length > 0 || this.#symmetry;
+    this.#clicked = [];
     this.#aimed.drop();
-    this.viewer.aids.showFrame([]);
+    this.#symmetry = undefined;
+    if (isShown) this.viewer.aids.showFrame([]);
+    if (this.editor.state.tool !== 'mirror') return;
+    if (this.#in === 'symmetry') void this.#findSymmetry();
     this.onChange();
   }
+
+  async #findSymmetry(): Promise<void> {
+    const { surface } = this.viewer;
+    if (!surface) return;
+    const symmetry = await planeOfSymmetry(surface);
+    const { tool } = this.editor.state;
+    if (tool !== 'mirror' || this.#in !== 'symmetry' || this.viewer.surface !== surface) return;
+    [this.#symmetry, this.#of] = [symmetry, surface];
+    this.viewer.aids.showFrame(symmetry ? sectionOf(surface, symmetry.plane) : []);
+    this.onChange();
+  }
+}
+
+function planeOf(surface: Surface, points: readonly SurfacePoint[]): Plane | null {
+  if (points.length < 3) return null;
+  const [a, b, c] = points.map((point) => surface.position(point).toArray());
+  return planeThrough(a!, b!, c!);
 }

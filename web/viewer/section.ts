@@ -1,0 +1,61 @@
+/** What planes have to do with a surface in the scene: where they cut it, and places that lie on it evenly. */
+import { Vector3 } from 'three';
+import type { Vector } from '../model/figure';
+import type { NearestPlace, Plane } from '../model/symmetry';
+import type { Surface } from './surface';
+
+/** Where a plane cuts the surface: a line for each triangle. */
+export function sectionOf(surface: Surface, { normal, offset }: Plane): Float32Array[] {
+  const { positions, triangles } = surface.arrays;
+  const heights = new Float64Array(positions.length / 3);
+  for (let i = 0; i < heights.length; i++) {
+    for (let axis = 0; axis < 3; axis++) heights[i]! += normal[axis]! * positions[3 * i + axis]!;
+    heights[i]! -= offset;
+  }
+  const lines: Float32Array[] = [];
+  for (let at = 0; at < triangles.length; at += 3) {
+    const line: number[] = [];
+    for (let corner = 0; corner < 3; corner++) {
+      const [a, b] = [triangles[at + corner]!, triangles[at + ((corner + 1) % 3)]!];
+      const [low, high] = [heights[a]!, heights[b]!];
+      if (low < 0 === high < 0) continue;
+      const t = low / (low - high);
+      for (let axis = 0; axis < 3; axis++) {
+        line.push((1 - t) * positions[3 * a + axis]! + t * positions[3 * b + axis]!);
+      }
+    }
+    if (line.length === 6) lines.push(Float32Array.from(line));
+  }
+  return lines;
+}
+
+/** About so many places of the surface, as many on each part of it as it has area. */
+export function samplesOf(surface: Surface, count: number): Vector[] {
+  const areas = Float64Array.from({ length: surface.triangles }, (_, face) => {
+    const [a, b, c] = surface.corners(face);
+    return b.sub(a).cross(c.sub(a)).length();
+  });
+  const step = areas.reduce((sum, area) => sum + area, 0) / count;
+  const samples: Vector[] = [];
+  let due = step / 2;
+  for (const [face, area] of areas.entries()) {
+    // On large triangles several: along the golden spiral of their corners' weights.
+    for (; due < area; due += step) {
+      const [u, v] = [(samples.length * 0.7549) % 1, (samples.length * 0.5698) % 1];
+      const [y, z] = u + v > 1 ? [1 - u, 1 - v] : [u, v];
+      samples.push(surface.position({ face, bary: [1 - y - z, y, z] }).toArray());
+    }
+    due -= area;
+  }
+  return samples;
+}
+
+/** The place of the surface that is nearest to a place of the scene, with its triangle's normal. */
+export const nearestPlaceOf =
+  (surface: Surface): NearestPlace =>
+  (place) => {
+    const point = surface.nearest(new Vector3(...place));
+    const [a, b, c] = surface.corners(point.face);
+    const normal = b.sub(a).cross(c.sub(a)).normalize();
+    return { place: surface.position(point).toArray(), normal: normal.toArray() };
+  };
