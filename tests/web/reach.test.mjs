@@ -92,6 +92,9 @@ describe('every control is hit where it is clicked', () => {
       await controls.look('objects are turned and scaled');
       await controls.click(page.locator('#mirror'));
       await controls.look('objects are mirrored');
+      await page.locator('#mirror-in').selectOption('symmetry');
+      await page.locator('#mirror-now').waitFor();
+      await controls.look('objects are mirrored in the surface’s symmetry');
       await controls.click(page.locator('#tool-select'));
       await controls.click(page.locator('#go-on'));
       const chosen = new Set();
