@@ -6,12 +6,15 @@
 #include "curves/circle.h"
 #include "curves/curve.h"
 #include "curves/isoline.h"
+#include "distance/distance_fields.h"
 #include "distance/exact_lengths.h"
 #include "distance/shortest_path.h"
 #include "distance/window_distance.h"
 #include "intrinsic/straightest.h"
+#include "mesh/error.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
+#include "rcm/field_options.h"
 #include "rcm/mean.h"
 
 /// What docs/cpp.md promises of threads. `npm run check:long` runs it under ThreadSanitizer.
@@ -60,6 +63,26 @@ TEST(Threads, ShareAMeshAndItsGeometry) {
   parallel.assign(kThreads, {});
   inThreads([&](int i) { parallel[i] = measure(i); });
   for (int i = 0; i < kThreads; ++i) EXPECT_EQ(parallel[i], measure(i));
+}
+
+TEST(Threads, ShareOutTheFieldsOfSeveralPoints) {
+  const TriangleMesh mesh = torus();
+  const Geometry geometry = buildGeometry(mesh);
+  Array<SurfacePoint> points;
+  for (int i = 0; i < 10; ++i) points.push_back(pointOf(mesh, i));
+  for (const double tolerance : {0.0, kFastTolerance}) {
+    const Array<Array<double>> one = distanceFields(geometry, points, tolerance);
+    EXPECT_EQ(distanceFields(geometry, points, tolerance, kThreads), one);
+    EXPECT_EQ(distanceFields(geometry, points, tolerance, 100), one);
+    for (int i = 0; i < points.count(); ++i) {
+      WindowDistance alone(geometry, tolerance);
+      alone.setSource(points[i]);
+      alone.grow(kInfinity);
+      for (int v = 0; v < mesh.vertexCount(); ++v) EXPECT_EQ(one[i][v], alone.distance(v));
+    }
+  }
+  EXPECT_TRUE(distanceFields(geometry, {}, 0, kThreads).empty());
+  EXPECT_THROW(distanceFields(geometry, points, 0, 0), Error);
 }
 
 TEST(Threads, HaveSurfacesOfTheirOwn) {

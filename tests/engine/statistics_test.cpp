@@ -1,0 +1,151 @@
+#include "rcm/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include "generators/random_points.h"
+#include "intrinsic/tangent.h"
+#include "mesh/error.h"
+#include "mesh/shapes.h"
+#include "rcm/mean.h"
+#include "support.h"
+
+/// The same closed forms as of `karcher/statistics` (tests/wasm/statistics.test.mjs).
+namespace karcher {
+namespace {
+
+Array<SurfacePoint> pointsAt(const TriangleMesh& mesh, const Array<Vec3>& places) {
+  Array<SurfacePoint> points;
+  for (const Vec3& place : places) points.push_back(nearestPoint(mesh, place));
+  return points;
+}
+
+const Array<Vec3> kTriangle = {Vec3(1.3, 1.2, 0), Vec3(8.1, 2.3, 0), Vec3(4.2, 7.7, 0)};
+
+TEST(Statistics, TheMedianOfATriangleIsItsFermatPoint) {
+  Surface surface(planeGrid(10, 10));
+  FieldSets sets(surface);
+  const RobustMean found = median(sets, pointsAt(surface.mesh(), kTriangle), {1, 1, 1});
+  EXPECT_TRUE(found.converged);
+  const Vec3 place = position(surface.mesh(), found.point);
+  // The corners are seen from it at angles of 120 degrees.
+  Vec3 sum = Vec3::Zero();
+  double length = 0;
+  for (const Vec3& corner : kTriangle) {
+    sum += (corner - place).normalized();
+    length += (corner - place).norm();
+  }
+  EXPECT_LT(sum.norm(), 1e-4);
+  EXPECT_NEAR(found.value, length, 1e-9);
+}
+
+TEST(Statistics, APointThatIsHeavyEnoughOrWhereTheAngleIsWideIsTheMedian) {
+  Surface surface(planeGrid(10, 10));
+  FieldSets sets(surface);
+  const Array<Vec3> wide = {Vec3(1.2, 2.1, 0), Vec3(5.1, 2.9, 0), Vec3(9.2, 2.2, 0)};
+  const RobustMean middle = median(sets, pointsAt(surface.mesh(), wide), {1, 1, 1});
+  EXPECT_LT((position(surface.mesh(), middle.point) - wide[1]).norm(), 1e-9);
+  const Array<SurfacePoint> points = pointsAt(surface.mesh(), kTriangle);
+  const RobustMean heavy = median(sets, points, {2.5, 1, 1});
+  EXPECT_LT((position(surface.mesh(), heavy.point) - kTriangle[0]).norm(), 1e-9);
+  // A search that starts at a point that is no median leaves it.
+  RobustOptions from;
+  from.start = points[0];
+  const RobustMean there = median(sets, points, {1, 1, 1}, from);
+  const RobustMean other = median(sets, points, {1, 1, 1});
+  EXPECT_LT((position(surface.mesh(), there.point) - position(surface.mesh(), other.point)).norm(),
+            1e-3);
+}
+
+TEST(Statistics, HubersMeanIsTheClosedFormOnALineAndAMeanWhereTheThresholdIsWide) {
+  Surface surface(planeGrid(10, 10));
+  FieldSets sets(surface);
+  const Array<Vec3> line = {Vec3(0.4, 5, 0), Vec3(0.9, 5, 0), Vec3(9.4, 5, 0)};
+  // With x from the first point: x + (x - .5) = 1.
+  const RobustMean onLine = huberMean(sets, pointsAt(surface.mesh(), line), {1, 1, 1}, 1);
+  EXPECT_LT((position(surface.mesh(), onLine.point) - Vec3(1.15, 5, 0)).norm(), 1e-5);
+  const RobustMean wide = huberMean(sets, pointsAt(surface.mesh(), kTriangle), {1, 2, 3}, 100);
+  const Vec3 mean = (kTriangle[0] + 2 * kTriangle[1] + 3 * kTriangle[2]) / 6;
+  EXPECT_LT((position(surface.mesh(), wide.point) - mean).norm(), 1e-6);
+}
+
+TEST(Statistics, DerivativesOnThePlaneAreThePlanes) {
+  Surface surface(planeGrid(10, 10));
+  const Geometry& geometry = surface.geometry();
+  Array<Vec3> places = kTriangle;
+  places.push_back(Vec3(2.2, 6.1, 0));
+  const Array<double> weights = {0.5, 1, 2, 0.25};
+  const Array<SurfacePoint> points = pointsAt(surface.mesh(), places);
+  const Vec3 place(3.15, 4.6, 0);
+  const SurfacePoint here = nearestPoint(surface.mesh(), place);
+  double energy = 0;
+  double total = 0;
+  Vec3 gradient = Vec3::Zero();
+  for (int i = 0; i < places.count(); ++i) {
+    energy += weights[i] * (places[i] - place).squaredNorm();
+    gradient -= 2 * weights[i] * (places[i] - place);
+    total += weights[i];
+  }
+  const EnergyGradient found = energyAt(geometry, points, weights, here);
+  EXPECT_NEAR(found.energy, energy, 1e-8);
+  EXPECT_LT((tangentToSpace(geometry, here, found.gradient) - gradient).norm(), 1e-8);
+  const Eigen::Matrix2d expected = 2 * total * Eigen::Matrix2d::Identity();
+  EXPECT_LT((hessianAt(geometry, points, weights, here) - expected).norm(), 1e-6);
+  MeanOptions options;
+  options.normalize = true;
+  const SurfacePoint center = centerOfMass(surface, points, weights, options).point;
+  const Array<Vec2> derivatives = weightDerivatives(geometry, points, weights, center);
+  for (int i = 0; i < places.count(); ++i) {
+    const Vec3 moves = (places[i] - position(surface.mesh(), center)) / total;
+    EXPECT_LT((tangentToSpace(geometry, center, derivatives[i]) - moves).norm(), 1e-5);
+  }
+}
+
+TEST(Statistics, OnATorusTheHessianIsTheDifferenceOfEnergies) {
+  Surface surface(meshOf(makeShape(Shape::kTorus, 2000)));
+  const Geometry& geometry = surface.geometry();
+  const uint64_t seed = 20261126;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  Array<SurfacePoint> points;
+  Array<double> weights;
+  for (const int face : {12, 60, 150, 230, 41}) {
+    points.push_back({face, Vec3(0.2, 0.3, 0.5)});
+    weights.push_back(random.uniform(0.5, 1.5));
+  }
+  MeanOptions options;
+  options.normalize = true;
+  const SurfacePoint center = centerOfMass(surface, points, weights, options).point;
+  const Eigen::Matrix2d hessian = hessianAt(geometry, points, weights, center);
+  const EnergyGradient here = energyAt(geometry, points, weights, center);
+  const double step = 1e-4 * geometry.meanEdge;
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto energyAway = [&](double length) {
+      const Vec2 there = pointInFace(geometry, center) + length * Vec2::Unit(axis);
+      return energyAt(geometry, points, weights,
+                      {center.face, barycentric(geometry, center.face, there)})
+          .energy;
+    };
+    const double ahead = energyAway(step);
+    const double behind = energyAway(-step);
+    EXPECT_NEAR((ahead - behind) / (2 * step), here.gradient[axis], 1e-6);
+    // Rounding of energies is 1e-16 of them, divided by the square of the step.
+    EXPECT_NEAR((ahead - 2 * here.energy + behind) / square(step), hessian(axis, axis), 1e-3);
+  }
+}
+
+TEST(Statistics, WhatIsWrongIsSaid) {
+  Surface surface(planeGrid(4, 4));
+  FieldSets sets(surface);
+  const Array<SurfacePoint> points =
+      pointsAt(surface.mesh(), {Vec3(1.3, 1.2, 0), Vec3(3.1, 2.3, 0)});
+  EXPECT_EQ(codeOf([&] { median(sets, points, {1, -1}); }), ErrorCode::kBadArgument);
+  EXPECT_EQ(codeOf([&] { median(sets, points, {1}); }), ErrorCode::kBadArgument);
+  EXPECT_EQ(codeOf([&] { huberMean(sets, points, {1, 1}, 0); }), ErrorCode::kBadArgument);
+  const SurfacePoint vertex{0, Vec3(1, 0, 0)};
+  const Array<double> weights = {1, 1};
+  EXPECT_EQ(codeOf([&] { hessianAt(surface.geometry(), points, weights, vertex); }),
+            ErrorCode::kBadArgument);
+}
+
+}  // namespace
+}  // namespace karcher
