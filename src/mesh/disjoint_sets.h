@@ -28,7 +28,7 @@ class DisjointSets {
     return true;
   }
 
-  /// Per number the smallest of its set.
+  /// For each number, the smallest of its set.
   Array<int> names() {
     Array<int> result(parent_.size());
     for (int v = 0; v < result.count(); ++v) result[v] = find(v);
@@ -39,7 +39,7 @@ class DisjointSets {
   Array<int> parent_;
 };
 
-/// Sets of faces that are known to be turned over against each other, or not.
+/// Sets of faces whose orientations relative to each other are known.
 class OrientedSets {
  public:
   explicit OrientedSets(int count)
@@ -60,7 +60,7 @@ class OrientedSets {
       root = parent_[root];
     }
     const Place place{root, turned};
-    // All on the way point at the root from now on.
+    // Every face on the way now points at the root.
     while (f != root) {
       const int up = parent_[f];
       const bool own = turned_[f] != 0;
@@ -72,8 +72,8 @@ class OrientedSets {
     return place;
   }
 
-  /// Two faces that lie side by side, `turned` against each other or not. False, and nothing is
-  /// changed, where the opposite was known.
+  /// Joins the sets of two adjacent faces; `turned` says whether their orientations differ. Returns
+  /// false and changes nothing if the opposite is known.
   bool unite(int f, int g, bool turned) {
     const Place a = find(f);
     const Place b = find(g);

@@ -6,7 +6,7 @@
 
 namespace karcher {
 
-/// A half-edge 3 f + k among those of one edge.
+/// The half-edge 3 f + k, as one of an edge's.
 struct EdgeSide {
   int otherVertex;  ///< the greater of the edge's two vertices
   int halfedge;
@@ -40,7 +40,7 @@ void forEachEdge(const Array<Triangle>& faces, int vertexCount, Visit&& visit) {
   }
 }
 
-/// True for one half-edge alone, and for two that run in opposite directions. `faces` are those
+/// Whether the edge has one half-edge, or two that run in opposite directions. `faces` are those
 /// whose edges were visited.
 inline bool isManifoldEdge(const Array<Triangle>& faces, std::span<const EdgeSide> sides) {
   const auto tail = [&](const EdgeSide& side) {

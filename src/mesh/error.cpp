@@ -44,7 +44,7 @@ const char* errorCodeName(ErrorCode code) {
 void refuse(const std::string& sentence) { throw Error(ErrorCode::kBadArgument, sentence); }
 
 std::string inSentence(double value, int digits) {
-  // A stream would bring in the code of locales, which is large.
+  // A stream would add the large code of locales.
   char text[40];
   std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;

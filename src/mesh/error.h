@@ -13,24 +13,24 @@ enum class ErrorCode {
   kDegenerateFace,     ///< a face has a repeated corner or no area
   kNonManifoldEdge,    ///< an edge has more than two faces, or two that disagree on its direction
   kNonManifoldVertex,  ///< the faces around a vertex form more than one fan
-  kNotOrientable,      ///< the surface has one side only
-  kBadPoint,           ///< barycentric weights that are negative or do not sum to 1
-  kBadWeights,         ///< weights that do not sum to 1, or are too few
-  kTooFewPoints,       ///< a curve kind needs more control points
-  kBadArgument,        ///< any other argument outside its range
-  kUnreachable,        ///< two points lie on different components
+  kNotOrientable,      ///< the surface has only one side
+  kBadPoint,           ///< barycentric weights are negative or do not sum to 1
+  kBadWeights,         ///< weights do not sum to 1, or are too few
+  kTooFewPoints,       ///< the kind of curve needs more control points
+  kBadArgument,        ///< any other argument is outside its range
+  kUnreachable,        ///< points lie on different components
   kBoundary,           ///< a geodesic meets the boundary where it must not
-  kRadiusTooLarge,     ///< a circle wider than its component
+  kRadiusTooLarge,     ///< a circle is wider than its component
   kNoEmbedding,        ///< weighted averages: no acceptable embedding of the mesh was found
 };
 
 /// The name of a code, for callers in other languages: "nonManifoldEdge".
 const char* errorCodeName(ErrorCode code);
 
-/// A number as a sentence gives it: 0.25, 1e-07.
+/// A number as it is written in a sentence: 0.25, 1e-07.
 std::string inSentence(double value, int digits = 6);
 
-/// The same with as many digits as tell it from all other doubles, at least six: 3.000000000001.
+/// The same with enough digits to identify the double, at least six: 3.000000000001.
 std::string inFull(double value);
 
 /// Every failure of the engine: a code, and a sentence that names the thing and the limit.

@@ -36,7 +36,7 @@ FaceTree::Nearest FaceTree::nearest(const Vec3& place) const {
   return best;
 }
 
-/// Goes down as deep as the tree: some twenty levels.
+/// Recursion is as deep as the tree: some twenty levels.
 void FaceTree::search(int node, const Vec3& place, Nearest& best) const {
   if (node >= leaves_) {
     const int first = (node - leaves_) * kFacesInLeaf;
@@ -64,7 +64,7 @@ void FaceTree::search(int node, const Vec3& place, Nearest& best) const {
   if (toFar <= best.distance * best.distance) search(far, place, best);
 }
 
-/// kInfinity to a box without faces.
+/// Returns kInfinity for a box without faces.
 double FaceTree::squaredDistance(int node, const Vec3& place) const {
   const Box& box = boxes_[node];
   if (box.low.x() > box.high.x()) return kInfinity;

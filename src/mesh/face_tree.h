@@ -4,8 +4,9 @@
 
 namespace karcher {
 
-/// A tree of boxes round the faces of a mesh, in the order of their numbers, which lie near each
-/// other where the mesh was read (numbering.h): finds the point of the surface nearest to a place.
+/// A tree of boxes around the faces of a mesh, which finds the point of the surface nearest to a
+/// place. Boxes hold faces of consecutive numbers, which are neighbours in an imported mesh
+/// (morton.h).
 class FaceTree {
  public:
   /// The mesh must outlive the tree.
@@ -17,8 +18,8 @@ class FaceTree {
     double distance = kInfinity;
   };
 
-  /// Of several that are as near the one of the smallest face number. Throws Error kNotFinite, and
-  /// kBadArgument for a place beyond 1e30.
+  /// Returns the point in the face of the smallest number if several are equally near. Throws Error
+  /// kNotFinite, and kBadArgument for a place beyond 1e30.
   Nearest nearest(const Vec3& place) const;
 
  private:
@@ -32,7 +33,7 @@ class FaceTree {
 
   const TriangleMesh& mesh_;
   int leaves_ = 1;    ///< a power of 2
-  Array<Box> boxes_;  ///< of node i those below are 2 i and 2 i + 1; the root is 1
+  Array<Box> boxes_;  ///< node i has the children 2 i and 2 i + 1; the root is 1
 };
 
 }  // namespace karcher

@@ -21,7 +21,7 @@ class Flips {
     first_.assign(positions_.size(), -1);
     if (faces_.part.empty()) faces_.part.assign(faces_.corners.size(), -1);
     for (int f = 0; f < whole; ++f) enter(f);
-    // Each flip takes a longest edge away; rounding alone could make that endless.
+    // Each flip removes a longest edge, so that only rounding could make this endless.
     const int most = 100 * (flat.count() + 10);
     for (int i = 0; i < flat.count() && i < most; ++i) flip(flat[i], flat);
     faces_.leaveOut([&](int f) { return !alive_[f]; });
@@ -36,7 +36,7 @@ class Flips {
     return isDegenerate(place(t[0]), place(t[1]), place(t[2]));
   }
 
-  /// Into the lists of the faces around its corners.
+  /// Enters face f in the lists of its corners.
   void enter(int f) {
     for (int k = 0; k < 3; ++k) {
       int& first = first_[faces_.corners[f][k]];
@@ -76,7 +76,7 @@ class Flips {
   void cut(int g, int a, int b, int c, double s, Array<int>& flat) {
     const Triangle corners = faces_.corners[g];
     alive_[g] = 0;
-    // The same triangle from its other side has no area, either.
+    // The face is the flat triangle's other side and has no area either.
     if ((corners.array() == c).any()) return;
     const std::array<Vec3, 3> weights = faces_.weightsOf(g);
     int atA = 0;

@@ -8,8 +8,9 @@
 
 #include "mesh/split_triangles.h"
 
-// A slab of cubes with three cubes left out has the topology. Its faces are cut finer, its vertices
-// fall onto the zero set of a smooth function and spread out there; then again, at half the size.
+// A slab of cubes without three of them has the right topology. Its faces are subdivided, and its
+// vertices are projected to the zero set of a smooth function and spread out there; this is
+// repeated at half the size.
 
 namespace karcher {
 namespace {
@@ -41,7 +42,7 @@ Implicit threeTori(const Vec3& p) {
   return {-kBlend * std::log(sum), gradient / sum};
 }
 
-/// Newton's method along the gradient, which ends early where it has arrived.
+/// Newton's method along the gradient, which stops early at the surface.
 Vec3 onSurface(Vec3 p, int steps) {
   constexpr double kArrived = 1e-14;
   for (int step = 0; step < steps; ++step) {
@@ -128,7 +129,7 @@ TriangleMesh splitMesh(const TriangleMesh& mesh, int parts) {
 
 TriangleSoup genusThree(int triangles) {
   const TriangleMesh coarse = slab();
-  // 2 to 7 parts, doubled as often as it takes.
+  // 2 to 7 parts, doubled as often as needed.
   double parts = std::sqrt(static_cast<double>(triangles) / coarse.faceCount());
   int doublings = 0;
   for (; parts > 7.5; parts /= 2) ++doublings;

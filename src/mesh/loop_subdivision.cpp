@@ -18,7 +18,7 @@ Vec3 movedVertex(const TriangleMesh& mesh, int v) {
   const Vec3& p = mesh.positions[v];
   const int first = mesh.outgoing[v];
   if (mesh.onBoundary[v]) {
-    // The boundary leaves along `first` and comes in along the last face's far side.
+    // The boundary leaves along `first` and arrives along the last face's far side.
     int last = first;
     for (const int h : outgoingHalfedges(mesh, v)) last = h;
     return 0.75 * p +

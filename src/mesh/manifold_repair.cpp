@@ -11,7 +11,7 @@
 namespace karcher {
 namespace {
 
-/// More faces at an edge are not paired: the time grows with the square.
+/// Edges with more faces are not paired, since the time grows with the square.
 constexpr int kMostPaired = 64;
 
 class ManifoldRepair {
@@ -37,7 +37,8 @@ class ManifoldRepair {
     mesh_.twin[h] = g;
   }
 
-  /// Of edges with two faces. False where others were found: `branching_` and `mirrored_`.
+  /// Pairs the half-edges of edges with two faces. Returns false if it found others, in
+  /// `branching_` and `mirrored_`.
   bool pairHalfedges() {
     mesh_.twin.assign(static_cast<size_t>(mesh_.halfedgeCount()), -1);
     branching_.clear();
@@ -58,8 +59,8 @@ class ManifoldRepair {
     return branching_.empty() && mirrored_.empty();
   }
 
-  /// Turns faces over until all edges of two faces are run along in both directions, and finds the
-  /// sets of faces that these connect.
+  /// Turns faces over until the half-edges of each edge with two faces are opposite, and finds the
+  /// sets of faces that such edges connect.
   void orient() {
     OrientedSets sets(mesh_.faceCount());
     for (int h = 0; h < mesh_.halfedgeCount(); ++h) {
@@ -77,7 +78,7 @@ class ManifoldRepair {
       ++faces[place.set];
       turned[place.set] += place.turned;
     }
-    // Of two halves the one without the caller's first face.
+    // Between two equal halves, the one without the caller's first face is turned.
     Array<int> first(mesh_.faces.size(), -1);
     for (int f = 0; f < mesh_.faceCount(); ++f) {
       int& face = first[part_[f]];
@@ -143,9 +144,9 @@ class ManifoldRepair {
       away.push_back(awayFromEdge(sides[i], along));
     }
     while (true) {
-      // Equal angles: those that other edges connect stay together.
+      // If angles are equal, faces that other edges connect stay together.
       constexpr double kEqual = 1e-6;
-      // Of those that differ by rounding the file's first.
+      // Among angles that differ by rounding, the file's first is taken.
       constexpr double kRounding = 1e-9;
       double best = kInfinity;
       int first = -1;
@@ -167,8 +168,8 @@ class ManifoldRepair {
     }
   }
 
-  /// Of a vertex's fans the one with the file's first face keeps it: how the mesh lies in space
-  /// numbers the engine's faces, and must not choose.
+  /// The fan with the file's first face keeps the vertex. The engine's face numbers must not
+  /// decide, since they depend on the mesh's position in space.
   void splitFans() {
     const int before = mesh_.vertexCount();
     connectVertices(mesh_);
@@ -201,7 +202,7 @@ class ManifoldRepair {
     if (!atBranching_.empty()) atBranching_.resize(mesh_.positions.size(), 1);
   }
 
-  /// The half-edges that leave the vertices that are chosen, in the order of the file's faces.
+  /// The half-edges that leave the chosen vertices, in the order of the file's faces.
   Array<int> halfedgesByFile(const Array<uint8_t>& chosen) const {
     Array<int> halfedges;
     for (int h = 0; h < mesh_.halfedgeCount(); ++h) {
@@ -227,7 +228,7 @@ class ManifoldRepair {
     return first;
   }
 
-  /// A vertex at the place of v for the fan that starts at `first`.
+  /// Adds a vertex at the position of v for the fan that starts at `first`.
   void addVertex(int first, int v, Array<uint8_t>& seen) {
     const int added = mesh_.vertexCount();
     mesh_.positions.push_back(Vec3(mesh_.positions[v]));
@@ -240,8 +241,8 @@ class ManifoldRepair {
     }
   }
 
-  /// Two edges with the same two vertices, where one fan comes to both: their faces are parted, by
-  /// which the fans are, too; and what lies along each other then is joined.
+  /// Separates the faces of two edges with the same vertices if one fan meets both, which splits
+  /// the fan, too; then joins faces that lie along each other.
   void partSharedEdges() {
     bool changed = true;
     for (int round = 0; changed && round < kMostPaired; ++round) {
@@ -264,7 +265,7 @@ class ManifoldRepair {
   ManifoldRepairs repairs_;
   Array<Array<int>> branching_;
   Array<std::array<int, 2>> mirrored_;
-  Array<int> part_;             ///< per face the set that edges of two faces connect
+  Array<int> part_;             ///< for each face, the set that edges of two faces connect
   Array<uint8_t> atBranching_;  ///< per vertex
 };
 

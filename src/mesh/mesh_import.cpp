@@ -54,12 +54,12 @@ constexpr std::array<Words, 12> kWords = {{
 
 const Words& wordsOf(Repair::Kind kind) { return kWords[static_cast<size_t>(kind)]; }
 
-/// What was mended while polygons were cut.
+/// Repairs made while polygons were cut.
 struct CutRepairs {
   int polygonsCut;
   int repeatedCorners;
   int leftOut;
-  std::string firstLeftOut;  ///< where the first is that was left out
+  std::string firstLeftOut;  ///< the place of the first that was left out
 };
 
 void addRepairs(const CutRepairs& cut, Array<Repair>& repairs) {
@@ -79,7 +79,7 @@ void addRepairs(const CutRepairs& cut, Array<Repair>& repairs) {
   add(Repair::Kind::kRepeatedCorner, cut.repeatedCorners);
 }
 
-/// That faces have corners, each of them a vertex with a finite position.
+/// Checks that faces have corners, each of them a vertex with a finite position.
 void checkFaces(const PolygonSoup& polygons) {
   int64_t corners = 0;
   for (int face = 0; face < polygons.cornerCount.count(); ++face) {

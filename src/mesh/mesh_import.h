@@ -9,19 +9,20 @@
 #include "mesh/triangle_mesh.h"
 #include "mesh/triangle_soup.h"
 
-/// The mesh that the engine works on, made of what a caller has: checked, repaired, and renumbered
-/// along a Morton curve, so that neighbours on the surface are neighbours in memory.
+/// Import of a caller's mesh: it is checked, repaired, and renumbered along a Morton curve, so that
+/// neighbours on the surface are neighbours in memory.
 namespace karcher {
 
 struct Repair {
   enum class Kind {
-    kTriangulated,  ///< polygons were cut into triangles
-    kLeftOut,       ///< faces of few corners, or that cannot be cut, were left out
-    kContracted,    ///< vertices were merged with a neighbour, so near that the edge has no length
-    kWelded,        ///< vertices at the same place became one
-    kKeptApart,     ///< vertices at the same place stayed several: parts only touch there
-    kRepeatedCorner,  ///< faces with one vertex at two corners were left out
-    kDuplicate,       ///< faces at the place of another were left out
+    kTriangulated,    ///< polygons were cut into triangles
+    kLeftOut,         ///< faces of fewer than three corners, or that cannot be cut, were left out
+    kContracted,      ///< vertices were merged with neighbours at the other ends of edges without
+                      ///< length
+    kWelded,          ///< vertices at the same place became one
+    kKeptApart,       ///< vertices at the same place were kept apart: parts only touch there
+    kRepeatedCorner,  ///< faces with the same vertex at two corners were left out
+    kDuplicate,       ///< faces that repeat another were left out
     kNoArea,          ///< faces whose corners lie on a line were flipped away
     kTurnedOver,      ///< faces that disagreed with their neighbours were turned over
     kBranching,       ///< edges of more than two faces were parted
@@ -37,35 +38,37 @@ struct Repair {
 const char* repairName(Repair::Kind kind);
 
 struct ImportOptions {
-  /// Without: what is no surface is refused, and only vertices at exactly the same place are
-  /// welded.
+  /// If false, meshes that are no manifold surface are refused, and only vertices at exactly the
+  /// same place are welded.
   bool repair = true;
-  /// How far apart vertices may lie that are welded, in the mesh's units; negative: the smaller of
-  /// 1e-6 of the diagonal and 1 % of the shortest edge at either; 0: none are.
+  /// The largest distance between vertices that are welded, in the mesh's units. Negative: the
+  /// smaller of 1e-6 of the diagonal and 1 % of the shortest edge at either vertex; 0: only equal
+  /// positions.
   double weld = -1;
 };
 
 struct ImportedMesh {
   TriangleMesh mesh;
   Numbering numbering;
-  /// Per input vertex that was dropped, in the input's order, where it was.
+  /// The positions of the input vertices that were dropped, in the input's order.
   Array<Vec3> droppedPositions;
   Array<Repair> repairs;
 };
 
-/// Repairs, in this order, each told with its count in `repairs`:
+/// Repairs a mesh, in this order, and counts each kind in `repairs`:
 /// - edges of at most 1e-14 of the diagonal, or 1e-12 of their face's longest edge, are
 ///   contracted;
 /// - vertices on boundaries are welded where two faces lie along each other (`closeSeams`), which
 ///   closes the seams of unwelded files; parts that only touch stay apart;
-/// - faces with a repeated corner and duplicates are left out;
-/// - of faces without area the longest edge is flipped (`flipFlatTriangles`);
+/// - faces with a repeated corner, and duplicates, are left out;
+/// - the longest edges of faces without area are flipped (`flipFlatTriangles`);
 /// - faces are turned over until they agree, edges of more than two faces are parted, and vertices
-///   between several fans are split (`connectRepaired`).
-/// A mesh without such defects is as it was, to the last bit.
+///   between several fans are split (`connectRepaired`). A mesh without such defects is unchanged,
+///   to the last bit.
 ///
 /// Throws Error as `buildMesh` does, and kNotOrientable, kBadArgument (a weld that is not finite);
-/// errors name the caller's vertices and triangles. Vertices that no face uses may be anything.
+/// errors name the caller's vertices and triangles. Vertices that no face uses may have any
+/// position.
 ImportedMesh importMesh(TriangleSoup soup, const ImportOptions& options = {});
 
 /// Cuts polygons as `cutPolygons` does, and imports the triangles; face numbers count those. Throws
@@ -74,7 +77,7 @@ ImportedMesh importPolygons(PolygonSoup polygons, const ImportOptions& options =
 
 /// Imports what `readObj` gave; face numbers count triangles. Throws as `importMesh` does.
 ImportedMesh importObj(ObjContents contents, const ImportOptions& options = {});
-/// The same of an OBJ file's content, which it reads.
+/// Reads an OBJ file's content and imports it.
 ImportedMesh importObj(std::string_view bytes, const ImportOptions& options = {});
 
 }  // namespace karcher

@@ -14,7 +14,8 @@
 namespace karcher {
 namespace {
 
-/// Edges without length: of the diagonal, and of the longest edge of their face.
+/// The longest edges that count as having no length, relative to the diagonal and to the longest
+/// edge of their face.
 constexpr double kShortOfDiagonal = 1e-14;
 constexpr double kShortOfLongest = 1e-12;
 
@@ -32,8 +33,8 @@ Array<int> usedVertices(const TriangleSoup& soup) {
   return result;
 }
 
-/// Numbers faces by their smallest vertex, and so along the curve that the vertices follow. Per
-/// face its number.
+/// Returns the number of each face, by its smallest vertex, and thus along the curve that the
+/// vertices follow.
 Array<int> faceOrder(const Array<Triangle>& faces, int vertexCount) {
   Array<int> slot(static_cast<size_t>(vertexCount) + 1, 0);
   for (const Triangle& t : faces) ++slot[t.minCoeff() + 1];
@@ -93,7 +94,7 @@ class MeshRepair {
     return before - faces_.count();
   }
 
-  /// Returns how many vertices became another. Faces that have lost an edge by it are left out.
+  /// Returns how many vertices were merged into another. Leaves out faces that lost an edge.
   int contractShortEdges(double diagonal) {
     int contracted = 0;
     for (const Triangle& t : faces_.corners) {
@@ -116,7 +117,7 @@ class MeshRepair {
     return contracted;
   }
 
-  /// That what is left is fit for a surface.
+  /// Checks that the remaining faces can form a surface.
   void checkFaces() const {
     if (faces_.corners.empty()) {
       throw Error(ErrorCode::kDegenerateFace,
@@ -127,7 +128,7 @@ class MeshRepair {
     }
   }
 
-  /// Gives the engine's numbers: vertices by `order`, faces by their smallest vertex.
+  /// Assigns the engine's numbers: vertices by `order`, faces by their smallest vertex.
   void number(const Array<int>& order) {
     Numbering& numbering = result_.numbering;
     const Array<int> target = target_.names();
@@ -182,7 +183,7 @@ class MeshRepair {
     tell(Repair::Kind::kBowTie, repairs.bowTies);
   }
 
-  /// What became of an input triangle that is no engine face as a whole.
+  /// The image of an input triangle that is not a whole face of the engine.
   FaceImage& imageOf(int t) {
     Numbering& numbering = result_.numbering;
     int& entry = numbering.engineFace[t];
@@ -198,7 +199,7 @@ class MeshRepair {
     return numbering.images[-1 - entry];
   }
 
-  /// Duplicates are where the faces are that stayed.
+  /// Maps duplicates to the faces that were kept.
   void follow(const Array<DuplicateFace>& duplicates) {
     Numbering& numbering = result_.numbering;
     for (const auto& [source, kept, corner] : duplicates) {
@@ -220,7 +221,7 @@ class MeshRepair {
     }
   }
 
-  /// The faces at the corners of input triangles that left nothing behind.
+  /// Finds the faces at the corners of input triangles that left no piece.
   void lookBeside() {
     Numbering& numbering = result_.numbering;
     const TriangleMesh& mesh = result_.mesh;
@@ -234,7 +235,7 @@ class MeshRepair {
     }
   }
 
-  /// In `engineFace`, until it is known what became of a triangle.
+  /// Marks a triangle in `engineFace` until its image is known.
   static constexpr int kGone = std::numeric_limits<int>::min();
 
   TriangleSoup soup_;

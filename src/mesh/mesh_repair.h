@@ -4,10 +4,10 @@
 
 namespace karcher {
 
-/// `importMesh`; repairs with a count of 0 are among them.
+/// The same as `importMesh`, but `repairs` also lists the kinds with a count of 0.
 ImportedMesh repairMesh(TriangleSoup soup, const ImportOptions& options);
 
-/// A repair with its sentence.
+/// The repair with its sentence for reports.
 Repair repairOf(Repair::Kind kind, int count);
 
 }  // namespace karcher

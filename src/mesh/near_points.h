@@ -6,10 +6,10 @@
 
 namespace karcher {
 
-/// Points in a grid of cubes, each found by those near it.
+/// A grid of cubes that finds the points near each point.
 class NearPoints {
  public:
-  /// `radius`: how far at most is asked for.
+  /// `radius` is the largest distance of points that are found.
   NearPoints(const Array<Vec3>& positions, const Array<int>& points, double radius);
 
   /// visit(q) for each point q > p that lies within the radius, and for some beyond.

@@ -12,7 +12,7 @@ namespace {
 
 /// The weights in a piece of the point that has `bary` in the whole triangle.
 Vec3 weightsInPiece(const FacePiece& piece, const Vec3& bary) {
-  // Weights sum to 1, so two of them tell all: a plane.
+  // Weights sum to 1, so two of them are coordinates of a plane.
   const auto plane = [](const Vec3& b) { return Vec2(b[1], b[2]); };
   const Vec2 a = plane(piece.corners[0]);
   const Vec2 u = plane(piece.corners[1]) - a;
@@ -34,7 +34,8 @@ SurfacePoint inPieces(const FaceImage& image, const Vec3& bary) {
     most = least;
     best = {piece.face, weights};
   }
-  // Outside of all by rounding only: a part may be much smaller than the whole.
+  // The point is outside of all pieces only by rounding, which is large in a piece much smaller
+  // than the whole.
   best.bary = best.bary.cwiseMax(0);
   best.bary /= best.bary.sum();
   return clampedPoint(best.face, best.bary);
@@ -48,8 +49,8 @@ Vec3 placeIn(const FaceImage& image, const Vec3& bary) {
   return place;
 }
 
-/// The nearest point of the faces beside, and of those that are reached from them by always coming
-/// nearer: several triangles on one line lie side by side.
+/// The nearest point of the adjacent faces, and of faces reached from them by steps that each come
+/// nearer, since several triangles on one line may lie side by side.
 SurfacePoint nearestBeside(const TriangleMesh& mesh, const FaceImage& image, const Vec3& place) {
   SurfacePoint best;
   double nearest = kInfinity;
@@ -108,7 +109,7 @@ SurfacePoint toEngine(const Numbering& numbering, const TriangleMesh& mesh, int 
   if (!image.pieces.empty()) return inPieces(image, point.bary);
   const Vec3 place = placeIn(image, point.bary);
   if (!image.beside.empty()) return nearestBeside(mesh, image, place);
-  // Its vertices are its own. Others may be at the same place.
+  // Uses the triangle's own vertices first, since others may be at the same place.
   constexpr double kNear = 1e-6;
   SurfacePoint nearest = nearestPoint(mesh, place);
   const double distance = (position(mesh, nearest) - place).norm();

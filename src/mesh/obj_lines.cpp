@@ -12,7 +12,7 @@ bool isSpace(char c) { return c == ' ' || c == '\t'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 
-/// More are no number that anybody meant; the exponent fits an integer.
+/// Longer exponents are not meaningful; this one fits an integer.
 constexpr size_t kMostExponentDigits = 9;
 
 size_t countDigits(std::string_view word, size_t from) {
@@ -32,7 +32,7 @@ bool startsComment(std::string_view text, size_t at) {
   return text[at] == '#' && (at == 0 || isSpace(text[at - 1]) || isLineEnd(text[at - 1]));
 }
 
-/// Inside of a continued line.
+/// The number of line ends inside a continued line.
 int countLineEnds(std::string_view line) {
   int count = 0;
   for (size_t i = line.find('\\'); i < line.size(); ++i) {
@@ -44,14 +44,14 @@ int countLineEnds(std::string_view line) {
   return count;
 }
 
-/// The length of what divides words at `from`: a blank, or a backslash and the end of its line.
+/// The length of the separator at `from`: a blank, or a backslash and the end of its line.
 size_t gap(std::string_view line, size_t from) {
   if (isSpace(line[from])) return 1;
   const size_t end = line[from] == '\\' ? lineEnd(line, from + 1) : 0;
   return end == 0 ? 0 : 1 + end;
 }
 
-/// nan, inf and infinity, as C and Python print them.
+/// Whether the word is nan, inf or infinity, as C and Python print them.
 bool isNotFinite(std::string_view word) {
   std::string lower(word.substr(word.find_first_not_of("+-") == 1 ? 1 : 0));
   for (char& c : lower) {
@@ -61,7 +61,7 @@ bool isNotFinite(std::string_view word) {
          lower == "infinity" || lower.starts_with("1.#");
 }
 
-/// A word as it is quoted in an error: at most 20 characters, each of them printable.
+/// A word quoted for an error: at most 20 characters, each of them printable.
 std::string quoted(std::string_view word) {
   std::string result = "'";
   for (const char c : word.substr(0, 20)) result += c >= ' ' && c <= '~' ? c : '?';
@@ -200,7 +200,7 @@ std::string_view takeObjWord(std::string_view& line) {
     begin += blank;
   }
   size_t end = begin;
-  // Most characters are seen at once to be a word's.
+  // Fast path: most characters obviously belong to a word.
   while (end < line.size() && ((line[end] > ' ' && line[end] != '\\') || gap(line, end) == 0))
     ++end;
   const std::string_view word = line.substr(begin, end - begin);

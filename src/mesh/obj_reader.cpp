@@ -13,7 +13,7 @@
 #include "mesh/polygon_soup.h"
 #include "mesh/positions.h"
 
-// Under another name: a program that links this library may have a tinyobjloader of its own.
+// Renamed, since a program that links this library may have a tinyobjloader of its own.
 #define tinyobj karcherTinyobj
 #define TINYOBJLOADER_USE_DOUBLE
 #define TINYOBJLOADER_IMPLEMENTATION
@@ -22,10 +22,10 @@
 namespace karcher {
 namespace {
 
-/// A file that was checked, as tinyobjloader reads it, which knows no backslash at a line's end and
-/// no comment behind a number: only the lines that are used, each in one piece, of corners only the
-/// vertex. A vertex's color follows as a normal, since callbacks get no colors in the versions of
-/// Debian 12 and 13.
+/// A checked file in a form that tinyobjloader reads: it knows neither a backslash at a line's end
+/// nor a comment after a number. It gets only the lines that are used, each on one line, with
+/// corners reduced to the vertex. A vertex's color is passed as a normal, since callbacks get no
+/// colors in the versions of Debian 12 and 13.
 class PlainLines : public std::streambuf {
  public:
   explicit PlainLines(std::string_view text) : text_(text) {}
@@ -54,7 +54,7 @@ class PlainLines : public std::streambuf {
         add(" ");
         add(corner.substr(0, corner.find('/')));
       }
-      // Tinyobjloader does not tell of a face without corners, which the check has counted.
+      // Tinyobjloader does not report a face without corners, which the check has counted.
       if (block_.size() == begin) add(" 0");
       add("\n");
     } else if (keyword == "o" || keyword == "g" || keyword == "usemtl") {
@@ -94,7 +94,7 @@ class PlainLines : public std::streambuf {
   std::string block_;
 };
 
-/// Takes what tinyobjloader reads of a file that was checked.
+/// Collects what tinyobjloader reads from a checked file.
 class Reading {
  public:
   Reading(const ObjLines& lines, const ObjOptions& options) : lines_(lines), options_(options) {
@@ -128,7 +128,7 @@ class Reading {
     checkParts();
   }
 
-  /// The marks of triangles that were cut out of the faces.
+  /// The marks of the triangles that the faces were cut into.
   ObjMarks marksOf(const Array<int>& triangles) {
     ObjMarks marks;
     const auto of = [&](auto member) {
@@ -146,12 +146,12 @@ class Reading {
   }
 
   PolygonSoup faces;
-  /// Per face with more than three corners, and per face with fewer, its line.
+  /// The lines of faces with more than three corners, and of those with fewer.
   Array<int> polygonLines;
   Array<int> shortLines;
 
  private:
-  /// What faces have in common.
+  /// The part and material that faces have in common.
   struct Kind {
     int part = -1;
     int material = -1;
@@ -256,7 +256,7 @@ class Reading {
 
   const ObjLines& lines_;
   const ObjOptions& options_;
-  int polygons_ = 0;  ///< of more than three corners, of parts that are not wanted too
+  int polygons_ = 0;  ///< of more than three corners, including those of unwanted parts
   int shortFaces_ = 0;
   Array<Vec3> colors_;  ///< up to the last vertex that has one; -1 for none
   Array<ObjPart> parts_;
@@ -270,7 +270,7 @@ class Reading {
   std::string material_;
 };
 
-/// That no face uses a vertex that is not finite.
+/// Checks that no face uses a vertex that is not finite.
 void checkUses(const PolygonSoup& faces, const ObjLines& lines) {
   if (lines.notFinite.empty()) return;
   Array<uint8_t> used(faces.positions.size(), 0);

@@ -7,13 +7,14 @@
 namespace karcher {
 namespace {
 
-/// Corners whose sine is below this lie on a line, but for rounding.
+/// Corners whose sine is below this lie on a line, up to rounding.
 constexpr double kFlat = 1e-12;
 
-/// A corner further beside an ear's box, as a part of the box, is not in the ear, but for rounding.
+/// A corner beyond an ear's box by more than this part of the box is not in the ear, whatever the
+/// rounding.
 constexpr double kBeside = 1e-3;
 
-/// The corners seen along the mean normal (Newell): counterclockwise around the polygon.
+/// The corners projected along the mean normal (Newell), counterclockwise around the polygon.
 Array<Vec2> projected(const Array<Vec3>& corners) {
   const int n = corners.count();
   Vec3 normal = Vec3::Zero();
@@ -30,8 +31,8 @@ Array<Vec2> projected(const Array<Vec3>& corners) {
   return result;
 }
 
-/// Points of the plane in the cells of a grid, about one in each, so that those in a box are found
-/// without a look at the others.
+/// Points of the plane in the cells of a grid, about one in each, so that points in a box are found
+/// without visiting all.
 class PointGrid {
  public:
   explicit PointGrid(const Array<Vec2>& points)
@@ -42,7 +43,7 @@ class PointGrid {
       low_ = low_.cwiseMin(p);
       high = high.cwiseMax(p);
     }
-    // Where the points have no width, or are not numbers, all are in one row.
+    // If the points have no width or are not finite, all are in one row.
     for (int k = 0; k < 2; ++k) {
       const double width = high[k] - low_[k];
       perWidth_[k] = width > 0 ? side_ / width : 0;
@@ -96,7 +97,7 @@ class EarClipping {
     while (ring_.count() >= 3) {
       int ear = shortest();
       if (diagonal_[ear] == kInfinity) {
-        // A corner that was in the way of another may be gone.
+        // The removed corner may have blocked others.
         for (int i = 0; i < ring_.count(); ++i) diagonal_[i] = earDiagonal(i);
         ear = shortest();
         if (diagonal_[ear] == kInfinity) return {};
@@ -125,13 +126,13 @@ class EarClipping {
     return ring_[(i + n) % n];
   }
 
-  /// Squared length of the diagonal that cuts corner i of the ring off; infinite if that is no ear.
+  /// Squared length of the diagonal that cuts off corner i of the ring; infinite if that is no ear.
   double earDiagonal(int i) const {
     const Vec2& a = plane_[at(i - 1)];
     const Vec2& b = plane_[at(i)];
     const Vec2& c = plane_[at(i + 1)];
     const double flat = kFlat * ((b - a).squaredNorm() + (c - b).squaredNorm());
-    // Also where there is no normal, and the plane's coordinates are not numbers.
+    // Written so that it is also taken for coordinates that are NaN, as without a normal.
     if (!(cross(b - a, c - b) > flat)) return kInfinity;
     const int own[3] = {at(i - 1), at(i), at(i + 1)};
     const auto blocks = [&](int k) {
@@ -140,8 +141,8 @@ class EarClipping {
       const bool inside = cross(b - a, p - a) >= -flat && cross(c - b, p - b) >= -flat &&
                           cross(a - c, p - c) >= -flat;
       if (!inside || p == a || p == c) return false;
-      // At the end of a bridge to a hole the ring comes by twice: there it is in the way only where
-      // it goes into the ear.
+      // At the end of a bridge to a hole the ring passes twice; there it blocks the ear only if it
+      // enters it.
       return p != b || isBetween(next_[k], a, b, c, flat) || isBetween(previous_[k], a, b, c, flat);
     };
     // The slack of `flat` reaches a little beyond the triangle.
@@ -162,10 +163,10 @@ class EarClipping {
   Array<Vec2> plane_;
   PointGrid grid_;
   Array<uint8_t> isLeft_;   ///< per corner, whether it is in the ring
-  Array<int> next_;         ///< of each corner that is left, the one after it
+  Array<int> next_;         ///< for each corner that is left, the one after it
   Array<int> previous_;     ///< and before it
   Array<int> ring_;         ///< the corners that are left
-  Array<double> diagonal_;  ///< for each of them, its earDiagonal
+  Array<double> diagonal_;  ///< the earDiagonal of each of them
 };
 
 }  // namespace

@@ -19,8 +19,8 @@ namespace {
               face + "cannot be cut into triangles: it crosses itself or has no area");
 }
 
-/// Leaves one of each vertex that a polygon names several times in a row, but three corners at
-/// least. Returns whether there was one.
+/// Removes repetitions of a vertex that a polygon names several times in a row, but keeps three
+/// corners. Returns whether it removed any.
 bool takeOnce(Array<int>& corners) {
   Array<int> ring;
   for (const int v : corners) {
@@ -33,7 +33,7 @@ bool takeOnce(Array<int>& corners) {
   return true;
 }
 
-/// A fan of triangles, each without area, where all corners lie on a line.
+/// A fan of triangles without area, if all corners lie on a line.
 Array<Triangle> fanOnALine(const Array<Vec3>& corners) {
   if (corners.count() > kMostPolygonCorners) return {};
   Array<Triangle> fan;
@@ -44,7 +44,7 @@ Array<Triangle> fanOnALine(const Array<Vec3>& corners) {
   return fan;
 }
 
-/// The two triangles of a quad that crosses itself, along its shorter diagonal; none where one of
+/// The two triangles of a quad that crosses itself, cut along its shorter diagonal; none if one of
 /// them has no area.
 Array<Triangle> halves(const Array<Vec3>& corners) {
   if (corners.count() != 4) return {};
@@ -71,7 +71,7 @@ CutPolygons cutPolygons(PolygonSoup polygons, bool mend,
   PolygonNumber number;
   int firstCount = 0;  // corners of the first that was left out
   const int* corner = polygons.corners.data();
-  // Those of the face before, however it was cut.
+  // Marks the triangles of the face before, however it was cut.
   const auto markTriangles = [&] {
     if (number.face < 0 || polygons.mark.empty()) return;
     result.mark.resize(triangles.size(), polygons.mark[number.face]);

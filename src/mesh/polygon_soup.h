@@ -7,31 +7,33 @@
 
 namespace karcher {
 
-/// Polygons as a file or a caller gives them, in flat arrays.
+/// Unchecked polygons of a file or a caller, in flat arrays.
 struct PolygonSoup {
   Array<Vec3> positions;
   Array<int> corners;
   Array<int> cornerCount;  ///< per face, at least 3
-  Array<int> mark;         ///< per face a number that its triangles get; empty: they get none
+  Array<int> mark;         ///< a number for each face that its triangles get, or empty
 };
 
-/// A face by its number among all, and among those of more than three corners.
+/// A face's number among all, and among those of more than three corners.
 struct PolygonNumber {
   int face = -1;
   int polygon = -1;
 };
 
 struct CutPolygons {
-  /// Vertices as given; triangles in the faces' order, those of a polygon one after another.
+  /// The vertices as given, and the triangles in the faces' order, those of a polygon one after
+  /// another.
   TriangleSoup soup;
-  Array<int> mark;          ///< per triangle that of its face; empty without marks
-  int polygonsCut = 0;      ///< faces with more than three corners
-  int repeatedCorners = 0;  ///< of those that named a vertex twice in a row; it was taken once
-  int leftOut = 0;          ///< faces that cannot be cut
+  Array<int> mark;      ///< the mark of each triangle's face; empty without marks
+  int polygonsCut = 0;  ///< faces with more than three corners
+  int repeatedCorners =
+      0;            ///< of them, those that named a vertex twice in a row; it was taken once
+  int leftOut = 0;  ///< faces that cannot be cut
   PolygonNumber firstLeftOut;
 };
 
-/// Cuts polygons into triangles; their corners are vertices that are there, with finite positions.
+/// Cuts polygons into triangles; their corners must be existing vertices with finite positions.
 /// With `mend` a vertex that a polygon names twice in a row counts once, a polygon whose corners
 /// all lie on a line becomes a fan of triangles without area, a quad that crosses itself is cut
 /// along its shorter diagonal, and others that cannot be cut are left out, unless no face would be

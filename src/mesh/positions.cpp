@@ -8,8 +8,8 @@
 namespace karcher {
 namespace {
 
-/// Between them lengths are floats, by which the distances' queue is ordered, and products of
-/// several are doubles.
+/// In this range lengths fit floats, which order the queue of distances, and products of several
+/// lengths fit doubles.
 constexpr double kLargestCoordinate = 1e30;
 constexpr double kSmallestExtent = 1e-30;
 
@@ -29,7 +29,7 @@ class Check {
     high_ = high_.cwiseMax(p);
   }
 
-  /// Of all that were checked.
+  /// The diagonal of the box around all checked positions.
   double diagonal() const {
     const double extent = (high_ - low_).maxCoeff();
     if (extent > 0 && extent < kSmallestExtent) {

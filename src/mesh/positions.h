@@ -4,19 +4,19 @@
 
 namespace karcher {
 
-/// Checks the positions of a mesh, or those of some vertices, and that lengths multiplied a few
-/// times stay doubles: no coordinate beyond 1e30, and a mesh that is not a single point at least
-/// 1e-30 wide. Returns the length of the diagonal of the box around them. Throws Error kNotFinite,
-/// kBadArgument.
+/// Checks the positions of a mesh, or of some of its vertices, so that products of a few lengths
+/// neither overflow nor underflow: coordinates must be within 1e30, and the mesh must be a single
+/// point or at least 1e-30 wide. Returns the length of the diagonal of the box around them. Throws
+/// Error kNotFinite, kBadArgument.
 double checkPositions(const Array<Vec3>& positions, const Array<int>* vertices = nullptr);
 
 /// Checks a place beside a mesh as `checkPositions` does. Throws Error kNotFinite, kBadArgument.
 void checkPlace(const Vec3& place);
 
-/// The middle of all; 0 without any.
+/// The mean of all positions; 0 if there are none.
 Vec3 middleOf(const Array<Vec3>& positions);
 
-/// Twice the largest distance of a position from the middle of all; 0 without any.
+/// Twice the largest distance of a position from the mean of all; 0 if there are none.
 double extentOf(const Array<Vec3>& positions);
 
 }  // namespace karcher

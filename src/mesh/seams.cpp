@@ -9,10 +9,11 @@
 namespace karcher {
 namespace {
 
-/// Of the diagonal, and of the shortest edge.
+/// The default tolerance, relative to the diagonal and to the shortest edge.
 constexpr double kNear = 1e-6;
 constexpr double kNearPartOfEdge = 0.01;
-/// Of the shortest edge, whatever tolerance is asked for: triangles keep their shape.
+/// The largest tolerance relative to the shortest edge, whatever the caller wants, so that
+/// triangles keep their shape.
 constexpr double kMostPartOfEdge = 1.0 / 3;
 
 class Seams {
@@ -39,7 +40,7 @@ class Seams {
   }
 
  private:
-  /// Half-edges by the places of their vertices.
+  /// Half-edges grouped by the places of their vertices.
   struct Edges {
     Array<int> boundary;                 ///< those alone
     Array<int> branching;                ///< those of more than two
@@ -160,7 +161,7 @@ class Seams {
     return uses[t[0]] == 1 && uses[t[1]] == 1 && uses[t[2]] == 1;
   }
 
-  /// Of two faces at the same places.
+  /// Whether two faces at the same places have the same vertices.
   bool sameVertices(int f, int g) const {
     for (const int v : faces_.corners[f]) {
       if ((faces_.corners[g].array() != v).all()) return false;
@@ -168,7 +169,7 @@ class Seams {
     return true;
   }
 
-  /// Makes one place of those of boundary vertices that lie near each other.
+  /// Unites the places of boundary vertices that lie near each other.
   bool joinNearPlaces(const Array<int>& boundary) {
     Array<double> reach = shortestEdges(boundary);
     Array<int> points;
@@ -184,7 +185,7 @@ class Seams {
     DisjointSets sets(positions_.count());
     if (!uniteNear(points, reach, most, sets)) return false;
     Array<int> joined = sets.names();
-    // Never two corners of a face: then their set stays as it was.
+    // Two corners of a face are never united: their set is then left as it was.
     Array<uint8_t> torn(positions_.size(), 0);
     for (const Triangle& t : faces_.corners) {
       for (int k = 0; k < 3; ++k) {
@@ -199,9 +200,9 @@ class Seams {
     return true;
   }
 
-  /// Unites points that lie within the reach of both; `most` is the greatest. Returns whether there
-  /// were any. Points that lie in one small cube are all within each other's reach, and are united
-  /// without looking at each two of them: a cluster of many costs no square of them.
+  /// Unites points that lie within each other's reach; `most` is the greatest reach. Returns
+  /// whether it united any. Points in one small cube are all within each other's reach and are
+  /// united without comparing pairs, so that a large cluster does not take quadratic time.
   bool uniteNear(const Array<int>& points, const Array<double>& reach, double most,
                  DisjointSets& sets) const {
     double least = most;
@@ -234,8 +235,8 @@ class Seams {
   /// Points that lie in one cube.
   struct Heaps {
     Array<int> points;  ///< one heap after the other
-    Array<int> begin;   ///< per heap where it begins, and the end
-    Array<int> first;   ///< per heap its first point
+    Array<int> begin;   ///< where each heap begins, and the end of the last
+    Array<int> first;   ///< the first point of each heap
 
     std::span<const int> at(int i) const {
       return std::span(points).subspan(static_cast<size_t>(begin[i]),
@@ -243,12 +244,12 @@ class Seams {
     }
   };
 
-  /// Of cubes whose points are no farther from each other than `width`. Where cubes would be too
-  /// many to be numbered, each point is a heap.
+  /// The heaps of cubes whose points are no farther from each other than `width`. If the cubes
+  /// would be too many to number, each point is a heap.
   Heaps heapsOf(const Array<int>& points, double width) const {
     Heaps heaps;
     heaps.points = points;
-    const double side = width / 2;  // less than by the root of 3
+    const double side = width / 2;  // smaller than width / sqrt(3)
     constexpr double kMostCubes = 1e15;
     Array<Vec3> cubes;
     double farthest = 0;
@@ -277,7 +278,7 @@ class Seams {
     return heaps;
   }
 
-  /// Per place on a boundary the length of the shortest edge there; infinite elsewhere.
+  /// The length of the shortest edge at each place on a boundary; infinite elsewhere.
   Array<double> shortestEdges(const Array<int>& boundary) const {
     Array<uint8_t> on(positions_.size(), 0);
     for (const int h : boundary) {
@@ -304,7 +305,7 @@ class Seams {
     if (options_.tolerance != 0) {
       const DisjointSets before = target_;
       const int welded = repairs_.welded;
-      // Each round keeps at least one place more apart.
+      // Each round keeps at least one more place apart.
       do {
         target_ = before;
         repairs_.welded = welded;
@@ -334,7 +335,7 @@ class Seams {
     countKeptApart();
   }
 
-  /// Edges of two faces that run along them in opposite directions.
+  /// Welds the vertices of edges whose two faces run along them in opposite directions.
   void weldFacing() {
     forEachEdgeByPlace([&](int, std::span<const EdgeSide> sides) {
       const int g = sides[0].halfedge;
@@ -351,10 +352,10 @@ class Seams {
     repairs_.welded += target_.unite(v, w) ? 1 : 0;
   }
 
-  /// Where welding both ends of an edge that two faces share in the file lays other faces on it,
-  /// one end is not to be welded: those that then have to be parted may be the two. So a sheet and
-  /// its turned copy, which are welded along their rim, are not torn where an edge leads from rim
-  /// to rim. Returns whether there is such an end that was welded.
+  /// Keeps one end of an edge that two faces share in the file from being welded, if welding both
+  /// ends would give the edge more faces: separating these might then separate the two. So a sheet
+  /// and its turned copy, welded along their rim, are not torn where an edge leads from rim to rim.
+  /// Returns whether such an end had been welded.
   bool keepWholeEdges() {
     constexpr size_t kMostCompared = 64;  // the time grows with the square
     Array<Triangle> joined = faces_.corners;
@@ -388,15 +389,15 @@ class Seams {
     return any;
   }
 
-  /// The vertices of two half-edges along each other.
+  /// Joins the vertices of two half-edges along each other.
   void join(int g, int h) {
     const bool turned = placeAt(g) == placeAt(h);
     unite(vertexAt(g), vertexAt(turned ? h : nextCorner(h)));
     unite(vertexAt(nextCorner(g)), vertexAt(turned ? nextCorner(h) : h));
   }
 
-  /// Those first that are joined in the file, then the others, as long as the surface has two
-  /// sides.
+  /// Joins first those that are joined in the file, then the others, as long as the surface stays
+  /// two-sided.
   void weldMirrored(const Edges& edges) {
     const auto isJoined = [&](const std::array<int, 2>& pair) {
       const auto same = [&](int v, int w) { return target_.find(v) == target_.find(w); };
@@ -436,8 +437,8 @@ class Seams {
   WorkFaces& faces_;
   SeamOptions options_;
   DisjointSets& target_;
-  Array<int> place_;      ///< per vertex the first at its place
-  Array<uint8_t> apart_;  ///< per place whether its vertices are not welded; empty: all are
+  Array<int> place_;      ///< for each vertex, the first at its place
+  Array<uint8_t> apart_;  ///< for each place, whether its vertices stay unwelded; empty if none do
   SeamRepairs repairs_;
 };
 

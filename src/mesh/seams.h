@@ -8,11 +8,11 @@ namespace karcher {
 struct SeamOptions {
   /// Of the box around the vertices.
   double diagonal = 0;
-  /// How far apart two vertices may lie that are welded; negative: the smaller of 1e-6 of the
-  /// diagonal and 1 % of the shortest edge at either; 0: nothing is welded.
+  /// The largest distance between vertices that are welded. Negative: the smaller of 1e-6 of the
+  /// diagonal and 1 % of the shortest edge at either vertex; 0: nothing is welded.
   double tolerance = -1;
-  /// Only vertices at exactly the same place, and only if all edges have two faces at most then, in
-  /// opposite directions; no face is left out.
+  /// Weld only vertices at exactly the same place, and only if every edge then has at most two
+  /// faces, in opposite directions; no face is left out.
   bool exact = false;
 };
 
@@ -20,7 +20,7 @@ struct SeamOptions {
 struct DuplicateFace {
   int source;      ///< the input triangle
   int keptSource;  ///< the one that stays
-  /// Per corner of the kept face, the corner of the other at the same place.
+  /// For each corner of the kept face, the corner of the other at the same place.
   std::array<int, 3> corner;
 };
 
@@ -34,11 +34,11 @@ struct SeamRepairs {
 /// and -0 are the same), and on boundaries those within the tolerance. Parts that only touch stay
 /// apart, and so do the corners of one face. If the two edges run in the same direction, one side
 /// is turned over (`connectRepaired`), unless that would make the surface one-sided. An edge that
-/// two faces share stays theirs alone: where it runs from seam to seam beside another one, its
+/// two faces share gets no other faces: where it runs from seam to seam beside another one, its
 /// first end is not welded. A face at the place of an earlier one is left out: always if it has the
 /// same orientation; with the opposite one if an edge has more than two faces and the face is
 /// attached to no other. `order` lists the vertices of the faces, equal positions next to each
-/// other (`mortonOrder`). `target` gives the vertex that stands for each one, and is updated.
+/// other (`mortonOrder`). `target` maps each vertex to its representative, and is updated.
 SeamRepairs closeSeams(const Array<Vec3>& positions, const Array<int>& order, WorkFaces& faces,
                        const SeamOptions& options, DisjointSets& target);
 

@@ -34,7 +34,7 @@ Vec3 trefoil(double t) {
          3;
 }
 
-/// Points at equal steps along a closed curve given by its parameter in [0, 2 pi].
+/// Points at equal distances along a closed curve, given as a function on [0, 2 pi].
 template <class Curve>
 Array<Vec3> evenPoints(int count, Curve&& curve) {
   constexpr int kSteps = 20'000;
@@ -55,9 +55,9 @@ Array<Vec3> evenPoints(int count, Curve&& curve) {
   return result;
 }
 
-/// Unit normals along a closed curve that turn as little as they can: each is the one before, moved
-/// by two reflections (W. Wang, B. Juettler, D. Zheng, Y. Liu, "Computation of Rotation Minimizing
-/// Frames", 2008); what is missing to close is spread evenly.
+/// Unit normals along a closed curve that turn as little as possible: two reflections move each one
+/// to the next point (W. Wang, B. Juettler, D. Zheng, Y. Liu, "Computation of Rotation Minimizing
+/// Frames", 2008); the angle missing at the end is spread evenly.
 Array<Vec3> minimalNormals(const Array<Vec3>& points, const Array<Vec3>& tangents) {
   const int n = points.count();
   Array<Vec3> normals = {tangents[0].unitOrthogonal()};

@@ -2,7 +2,7 @@
 
 #include "mesh/triangle_soup.h"
 
-/// Built-in surfaces. Each is manifold and faces outwards; sizes are about 1.
+/// Built-in surfaces. Each is manifold, about 1 in size, and faces outwards.
 namespace karcher {
 
 enum class Shape {
@@ -16,13 +16,13 @@ enum class Shape {
 inline constexpr Shape kShapes[] = {Shape::kSphere, Shape::kTorus, Shape::kKnot, Shape::kGenus3,
                                     Shape::kOpenSheet};
 
-/// The name by which callers ask for a shape: "genus3".
+/// The name of a shape for callers: "genus3".
 const char* shapeName(Shape shape);
 
 inline constexpr int kFewestShapeTriangles = 500;
 inline constexpr int kMostShapeTriangles = 1'000'000;
 
-/// A shape of about `triangles` triangles; each has its own steps, so the count is within 5 %,
+/// A shape of about `triangles` triangles. Shapes come in steps: the count is within 5 % of that,
 /// below 2,000 within 12 %, and for kGenus3 between 2/3 and 3/2 of it. Throws Error kBadArgument
 /// for less than 500 or more than 1,000,000.
 TriangleSoup makeShape(Shape shape, int triangles);
@@ -38,7 +38,7 @@ inline constexpr double kTorusMinor = 0.4;
 extern const double kTorusPeriod;
 Vec3 conformalTorus(const Vec2& x);
 
-/// Lengths on the torus over lengths in the plane of `conformalTorus` at this y.
+/// The ratio of lengths on the torus to lengths in the plane of `conformalTorus` at this y.
 double conformalTorusScale(double y);
 
 }  // namespace karcher

@@ -4,11 +4,10 @@
 
 #include "mesh/types.h"
 
-/// One sort for whatever is sorted seldom. A sort compiled for each caller would take three
-/// kilobytes of code each.
+/// A sort shared by rare callers: each instance of std::sort would add three kilobytes of code.
 namespace karcher {
 
-/// Sorts numbers by a comparison. Numbers that it holds equal are put in ascending order.
+/// Sorts numbers by a comparison, and equal ones in ascending order.
 void sortNumbers(Array<int>& numbers, const std::function<bool(int, int)>& isBefore);
 
 /// The numbers from 0 to count - 1, sorted in the same way.

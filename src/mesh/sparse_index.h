@@ -8,7 +8,7 @@
 namespace karcher {
 
 /// Numbers the few of many items (faces, cells) that a search meets: 0, 1, 2, ... in the order in
-/// which they are added. Open addressing, so that nothing the size of the mesh is made.
+/// which they are added. Uses open addressing, so that its memory does not grow with the mesh.
 class SparseIndex {
  public:
   int count() const { return static_cast<int>(places_.size()); }
@@ -29,7 +29,7 @@ class SparseIndex {
     insert(item, count());
   }
 
-  /// Forgets all items. Costs as much as they are; the memory is kept.
+  /// Removes all items, in time linear in their number. Keeps the memory.
   void clear() {
     for (const uint32_t place : places_) entries_.data()[place].item = -1;
     places_.clear();
@@ -68,7 +68,7 @@ class SparseIndex {
   Array<Entry> entries_ = Array<Entry>(size_t{1} << kFirstBits);  ///< their number a power of two
   uint32_t mask_ = (uint32_t{1} << kFirstBits) - 1;
   int shift_ = 32 - kFirstBits;
-  Array<uint32_t> places_;  ///< of the entries that are taken
+  Array<uint32_t> places_;  ///< of the occupied entries
 };
 
 }  // namespace karcher

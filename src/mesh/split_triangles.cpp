@@ -3,8 +3,8 @@
 namespace karcher {
 namespace {
 
-/// Adds parts - 1 vertices along each edge. Per half-edge: the first of them, seen from its tail,
-/// and the step to the next.
+/// Adds parts - 1 vertices along each edge. Stores for each half-edge the first of them, seen from
+/// its tail, and the step to the next.
 struct EdgeVertices {
   Array<int> first;
   Array<int> step;

@@ -6,7 +6,7 @@
 namespace karcher {
 
 /// Cuts every face into parts^2 triangles by lines parallel to its sides, in its own plane. The
-/// mesh's vertices keep their numbers; those along the edges and then those in the faces follow.
+/// mesh's vertices keep their numbers; those along the edges follow, then those inside the faces.
 TriangleSoup splitTriangles(const TriangleMesh& mesh, int parts);
 
 }  // namespace karcher

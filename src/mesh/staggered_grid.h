@@ -4,7 +4,8 @@
 
 #include "mesh/triangle_soup.h"
 
-/// Grids whose every second row is shifted by half a step: equilateral triangles on a rectangle.
+/// Grids in which every second row is shifted by half a step, as in a tiling by equilateral
+/// triangles.
 namespace karcher {
 
 struct GridSize {
@@ -12,7 +13,8 @@ struct GridSize {
   int columns = 0;  ///< steps along v
 };
 
-/// For a rectangle uLength x vLength and about this number of nearly equilateral triangles.
+/// The size for a rectangle of uLength x vLength and about this number of nearly equilateral
+/// triangles.
 inline GridSize staggeredGridSize(double uLength, double vLength, int triangles) {
   // A row is as high as an equilateral triangle.
   const double rowsPerColumn = uLength / vLength * 2 / std::sqrt(3.0);

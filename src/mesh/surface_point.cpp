@@ -8,8 +8,8 @@
 namespace karcher {
 namespace {
 
-/// How far outside its triangle a caller's point may be: the rounding of a raycast in floats and
-/// of weights written with nine digits.
+/// How far outside its triangle a caller's point may lie, to allow for raycasts in floats and
+/// weights of nine digits.
 constexpr double kOutsideTolerance = 1e-6;
 
 }  // namespace
@@ -57,7 +57,7 @@ PointLocation locate(const TriangleMesh& mesh, const SurfacePoint& point) {
   const int zeros = isZero[0] + isZero[1] + isZero[2];
   if (zeros == 1) {
     location.simplex = Simplex::kEdge;
-    // From the corner behind the one of weight 0.
+    // The edge starts at the corner after the one of weight 0.
     location.halfedge = 3 * point.face + (isZero[0] ? 1 : isZero[1] ? 2 : 0);
   } else if (zeros == 2) {
     location.simplex = Simplex::kVertex;

@@ -11,10 +11,11 @@ struct SurfacePoint {
   Vec3 bary = Vec3(1, 0, 0);
 };
 
-/// Weights below this, from rounding, are taken for 0: the point lies on the edge or vertex.
+/// Weights below this count as 0, since they come from rounding: the point lies on the edge or
+/// vertex.
 inline constexpr double kOnEdgeTolerance = 1e-12;
 
-/// Checks a caller's point in one of so many faces and cleans it. Weights within 1e-6 of the
+/// Checks and cleans a caller's point on a mesh of `faceCount` faces. Weights within 1e-6 of the
 /// triangle are clamped to it, weights below kOnEdgeTolerance become 0, and the sum becomes 1.
 /// Throws Error: kBadIndex (no such face), kNotFinite, kBadPoint.
 SurfacePoint checkedPoint(int faceCount, int face, const Vec3& bary);
@@ -28,7 +29,7 @@ inline SurfacePoint clampedPoint(int face, const Vec3& bary) {
   for (int k = 0; k < 3; ++k) {
     if (point.bary[k] < kOnEdgeTolerance) point.bary[k] = 0;
   }
-  // Divisions are dear, and most weights come with this sum.
+  // Most weights already have this sum, and divisions are slow.
   constexpr double kRounding = 1e-15;
   const double sum = point.bary[0] + point.bary[1] + point.bary[2];
   if (std::abs(sum - 1) > kRounding) point.bary /= sum;
@@ -59,7 +60,7 @@ SurfacePoint edgePoint(int h, double s);
 /// any face around its vertex. Throws Error kBadArgument if `face` does not hold the point.
 SurfacePoint inFace(const TriangleMesh& mesh, const SurfacePoint& point, int face);
 
-/// The point of the mesh nearest to q by brute force over all faces: for tests and tools.
+/// The point of the mesh nearest to q by brute force over all faces, for tests and tools.
 SurfacePoint nearestPoint(const TriangleMesh& mesh, const Vec3& q);
 
 }  // namespace karcher

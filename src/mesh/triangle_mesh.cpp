@@ -195,7 +195,7 @@ Topology topology(const TriangleMesh& mesh) {
     ++boundaryEdges;
     if (seen[h]) continue;
     ++result.boundaryLoops;
-    // The boundary goes on with the one half-edge without a twin that leaves this one's head.
+    // The boundary continues with the half-edge without a twin that leaves this one's head.
     for (int g = h; !seen[g]; g = mesh.outgoing[mesh.head(g)]) {
       seen[g] = 1;
     }

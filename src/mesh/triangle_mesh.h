@@ -13,12 +13,12 @@ namespace karcher {
 struct TriangleMesh {
   Array<Vec3> positions;
   Array<Triangle> faces;
-  /// Per half-edge the one that runs the other way in the neighbouring face; -1 at the boundary.
+  /// For each half-edge, the opposite one in the neighbouring face; -1 at the boundary.
   Array<int> twin;
-  /// Per vertex one half-edge that leaves it. At a boundary vertex it is the one without a twin,
-  /// the first counterclockwise, so that `outgoingHalfedges` meets every face.
+  /// For each vertex, a half-edge that leaves it. At a boundary vertex it is the first
+  /// counterclockwise, which has no twin, so that `outgoingHalfedges` meets every face.
   Array<int> outgoing;
-  /// Per vertex 1 where it lies on the boundary.
+  /// 1 for each vertex on the boundary.
   Array<uint8_t> onBoundary;
 
   int vertexCount() const { return positions.count(); }
@@ -78,27 +78,29 @@ inline HalfedgesAround<TriangleMesh> outgoingHalfedges(const TriangleMesh& mesh,
   return {mesh, mesh.outgoing[vertex]};
 }
 
-/// True for a triangle whose corners lie on a line: its height over its longest edge is below 1e-12
-/// of that edge, where its angles are rounding noise.
+/// Whether the triangle's corners lie on a line: its height over its longest edge is below 1e-12 of
+/// that edge, so that its angles are rounding noise.
 bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Builds adjacency. Every vertex must belong to a face; components and boundaries may be many.
-/// Throws Error: kBadFile (no faces), kBadIndex, kNotFinite, kBadArgument (size), kDegenerateFace,
-/// kNonManifoldEdge, kNonManifoldVertex, each naming the place by the indices that were passed in.
+/// Builds the adjacency. Every vertex must belong to a face; any number of components and
+/// boundaries is allowed. Throws Error: kBadFile (no faces), kBadIndex, kNotFinite, kBadArgument
+/// (size), kDegenerateFace, kNonManifoldEdge, kNonManifoldVertex, each naming the place by the
+/// indices that were passed in.
 TriangleMesh buildMesh(Array<Vec3> positions, Array<Triangle> faces);
 
-/// The first half of `buildMesh`, for callers who renumber before the second. Checks positions and
-/// triangles one by one. Throws what `buildMesh` throws, but for the manifold errors and vertices
+/// The first half of `buildMesh`, for callers that renumber before the second. Checks positions and
+/// triangles one by one. Throws what `buildMesh` throws, except for manifold errors and vertices
 /// without a face.
 void checkTriangles(const Array<Vec3>& positions, const Array<Triangle>& triangles);
 
-/// Of these checks that there are faces, not too many, and that their vertices exist.
+/// The part of `checkTriangles` that checks the number of faces and that their vertices exist.
 void checkCorners(int vertexCount, const Array<Triangle>& triangles);
 
-/// Of these the one that a triangle has an area. `name` is its number in an error.
+/// The part of `checkTriangles` that checks that a triangle has an area. `name` is its number in
+/// errors.
 void checkArea(const Array<Vec3>& positions, const Triangle& triangle, int name);
 
-/// The numbers by which errors name vertices and faces, where they are not the mesh's own.
+/// The numbers of vertices and faces in errors, if they differ from the mesh's own.
 struct MeshNames {
   const Array<int>* vertex = nullptr;  ///< per vertex of the mesh
   const Array<int>* face = nullptr;    ///< per face of the mesh
@@ -111,8 +113,8 @@ struct MeshNames {
 /// Throws Error: kNonManifoldEdge, kNonManifoldVertex, kBadIndex (a vertex without a face).
 TriangleMesh connectMesh(Array<Vec3> positions, Array<Triangle> faces, const MeshNames& names);
 
-/// Fills `outgoing` and `onBoundary` from `twin`; of a vertex with several fans of faces for one of
-/// them, which is at the boundary where one is. Every vertex must belong to a face.
+/// Fills `outgoing` and `onBoundary` from `twin`. If a vertex has several fans of faces, one of
+/// them is used, at the boundary if possible. Every vertex must belong to a face.
 void connectVertices(TriangleMesh& mesh);
 
 /// Length of the bounding box's diagonal.
@@ -129,7 +131,7 @@ struct Topology {
 
 Topology topology(const TriangleMesh& mesh);
 
-/// Per vertex the number of its connected component, numbered from 0 in the order of the vertices.
+/// The connected component of each vertex, numbered from 0 in the order of the vertices.
 Array<int> componentOfVertices(const TriangleMesh& mesh);
 
 }  // namespace karcher

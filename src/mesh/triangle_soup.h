@@ -4,7 +4,7 @@
 
 namespace karcher {
 
-/// Positions and triangles as a file, a caller or a generator gives them: nothing is checked yet.
+/// Unchecked positions and triangles of a file, a caller or a generator.
 struct TriangleSoup {
   Array<Vec3> positions;
   Array<Triangle> triangles;

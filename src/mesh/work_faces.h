@@ -5,13 +5,13 @@
 
 namespace karcher {
 
-/// The faces of a file while it is repaired. Vertices keep the file's numbers; where several are
-/// one, the smallest stands for all.
+/// The faces of a file during its repair. Vertices keep the file's numbers; the smallest number
+/// represents welded vertices.
 struct WorkFaces {
   Array<Triangle> corners;
   Array<int> source;  ///< per face the input triangle that it is, or is a part of
-  /// Per face -1 where it is the whole input triangle, else the place of its corners' weights there
-  /// in `weights`; empty where all are whole.
+  /// For each face, -1 if it is the whole input triangle, else the index of its corners' weights in
+  /// `weights`; empty if all are whole.
   Array<int> part;
   Array<std::array<Vec3, 3>> weights;
 
@@ -22,7 +22,7 @@ struct WorkFaces {
     if (isWhole(f)) return {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
     return weights[part[f]];
   }
-  /// Every corner becomes number[corner].
+  /// Replaces every corner by number[corner].
   void renumber(const Array<int>& number) {
     for (Triangle& t : corners) t = {number[t[0]], number[t[1]], number[t[2]]};
   }
@@ -43,7 +43,7 @@ struct WorkFaces {
   }
 };
 
-/// True where two corners are one vertex.
+/// Whether two corners are the same vertex.
 inline bool hasRepeatedCorner(const Triangle& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
