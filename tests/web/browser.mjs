@@ -78,16 +78,36 @@ export function isComplaint(message) {
   return !(/GL Driver Message .*GPU stall due to ReadPixels/.test(text) || text.includes(blocked));
 }
 
-/** Put into a page before its scripts: what three.js draws has few pixels, and of lines one piece. */
+/** Put into a page before its scripts: three.js draws few pixels, and of each mesh and line one triangle. */
 function drawLess(pixelRatio) {
   // Only three.js asks for it; the page is laid out as ever.
   Object.defineProperty(window, 'devicePixelRatio', { value: pixelRatio });
-  // The pieces of a line are instances, and without a graphics card each instance is a draw of its own.
+  // Without a graphics card the processor has to transform every triangle of each frame, and each piece of a line
+  // is an instance, a draw of its own.
   const { prototype } = WebGL2RenderingContext;
-  const { drawElementsInstanced } = prototype;
-  prototype.drawElementsInstanced = function (mode, count, type, offset, instances) {
-    drawElementsInstanced.call(this, mode, count, type, offset, Math.min(instances, 1));
+  const fewer = {
+    drawElements: (mode, count, ...rest) => [mode, Math.min(count, 3), ...rest],
+    drawArrays: (mode, first, count) => [mode, first, Math.min(count, 3)],
+    drawElementsInstanced: (mode, count, type, offset, instances) => [
+      mode,
+      count,
+      type,
+      offset,
+      Math.min(instances, 1),
+    ],
+    drawArraysInstanced: (mode, first, count, instances) => [
+      mode,
+      first,
+      count,
+      Math.min(instances, 1),
+    ],
   };
+  for (const [name, less] of Object.entries(fewer)) {
+    const draw = prototype[name];
+    prototype[name] = function (...given) {
+      draw.apply(this, less(...given));
+    };
+  }
 }
 
 /** Put into a page before its scripts: what is folded at first has been opened before. */

@@ -66,8 +66,10 @@ describe('fills', () => {
     }, png);
   }
 
-  test('are painted, follow a drag and undo, and are as large as their triangles together', async () => {
-    const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=polyline');
+  test('are painted, follow a drag and undo, and are as large as their triangles together', async (t) => {
+    const whole = await openBrowser({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
+    t.after(() => whole.close());
+    const tab = await Tab.open(whole, 'mesh=sphere:1500&kind=polyline');
     await tab.click(...square);
     await tab.page.locator('#closed').check();
     await tab.settled();

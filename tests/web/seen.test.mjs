@@ -6,7 +6,7 @@ import { openBrowser, Tab } from './browser.mjs';
 describe('the picture on the stage', () => {
   let browser;
   before(async () => {
-    browser = await openBrowser();
+    browser = await openBrowser({ pixelRatio: 1 });
   });
   after(() => browser.close());
 
