@@ -128,7 +128,7 @@ export class PanelView {
     }
     this.#surface = new Surface(drawn);
     this.#surface.edges = this.panel.view?.edges ?? false;
-    ownMaterial(this.#surface);
+    ownMaterials(this.#surface);
     this.#scene.add(this.#surface.object);
     this.resetView([]);
   }
@@ -270,14 +270,16 @@ export class PanelView {
 }
 
 /**
- * All surfaces share one material, which draws the sides that the newest of them shows: each panel
- * takes a copy, with the colors still shared.
+ * All surfaces share the materials of their two sides, which show the sides that the newest of them has: each
+ * panel takes copies, with the colors still shared.
  */
-function ownMaterial(surface: Surface): void {
-  const mesh = surface.object.children[0] as Mesh<BufferGeometry, ShaderMaterial>;
-  const { uniforms } = mesh.material;
-  mesh.material = mesh.material.clone();
-  mesh.material.uniforms = uniforms;
+function ownMaterials(surface: Surface): void {
+  const mesh = surface.object.children[0] as Mesh<BufferGeometry, ShaderMaterial[]>;
+  mesh.material = mesh.material.map((shared) => {
+    const own = shared.clone();
+    own.uniforms = shared.uniforms;
+    return own;
+  });
 }
 
 /** The pieces of a polyline that converged and those that are lost. */
