@@ -12,10 +12,10 @@ import type {
   Panel,
   Vector,
 } from '../figures/types';
-import { type KnownCenter, uniquenessWords } from '../lab/center';
 import type { LabClient } from '../lab/client';
 import type { DrawnMesh, Placed } from '../lab/protocol';
 import { expectedTriangles } from '../table/rows';
+import { CenterSearch } from './center_search';
 import { download } from './download';
 import { editorLink, noSuchWeights } from './editor_link';
 import type { GeometryMaker } from './geometry';
@@ -54,8 +54,6 @@ export class FigurePanel {
   readonly #note = make('p', '', { className: 'panel-note' });
   /** In place of a surface that is not there yet. */
   readonly #making = make('p', '', { className: 'making' });
-  /** Whether a center is the only one. */
-  readonly #only = make('p', '', { className: 'panel-note only', hidden: true });
   readonly #link = make('a', 'Open in the editor', { className: 'link', hidden: true });
   readonly #noLink = make('span', `Not in the editor: ${noSuchWeights}`, {
     className: 'no-link',
@@ -66,6 +64,7 @@ export class FigurePanel {
   readonly #view: PanelView;
   readonly #handles: PanelPoints;
   readonly #loupe: Loupe;
+  readonly #centers: CenterSearch;
   readonly #numbers: NumbersTable;
   readonly #shown: Set<LineId>;
   /** Of the points and the curve as they are now, but for those that are waited for. */
@@ -78,9 +77,6 @@ export class FigurePanel {
   #placed: Placed | null = null;
   #points: readonly Vector[];
   #stop: (() => void) | null = null;
-  #center: KnownCenter | null = null;
-  #isLooking = false;
-  #looksAgain = false;
   #dragging: AbortController | null = null;
   readonly #dragButton = make('button', 'Drag', {
     className: 'link',
@@ -99,6 +95,7 @@ export class FigurePanel {
   ) {
     this.#points = points;
     this.#curve = panel.curve;
+    this.#centers = new CenterSearch(context.client, () => this.#placeMarkers());
     this.#dragButton.addEventListener('click', () => void this.#dragAll());
     this.#spec = panel.mesh;
     this.#shown = new Set(panel.lines.filter((id) => !panel.off?.includes(id)));
@@ -118,7 +115,7 @@ export class FigurePanel {
       first: () => this.#placeToCompare(),
     });
     if (saved) this.#numbers.showSaved(saved.lines, saved.origin);
-    this.element.append(this.#head(), this.#stage, this.#note, this.#only);
+    this.element.append(this.#head(), this.#stage, this.#note, this.#centers.element);
     const controls = [
       sliders(panel.curve, (curve) => this.#setCurve(curve)),
       stretchSlider(panel.mesh, (mesh) => void this.#setMesh(mesh)),
@@ -196,27 +193,8 @@ export class FigurePanel {
   }
 
   #lookForCenters(): void {
-    if (this.#mesh && this.#curve.kind === 'center') void this.#lookForOthers(this.#curve.weights);
-  }
-
-  /** Looks for other centers of the points as they are; while it does, once more after that. */
-  async #lookForOthers(weights: readonly number[]): Promise<void> {
-    this.#looksAgain = true;
-    if (this.#isLooking) return;
-    this.#isLooking = true;
-    try {
-      while (this.#looksAgain) {
-        this.#looksAgain = false;
-        this.#center = await this.context.client.center(this.#spec, this.#points, weights);
-        this.#only.textContent = uniquenessWords(this.#center);
-        this.#placeMarkers();
-      }
-    } catch (error) {
-      this.#center = null;
-      this.#only.textContent = error instanceof Error ? error.message : `${error}`;
-    } finally {
-      this.#isLooking = false;
-      this.#only.hidden = false;
+    if (this.#mesh && this.#curve.kind === 'center') {
+      void this.#centers.look(this.#spec, this.#points, this.#curve.weights);
     }
   }
 
@@ -364,7 +342,7 @@ export class FigurePanel {
     const ofLines = [...this.#results.values()].flatMap(({ id, marker }) =>
       marker && this.#shown.has(id) ? [{ line: id, place: marker }] : [],
     );
-    const others = this.#center?.others ?? [];
+    const others = this.#centers.known?.others ?? [];
     return [...ofLines, ...others.map(({ position }) => ({ line: null, place: position }))];
   }
 
@@ -468,7 +446,7 @@ export class FigurePanel {
     const { samples } = this.panel;
     const { info } = this.#mesh ?? {};
     const { points } = this.#placed ?? {};
-    const center = this.#isLooking ? null : this.#center;
+    const center = this.#centers.isLooking ? null : this.#centers.known;
     return JSON.stringify(
       { mesh: this.#spec, info, curve: this.#curve, samples, points, center, lines },
       null,
