@@ -17,7 +17,7 @@ bool joinAcross(const Geometry& geometry, const SurfacePoint& from, int h, const
   const Vec2 b(to.bary[cornerOf(t)] * edge + toApex * (edge - there.x()), -toApex * there.y());
   if (!(a.y() > 0 && b.y() < 0)) return false;
   const double s = (a.x() + (b.x() - a.x()) * a.y() / (a.y() - b.y())) / edge;
-  // At an end of the edge the path may be shorter round the other side of the vertex.
+  // At an end of the edge the path may be shorter around the other side of the vertex.
   if (!(s > kOnEdgeTolerance && s < 1 - kOnEdgeTolerance)) return false;
   out.push_back(edgePoint(h, s));
   out.push_back(to);

@@ -14,7 +14,7 @@ struct LocalPathOptions {
 
 /// Appends the path's points after `from` to `out` (edge crossings, vertices, and `to`; consecutive
 /// points share a face). No vertex of the path has less than pi of surface on one of its sides.
-/// Returns false, and changes nothing, where the search ends without reaching `to`: then the points
+/// Returns false and changes nothing if the search ends before it reaches `to`, because the points
 /// are far apart or on different components.
 bool appendLocalPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                      StripWorkspace& workspace, Array<SurfacePoint>& out,

@@ -8,7 +8,7 @@
 namespace karcher {
 namespace {
 
-/// Angles around a vertex that differ by less are taken for equal.
+/// Angles around a vertex that differ by less count as equal.
 constexpr double kSameAngle = 1e-9;
 
 /// The half-edge that leaves a vertex in a face that holds it.
@@ -59,7 +59,7 @@ class ChainStrip {
   }
 
   void cross(int h) {
-    // A strip that steps over an edge and straight back does neither.
+    // A step over an edge and straight back cancels.
     if (!strip_.crossings.empty() && strip_.crossings.back() == mesh_.twin[h]) {
       strip_.crossings.pop_back();
     } else {
@@ -68,12 +68,12 @@ class ChainStrip {
     face_ = faceOf(mesh_.twin[h]);
   }
 
-  /// Leaves the last face through point `at` of the chain, which lies in it, for a face that holds
+  /// Extends the strip from the last face, through point `at` of the chain, to a face that holds
   /// the point after it.
   void leave(const Array<SurfacePoint>& points, int at, const PointLocation& to) {
     const PointLocation here = locate(mesh_, points[at]);
     if (here.simplex == Simplex::kVertex) {
-      // The last point that lies elsewhere.
+      // The last point before it that lies elsewhere.
       int from = at - 1;
       while (from >= 0 && samePlace(mesh_, points[from], points[at])) --from;
       const int target = sharedFace(points, at);
@@ -89,7 +89,7 @@ class ChainStrip {
     }
   }
 
-  /// Direction of a point at a vertex, both in the face, unscaled.
+  /// The unscaled direction at a vertex of a point, both in the face.
   double direction(int vertex, int face, const SurfacePoint& point) const {
     const int h = leaving(mesh_, face, vertex);
     return directionAtTail(geometry_, h,
@@ -97,32 +97,32 @@ class ChainStrip {
                                cornerInFace(geometry_, face, cornerOf(h)));
   }
 
-  /// Whether the way around a vertex from the last face to `target` is counterclockwise: on the
-  /// side where the surface has less angle between the path's pieces.
+  /// Whether the strip turns counterclockwise around a vertex from the last face to `target`, which
+  /// is on the side with less angle between the path's pieces.
   bool turnsLeft(const Array<SurfacePoint>& points, int from, int vertex, const SurfacePoint& to,
                  int target) const {
     const int here = leaving(mesh_, face_, vertex);
     const int there = leaving(mesh_, target, vertex);
-    // The faces around a vertex of the boundary are in one order, whatever rounding makes of a path
-    // that turns straight back.
+    // The faces around a boundary vertex have one order, so that rounding of a path that turns
+    // straight back does not matter.
     if (mesh_.onBoundary[vertex]) {
       return geometry_.cumulatedAngle[there] > geometry_.cumulatedAngle[here];
     }
     const double outgoing = direction(vertex, target, to);
     const double total = geometry_.totalAngle[vertex];
-    // Where the path begins at the vertex, every way is as good.
+    // If the path begins at the vertex, both ways are equally good.
     const double incoming =
         from >= 0 ? direction(vertex, face_, points[from]) : geometry_.cumulatedAngle[here];
     double left = outgoing - incoming;
     if (left < 0) left += total;
-    // Straight back along an edge, from the face on one side to that on the other.
+    // The path turns straight back along an edge, from the face on one side to that on the other.
     if (std::min(left, total - left) < kSameAngle) return there == mesh_.twin[previous(here)];
     if (std::abs(2 * left - total) > kSameAngle) return 2 * left < total;
     return leastNeighbor(vertex, target, true) < leastNeighbor(vertex, target, false);
   }
 
-  /// The least number of a vertex between the last face and another around a vertex, one way round:
-  /// it tells the sides apart, whichever way the path runs.
+  /// The smallest vertex number between the last face and another on one way around a vertex: it
+  /// distinguishes the two ways independently of the path's direction.
   int leastNeighbor(int vertex, int target, bool left) const {
     int h = leaving(mesh_, face_, vertex);
     int least = mesh_.vertexCount();
@@ -148,7 +148,7 @@ class ChainStrip {
   int face_ = -1;
 };
 
-/// Replaces a path by the tight one in the workspace's strip. Its ends may be the path's own
+/// Replaces a path by the tight one in the workspace's strip. `from` and `to` may be the path's own
 /// points.
 void replaceByTight(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                     StripWorkspace& workspace, SurfacePath& path) {

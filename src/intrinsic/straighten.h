@@ -3,18 +3,17 @@
 #include "intrinsic/strip_path.h"
 #include "intrinsic/surface_path.h"
 
-/// Paths that are pulled tight in the strip of faces along them, and moved by their ends.
+/// Straightening of paths in the strip of faces along them, and moving of their ends.
 namespace karcher {
 
-/// Replaces a path by the locally shortest one that it can be shortened to continuously: it is
-/// pulled tight between its ends (strip_path.h). Costs by the faces that it crosses. What bends,
-/// doubles back or touches vertices is shortened; a path that is locally shortest stays.
-/// With the path reversed the result is the reversed result, but for ties.
+/// Replaces a path by the locally shortest one that it can be shortened to continuously, by pulling
+/// it tight between its ends (strip_path.h). The time grows with the number of faces crossed. A
+/// path may bend, double back or touch vertices; a locally shortest one stays. The result of the
+/// reversed path is the reversed result, except for ties.
 void straighten(const Geometry& geometry, SurfacePath& path, StripWorkspace& workspace);
 
-/// Moves the end of a path to `end`, which lies near the old one, and straightens: the path that
-/// the moving end draws out, in the old one's class. Returns false, and changes nothing, where no
-/// strip of faces joins the ends.
+/// Moves the end of a path to `end`, which lies near the old end, and straightens the path in its
+/// homotopy class. Returns false and changes nothing if no strip of faces joins the two ends.
 bool moveEnd(const Geometry& geometry, const SurfacePoint& end, SurfacePath& path,
              StripWorkspace& workspace);
 bool moveStart(const Geometry& geometry, const SurfacePoint& start, SurfacePath& path,

@@ -8,7 +8,7 @@
 namespace karcher {
 namespace {
 
-/// Where a walk stands: a point in a face and the unit direction of travel in that face.
+/// The state of a walk: a point in a face and the unit direction of travel in that face.
 struct Walker {
   SurfacePoint point;
   Vec2 direction;
@@ -18,7 +18,7 @@ Vec2 unitAtAngle(const Geometry& geometry, int h, double angle) {
   return rotate(unitVector(angle), halfedgeInFace(geometry, h)) / geometry.edgeLength[h];
 }
 
-/// The walker that leaves `vertex` in an unscaled direction; none where that is off the surface.
+/// The walker that leaves `vertex` in an unscaled direction; none if that is off the surface.
 std::optional<Walker> leaveVertex(const Geometry& geometry, int vertex, double direction) {
   const CornerDirection corner = cornerOfDirection(geometry, vertex, direction);
   if (corner.halfedge < 0) return std::nullopt;
@@ -26,14 +26,14 @@ std::optional<Walker> leaveVertex(const Geometry& geometry, int vertex, double d
                 unitAtAngle(geometry, corner.halfedge, corner.angle)};
 }
 
-/// The walker that goes on after arriving at the tail of h along `direction` in h's face.
+/// The walker that continues after arriving at the tail of h along `direction` in h's face.
 std::optional<Walker> passVertex(const Geometry& geometry, int h, const Vec2& direction) {
   const int vertex = geometry.mesh->tail(h);
   const double back = directionAtTail(geometry, h, -direction);
   if (!geometry.mesh->onBoundary[vertex]) {
     return leaveVertex(geometry, vertex, back + geometry.totalAngle[vertex] / 2);
   }
-  // Along a straight boundary, or past a reentrant corner, there is surface straight ahead.
+  // Along a straight boundary, or past a reentrant corner, the surface continues straight ahead.
   return leaveVertex(geometry, vertex, back + kPi);
 }
 
@@ -46,7 +46,7 @@ Vec3 barycentricRates(const Geometry& geometry, int f, const Vec2& direction) {
 }
 
 /// Moves a walker that starts on an edge or a vertex into the face that its direction points to.
-/// None where it points off the surface.
+/// Returns none if it points off the surface.
 std::optional<Walker> enterFace(const Geometry& geometry, const Walker& walker) {
   const PointLocation location = locate(*geometry.mesh, walker.point);
   if (location.simplex == Simplex::kVertex) {
@@ -74,11 +74,11 @@ struct FaceExit {
 
 FaceExit exitOfFace(const Vec3& bary, const Vec3& rates) {
   FaceExit exit;
-  // A walk along an edge stays in the face: its rate of leaving is rounding noise.
+  // A walk along an edge stays in the face, since its rate of leaving is rounding noise.
   const double threshold = -1e-13 * rates.cwiseAbs().maxCoeff();
   for (int k = 0; k < 3; ++k) {
-    // Nor does it leave by the edge that it starts on: on slivers that noise is above the
-    // threshold, and a walk would turn round its vertex without end.
+    // A walk does not leave by the edge that it starts on: on slivers the noise exceeds the
+    // threshold, and the walk would circle its vertex forever.
     if (bary[k] == 0 || rates[k] >= threshold) continue;
     const double length = bary[k] / -rates[k];
     if (length < exit.length) exit = {length, k};
@@ -88,7 +88,7 @@ FaceExit exitOfFace(const Vec3& bary, const Vec3& rates) {
 
 class Walk {
  public:
-  /// Writes to `path`.
+  /// A walk that writes to `path`.
   Walk(const Geometry& geometry, const StraightestOptions& options, double length,
        StraightestPath& path)
       : geometry_(geometry), crossingsLeft_(options.maxCrossings), path_(path) {
@@ -116,7 +116,7 @@ class Walk {
     path_.path.lengths.push_back(walked_);
   }
 
-  /// Walks through one face; the walker in the next, or none at the end or the boundary.
+  /// Walks through one face. Returns the walker in the next, or none at the end or the boundary.
   std::optional<Walker> step(const Walker& walker) {
     const int f = walker.point.face;
     Vec3 bary = walker.point.bary;

@@ -4,8 +4,8 @@
 #include "intrinsic/surface_path.h"
 
 /// Straightest geodesics: K. Polthier, M. Schmies, "Straightest Geodesics on Polyhedral Surfaces"
-/// (1998). Straight inside faces and across unfolded edges; at a vertex the path leaves so that it
-/// halves the total angle; at the boundary it stops.
+/// (1998). Straight inside faces and across unfolded edges; at a vertex the path continues so that
+/// it halves the total angle; at the boundary it stops.
 namespace karcher {
 
 enum class TraceStop {
@@ -21,19 +21,21 @@ struct StraightestOptions {
   int maxCrossings = 1'000'000;
 };
 
-/// A bound for all steps of a search together: many times what shortest paths cross, each of which
-/// crosses a face once, and few of a large mesh. Beyond it a walk winds round the surface, as round
-/// the tip of a cone 1 wide and 1e5 high, where half the height is a million crossings.
+/// A bound on the crossings of all steps of a search together. It is many times what a shortest
+/// path crosses, which visits a face at most once. A walk beyond it winds around the surface, for
+/// example around the tip of a cone 1 wide and 1e5 high, where half the height takes a million
+/// crossings.
 int mostCrossingsOfSearch(const TriangleMesh& mesh);
 
 struct StraightestPath {
-  /// From the start to the end, at least these two. Consecutive points lie in the face of the later
-  /// one: a crossing of an edge is given in the face that the path leaves, and again in the face
-  /// that it enters.
+  /// The path from the start to the end, of at least two points. Consecutive points lie in the face
+  /// of the later one: a crossing of an edge appears in the face that the path leaves, and again in
+  /// the face that it enters.
   SurfacePath path;
   double remaining = 0;  ///< length that was not walked
   TraceStop stop = TraceStop::kComplete;
-  Vec2 direction = Vec2(1, 0);  ///< unit, of travel at the end, in the frame of the end's face
+  Vec2 direction =
+      Vec2(1, 0);  ///< the unit direction of travel at the end, in the frame of the end's face
 };
 
 /// Walks from `start` along `vector`, given in the frame of start.face; its length is the length to
@@ -43,12 +45,12 @@ struct StraightestPath {
 StraightestPath traceStraightest(const Geometry& geometry, const SurfacePoint& start,
                                  const Vec2& vector, const StraightestOptions& options = {});
 
-/// The same, written to a path whose memory is used again.
+/// The same, written to an existing path.
 void traceStraightest(const Geometry& geometry, const SurfacePoint& start, const Vec2& vector,
                       StraightestPath& path, const StraightestOptions& options = {});
 
-/// Walks from a vertex in an unscaled direction (see geometry.h). At a boundary vertex a direction
-/// off the surface stops at once.
+/// Walks from a vertex in an unscaled direction (see geometry.h). At a boundary vertex a walk in a
+/// direction off the surface stops at once.
 StraightestPath traceFromVertex(const Geometry& geometry, int vertex, double direction,
                                 double length, const StraightestOptions& options = {});
 void traceFromVertex(const Geometry& geometry, int vertex, double direction, double length,

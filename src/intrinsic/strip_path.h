@@ -3,7 +3,7 @@
 #include "intrinsic/geometry.h"
 #include "intrinsic/strip_search.h"
 
-/// The locally shortest path in a strip of faces.
+/// Locally shortest paths in a strip of faces.
 ///
 /// The strip is unfolded into the plane and the path pulled tight between its sides by the funnel
 /// algorithm (D. Lee, F. Preparata, "Euclidean shortest paths in the presence of rectilinear
@@ -14,13 +14,12 @@
 /// turn shortens the path, until no vertex lets it; only the legs beside it are pulled tight anew.
 namespace karcher {
 
-/// A strip to pull tight, and the scratch memory for it. A workspace that is used again spares the
-/// allocations.
+/// A strip to pull tight, and scratch memory, which can be reused.
 struct StripWorkspace {
-  /// Input; afterwards the strip that holds the path.
+  /// The input, and afterwards the strip that holds the path.
   Strip strip;
 
-  /// A crossing unfolded: the ends of its half-edge, as the strip passes between them.
+  /// An unfolded crossing: the ends of its half-edge, between which the strip passes.
   struct Portal {
     Vec2 right;  ///< the tail
     Vec2 left;   ///< the head
@@ -31,8 +30,8 @@ struct StripWorkspace {
     bool onLeft = false;
     double leg = 0;     ///< the length of the path from the bend before it
     double before = 0;  ///< radians, from that leg to the first of those edges
-    double after = 0;   ///< and from the last of them to the leg after it
-    /// Of the surface's angle at the vertex, what lies on the side away from the strip.
+    double after = 0;   ///< radians, from the last of them to the leg after it
+    /// The part of the surface's angle at the vertex on the side away from the strip.
     double outside = 0;
   };
   /// A vertex beside the path on whose other side it may be shorter, and by how much.
@@ -59,13 +58,13 @@ struct StripWorkspace {
 double appendStripPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                        StripWorkspace& workspace, Array<SurfacePoint>& out);
 
-/// The same, but the strip is also led over vertices beside the path, wherever that makes the path
-/// shorter, until none does.
+/// The same, but the strip is also led over vertices beside the path as long as that makes the path
+/// shorter.
 double appendShorterStripPath(const Geometry& geometry, const SurfacePoint& from,
                               const SurfacePoint& to, StripWorkspace& workspace,
                               Array<SurfacePoint>& out);
 
-/// True if `point` lies in face f, its edges and corners included.
+/// Whether `point` lies in face f, on its edges or at its corners.
 bool liesInFace(const TriangleMesh& mesh, const PointLocation& point, int f);
 
 /// A face that holds both points, or -1.

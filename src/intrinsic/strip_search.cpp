@@ -22,7 +22,7 @@ Vec3 entryPoint(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) {
   return a + (determinant > 0 ? std::clamp(s, 0.01, 0.99) : 0.5) * e;
 }
 
-/// A* over faces, towards the target in space.
+/// A* search over faces, towards the target in space.
 class StripSearch {
  public:
   StripSearch(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to,
@@ -96,7 +96,7 @@ class StripSearch {
     }
   }
 
-  /// Takes a face into the queue, if this is the shortest way to it so far.
+  /// Queues a face if this is the shortest way to it so far.
   void reach(int face, int enteredBy, double length, const Vec3& entry) {
     int number = workspace_.nodeOf.find(face);
     if (number < 0) {

@@ -3,23 +3,23 @@
 #include "mesh/sparse_index.h"
 #include "mesh/surface_point.h"
 
-/// A strip of faces between two points, by an A* search over faces towards the target in space.
+/// A* search over faces for a strip between two points, towards the target in space.
 namespace karcher {
 
-/// Faces of which consecutive ones share an edge: the first one and the half-edges that are
-/// crossed, in order, each in the face that the strip leaves.
+/// A sequence of faces in which consecutive ones share an edge: the first face and the half-edges
+/// that are crossed, in order, each in the face that the strip leaves.
 struct Strip {
   int face = -1;
   Array<int> crossings;
 };
 
-/// Scratch memory of the search. A workspace that is used again spares the allocations.
+/// Scratch memory of the search, which can be reused.
 struct StripSearchWorkspace {
   struct Node {
     int face = -1;
-    int enteredBy = -1;  ///< half-edge of the face before, -1 where the search starts
+    int enteredBy = -1;  ///< half-edge of the face before, or -1 at the start
     bool expanded = false;
-    double length = 0;  ///< of the polyline from the start through the points of entry
+    double length = 0;  ///< the length of the polyline from the start through the points of entry
     Vec3 entry;
   };
   struct QueueEntry {
@@ -28,19 +28,20 @@ struct StripSearchWorkspace {
   };
   Array<Node> nodes;
   Array<QueueEntry> queue;
-  SparseIndex nodeOf;  ///< per face that was met, the number of its node
+  SparseIndex nodeOf;  ///< the number of each visited face's node
 };
 
 struct StripSearchOptions {
   int maxFaces = 4096;  ///< the search gives up after this many
-  /// The face to begin in, which holds the start; -1 for any that does.
+  /// The face to begin in, which holds the start, or -1 for any such face.
   int firstFace = -1;
-  /// Of the way that is left: above 1 the search is faster, and the strip's path longer.
+  /// The weight of the estimated remaining way: above 1 the search is faster and the strip's path
+  /// longer.
   double weight = 1;
 };
 
-/// Writes a strip from a face that holds `from` to one that holds `to`. Returns false where the
-/// search ends without reaching `to`.
+/// Writes a strip from a face that holds `from` to one that holds `to`. Returns false if the search
+/// ends before it reaches `to`.
 bool searchStrip(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to,
                  const StripSearchOptions& options, StripSearchWorkspace& workspace, Strip& strip);
 

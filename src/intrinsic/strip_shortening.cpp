@@ -19,10 +19,9 @@ double Tightening::length() const {
   return sum;
 }
 
-/// Leads the path over vertices beside it, to the other side of them, where it gets shorter. Where
-/// a vertex has less angle than 2 pi, paths on both of its sides are locally shortest. Were the
-/// surface flat around, that on the side with less angle between the leg's ends would be the
-/// shorter one.
+/// Leads the path over vertices beside it wherever it gets shorter. If a vertex has an angle of
+/// less than 2 pi, paths on both of its sides can be locally shortest. On a cone, the one on the
+/// side with less angle between the leg's ends is shorter.
 void Tightening::passOverVertices() {
   passagesLeft_ = 64 + 4 * crossingCount();
   for (int leg = 0; leg <= bends_.count() && passagesLeft_ > 0;) {
@@ -67,7 +66,7 @@ bool Tightening::shortenLeg(int leg) {
   }
   for (int i = 0; i < std::min(passages.count(), kPassages); ++i) {
     if (passagesLeft_-- <= 0) return false;
-    // The best of the rest.
+    // Moves the best of the rest forward.
     std::iter_swap(passages.begin() + i, std::max_element(passages.begin() + i, passages.end(),
                                                           [](const Passage& a, const Passage& b) {
                                                             return a.gain < b.gain;

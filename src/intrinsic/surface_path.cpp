@@ -7,7 +7,8 @@
 namespace karcher {
 namespace {
 
-/// Whether two points, at the locations given, are the same, seen from whatever faces.
+/// Whether two points, at the given locations, are the same place, whatever faces they are given
+/// in.
 bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const PointLocation& atA,
                const SurfacePoint& b, const PointLocation& atB) {
   if (a.face == b.face) return a.bary == b.bary;

@@ -2,14 +2,14 @@
 
 #include "mesh/surface_point.h"
 
-/// A path on the surface: the one type for all of them, be they shortest, straightest, of a curve
-/// or of a caller.
+/// Paths on the surface: the one type for shortest paths, straightest ones, parts of curves and a
+/// caller's own.
 namespace karcher {
 
 struct SurfacePath {
-  /// At least one; consecutive points share a face.
+  /// At least one point; consecutive points share a face.
   Array<SurfacePoint> points;
-  /// Per point the length of the path up to it, from 0.
+  /// The length of the path up to each point, from 0.
   Array<double> lengths;
 
   double length() const { return lengths.back(); }
@@ -17,36 +17,35 @@ struct SurfacePath {
   const SurfacePoint& end() const { return points.back(); }
 };
 
-/// Sets the lengths of a path by its points; with this, a path that is written anew spares the
-/// allocations.
+/// Sets the lengths of a path by its points.
 void measure(const TriangleMesh& mesh, SurfacePath& path);
 
-/// Appends a point that shares a face with the last one, if it is another.
+/// Appends a point that shares a face with the last one, unless both are the same.
 void appendPoint(const TriangleMesh& mesh, const SurfacePoint& point, SurfacePath& path);
 
 /// The path through points of which consecutive ones share a face.
 SurfacePath pathThrough(const TriangleMesh& mesh, Array<SurfacePoint> points);
 
-/// Whether two points are the same, seen from whatever faces.
+/// Whether two points are the same place, whatever faces they are given in.
 bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
 
 /// The point at the part s of the straight line from a to b, in a face that holds both.
 SurfacePoint pointBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b,
                           double s);
 
-/// The number of a path's piece (between points k and k + 1) at a length from its start, which is
-/// clamped to the path; by the path's lengths, of two points at least.
+/// The index k of the path's piece, between points k and k + 1, at a length from its start, which
+/// is clamped to the path. `lengths` are the path's, for at least two points.
 int pieceAt(const Array<double>& lengths, double length);
 
 /// The point at a length from the start, which is clamped to the path.
 SurfacePoint pointAlong(const TriangleMesh& mesh, const SurfacePath& path, double length);
 
-/// Appends to `out` the part of a path between two lengths from its start; backwards where
-/// `from` > `to`. A first point that is `out`'s last is not repeated.
+/// Appends to `out` the part of a path between two lengths from its start, backwards if `from` >
+/// `to`. A first point that equals the last of `out` is not repeated.
 void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
                 SurfacePath& out);
 
-/// The same without its lengths, for a path that is to be straightened.
+/// The same without lengths, for a path that will be straightened.
 void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
                 Array<SurfacePoint>& out);
 

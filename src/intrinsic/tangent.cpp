@@ -14,7 +14,7 @@ int cornerAt(const TriangleMesh& mesh, int vertex, int face) {
   return h;
 }
 
-/// The vector of a path at one of its ends: at point `from`, with the next point `stride` on.
+/// The log vector of a path at one of its ends, point `from`; the next point is `stride` further.
 Vec2 logAtEnd(const Geometry& geometry, const SurfacePath& path, int from, int stride) {
   const TriangleMesh& mesh = *geometry.mesh;
   const SurfacePoint& start = path.points[from];
@@ -36,7 +36,7 @@ Vec2 logAtEnd(const Geometry& geometry, const SurfacePath& path, int from, int s
   return Vec2::Zero();
 }
 
-/// The vector of the straight line between two points that share a face, at the first.
+/// The vector between two points that share a face, at the first.
 Vec2 stepAt(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to) {
   return logAlong(geometry, pathThrough(*geometry.mesh, {from, to}));
 }

@@ -4,35 +4,35 @@
 #include "intrinsic/straightest.h"
 #include "intrinsic/surface_path.h"
 
-/// Log and exp maps at a point of the surface, and parallel transport, along given paths.
+/// Log and exp maps at a point of the surface, and parallel transport along given paths.
 ///
 /// The tangent plane of a point in a face or on an edge is that of its face, point.face; that of a
-/// vertex is its rescaled frame (geometry.h), in which opposite directions have as much angle on
-/// one side as on the other.
+/// vertex is its rescaled frame (geometry.h), in which opposite directions have equal angles on
+/// both sides.
 namespace karcher {
 
-/// The vector of a path at its start: the direction in which it leaves, as long as the path.
+/// The log vector of a path at its start: its initial direction, scaled to its length.
 Vec2 logAlong(const Geometry& geometry, const SurfacePath& path);
 
-/// The same of the reversed path: the vector back along a path at its end.
+/// The log vector of the reversed path, at the path's end.
 Vec2 logBack(const Geometry& geometry, const SurfacePath& path);
 
-/// The straightest geodesic from a point along a vector of its tangent plane. Where it meets the
-/// boundary it ends there.
+/// The straightest geodesic from a point along a vector of its tangent plane. It ends where it
+/// meets the boundary.
 SurfacePath expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector);
 
-/// The same, written to a path whose memory is used again. Returns whether it has the vector's
-/// length.
+/// The same, written to an existing path. Returns whether it has the vector's length.
 bool expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector,
               SurfacePath& path);
 
-/// A vector of the tangent plane at a path's start carried to its end: along a locally shortest
-/// path it keeps its angle with the path, but where the path turns round a vertex, which is
-/// measured in the vertex's frame.
+/// Parallel transport of a vector of the tangent plane at a path's start to its end. It keeps its
+/// angle with a locally shortest path, except for turns around vertices, which are measured in the
+/// vertex's frame.
 Vec2 transportAlong(const Geometry& geometry, const SurfacePath& path, const Vec2& vector);
 
-/// A vector of the tangent plane at a point as a vector in space, in the plane of the point's face,
-/// and the projection of one: at a vertex turned by the frames of its corners (vertexToFace).
+/// Converts a vector of the tangent plane at a point to a vector in space, in the plane of the
+/// point's face, and back by projection. At a vertex it is rotated between the vertex's frame and
+/// the face's (vertexToFace).
 Vec3 tangentToSpace(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector);
 Vec2 tangentFromSpace(const Geometry& geometry, const SurfacePoint& point, const Vec3& vector);
 

@@ -10,7 +10,7 @@ namespace {
 using TautNode = TautSearchWorkspace::Node;
 using TautEntry = TautSearchWorkspace::QueueEntry;
 
-/// The way is measured at points of edges that keep this part of the edge from its ends.
+/// Lengths are measured to points of edges that keep at least this part of the edge from its ends.
 constexpr double kOffVertices = 0.01;
 
 /// Rays that rise less than this part of an edge run along it.
@@ -95,7 +95,7 @@ class TautSearch {
   }
 
   void expand(int number) {
-    // A copy: the nodes may move.
+    // This is a copy, since adding nodes may move them.
     const TautNode node = workspace_.nodes[number];
     const int h = node.halfedge;
     const Vec2 apex = oppositeOverHalfedge(geometry_, h);
@@ -150,12 +150,12 @@ class TautSearch {
     return node.base + (bend - node.source).norm() + (point - bend).norm();
   }
 
-  /// Takes a half-edge into the queue, if this is the shortest way through it so far.
+  /// Queues a half-edge if this is the shortest way through it so far.
   void reach(int h, int before, const Vec3& last, const View& view) {
     const int number = workspace_.nodeOf.find(h);
     if (number >= 0 && workspace_.nodes[number].expanded) return;
     const double edge = geometry_.edgeLength[h];
-    // Where the rays through the sides of the view meet the edge.
+    // The places where the rays through the sides of the view meet the edge.
     const auto meet = [&](const Vec2& side, double otherwise) {
       const double rise = side.y() - view.source.y();
       if (rise <= kAlongEdge * edge) return otherwise;

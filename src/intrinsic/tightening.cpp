@@ -5,10 +5,10 @@
 namespace karcher {
 namespace {
 
-/// A vertex with less surface than this on one side of the path lets it be shortened.
+/// A vertex with less angle than this on one side of the path allows shortening it.
 constexpr double kStraight = kPi - 1e-9;
 
-/// True if the point lies on the edge of half-edge h.
+/// Whether the point lies on the edge of half-edge h.
 bool liesOnEdge(const TriangleMesh& mesh, const PointLocation& point, int h) {
   if (point.simplex == Simplex::kVertex) return touches(mesh, h, point.vertex);
   return point.simplex == Simplex::kEdge &&
@@ -26,7 +26,8 @@ void replaceItems(Array<int>& items, int first, int last, const int* begin, cons
 
 }  // namespace
 
-/// Leaves out crossings of edges that an end point lies on: it lies in the face behind them too.
+/// Removes crossings of edges that an end point lies on, since it also lies in the face behind
+/// them.
 Tightening::Trimmed Tightening::trimEnds() {
   Array<int>& crossings = strip_.crossings;
   int first = 0;
@@ -41,9 +42,9 @@ Tightening::Trimmed Tightening::trimEnds() {
   return trimmed;
 }
 
-/// Lays the faces from that before crossing `first` to that behind crossing `last` side by side, in
-/// the frame of the first. Returns the corner of the last face opposite to the edge it is entered
-/// by.
+/// Unfolds the faces from the one before crossing `first` to the one after crossing `last`, in the
+/// frame of the first. Returns the corner of the last face opposite to the edge through which it is
+/// entered.
 Vec2 Tightening::unfold(int first, int last) {
   if (workspace_.portals.count() < crossingCount()) {
     workspace_.portals.resize(static_cast<size_t>(crossingCount()));
@@ -54,7 +55,7 @@ Vec2 Tightening::unfold(int first, int last) {
   Vec2 apex = Vec2::Zero();
   for (int i = first; i <= last; ++i) {
     if (i > first) {
-      // The strip leaves this face by one of the two edges that it did not enter by.
+      // The strip leaves this face through one of the two edges by which it did not enter.
       if (crossing(i) == next(mesh_.twin[crossing(i - 1)])) {
         left = apex;
       } else {
@@ -70,7 +71,7 @@ Vec2 Tightening::unfold(int first, int last) {
   return apex;
 }
 
-/// The end of the path in the frame of an unfolding up to the last crossing, whose last corner is
+/// The path's end in the frame of an unfolding up to the last crossing, whose last corner is
 /// `apex`.
 Vec2 Tightening::endBeyond(const Vec2& apex) const {
   const Portal& portal = workspace_.portals[crossingCount() - 1];
@@ -127,7 +128,7 @@ void Tightening::measureBends(int first, int last, const Vec2& start, const Vec2
     const Vec2 at = positionOf(bend);
     const Vec2 to = i + 1 < bends.count() ? positionOf(bends[i + 1]) : end;
     const Run run = runAround(bend);
-    // Where its edges are more than those in this frame, a leg runs along one of these.
+    // If the bend has edges beyond this frame, a leg runs along one of those in it.
     bend.before =
         run.first >= first ? angleBetween(from - at, acrossFrom(bend, run.first) - at) : 0;
     bend.after = run.last <= last ? angleBetween(to - at, acrossFrom(bend, run.last) - at) : 0;
@@ -137,7 +138,8 @@ void Tightening::measureBends(int first, int last, const Vec2& start, const Vec2
   }
 }
 
-/// A bend's angle on the side away from the strip, by those between its edges and to its legs.
+/// Updates a bend's angle on the side away from the strip from the angles between its edges and
+/// legs.
 void Tightening::updateOutside(Bend& bend) {
   const Run run = runAround(bend);
   double inside = bend.before + bend.after;
@@ -161,8 +163,8 @@ void Tightening::pullAllTight() {
   lastLeg_ = (end_ - (bends_.empty() ? start_ : positionOf(bends_.back()))).norm();
 }
 
-/// Pulls the part between two bends tight (-1 for the start, one beyond the last for the end), in
-/// a frame of its own: its bends are the workspace's new ones.
+/// Pulls the part between two bends tight in a frame of its own; -1 stands for the start, and the
+/// number of bends for the end. Writes its bends to the workspace's new ones.
 void Tightening::pullBetween(int before, int after) {
   Bend* const a = before >= 0 ? &bends_[before] : nullptr;
   Bend* const b = after < bends_.count() ? &bends_[after] : nullptr;
@@ -185,7 +187,7 @@ void Tightening::pullBetween(int before, int after) {
     if (b) b->before = angleBetween(from - end, acrossFrom(*b, last) - end);
     (b ? b->leg : lastLeg_) = (end - from).norm();
   } else if (a && b) {
-    // Along an edge of the mesh: the strip's side, or one that it crosses.
+    // The leg runs along an edge of the mesh: the strip's side, or one that it crosses.
     const bool atSide = first == last + 1;
     const int h = atSide ? crossing(first) : -1;
     const auto cornerAt = [&](int vertex) {
@@ -198,7 +200,7 @@ void Tightening::pullBetween(int before, int after) {
     const int along = atSide ? (b->onLeft ? next(h) : previous(h)) : crossing(first - 1);
     b->leg = geometry_.edgeLength[along];
   } else if (a || b) {
-    // In the strip's last or first face.
+    // The edge lies in the strip's last or first face.
     Bend& bend = a ? *a : *b;
     const int h = a ? mesh_.twin[crossing(crossingCount() - 1)] : crossing(0);
     const int face = faceOf(h);
@@ -220,7 +222,7 @@ void Tightening::pullBetween(int before, int after) {
   if (b) updateOutside(*b);
 }
 
-/// The bend with the least angle outside, of those that let the path be shortened; or -1.
+/// The bend with the least outside angle among those that allow shortening; -1 if there is none.
 int Tightening::sharpestBend() const {
   double sharpest = kStraight;
   int found = -1;
@@ -233,7 +235,8 @@ int Tightening::sharpestBend() const {
   return found;
 }
 
-/// Turns the strip where the path bends most until it is locally shortest; false if it was.
+/// Turns the strip at the sharpest bend until the path is locally shortest. Returns false if it
+/// was.
 bool Tightening::turnSharpBends() {
   bool turned = false;
   for (; turnsLeft_ > 0; --turnsLeft_) {
@@ -246,8 +249,8 @@ bool Tightening::turnSharpBends() {
   return turned;
 }
 
-/// Leads the strip round the other side of a vertex at its side, between two bends, and pulls the
-/// path tight there; false if the boundary is in the way.
+/// Leads the strip around the other side of a bend's vertex and pulls the path tight between the
+/// two neighbouring bends. Returns false if the boundary is in the way.
 bool Tightening::turnRound(const Bend& bend, int before, int after) {
   const Run run = runAround(bend);
   const int lastFace = faceOf(mesh_.twin[crossing(run.last)]);

@@ -2,7 +2,7 @@
 
 #include "intrinsic/strip_path.h"
 
-/// What strip_path.h does, for the files that do it.
+/// Internal: the algorithm of strip_path.h, in two files.
 namespace karcher {
 
 inline bool touches(const TriangleMesh& mesh, int h, int vertex) {
@@ -14,7 +14,7 @@ inline double angleBetween(const Vec2& a, const Vec2& b) {
   return std::atan2(std::abs(cross(a, b)), a.dot(b));
 }
 
-/// One strip between two points, being pulled tight.
+/// Pulls one strip between two points tight.
 class Tightening {
  public:
   using Portal = StripWorkspace::Portal;
@@ -34,12 +34,13 @@ class Tightening {
         bends_(workspace.bends) {}
 
   void run(bool shorten) {
-    // Each turn shortens the path; the bound is for angles that rounding cannot tell from pi. A
-    // strip around a corner passes over the vertices in between, up to a quarter of the square.
+    // Each turn shortens the path, so that only angles within rounding of pi need a bound. A strip
+    // around a corner passes over the vertices in between, up to a quarter of the squared number of
+    // crossings.
     const int64_t crossings = crossingCount();
     turnsLeft_ = 64 + 16 * crossings + crossings * crossings / 4;
     trimEnds();
-    // The whole path in one frame, from which it is read.
+    // The final path is read from a single frame.
     pullAllTight();
     while (turnSharpBends() || shorten) {
       if (shorten) passOverVertices();
@@ -86,11 +87,11 @@ class Tightening {
     const Portal& portal = workspace_.portals[bend.portal];
     return bend.onLeft ? portal.left : portal.right;
   }
-  /// The other end of a portal that a bend's vertex is an end of.
+  /// The other end of a portal at a bend's vertex.
   Vec2 acrossFrom(const Bend& bend, int portal) const {
     return bend.onLeft ? workspace_.portals[portal].right : workspace_.portals[portal].left;
   }
-  /// The angle of the surface between the two legs of the path at a bend, in the strip.
+  /// The angle in the strip between the two legs of the path at a bend.
   double angleInside(const Bend& bend) const {
     return geometry_.totalAngle[vertexOf(bend)] - bend.outside;
   }

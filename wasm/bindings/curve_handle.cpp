@@ -60,7 +60,7 @@ void CurveHandle::setPoints(const val& points) {
 }
 
 void CurveHandle::setWeights(const val& weights) {
-  // Refuses kinds that have none.
+  // This refuses kinds without weights.
   CurveValue value = withWeight(curve_.value(), 0, 1);
   value.options.shape.weights = fromJs<double>(weights);
   become(std::move(value));
@@ -102,7 +102,8 @@ val CurveHandle::tangentAt(double parameter) {
   const SurfacePoint& point = tangent.at.point;
   const Geometry& geometry = mesh_.surface().geometry();
   val result = curvePointToJs(tangent.at);
-  // In the face's own corners, since its frame is the engine's: changes of barycentric weights.
+  // The derivative is given as changes of barycentric weights, since the face's frame is the
+  // engine's own.
   const Vec3 weights = barycentric(geometry, point.face, tangent.inFace) -
                        barycentric(geometry, point.face, Vec2::Zero());
   result.set("inFace", toJs(changeToInput(mesh_.numbering(), point.face, weights)));

@@ -9,19 +9,18 @@
 
 namespace karcher::bindings {
 
-/// A curve as JavaScript holds it. The mesh must outlive it.
+/// A curve that JavaScript owns. The mesh must outlive it.
 class CurveHandle {
  public:
-  /// `value` as for `curveValueFromJs`.
+  /// `value` is read by `curveValueFromJs`.
   CurveHandle(MeshHandle& mesh, const val& value);
 
-  /// Makes it the curve of a value, and returns its view (view.h); `options` is {inDouble,
-  /// withPoints}.
+  /// Sets the curve to a value and returns its view (view.h); `options` is {inDouble, withPoints}.
   val set(const val& value, const val& options);
   val view(const val& options) const;
-  /// What it is: {points, legs} with a shape (curve_value.h).
+  /// The curve's value: {points, legs} with a shape (curve_value.h).
   val value() const;
-  /// As in legs.h.
+  /// The legs as `legsAndShorterToJs` of legs.h returns them.
   val legs() { return legsAndShorterToJs(mesh_, curve_); }
 
   void movePoint(int i, const val& point);
@@ -40,9 +39,9 @@ class CurveHandle {
   void setPoints(const val& points);
   void setWeights(const val& weights);
   void setBetas(const val& betas);
-  /// Puts a control point in on the curve; returns its number.
+  /// Inserts a control point on the curve and returns its number.
   int insertOnCurve(double parameter);
-  /// A list of values.
+  /// Returns a list of values.
   val splitAt(double parameter);
   val joined(const CurveHandle& other);
 
@@ -52,9 +51,9 @@ class CurveHandle {
 
   /// {parameter, point, position, status}
   val pointAt(double parameter);
-  /// The same with {inFace, inSpace}, the derivative.
+  /// The same with the derivative as {inFace, inSpace}.
   val tangentAt(double parameter);
-  /// `place` is a Float64Array of three numbers. The same as `pointAt` with {distance}.
+  /// The same as `pointAt`, with {distance}. `place` is a Float64Array of three numbers.
   val nearest(const val& place);
   double lengthAt(double parameter);
   val pointAtLength(double length);

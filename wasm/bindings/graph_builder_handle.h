@@ -5,7 +5,7 @@
 
 namespace karcher::bindings {
 
-/// The k-ring graph of a mesh, built in slices. The mesh must be there at each call but the
+/// The k-ring graph of a mesh, built in slices. The mesh must exist at each call except the
 /// destructor.
 class GraphBuilderHandle {
  public:

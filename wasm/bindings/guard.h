@@ -9,9 +9,9 @@
 
 #include "mesh/error.h"
 
-/// Failures on their way to JavaScript. An exception that crosses the border arrives there without
-/// its sentence, so each binding runs under a guard that keeps code and sentence, and returns an
-/// empty result; the facade asks for the failure after each call.
+/// Failures on their way to JavaScript. An exception that leaves the module loses its sentence, so
+/// each binding runs under a guard that keeps code and sentence and returns an empty result; the
+/// facade takes the failure after each call.
 namespace karcher::bindings {
 
 /// Keeps a failure until `takeFailure`.
@@ -23,7 +23,7 @@ emscripten::val takeFailure();
 /// Keeps the exception that is being handled.
 void keepCurrentException();
 
-/// Returns what `work` returns, or undefined or an empty value if it failed.
+/// Returns the result of `work`, or undefined or an empty value if it failed.
 template <class Work>
 auto guarded(const Work& work) -> decltype(work()) {
   using Result = decltype(work());
@@ -39,7 +39,7 @@ auto guarded(const Work& work) -> decltype(work()) {
   }
 }
 
-/// A function or member function `Work` under the guard, to be bound as Guarded<&Work>::call.
+/// A function or member function `Work` under the guard, bound as Guarded<&Work>::call.
 template <auto Work>
 struct Guarded;
 

@@ -14,10 +14,10 @@ namespace {
 /// Paths whose lengths differ by less than this part are equally short.
 constexpr double kSameLength = 1e-9;
 
-/// A weight this small is the rounding of one that was computed from two others, as of a link.
+/// A weight this small is rounding of one that was computed from the two others, as in a link.
 constexpr double kNoWeight = 1e-15;
 
-/// Points of which those on an edge but for rounding lie on it.
+/// Moves points that lie on an edge up to rounding onto it.
 Array<SurfacePoint> onEdges(Array<SurfacePoint> points) {
   for (SurfacePoint& point : points) {
     for (int k = 0; k < 3; ++k) {
@@ -43,7 +43,7 @@ Array<SurfacePath> Legs::fromJs(const MeshHandle& mesh, const Array<SurfacePoint
   const int count = legs["length"].as<int>();
   for (int i = 0; i < count; ++i) {
     paths.emplace_back();
-    // More legs than points are for the engine to refuse.
+    // The engine refuses more legs than points.
     if (i >= points.count()) continue;
     Array<SurfacePoint> given = pointsFromJs(mesh.numbering(), mesh.mesh(), legs[i]);
     if (given.count() < (drawn[i] ? 2 : 1)) continue;

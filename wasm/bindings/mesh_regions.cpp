@@ -7,9 +7,9 @@
 namespace karcher::bindings {
 namespace {
 
-/// What tells of a caller's point whether it lies in a region: per input triangle how much of it
-/// does, and for those of which a part does the sides of what lies in it, from (x, y) to (x, y) in
-/// the triangle's second and third weight, sorted by triangle.
+/// The data that decide whether a caller's point lies in a region: the share of each input triangle
+/// inside, and for triangles that are partly inside the sides of that part, from (x, y) to (x, y)
+/// in the triangle's second and third weights, sorted by triangle.
 struct Inside {
   enum : uint8_t { kNone = 0, kAll = 1, kPart = 2 };
   Array<uint8_t> share;

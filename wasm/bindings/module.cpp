@@ -19,7 +19,7 @@ namespace {
 
 double allocatedBytes() { return static_cast<double>(mallinfo().uordblks); }
 
-/// The statuses' names by their numbers.
+/// The names of the statuses, by number.
 val statusNames() {
   val names = val::array();
   for (int i = 0; i <= static_cast<int>(kLastSampleStatus); ++i) {

@@ -4,8 +4,8 @@
 
 namespace karcher::bindings {
 
-/// A path on the surface as it travels, in arrays over its points. Where the engine gives a point
-/// twice, seen from two faces, it is here once.
+/// A path on the surface for JavaScript, in arrays over its points. A point that the engine has
+/// twice, in two faces, is here once.
 struct Path {
   bool closed = false;
   double length = 0;
@@ -15,15 +15,15 @@ struct Path {
   Array<double> lengths;  ///< from the start
 };
 
-/// Appends points of the engine with the length from the first to the last; what lies between two
-/// of them is straight, or as good as straight. Returns the numbers of those that stayed.
+/// Appends points of the engine with the length from the first to the last; between two of them the
+/// path is straight, or nearly so. Returns the indices of those that were kept.
 Array<int> append(Path& path, const Numbering& numbering, const TriangleMesh& mesh,
                   const Array<SurfacePoint>& points, double length);
 
 /// {closed, length, face, bary, position, lengths}
 val toJs(const Path& path);
 
-/// The same of points alone.
+/// The same for points without lengths.
 val pathToJs(const Numbering& numbering, const TriangleMesh& mesh,
              const Array<SurfacePoint>& points, double length, bool closed = false);
 

@@ -2,8 +2,8 @@
 #include <cstdlib>
 #include <ctime>
 
-/// Streams, by which tinyobjloader reads OBJ, can print dates and ask for the user's language,
-/// which they never do here: Emscripten would add 2 KB of JavaScript for that to the module.
+/// Replacements for functions of dates and locales, which the streams of tinyobjloader link but
+/// never call here. Emscripten would add 2 KB of JavaScript for them to the module.
 extern "C" {
 
 size_t strftime_l(char* /*text*/, size_t /*size*/, const char* /*format*/,

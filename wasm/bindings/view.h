@@ -6,17 +6,17 @@
 
 namespace karcher::bindings {
 
-/// What is traced, segment by segment. Paths are left out where they are not wanted.
+/// A traced curve, segment by segment. `paths` is empty if they are not wanted.
 struct TracedLine {
   bool closed = false;
   int levels = 0;
   Array<const Array<CurveSample>*> samples;
   Array<const Array<Bridge>*> bridges;
   Array<const JoinedPath*> paths;
-  /// Of the control polygon.
+  /// The legs of the control polygon.
   Array<const SurfacePath*> legs;
   Array<double> knots;
-  /// The stages of the last edit, in milliseconds.
+  /// The durations of the last edit's stages, in milliseconds.
   Array<double> times;
 };
 
@@ -25,10 +25,10 @@ struct ViewOptions {
   bool withPoints = false;  ///< the path's faces and weights, too
 };
 
-/// The options of {inDouble, withPoints}.
+/// The options from {inDouble, withPoints}.
 ViewOptions viewOptionsFromJs(const val& options);
 
-/// All of it as one Uint8Array, which wasm/view.ts reads: numbers of 64, of 32 and of 8 bits.
+/// The whole view as one Uint8Array, which wasm/view.ts reads: numbers of 64, of 32 and of 8 bits.
 val viewToJs(const MeshHandle& mesh, const TracedLine& line, const ViewOptions& options);
 
 }  // namespace karcher::bindings

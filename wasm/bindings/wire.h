@@ -5,9 +5,9 @@
 #include "mesh/mesh_import.h"
 #include "mesh/surface_point.h"
 
-/// How values travel between JavaScript and the engine: arrays are copied, a point is four numbers
-/// (face, b0, b1, b2), or of a vertex (NaN, vertex, 0, 0) on its way here; faces and vertices are
-/// the caller's in JavaScript and the engine's here.
+/// Conversion of values between JavaScript and the engine. Arrays are copied. A point is four
+/// numbers (face, b0, b1, b2); JavaScript may pass a vertex as (NaN, vertex, 0, 0). Numbers of
+/// faces and vertices are the caller's in JavaScript and the engine's here.
 namespace karcher::bindings {
 
 using emscripten::val;
@@ -37,8 +37,8 @@ inline void append(Array<double>& array, const Vec3& vector) {
 val toJs(const Numbering& numbering, const SurfacePoint& point);
 val toJs(const Numbering& numbering, const Array<SurfacePoint>& points);
 
-/// Points as a caller wrote them (`toEngine`): errors name the caller's face.
-/// Throws Error kBadIndex for a vertex that does not exist or belongs to no face.
+/// Converts a caller's point (`toEngine`); errors name the caller's face. Throws Error kBadIndex
+/// for a vertex that does not exist or belongs to no face.
 SurfacePoint pointFromJs(const Numbering& numbering, const TriangleMesh& mesh, const val& point);
 Array<SurfacePoint> pointsFromJs(const Numbering& numbering, const TriangleMesh& mesh,
                                  const val& points);
