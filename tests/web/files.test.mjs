@@ -281,9 +281,9 @@ describe('files of surfaces', () => {
     const part = tab.page.getByRole('combobox', { name: 'Part of the file' });
     assert.deepEqual(await part.locator('option').allTextContents(), [
       'All 3 parts',
-      'part 0',
-      'part 1',
-      'part 2',
+      'part 0 · 4',
+      'part 1 · 4',
+      'part 2 · 4',
     ]);
     await part.selectOption('part 1');
     await tab.page.waitForFunction(() => window.karcherPage.triangles === 4);
@@ -292,6 +292,56 @@ describe('files of surfaces', () => {
     await tab.page.waitForFunction(() => window.karcherPage?.triangles === 4);
     await tab.settled();
     assert.equal(await part.inputValue(), '1');
+    await tab.page.close();
+  });
+
+  test('without parts one of its pieces can be chosen, also after a reload', async () => {
+    const tab = await Tab.open(browser);
+    // Two tetrahedra and a square, far from each other.
+    const corners = [
+      ...[0, 5].flatMap((x) => [`v ${x} 0 0`, `v ${x + 1} 0 0`, `v ${x} 1 0`, `v ${x} 0 1`]),
+      ...['v 9 0 0', 'v 10 0 0', 'v 10 1 0', 'v 9 1 0'],
+    ];
+    const faces = [
+      ...['f 9 10 11', 'f 9 11 12'],
+      ...[1, 5].flatMap((i) =>
+        [
+          [0, 2, 1],
+          [0, 1, 3],
+          [1, 2, 3],
+          [2, 0, 3],
+        ].map((face) => `f ${face.map((corner) => i + corner).join(' ')}`),
+      ),
+    ];
+    await tab.drop('pieces.obj', [...corners, ...faces].join('\n'));
+    await tab.page.waitForFunction(() => window.karcherPage.triangles === 10);
+    const part = tab.page.getByRole('combobox', { name: 'Part of the file' });
+    assert.deepEqual(await part.locator('option').allTextContents(), [
+      ...['All 3 parts', 'Piece 1 · 4', 'Piece 2 · 4', 'Piece 3 · 2'],
+    ]);
+    for (const [value, triangles, least] of [
+      ['2', 2, 9],
+      ['0', 4, 0],
+      ['1', 4, 5],
+    ]) {
+      await part.selectOption(value);
+      await tab.page.waitForFunction(
+        async ([count, from]) => {
+          const { triangles } = window.karcherPage;
+          if (triangles !== count || !window.karcherPage.settled) return false;
+          const { positions } = await window.karcherPage.mesh();
+          return Math.min(...positions.filter((_, i) => i % 3 === 0)) === from;
+        },
+        [triangles, least],
+      );
+    }
+    await tab.pastSaving();
+    await tab.page.reload();
+    await tab.page.waitForFunction(() => window.karcherPage?.triangles === 4);
+    await tab.settled();
+    assert.equal(await part.inputValue(), '1');
+    assert.equal(await part.locator('option').count(), 4);
+    assert.deepEqual(tab.logged, []);
     await tab.page.close();
   });
 

@@ -90,7 +90,9 @@ export class SurfacePanel {
     if (!file || !reading) return;
     const parts = file.parts
       .slice(0, mostParts)
-      .map(({ name }, i) => make('option', name, { value: `${i}` }));
+      .map(({ name, triangles }, i) =>
+        make('option', `${name} · ${formatInteger(triangles)}`, { value: `${i}` }),
+      );
     const all = make('option', `All ${formatInteger(file.parts.length)} parts`, { value: '' });
     this.#part.replaceChildren(all, ...parts);
     this.#part.disabled = file.parts.length < 2;

@@ -2,6 +2,7 @@
 import {
   type DistanceOptions,
   type Karcher,
+  KarcherError,
   type LongWorkOptions,
   load,
   type MappedPoints,
@@ -16,6 +17,7 @@ import { cutParts } from './cut';
 import { combined, offsetOf } from './derived';
 import { tracedDistances } from './distances';
 import { fillOf } from './fills';
+import { inPieces } from './pieces';
 
 interface Loaded {
   mesh: Mesh;
@@ -50,11 +52,18 @@ const calls = {
     const { guessUp, meshFromFile } = await import('karcher/formats');
     const { content, name, parts, weld } = source;
     const bytes = new Uint8Array(await content.arrayBuffer());
-    const { mesh, file } = await meshFromFile(karcher, bytes, {
-      ...{ name, ...(parts && { parts }), ...(weld !== null && { weld }) },
-      progress: (done, stage) =>
-        progress(0.2 + 0.6 * done, fileStages[stage] ?? 'Reading the file'),
+    const read = (wanted: readonly number[] | null) =>
+      meshFromFile(karcher, bytes, {
+        ...{ name, ...(wanted && { parts: wanted }), ...(weld !== null && { weld }) },
+        progress: (done, stage) =>
+          progress(0.2 + 0.6 * done, fileStages[stage] ?? 'Reading the file'),
+      });
+    const whole = await read(parts).catch((error: unknown) => {
+      // A piece of a file that has no parts.
+      if (parts && error instanceof KarcherError && error.code === 'badArgument') return read(null);
+      throw error;
     });
+    const { mesh, file } = await inPieces(karcher, whole, parts);
     const arrays = takenFrom(mesh);
     const up = guessUp(arrays.positions, arrays.triangles, file.format);
     return { mesh, arrays: blobsOf(arrays), file, up };

@@ -1,0 +1,86 @@
+/** The pieces of a file without parts of its own: triangles that hang together. */
+import type { Karcher, Mesh } from 'karcher';
+import type { FileInfo } from 'karcher/formats';
+
+export interface Opened {
+  mesh: Mesh;
+  file: FileInfo;
+}
+
+/** A file of more pieces, as a cloud of crumbs is, is offered as a whole. */
+const mostPieces = 1000;
+
+/**
+ * The number of each triangle's piece, the largest piece first, and how many triangles each has; of pieces that
+ * are as large the one with the first triangle.
+ */
+export function piecesOf(
+  triangles: Int32Array,
+  vertices: number,
+): { of: Int32Array; sizes: number[] } {
+  const parents = Int32Array.from({ length: vertices }, (_, i) => i);
+  const rootOf = (vertex: number) => {
+    let root = vertex;
+    while (parents[root] !== root) {
+      // Half of the way is cut off each time, so that ways stay short.
+      parents[root] = parents[parents[root]!]!;
+      root = parents[root]!;
+    }
+    return root;
+  };
+  for (let i = 0; i < triangles.length; i += 3) {
+    const root = rootOf(triangles[i]!);
+    parents[rootOf(triangles[i + 1]!)] = root;
+    parents[rootOf(triangles[i + 2]!)] = rootOf(root);
+  }
+  const counts = new Map<number, number>();
+  for (let i = 0; i < triangles.length; i += 3) {
+    const root = rootOf(triangles[i]!);
+    counts.set(root, (counts.get(root) ?? 0) + 1);
+  }
+  const sorted = [...counts].sort(([, a], [, b]) => b - a);
+  const numbers = new Map(sorted.map(([root], number) => [root, number]));
+  const of = new Int32Array(triangles.length / 3);
+  for (let face = 0; face < of.length; face++)
+    of[face] = numbers.get(rootOf(triangles[3 * face]!))!;
+  return { of, sizes: sorted.map(([, count]) => count) };
+}
+
+/**
+ * A file that was read as a whole, with its pieces as its parts where it has none, and the mesh of the wanted
+ * ones. The given mesh is disposed where another one is given back.
+ */
+export async function inPieces(
+  karcher: Karcher,
+  { mesh, file }: Opened,
+  wanted: readonly number[] | null,
+): Promise<Opened> {
+  const { components } = mesh.info;
+  if (file.parts.length > 1 || components < 2 || components > mostPieces) return { mesh, file };
+  const triangles = mesh.triangles();
+  const positions = mesh.positions();
+  const { of, sizes } = piecesOf(triangles, positions.length / 3);
+  const parts = sizes.map((count, i) => ({ name: `Piece ${i + 1}`, triangles: count }));
+  const marked = { ...file, parts, partOf: of };
+  if (!wanted?.some((piece) => piece < parts.length)) return { mesh, file: marked };
+  const kept: number[] = [];
+  const numbers = new Int32Array(positions.length / 3).fill(-1);
+  const corners: number[] = [];
+  for (const [face, piece] of of.entries()) {
+    if (!wanted.includes(piece)) continue;
+    for (let corner = 0; corner < 3; corner++) {
+      const vertex = triangles[3 * face + corner]!;
+      if (numbers[vertex] === -1) numbers[vertex] = kept.push(vertex) - 1;
+      corners.push(numbers[vertex]!);
+    }
+  }
+  const places = new Float64Array(3 * kept.length);
+  const colors = file.colors && new Uint8Array(3 * kept.length);
+  for (const [to, from] of kept.entries()) {
+    places.set(positions.subarray(3 * from, 3 * from + 3), 3 * to);
+    colors?.set(file.colors!.subarray(3 * from, 3 * from + 3), 3 * to);
+  }
+  const piece = await karcher.meshFromArrays(places, corners);
+  mesh.dispose();
+  return { mesh: piece, file: { ...marked, colors, partOf: null, materialOf: null } };
+}
