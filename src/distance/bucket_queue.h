@@ -6,16 +6,15 @@
 
 namespace karcher {
 
-/// A queue of items with keys >= 0. Items come out in the order of their keys, up to the width of a
-/// bucket; within a bucket the first in is the first out. An item may be pushed into the bucket
-/// that is being emptied. An item whose key is too far ahead for the ring of buckets comes out
-/// early, never late.
+/// A queue of items with keys >= 0. Items leave in the order of their keys, up to the width of a
+/// bucket, and first in, first out within a bucket. An item may be pushed into the bucket that is
+/// being emptied. An item whose key is beyond the ring of buckets leaves early, never late.
 class BucketQueue {
  public:
   explicit BucketQueue(double width)
       : width_(width), inverseWidth_(1 / width), buckets_(static_cast<size_t>(kBuckets)) {}
 
-  /// The bucket a key belongs in, not before the one that is being emptied.
+  /// The bucket of a key, but not one before the bucket that is being emptied.
   int bucketOf(double key) const {
     const int last = current_ + kBuckets - 1;
     const double bucket = key * inverseWidth_;
@@ -29,11 +28,12 @@ class BucketQueue {
 
   bool empty() const { return count_ == 0; }
 
-  /// The bucket that is being emptied, and the least key that may still come.
+  /// The bucket that is being emptied, and the least key that an item may still have.
   int current() const { return current_; }
   double leastKey() const { return current_ * width_; }
 
-  /// Takes the next item, unless the queue is empty or the least key is beyond `limit`.
+  /// Removes the next item and returns true, unless the queue is empty or the least key is beyond
+  /// `limit`.
   bool pop(double limit, int& item) {
     while (count_ > 0 && leastKey() <= limit) {
       Array<int>& bucket = buckets_[current_ & (kBuckets - 1)];

@@ -26,7 +26,7 @@ MidpointArrival EdgeMidpoints::arrival(int h, const SurfacePoint& source, double
     const Vec2 toSource = Vec2(record.sourceX - middle, -record.depth).normalized();
     best = {record.distance, side == h ? toSource : Vec2(-toSource)};
   }
-  // Or along the edge, from a vertex that paths turn round.
+  // The path may also run along the edge, from a vertex at which paths turn.
   const double overTail = (tailDistance + middle) * (1 + kBentPenalty);
   if (isShorter(overTail)) best = {overTail, Vec2(-1, 0)};
   const double overHead = (headDistance + middle) * (1 + kBentPenalty);

@@ -7,8 +7,8 @@
 
 namespace karcher {
 
-/// Exact arrivals at the midpoints of edges: for each half-edge the window with the least distance
-/// there, among those that came to it.
+/// Exact arrivals at the midpoints of edges. Stores for each half-edge the window of least distance
+/// at the midpoint among those that arrived.
 class EdgeMidpoints {
  public:
   /// The geometry must outlive the object.
@@ -17,7 +17,7 @@ class EdgeMidpoints {
 
   void clear() { records_.clear(); }
 
-  /// Takes a window that came to half-edge h when all distances below `reached` were final.
+  /// Takes a window that arrived at half-edge h when all distances below `reached` were final.
   void take(int h, const Window& window, double reached) {
     const double length = geometry_.edgeLength[h];
     const double middle = length / 2;

@@ -7,7 +7,7 @@
 namespace karcher {
 namespace {
 
-/// Writes the least length among a face's images, and over its corners, to each point.
+/// Writes to each point the least length from a face's images and over its corners.
 void writeLengths(const Geometry& geometry, const WindowDistance& distance,
                   const Array<SurfacePoint>& points, Array<double>& lengths) {
   Array<const SourceImage*> images;
@@ -49,7 +49,7 @@ Array<double> exactLengths(const Geometry& geometry, const SurfacePoint& source,
   lengths.assign(points.size(), 0);
   writeLengths(geometry, distance, points, lengths);
   const auto longest = std::max_element(lengths.begin(), lengths.end());
-  // Lengths that were found are upper bounds: as far as the longest of them nothing is missing.
+  // The lengths found are upper bounds, so the search need not go beyond the longest.
   if (longest != lengths.end() && *longest > likely) {
     distance.grow(*longest);
     writeLengths(geometry, distance, points, lengths);

@@ -9,24 +9,24 @@
 namespace karcher {
 namespace {
 
-/// How many mean edges apart points may lie for the thorough searches.
+/// The largest distance of points for the thorough searches, in mean edges.
 constexpr double kNear = 100;
 
-/// Of searches between points that lie farther apart (strip_search.h).
+/// The weight of searches between points that are farther apart (strip_search.h).
 constexpr double kGreedyWeight = 1.2;
 
 /// The length of the pieces in which such paths are searched again, in mean edges.
 constexpr double kPiece = 24;
 
-/// Paths that differ by less than this part of their length are the same but for rounding.
+/// Paths whose lengths differ by less than this part are equal up to rounding.
 constexpr double kSameLength = 1e-12;
 
-/// Weights and angles that differ by less are the same but for rounding.
+/// Weights and angles that differ by less are equal up to rounding.
 constexpr double kSame = 1e-9;
 
-/// The same order for both directions of a path and wherever the surface lies in space: by the
-/// weights of the points, then by the angles at the first of their nearest vertices. Points that
-/// are alike in both go by the mesh's numbers.
+/// An order of a path's ends that depends neither on its direction nor on the surface's position in
+/// space: by the weights of the points, then by the angles at the first of their nearest vertices.
+/// Points with equal ones are ordered by the mesh's numbers.
 bool isBefore(const Geometry& geometry, const SurfacePoint& a, const SurfacePoint& b) {
   const auto told = [&](const SurfacePoint& point) {
     int corner = 0;
@@ -75,7 +75,7 @@ class PathFinder {
   }
 
  private:
-  /// Takes the path in the strip that was found, if it is shorter than the one so far.
+  /// Takes the path in the strip if it is shorter than the one so far.
   void take(const SurfacePoint& from, const SurfacePoint& to, bool reversed) {
     Array<SurfacePoint>& points = workspace_.points;
     points.clear();
@@ -88,9 +88,9 @@ class PathFinder {
     measure(mesh_, path_);
   }
 
-  /// Searches even pieces of the path again, the first of which is this part of the others.
+  /// Searches even pieces of the path again; the first is this part as long as the others.
   void searchPieces(double first) {
-    // Points at one place that share no face.
+    // The points lie at one place but share no face.
     if (!(path_.length() > 0)) return;
     const int count = std::max(1, static_cast<int>(path_.length() / (kPiece * geometry_.meanEdge)));
     const double step = path_.length() / count;
@@ -142,7 +142,7 @@ bool findPath(const Geometry& geometry, const SurfacePoint& from, const SurfaceP
     measure(mesh, out);
     return true;
   }
-  // Always from the same end, so that both directions find the same path.
+  // The search always starts at the same end, so that both directions find the same path.
   const bool backwards = isBefore(geometry, to, from);
   const SurfacePoint first = backwards ? to : from;
   const SurfacePoint last = backwards ? from : to;

@@ -4,15 +4,14 @@
 #include "intrinsic/surface_path.h"
 #include "intrinsic/taut_search.h"
 
-/// A short path between two points wherever they lie, fast: strips of faces are searched from both
-/// ends, pulled tight, led over the vertices beside them where this makes them shorter, and the
-/// shortest is taken. It is locally shortest, and seldom longer than the shortest path of all by
-/// more than a thousandth. Work that grows as the square of the distance is spent up to a hundred
-/// mean edges; beyond, greedier searches find a first path, which is then searched again piece by
-/// piece.
+/// Fast search for a short path between any two points. Strips of faces are searched from both
+/// ends, pulled tight, and led over vertices beside them if that makes them shorter; the shortest
+/// is taken. The path is locally shortest, and seldom longer than the shortest path by more than a
+/// thousandth. The work grows as the square of the distance up to a hundred mean edges; beyond,
+/// greedier searches find a first path, which is then searched again piece by piece.
 namespace karcher {
 
-/// Scratch memory; reuse one to spare the allocations.
+/// Scratch memory, which can be reused.
 struct FindPathWorkspace {
   StripWorkspace strip;
   TautSearchWorkspace taut;
@@ -22,13 +21,13 @@ struct FindPathWorkspace {
 };
 
 struct FindPathOptions {
-  /// Compares the path with the shortest one by exact windows (shortest_path.h), which takes far
-  /// longer, and takes that where it is shorter.
+  /// Compare the path with the exact shortest one (shortest_path.h), which takes far longer, and
+  /// return that if it is shorter.
   bool certified = false;
 };
 
-/// Writes the path to `out`; from `to` to `from` it is the same one reversed. Returns false, and
-/// changes nothing, where the points lie on different components.
+/// Writes the path to `out`. The path from `to` to `from` is the same one reversed. Returns false
+/// and changes nothing if the points lie on different components.
 bool findPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
               FindPathWorkspace& workspace, SurfacePath& out, const FindPathOptions& options = {});
 

@@ -10,10 +10,10 @@
 namespace karcher {
 
 /// Approximate distances by Dijkstra's algorithm on the k-ring graph. A source inside a face or on
-/// an edge is joined to the vertices that it sees in the faces around it.
+/// an edge has arcs to the vertices that it sees in the faces around it.
 class GraphDistance final : public DistanceSolver {
  public:
-  /// Both must outlive the solver.
+  /// The geometry and the graph must outlive the solver.
   GraphDistance(const Geometry& geometry, const RingGraph& graph);
 
   void setSource(const SurfacePoint& source) override;

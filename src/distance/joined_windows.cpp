@@ -6,22 +6,23 @@
 namespace karcher {
 namespace {
 
-/// A joint window goes above the kink of the two that it takes the place of, where they meet, by
-/// this part of what it cuts off: distances then become neither longer nor shorter on the whole.
+/// A joint window lies above the kink where the two that it replaces meet, by this part of what it
+/// cuts off, so that distances become neither longer nor shorter on average.
 constexpr double kAboveKink = 0.25;
 
-/// A joint source is no farther than so many widths of its window: fronts are never quite straight.
+/// The distance of a joint source is at most this many widths of its window, since fronts are never
+/// quite straight.
 constexpr double kFarthestSource = 1000;
 
 /// A gap that opens where windows are joined is at most this part of the edge.
 constexpr double kWidestGap = 0.1;
 
-/// Windows whose sources are so near to each other, as a part of their distance, have the same one.
+/// Windows whose sources differ by less than this part of their distance have the same source.
 constexpr double kSameSource = 1e-10;
 
 /// Joins two windows of which neither lies in the other to one over both, unless distances along
-/// the edge would change by more than `tolerance`. The joint source is as far from the two outer
-/// ends as before; where they meet, the three distances say how strongly the front is bent, and so
+/// the edge would change by more than `tolerance`. The joint source keeps the distances at the two
+/// outer ends; together with the distance where they meet, these give the front's curvature, and so
 /// the offset.
 bool join(Window& first, const Window& second, double tolerance) {
   const double begin = first.begin;
@@ -89,7 +90,7 @@ bool isBefore(const Window& a, const Window& b) {
          std::tie(b.end, b.sourceX, b.depth, b.offset);
 }
 
-/// Most batches are of a few windows, which are sorted fastest so.
+/// Most batches have few windows, for which this sort is fastest.
 void sortByPlace(Array<Window>& windows) {
   constexpr int kFew = 16;
   if (windows.count() > kFew) {
@@ -135,8 +136,8 @@ void joinWindows(const JoinedEdge& edge, Array<Window>& windows) {
   }
   windows.resize(static_cast<size_t>(last + 1));
 
-  // The rays at the ends of joint windows are not those of the windows before. What opens between
-  // them and an end of the edge is closed where the vertex there is known to lie on the same front.
+  // The rays at the ends of joint windows differ from those of the original windows. A gap between
+  // them and an end of the edge is closed if the vertex there is known to lie on the same front.
   const double sameFront = edge.frontTolerance();
   const double gap = kWidestGap * length;
   Window& first = windows[0];

@@ -10,13 +10,13 @@
 
 namespace karcher {
 
-/// An array indexed by vertex or face, of which only the touched pages exist. A search that stays
-/// in a neighbourhood takes and clears memory for the neighbourhood, not for the mesh. References
+/// An array indexed by vertex or face that has memory only for touched pages. A search within a
+/// neighbourhood allocates and clears memory for the neighbourhood, not for the mesh. References
 /// stay valid until `clear`.
 template <class T, int kPageBits>
 class PagedArray {
  public:
-  /// The pages come from the pool, which other arrays may share.
+  /// Pages are taken from the pool, which other arrays may share.
   explicit PagedArray(int count, std::shared_ptr<PagePool> pool = newPagePool())
       : count_(count),
         pageOf_(static_cast<size_t>(count >> kPageBits) + 1, nullptr),
@@ -25,20 +25,20 @@ class PagedArray {
   PagedArray& operator=(PagedArray&&) = delete;
   ~PagedArray() { clear(); }
 
-  /// The element, made if it does not exist yet.
+  /// The element, created if it does not exist.
   T& touch(int i) {
     T* page = pageOf_[i >> kPageBits];
     if (page == nullptr) page = addPage(i >> kPageBits);
     return page[i & kMask];
   }
 
-  /// The element, or null where nothing near it was touched.
+  /// The element, or null if nothing near it was touched.
   const T* find(int i) const {
     const T* page = pageOf_[i >> kPageBits];
     return page == nullptr ? nullptr : page + (i & kMask);
   }
 
-  /// Calls visit(i) for the number of every element that exists; some of a page may never have been
+  /// Calls visit(i) for the number of every existing element; some of a page may never have been
   /// touched.
   template <class Visit>
   void forEach(const Visit& visit) const {
@@ -48,7 +48,7 @@ class PagedArray {
     }
   }
 
-  /// Forgets every element. Costs what was touched; the pool keeps the memory.
+  /// Removes every element, in time linear in what was touched. The pool keeps the memory.
   [[gnu::noinline]] void clear() {
     for (const int page : used_) {
       pool_->give(pageOf_[page], kBytes);

@@ -12,21 +12,21 @@
 namespace karcher {
 namespace {
 
-/// Radians, or parts of an edge: how far windows of one front may lie apart by rounding. A way
-/// through such a gap is found by the windows beside it, with an error of second order in it.
+/// The rounding between adjacent windows of one front, in radians or parts of an edge. The windows
+/// beside such a gap find paths through it, with an error of second order.
 constexpr double kGap = 1e-9;
 
-/// Lengths below this part of a mean edge are none.
+/// Lengths below this part of a mean edge count as 0.
 constexpr double kNoLength = 1e-12;
 
-/// Heights over an edge below this part of the face's are none.
+/// Heights over an edge below this part of the face's height count as 0.
 constexpr double kNoHeight = 1e-13;
 
 Vec2 leftOf(const Vec2& v) { return {-v.y(), v.x()}; }
 
 double angleFromTo(const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), a.dot(b)); }
 
-/// What a window tells of an edge: the distance at x and the direction of the way there.
+/// The distance through a window at x on its edge.
 double distanceThrough(const Window& window, bool isFront, double x) {
   return isFront ? window.offset + window.sourceX * x : distanceAt(window, x);
 }
@@ -35,7 +35,8 @@ Vec2 wayThrough(const Window& window, bool isFront, double x) {
   return isFront ? Vec2(window.sourceX, window.depth) : Vec2(x - window.sourceX, window.depth);
 }
 
-/// Takes away what the ways over the ends of an edge, of this length, beat; false if that is all.
+/// Trims what the paths over the ends of an edge of this length beat. Returns false if nothing is
+/// left.
 bool trimFront(Window& window, double tailDistance, double headDistance, double length) {
   const double slope = window.sourceX;
   const double tail = tailDistance * (1 + kBeats);
@@ -113,7 +114,7 @@ void PathDistance::leavePath(const SurfacePath& path, int number) {
   }
 }
 
-/// A straight piece in a face: its own image there, and a front to both sides.
+/// Starts from a straight piece in a face: adds its image there, and sends a front to both sides.
 void PathDistance::leavePiece(int face, const Vec2& from, const Vec2& to) {
   if (!((to - from).norm() > 0)) return;
   Image image;
@@ -163,7 +164,7 @@ void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, PathSi
   }
 }
 
-/// The angles round a point.
+/// The angles around a point.
 PathDistance::Fan PathDistance::fanOf(const SurfacePoint& point) const {
   Fan fan;
   const PointLocation location = locate(mesh_, point);
@@ -190,7 +191,7 @@ PathDistance::Fan PathDistance::fanOf(const SurfacePoint& point) const {
   return fan;
 }
 
-/// The direction in a fan in which a point of a face in common lies.
+/// The direction in a fan of a point that shares a face with the fan's center.
 double PathDistance::directionIn(const Fan& fan, const SurfacePoint& point,
                                  const SurfacePoint& towards) const {
   const int face = commonFace(mesh_, point, towards);
@@ -205,7 +206,8 @@ double PathDistance::directionIn(const Fan& fan, const SurfacePoint& point,
   throw Error(ErrorCode::kBadArgument, "a path has a point in no face");
 }
 
-/// A point where a path turns or ends: the fans between the right angles to its pieces there.
+/// Starts from a point where a path turns or ends, with the fans between the right angles to its
+/// pieces there.
 void PathDistance::leaveTurn(const SurfacePoint& point, const SurfacePoint* before,
                              const SurfacePoint* after) {
   const Fan fan = fanOf(point);
@@ -236,7 +238,7 @@ void PathDistance::leaveTurn(const SurfacePoint& point, const SurfacePoint* befo
     leave(only + right, only + fan.total - right, PathSide::kEnd);
     return;
   }
-  // Of a point on the boundary both sides are known.
+  // On the boundary both sides are known.
   leave(only + right, kInfinity, after != nullptr ? PathSide::kLeft : PathSide::kRight);
   leave(-kInfinity, only - right, after != nullptr ? PathSide::kRight : PathSide::kLeft);
 }
@@ -254,10 +256,10 @@ void PathDistance::leaveFan(const Fan& fan, double from, double to, double offse
   }
 }
 
-/// From a point of a face in the directions between two angles of its frame.
+/// Starts from a point of a face, in the directions between two angles of its frame.
 void PathDistance::leaveCorner(int face, const Vec2& middle, double from, double to, double offset,
                                PathSide side) {
-  // A part of a fan is narrower than half a turn.
+  // Each part of a fan is narrower than half a turn.
   const int parts = std::max(1, static_cast<int>(std::ceil((to - from) / (kPi / 2))));
   for (int part = 0; part < parts; ++part) {
     const double begin = from + (to - from) * part / parts;
@@ -409,7 +411,8 @@ void PathDistance::carryAcross(const Waiting& waiting) {
     carried.depth = waiting.isFront ? seen.y() : std::max(0.0, -seen.y());
     if (waiting.isFront && !(seen.y() > 0)) continue;
     if (waiting.isFront) carried.offset = window.offset + source.dot(from);
-    // Whether the vertex at the other end of the edge that it came through beats all of it.
+    // Drops the window if the vertex at the other end of the edge that it came through beats all of
+    // it.
     const double far = arrivals_[isHead ? mesh_.tail(h) : mesh_.head(h)].distance;
     const Vec2 farPlace = isHead ? Vec2(0, 0) : Vec2(length, 0);
     const double farEnd = isHead ? carried.end : carried.begin;
@@ -471,14 +474,14 @@ PathDistance::Distance PathDistance::at(int face, const Vec2& place) const {
   for (int i = firstOfFace_[number]; i < firstOfFace_[number + 1]; ++i) {
     const Image& image = images_[i];
     const Vec2 way = place - image.source;
-    // What lies behind an edge that runs along its border is no part of it.
+    // The region behind an edge along the image's border is no part of it.
     const auto offerBeyond = [&](double value) {
       if (value >= image.least - gap) offer(value, image.side);
     };
     if (image.kind == Image::kPiece) {
       const Vec2 along = image.end - image.source;
       const double part = way.dot(along) / along.squaredNorm();
-      // What is nearest to an end is seen from the fan there.
+      // A point nearest to an end belongs to the fan there.
       if (part < -kGap || part > 1 + kGap) continue;
       offer((way - part * along).norm(),
             cross(along, way) >= 0 ? PathSide::kLeft : PathSide::kRight);

@@ -9,23 +9,23 @@
 
 /// Exact geodesic distances from paths, up to a limit.
 ///
-/// A shortest way to a path leaves it at a right angle, or at a point where the path turns or ends,
-/// into the wedge between the right angles there. So each straight piece of a path sends out a
-/// front to both of its sides, and each turn a fan. Both are carried from face to face as windows
-/// (D. Bommes, L. Kobbelt, "Accurate computation of geodesic distance fields for polygonal curves
-/// on triangle meshes", 2007); windows that vertices beat are cut down or dropped, and vertices
-/// with more angle than on a plane send out fans behind them, as in window_distance.h. Every face
-/// keeps what is seen of the paths in it, so that the distance of any point is known.
+/// A shortest connection to a path meets it at a right angle, or at a point where the path turns or
+/// ends, in the wedge between the right angles there. So each straight piece of a path sends out a
+/// front to both of its sides, and each turn a fan. Both are propagated from face to face as
+/// windows (D. Bommes, L. Kobbelt, "Accurate computation of geodesic distance fields for polygonal
+/// curves on triangle meshes", 2007); windows that vertices beat are trimmed or dropped, and
+/// vertices of negative curvature send out fans behind them, as in window_distance.h. Every face
+/// keeps the images of the paths that it sees, from which the distance of any point follows.
 namespace karcher {
 
-/// From which side of a path a shortest way comes; kEnd round an end of it.
+/// The side of a path from which a shortest connection arrives; kEnd around an end of it.
 enum class PathSide : int8_t { kLeft = 1, kRight = -1, kEnd = 0 };
 
 class PathDistance {
  public:
-  /// The distances of all points that are at most `limit` away. The geometry must outlive it.
-  /// Throws Error kBadArgument where a path has no length or consecutive points have no face in
-  /// common, or where it takes more than kMostWindowsPerFace windows a face.
+  /// Finds the distances of all points that are at most `limit` away. The geometry must outlive the
+  /// object. Throws Error kBadArgument if a path has no length, if consecutive points have no face
+  /// in common, or if more than kMostWindowsPerFace windows a face are needed.
   PathDistance(const Geometry& geometry, std::span<const SurfacePath> paths, double limit);
   static constexpr int kMostWindowsPerFace = 10'000;
 
@@ -34,32 +34,32 @@ class PathDistance {
     PathSide side = PathSide::kEnd;
   };
 
-  /// Of a place in the frame of a face.
+  /// The distance of a position in the frame of a face.
   Distance at(int face, const Vec2& place) const;
-  /// Of a point, in all faces that hold it.
+  /// The distance of a point, in all faces that hold it.
   Distance at(const SurfacePoint& point) const;
   double atVertex(int vertex) const { return arrivals_[vertex].distance; }
 
-  /// The faces that ways to the paths come to, in order.
+  /// The faces that are within the limit, in the order in which they were reached.
   const Array<int>& faces() const { return faces_; }
 
  private:
-  /// What a face sees of the paths: a straight piece in it, a front, or the middle of a fan.
+  /// An image of the paths in a face: a straight piece in it, a front, or the center of a fan.
   struct Image {
     enum Kind : int8_t { kPiece, kFront, kFan };
     int face = -1;
     Kind kind = kFan;
     PathSide side = PathSide::kEnd;
     double offset = 0;
-    double least = 0;            ///< no way through it is shorter
+    double least = 0;            ///< a lower bound on the distances through it
     Vec2 source = Vec2::Zero();  ///< kPiece: its begin; kFront: its direction, of length 1
     Vec2 end = Vec2::Zero();     ///< kPiece
     Vec2 right = Vec2::Zero();   ///< kFront: a point on its right border; kFan: a unit vector
     Vec2 left = Vec2::Zero();
   };
 
-  /// A window that waits to be carried across the face of a half-edge. Of a front `sourceX` and
-  /// `depth` are its direction, and `offset` is the distance at the tail of the half-edge.
+  /// A window that waits to be propagated across the face of a half-edge. For a front, `sourceX`
+  /// and `depth` are its direction, and `offset` is the distance at the tail of the half-edge.
   struct Waiting {
     double key = 0;
     int number = 0;
@@ -76,13 +76,13 @@ class PathDistance {
 
   struct VertexArrival {
     double distance = kInfinity;
-    double back = 0;  ///< unscaled direction in which the way leaves the vertex
+    double back = 0;  ///< unscaled direction in which the shortest connection leaves the vertex
     PathSide side = PathSide::kEnd;
     bool isOnPath = false;
   };
 
-  /// A part of a fan round a point: the angles in a face, and the angle in the face's frame where
-  /// it begins.
+  /// A part of a fan around a point: its angles in a face, and the angle in the face's frame at
+  /// which it begins.
   struct Corner {
     int face;
     double begin;

@@ -37,8 +37,8 @@ bool RingGraphBuilder::advance(int vertices) {
   return nextVertex_ == count;
 }
 
-/// Grows the arrays to what the whole graph will need if it goes on like this: on a large mesh
-/// doubling them would take as much memory again as the graph.
+/// Grows the arrays to the estimated size of the whole graph: doubling them would take twice the
+/// memory on a large mesh.
 void RingGraphBuilder::makeRoom(size_t arcs) {
   const size_t needed = graph_.target.size() + arcs;
   if (needed <= graph_.target.capacity()) return;

@@ -3,37 +3,37 @@
 #include "distance/visibility.h"
 #include "intrinsic/geometry.h"
 
-/// The graph of the paper's approximate distances: each vertex joined to the vertices of its k-ring
-/// by arcs as long as the straight line between them across the faces of the ring (a variation of
-/// S. Xin, G. Wang 2007). Vertices of the ring that do not see each other have no arc of their own:
-/// a shortest path between them turns at vertices, and is made of arcs. The program of the paper's
-/// authors also joins those whose path turns round a saddle. Its curves lie .02 to .08 mean edges
-/// from ours; its fields take half the time.
+/// The graph of the paper's approximate distances. Arcs join each vertex to the vertices of its
+/// k-ring and are as long as the straight lines between them across the faces of the ring (a
+/// variation of S. Xin, G. Wang 2007). Vertices of the ring that do not see each other have no arc:
+/// a shortest path between them turns at vertices and consists of several arcs. The program of the
+/// paper's authors also joins vertices whose path turns at a saddle. Its curves lie .02 to .08 mean
+/// edges from ours; its fields take half the time.
 namespace karcher {
 
 struct RingGraph {
   int rings = 0;
-  Array<int64_t> start;  ///< per vertex the place of its first arc; one entry more at the end
+  Array<int64_t> start;  ///< the index of each vertex's first arc, and the number of arcs
   Array<int> target;
   Array<double> length;
-  /// Per arc the unscaled direction at its target that leads back along it.
+  /// The unscaled direction of each arc's reverse, at its target.
   Array<float> backDirection;
 };
 
-/// Throws Error kBadArgument for a number of rings outside 1 to 10.
+/// Throws Error kBadArgument if `rings` is outside 1 to 10.
 void checkRings(int rings);
 
-/// Builds the graph some vertices at a time: a caller can show the progress and stop the work.
+/// Builds the graph in slices, so that a caller can show progress and stop the work.
 class RingGraphBuilder {
  public:
   /// The geometry must outlive the builder. Throws as `checkRings` does.
   RingGraphBuilder(const Geometry& geometry, int rings);
 
-  /// Does the next `vertices` vertices. Returns true when all are done.
+  /// Adds the next `vertices` vertices. Returns true when all are done.
   bool advance(int vertices);
   /// The part that is done, from 0 to 1.
   double progress() const;
-  /// The graph, once, when all vertices are done.
+  /// Moves the graph out when all vertices are done.
   RingGraph take() { return std::move(graph_); }
 
  private:

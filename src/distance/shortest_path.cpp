@@ -12,31 +12,30 @@
 namespace karcher {
 namespace {
 
-/// Points of a path nearer to each other than this part of a mean edge are one.
+/// Points of a path nearer to each other than this part of a mean edge are merged.
 constexpr double kRepeatedPoint = 1e-13;
 
-/// A straight piece that passes a vertex within this part of an edge may go through it: windows see
-/// past their ends by a tenth of that.
+/// A straight piece that passes a vertex within this part of an edge may go through it; this is ten
+/// times what windows see past their ends.
 constexpr double kThrough = 10 * kSeenTolerance;
 
-/// How much longer, as a part of it, the way through a vertex may be than the shortest path for
-/// rounding to be all of the difference.
+/// A path through a vertex that is longer than the shortest by less than this part differs only by
+/// rounding.
 constexpr double kSameLength = 1e-11;
 
-/// A path's points are as long as its distance, to this part of it.
+/// The length of a path's points equals its distance up to this part.
 [[maybe_unused]] constexpr double kSameMeasure = 1e-6;
 
-/// The vertex that a walk's point lies at, to kThrough; -1 if there is none.
+/// The vertex within kThrough of a walk's point; -1 if there is none.
 int vertexAt(const Geometry& geometry, const SurfacePoint& point) {
   int corner = 0;
   if (point.bary.maxCoeff(&corner) < 1 - kThrough) return -1;
   return geometry.mesh->corner(point.face, corner);
 }
 
-/// Appends the points of a straight piece that starts `left` from the source, without its first and
-/// up to the first saddle on its way. There straight on is no one direction: the way on is the
-/// saddle's own, since its shortest path is the rest of this one. Returns that vertex; -1 where the
-/// piece goes all the way.
+/// Appends the points of a straight piece that starts `left` from the source, without its first, up
+/// to the first saddle. A path does not have one straight continuation at a saddle: it continues
+/// with the saddle's own shortest path. Returns that vertex, or -1 if the piece is complete.
 int appendUpToSaddle(const Geometry& geometry, const WindowDistance& distance,
                      const SurfacePath& path, double left, Array<SurfacePoint>& points) {
   const SurfacePoint start = path.start();
@@ -54,12 +53,13 @@ int appendUpToSaddle(const Geometry& geometry, const WindowDistance& distance,
   return -1;
 }
 
-/// Follows a straight piece, and then the path back to the source from the vertex that it leads to.
-/// Appends the points, without the first.
+/// Follows a straight piece and then the path from its end vertex back to the source. Appends the
+/// points, without the first.
 void followBack(const Geometry& geometry, const WindowDistance& distance, SurfacePath piece,
                 const Arrival& from, Array<SurfacePoint>& points) {
   Arrival arrival = from;
-  // Each turn is nearer to the source than the last, so there are fewer turns than vertices.
+  // Each turn is nearer to the source than the last, which bounds the loop by the number of
+  // vertices.
   for (;;) {
     int vertex = appendUpToSaddle(geometry, distance, piece, arrival.distance, points);
     if (vertex < 0) {
@@ -74,9 +74,9 @@ void followBack(const Geometry& geometry, const WindowDistance& distance, Surfac
   }
 }
 
-/// Turns the points that were walked from the target to the source round, once each. Along an edge,
-/// or past the end of one, rounding may lead a walk into faces next to the path's: there the gap is
-/// closed by the straight line. `length` is the path's distance.
+/// Reverses the points that were walked from the target to the source, without repetitions.
+/// Rounding may lead a walk along an edge, or past the end of one, into faces next to the path's:
+/// straight lines close such gaps. `length` is the path's distance.
 SurfacePath cleaned(const Geometry& geometry, const Array<SurfacePoint>& walked,
                     [[maybe_unused]] double length) {
   const TriangleMesh& mesh = *geometry.mesh;
@@ -140,7 +140,7 @@ SurfacePath shortestPath(const Geometry& geometry, const SurfacePoint& from,
   const TriangleMesh& mesh = *geometry.mesh;
   const double chord = (position(mesh, to) - position(mesh, from)).norm();
   const PointLocation end = locate(mesh, to);
-  // In one face the straight line is the shortest path of all.
+  // In one face the straight line is the shortest path.
   if (haveCommonFace(mesh, from, to)) return {{from, to}, {0, chord}};
 
   WindowDistance distance(geometry);

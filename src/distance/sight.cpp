@@ -7,25 +7,25 @@
 namespace karcher {
 namespace {
 
-/// Paths across more faces, and those that bend more often, are left to solvers.
+/// Paths that cross more faces or bend more often are left to solvers.
 constexpr int kMostFaces = 64;
 constexpr int kMostBends = 8;
-/// A strip is followed anew so often: to a better aim, or on the other side of a vertex.
+/// The number of strips tried for a path, each with a better aim or on the other side of a vertex.
 constexpr int kMostWalks = 6;
 
-/// Over a ridge, or round a limb, several paths are straight. One that is longer than this many
-/// times the line in space is compared with what is found to either side.
+/// Over a ridge, or around a limb, several paths are straight. A path longer than this many times
+/// the line in space is compared with those found to either side.
 constexpr double kSmallDetour = 1.1;
 constexpr double kAside = 0.7;  ///< radians
-/// One that is longer than this many times the line, or one of those compared that passes a vertex
-/// of this curvature, may not be the shortest all the same.
+/// A path longer than this many times the line, or a compared path that passes a vertex of this
+/// curvature, may not be the shortest and is refused.
 constexpr double kMostDetour = 1.4;
 constexpr double kSharp = 0.25;  ///< radians
 
-/// Angles of less, in radians, are rounding.
+/// Smaller angles, in radians, are rounding.
 constexpr double kFlat = 1e-9;
 
-/// The strip of faces between a source and a vertex, laid flat in the frame of the source's face
+/// The strip of faces between a source and a vertex, unfolded in the frame of the source's face
 /// with the source at the origin, and the path in it.
 class SightLine {
  public:
@@ -55,12 +55,12 @@ class SightLine {
   }
 
  private:
-  /// The path that an aim leads to.
+  /// The path that begins with an aim.
   std::optional<Sight> search(Vec2 aim) {
     for (int walk = 0; walk < kMostWalks; ++walk) {
       if (!follow(aim)) return std::nullopt;
       if (leaving_ < 0) {
-        // Halved, since full steps may swing between two aims.
+        // Steps are halved, since full ones may alternate between two aims.
         aim += (walk == 0 ? 1 : 0.5) * better_;
         continue;
       }
@@ -73,7 +73,7 @@ class SightLine {
     return std::nullopt;
   }
 
-  /// A vertex beside the strip. Without initial values, since most of the array is never used.
+  /// A vertex beside the strip. It has no initial values, since most of the array is never used.
   struct Side {
     double x;
     double y;
@@ -87,9 +87,9 @@ class SightLine {
     return projected * (vector.norm() / projected.norm());
   }
 
-  /// Follows the line to an aim across faces up to one that has the vertex. If the aim lies in one
-  /// before, `leaving_` is negative and `better_` leads from it to a better one. Returns false
-  /// where the line cannot be followed.
+  /// Follows the line to an aim across faces up to one with the vertex. If the aim lies in an
+  /// earlier face, `leaving_` is negative and `better_` leads from the aim to a better one. Returns
+  /// false if the line cannot be followed.
   bool follow(const Vec2& aim) {
     leaving_ = -1;
     sideCount_ = 0;
@@ -130,10 +130,10 @@ class SightLine {
     edge_ = edge;
   }
 
-  /// Of an aim on this side of half-edge h, whose ends are `right` and `left`, in its face.
+  /// Improves an aim on this side of half-edge h, whose ends are `right` and `left`, in its face.
   bool aimBetter(int h, const Vec2& right, const Vec2& left, const Vec2& aim) {
     const int f = faceOf(h);
-    // From the face's frame to the source's.
+    // The rotation from the face's frame to the source's.
     const Vec2 turn =
         rotateBack(halfedgeInFace(geometry_, h), left - right) / square(geometry_.edgeLength[h]);
     const Vec2 inFace = cornerInFace(geometry_, f, cornerOf(h)) + rotateBack(turn, aim - right);
@@ -143,7 +143,7 @@ class SightLine {
     return better_.allFinite();
   }
 
-  /// Bends the path from one place to another at those of the vertices first <= i < last beside the
+  /// Bends the path between two places around those of the vertices first <= i < last beside the
   /// strip that are in the way. Returns false if it bends too often.
   bool pullTight(const Vec2& from, const Vec2& to, int first, int last) {
     const Vec2 way = to - from;
@@ -152,7 +152,7 @@ class SightLine {
     for (int i = first; i < last; ++i) {
       const Vec2 off = sides_[i].at() - from;
       const double area = -sides_[i].sign * cross(off, way);
-      // What lies behind is on no side.
+      // Vertices behind the part are on no side.
       if (area <= 0 || off.dot(way) <= 0) continue;
       const double sine = area / off.norm();
       if (!(sine > most)) continue;
@@ -169,7 +169,7 @@ class SightLine {
   }
 
   Vec2 bendAt(int k) const { return sides_[bends_[k]].at(); }
-  /// Where the straight parts of the path begin and end.
+  /// The ends of the path's straight part k.
   Vec2 partStart(int k) const { return k == 0 ? Vec2(0, 0) : bendAt(k - 1); }
   Vec2 partEnd(int k) const { return k == bendCount_ ? at_ : bendAt(k); }
 
@@ -179,8 +179,8 @@ class SightLine {
     return sum;
   }
 
-  /// The number of a vertex beside the strip on whose other side the path is shorter; -1 if there
-  /// is none.
+  /// The index of a vertex beside the strip on whose other side the path is shorter; -1 if there is
+  /// none.
   int passedOnWrongSide() const {
     for (int k = 0; k < bendCount_; ++k) {
       const Vec2 before = bendAt(k) - partStart(k);
@@ -196,9 +196,9 @@ class SightLine {
     return -1;
   }
 
-  /// Round a vertex of positive curvature two straight paths lead. The shorter passes it farther
-  /// off; of two of one length the one on its left is taken. Returns the number of one that a
-  /// straight part passes on the wrong side, or -1.
+  /// Two straight paths lead around a vertex of positive curvature, and the shorter passes at a
+  /// greater distance; of two of equal length the one on its left is taken. Returns the index of a
+  /// vertex that a straight part passes on the wrong side, or -1.
   int passedTooNear(const Vec2& from, const Vec2& to) const {
     const Vec2 way = to - from;
     const double squared = way.squaredNorm();
@@ -223,7 +223,8 @@ class SightLine {
 
   double curvature(int vertex) const { return 2 * kPi - geometry_.totalAngle[vertex]; }
 
-  /// Where the vertex lies if the faces on the other side of one beside the strip are laid flat.
+  /// The position of the target if the faces on the other side of a vertex beside the strip are
+  /// unfolded.
   Vec2 seenOnOtherSide(const Side& side) const {
     const Vec2 turn = unitVector(-side.sign * curvature(side.vertex));
     return side.at() + rotate(turn, at_ - side.at());
@@ -267,8 +268,8 @@ SightSource sourceInFace(const Geometry& geometry, const SurfacePoint& point) {
   return source;
 }
 
-/// Whether paths to a vertex leave a source at a vertex into its face: the vertex lies in the
-/// face's corner there, seen from above.
+/// Whether paths to a vertex leave a source at a vertex into the source's face: the vertex then
+/// lies in the face's corner, seen along the normal.
 bool isAhead(const Geometry& geometry, const SightSource& source, int vertex) {
   const Vec3 way = geometry.mesh->positions[vertex] - source.position;
   const Vec2 aim(way.dot(source.x), way.dot(source.y));

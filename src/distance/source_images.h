@@ -8,14 +8,14 @@
 
 namespace karcher {
 
-/// An image of the source in the plane of a face: the source itself or a vertex that paths turn
-/// round, unfolded across the edges that its straight paths into the face cross. In the frame of
-/// the face.
+/// An image of the source in the plane of a face: the source itself or a vertex at which paths
+/// turn, unfolded across the edges that straight paths into the face cross. Coordinates are in the
+/// frame of the face.
 struct SourceImage {
   int face = -1;
   Vec2 source = Vec2::Zero();
-  double offset = 0;      ///< distance of the point that the paths come from
-  int pseudoSource = -1;  ///< that point, if it is a vertex that paths turn round
+  double offset = 0;      ///< distance of the point that the image stands for
+  int pseudoSource = -1;  ///< that point, if it is a vertex at which paths turn
   /// The paths lie in a sector, counterclockwise from the unit vector `right` to `left`; in all
   /// directions if the image lies in the face itself.
   Vec2 right = Vec2(1, 0);
@@ -27,7 +27,7 @@ struct SourceImage {
 /// kInfinity where the image does not see the point.
 double lengthFrom(const SourceImage& image, const Vec2& point);
 
-/// The images whose paths pass points at one distance from the source, or points of given faces.
+/// The images with paths to points at one distance from the source, or to points of given faces.
 class SourceImages {
  public:
   /// The geometry must outlive the object.
@@ -48,26 +48,26 @@ class SourceImages {
   void clear() { images_.clear(); }
   const Array<SourceImage>& all() const { return images_; }
 
-  /// The source in one of its own faces.
+  /// Adds the source in one of its own faces.
   void addSource(int face, const SurfacePoint& source);
-  /// The sources of windows that are carried across the face of half-edge h, if the face may have
-  /// points at the distance. An image may matter that has none: where its paths undercut another's.
-  /// `tailDistance` is that of h's tail.
+  /// Adds the sources of windows that are propagated across the face of half-edge h, if the face
+  /// may have points at the distance. An image without such points may matter where its paths are
+  /// shorter than another's. `tailDistance` is that of h's tail.
   void addWindows(int h, const Array<Window>& windows, double tailDistance);
-  /// A vertex at `distance` that paths turn round, in the corner of half-edge h, between the angles
-  /// `from` and `to`, which are measured from h.
+  /// Adds a vertex at `distance` at which paths turn, in the corner of half-edge h, between the
+  /// angles `from` and `to`, which are measured from h.
   void addCorner(int h, double distance, double from, double to);
 
  private:
-  /// Whether no point of a face can matter, all of which lie between two distances.
+  /// Whether a face has no relevant points, if all of them lie between two distances.
   bool isNotAsked(int face, double nearest, double farthest) const {
     if (!faces_.empty()) return !std::binary_search(faces_.begin(), faces_.end(), face);
     return nearest > distance_ || farthest < distance_;
   }
 
   const Geometry& geometry_;
-  double distance_ = -1;  ///< none are kept
-  Array<int> faces_;      ///< sorted; empty where the distance counts
+  double distance_ = -1;  ///< -1: none are kept
+  Array<int> faces_;      ///< sorted; empty if the distance decides
   Array<SourceImage> images_;
 };
 

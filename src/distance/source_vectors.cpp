@@ -12,7 +12,7 @@ void SourceVectors::setSource(const SurfacePoint& source) {
     know(location.vertex, Vec2::Zero());
     for (const int h : outgoingHalfedges(mesh, location.vertex)) {
       know(mesh.head(h), geometry_.edgeLength[h] * directionOfEdge(geometry_, h).tail);
-      // At the boundary the last edge has its half-edge the other way alone.
+      // At the boundary the last edge has only the opposite half-edge.
       const int last = previous(h);
       if (mesh.twin[last] >= 0) continue;
       know(mesh.tail(last), -geometry_.edgeLength[last] * directionOfEdge(geometry_, last).head);
@@ -39,8 +39,8 @@ void SourceVectors::know(int vertex, const Vec2& vector) {
 }
 
 const Vec2& SourceVectors::at(const DistanceSolver& solver, int vertex) {
-  // Each vertex is asked once, so that this ends; where a path seems to come from a vertex whose
-  // own comes from it, as rounding may have it, the other end of the edge counts alone.
+  // Each vertex is visited once, so that this ends. If rounding makes two paths come from each
+  // other's vertices, only the other end of the edge counts.
   ask(solver, vertex);
   while (!asked_.empty()) {
     const Asked last = asked_.back();
@@ -51,7 +51,7 @@ const Vec2& SourceVectors::at(const DistanceSolver& solver, int vertex) {
   return vectors_[vertex];
 }
 
-/// Whether the vertex had to be asked.
+/// Returns whether the vertex had to be added.
 bool SourceVectors::ask(const DistanceSolver& solver, int vertex) {
   if (vertex < 0 || states_[vertex] != State::kUnknown) return false;
   states_[vertex] = State::kAsked;
@@ -68,7 +68,7 @@ void SourceVectors::take(const Asked& asked, double distance) {
   } else if (isKnown(step.head)) {
     vector = vectors_[step.head];
   }
-  // Ends on opposite sides of the source may leave nothing between them.
+  // The interpolation between ends on opposite sides of the source may vanish.
   if (!(vector.norm() > 0) && isKnown(step.tail)) vector = vectors_[step.tail];
   const double length = vector.norm();
   vectors_[asked.vertex] = length > 0 ? Vec2(distance / length * vector) : Vec2::Zero();

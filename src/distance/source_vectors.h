@@ -2,13 +2,14 @@
 
 #include "distance/distance_solver.h"
 
-/// The log vectors of vertices at the source of their distances: in which directions the shortest
-/// paths leave it.
+/// The log vectors of vertices at the source of their distances: the directions in which shortest
+/// paths leave the source, scaled to their lengths.
 ///
-/// A path to a vertex crosses the edge between two others. There the log vector is that of the
-/// edge's ends, interpolated, and only its length changes on the way to the vertex. So directions
-/// are carried outwards from the source (after E. Melvaer, M. Reimers, "Geodesic Polar Coordinates
-/// on Polygonal Meshes", 2012, who interpolate angles). On a plane they are exact.
+/// A path to a vertex crosses the edge between two others. The log vector at the crossing is
+/// interpolated between the edge's ends, and only its length changes on the way to the vertex. So
+/// directions are propagated outwards from the source (after E. Melvaer, M. Reimers, "Geodesic
+/// Polar Coordinates on Polygonal Meshes", 2012, who interpolate angles). On a plane they are
+/// exact.
 namespace karcher {
 
 class SourceVectors {
@@ -16,18 +17,18 @@ class SourceVectors {
   /// The geometry must outlive the object.
   explicit SourceVectors(const Geometry& geometry) : geometry_(geometry) {}
 
-  /// For another source. At a vertex the vectors are those of its tangent plane (tangent.h).
+  /// Changes the source. At a vertex the vectors are in its tangent plane (tangent.h).
   void setSource(const SurfacePoint& source);
 
-  /// log of a vertex at the source, in its tangent plane: that of its face, or of the vertex. The
-  /// solver must have the same source, be one that tells the steps of paths, and have grown to the
+  /// The log of a vertex at the source, in the source's tangent plane: that of its face, or of its
+  /// vertex. The solver must have the same source, implement `stepTo`, and have grown to the
   /// vertex.
   const Vec2& at(const DistanceSolver& solver, int vertex);
 
  private:
   enum class State : uint8_t { kUnknown, kAsked, kKnown };
 
-  /// A vertex that waits for those that its path comes from.
+  /// A vertex that waits for the vertices before it on its path.
   struct Asked {
     int vertex = -1;
     PathStep step;

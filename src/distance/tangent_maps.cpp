@@ -10,10 +10,10 @@
 namespace karcher {
 namespace {
 
-/// Of a line, between which its nearest point is looked for.
+/// The number of parts of a line between which its nearest point is searched.
 constexpr int kParts = 12;
 constexpr int kMostSteps = 80;
-/// How near the foot is found, as a part of the line's length.
+/// The precision of the foot, as a part of the line's length.
 constexpr double kPrecision = 1e-15;
 
 /// A point of a line, and the path to it from the point that is mirrored.
@@ -21,7 +21,7 @@ struct LinePoint {
   double length = 0;  ///< from the line's start
   SurfacePath path;
   Vec2 along = Vec2::Zero();  ///< the line's unit tangent, at the end of the path
-  double slope = 0;           ///< of the path's length along the line
+  double slope = 0;           ///< the derivative of the path's length along the line
 };
 
 LinePoint linePointAt(const Geometry& geometry, const SurfacePath& line, double length,
@@ -49,7 +49,7 @@ LinePoint linePointAt(const Geometry& geometry, const SurfacePath& line, double 
       "end");
 }
 
-/// The nearest point of a line, between neighbors of the nearest of a dozen.
+/// The nearest point of a line, between the neighbours of the nearest of a dozen points.
 LinePoint footOn(const Geometry& geometry, const SurfacePath& line, const SurfacePoint& point,
                  FindPathWorkspace& workspace) {
   const double whole = line.length();
@@ -61,8 +61,8 @@ LinePoint footOn(const Geometry& geometry, const SurfacePath& line, const Surfac
     LinePoint candidate = at(whole * i / kParts);
     if (candidate.path.length() < best.path.length()) best = std::move(candidate);
   }
-  // The sign of the slope changes between these two; secants, halved where one end stays
-  // (Illinois).
+  // The slope changes its sign between these two; the Illinois variant of the secant method finds
+  // its zero.
   double low = best.slope < 0 ? best.length : std::max(0.0, best.length - whole / kParts);
   double high = best.slope < 0 ? std::min(whole, best.length + whole / kParts) : best.length;
   if (low >= high) throwNoFoot();
@@ -77,7 +77,7 @@ LinePoint footOn(const Geometry& geometry, const SurfacePath& line, const Surfac
     }
     LinePoint candidate = at(middle);
     const double slope = candidate.slope;
-    // Near the foot lengths differ by rounding alone.
+    // Near the foot, lengths differ only by rounding.
     const bool isNearer = candidate.path.length() < (1 - 1e-12) * best.path.length();
     if (isNearer || std::abs(slope) < std::abs(best.slope)) best = std::move(candidate);
     if (slope == 0) break;

@@ -8,9 +8,9 @@ namespace {
 /// A bound on the windows of one call; only a surface folded upon itself many times comes near.
 constexpr int kMostWindows = 200'000;
 
-/// Rings do not go round a vertex of more edges: all its neighbours would see each other, and arcs
-/// grow as the square of their number. Paths to those behind lead over the vertex, or from
-/// neighbour to neighbour.
+/// Rings do not extend past a vertex with more edges, since all its neighbours would see each
+/// other, and arcs would grow as the square of their number. Paths to vertices behind lead over the
+/// vertex, or from neighbour to neighbour.
 constexpr int kMostEdges = 256;
 
 bool hasManyEdges(const TriangleMesh& mesh, int vertex) {
@@ -120,7 +120,7 @@ void Visibility::see(int vertex, double length, double direction) {
 
 void Visibility::addWindow(int h, Window window) {
   if (!allowed(mesh_.opposite(h))) return;
-  // What the way over an end of the edge beats leads to no shortest path (Xin, Wang 2009).
+  // A part that the path over an end of the edge beats leads to no shortest path (Xin, Wang 2009).
   const double length = geometry_.edgeLength[h];
   if (trimByTail(window, seen(mesh_.tail(h))) && trimByHead(window, seen(mesh_.head(h)), length) &&
       !isTooNarrow(window, kNarrowestWindow * length)) {

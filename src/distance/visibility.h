@@ -6,29 +6,30 @@
 namespace karcher {
 
 /// The vertices that a point sees in a straight line across the faces around it, unfolded: the arcs
-/// of the graph solver. A window is the part of an edge that the point sees; it is carried across
-/// the face behind and split at the vertex there (the windows of window_distance.h without vertices
-/// that paths turn round: a path that does is made of arcs).
+/// of the graph solver. A window is the part of an edge that the point sees; it is propagated
+/// across the face behind and split at the vertex there. Unlike in window_distance.h, paths do not
+/// turn at vertices: a path that does consists of several arcs.
 class Visibility {
  public:
   struct Sight {
     int vertex = -1;
     double length = 0;
-    double direction = 0;  ///< unscaled, at the vertex, in which the line leaves it to the source
+    double direction = 0;  ///< the unscaled direction at the vertex towards the source
   };
 
   explicit Visibility(const Geometry& geometry);
 
-  /// What a vertex sees within its k-ring: the faces whose corners are all at most `rings` edges
-  /// away. For each vertex the shortest line; a line longer than another path may be left out.
+  /// The vertices that a vertex sees within its k-ring, the faces whose corners are all at most
+  /// `rings` edges away. Each has its shortest line; a line longer than another path may be left
+  /// out.
   const Array<Sight>& fromVertex(int vertex, int rings);
 
-  /// What a point inside a face or on an edge sees within the faces that share a vertex with its
-  /// face or faces.
+  /// The vertices that a point inside a face or on an edge sees within the faces that share a
+  /// vertex with its face or faces.
   const Array<Sight>& fromPoint(const SurfacePoint& point);
 
  private:
-  /// What the source sees of a half-edge; it goes on through the half-edge's face.
+  /// The part of a half-edge that the source sees, which continues through the half-edge's face.
   struct WaitingWindow {
     int halfedge;
     Window window;
@@ -45,8 +46,8 @@ class Visibility {
 
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
-  /// Per vertex the number of the last call that allowed it, and of the last that saw it: a new
-  /// call need not clear them.
+  /// For each vertex, the number of the last call that allowed it and of the last that saw it, so
+  /// that a new call need not clear them.
   Array<int> ringCall_;
   Array<int> sightCall_;
   Array<int> sightOf_;  ///< per vertex, its number in sights_

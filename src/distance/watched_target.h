@@ -6,14 +6,14 @@
 
 namespace karcher {
 
-/// How the shortest path reaches a target inside a face or on an edge.
+/// The end of the shortest path to a target inside a face or on an edge.
 struct TargetArrival {
   Arrival arrival;
   int face = -1;                ///< the face through which the path arrives
   Vec2 direction = Vec2(1, 0);  ///< unit, towards the source, in the frame of that face
 };
 
-/// A point of a face or an edge that windows are carried past.
+/// A point of a face or an edge whose distance is updated as windows pass it.
 class WatchedTarget {
  public:
   /// The geometry must outlive the object.
@@ -27,9 +27,10 @@ class WatchedTarget {
   bool liesIn(int face) const { return face == faces_[0] || face == faces_[1]; }
   const TargetArrival& best() const { return best_; }
 
-  /// The straight path through the corner of half-edge h, from its tail, which is at `distance`.
+  /// Updates by the straight path through the corner of half-edge h, from its tail, which is at
+  /// `distance`.
   void arriveFromCorner(int h, int vertex, double distance);
-  /// The path through a window of half-edge h.
+  /// Updates by the path through a window of half-edge h.
   void arriveThrough(int h, const Window& window);
 
  private:
@@ -40,7 +41,7 @@ class WatchedTarget {
   SurfacePoint point_;
   int faces_[2] = {-1, -1};
   TargetArrival best_;
-  int via_ = -1;  ///< the half-edge that it came by
+  int via_ = -1;  ///< the half-edge through which the path arrived
 };
 
 }  // namespace karcher

@@ -7,10 +7,10 @@
 namespace karcher {
 namespace {
 
-/// Where two paths are compared: at so many parts of their lengths.
+/// The number of even parts of their lengths at which two paths are compared.
 constexpr int kComparedParts = 32;
 
-/// How far apart they may lie there, as a part of their length.
+/// The largest distance there of equal paths, as a part of their length.
 constexpr double kSamePath = 1e-4;
 
 bool areAlike(const TriangleMesh& mesh, const SurfacePath& a, const SurfacePath& b) {
@@ -25,7 +25,7 @@ bool areAlike(const TriangleMesh& mesh, const SurfacePath& a, const SurfacePath&
   return true;
 }
 
-/// Whether the waypoints are a path across the faces from edge to edge.
+/// Whether the waypoints are themselves a path across faces from edge to edge.
 bool areCrossings(const TriangleMesh& mesh, const SurfacePoint& from,
                   const Array<SurfacePoint>& waypoints, const SurfacePoint& to) {
   const SurfacePoint* last = &from;
@@ -75,7 +75,7 @@ Array<SurfacePoint> waypointsOf(const Geometry& geometry, const SurfacePath& pat
     return findPathBy(geometry, path.start(), waypoints, path.end(), workspace, found) &&
            areAlike(mesh, path, found);
   };
-  // Of more points than the path has, none would be pulled past a vertex.
+  // With as many waypoints as the path has points, straightening could move none.
   for (int count = 0; count == 0 || count < path.points.count() - 2; count = 2 * count + 1) {
     waypoints.clear();
     for (int i = 1; i <= count; ++i) {

@@ -14,24 +14,24 @@ struct Window {
   double end = 0;
   double sourceX = 0;  ///< the source lies at (sourceX, -depth)
   double depth = 0;
-  double offset = 0;  ///< distance of the source itself, if it is a vertex that paths turn round
+  double offset = 0;      ///< distance of the source itself, if it is a vertex at which paths turn
   int pseudoSource = -1;  ///< that vertex, or -1
 };
 
-/// A window, or what is left of it, narrower than this part of its edge is dropped. What lies
-/// behind it is found from its neighbours, with an error of second order in this number.
+/// A window, or its rest, that is narrower than this part of its edge is dropped. The region behind
+/// it is found from its neighbours, with an error of second order in this number.
 inline constexpr double kNarrowestWindow = 1e-11;
-/// Places on an edge, and sources beside it, are known to this part of its length. Ends of windows
-/// that lie so near to an end of the edge, or to the line to the apex, are there: from a source
-/// that is much nearer than the edge is long, all that such a gap opens to would be lost.
+/// Positions on an edge, and of sources beside it, are known to this part of its length. Ends of
+/// windows within this part of an end of the edge, or of the line to the apex, are moved there: a
+/// source much nearer than the edge is long would miss everything behind such a gap.
 inline constexpr double kPlaceRounding = 1e-15;
 
-/// The narrowest where edges are so short that a wider window may be all that passes between their
-/// ends: what rounding does not make.
+/// The narrowest window where edges are so short that wider ones may be all that passes between
+/// their ends: just above rounding.
 inline constexpr double kNarrowestWideWindow = kPlaceRounding;
 
-/// A way beats another only if it is shorter by this part of its whole length, which is more than
-/// rounding makes of equal ways.
+/// A path beats another only if it is shorter by this part of its whole length, which exceeds the
+/// rounding of equal paths.
 inline constexpr double kBeats = 1e-12;
 
 inline double square(double x) { return x * x; }
@@ -65,21 +65,22 @@ inline Window mirrored(const Window& w, double length) {
   return m;
 }
 
-/// Cuts off what the way over the half-edge's tail and along the edge beats: the interval up to
-/// where both are equal. Returns false if nothing is left.
+/// Trims the interval that the path over the half-edge's tail and along the edge beats, up to where
+/// both are equal. Returns false if nothing is left.
 inline bool trimByTail(Window& w, double tailDistance) {
   const double lead = tailDistance * (1 + kBeats) - w.offset;
   const double leg = square(w.sourceX) + square(w.depth);
   if (lead >= 0 && square(lead) >= leg) return true;
-  // |x - source| = lead + x, and the difference falls with x. Where that is badly conditioned the
-  // two ways are almost equal for long, so x may be far off but not the lengths at x.
+  // Solves |x - source| = lead + x, whose difference falls with x. If this is ill-conditioned, the
+  // two paths are almost equal over a long range, so that x may be far off but not the lengths at
+  // x.
   const double slope = 2 * (lead + w.sourceX);
   if (!(slope > 0)) return false;
   w.begin = std::max(w.begin, (leg - square(lead)) / slope);
   return w.begin < w.end;
 }
 
-/// The same over the head.
+/// The same for the path over the head.
 inline bool trimByHead(Window& w, double headDistance, double length) {
   const double lead = headDistance * (1 + kBeats) - w.offset;
   const double toSource = length - w.sourceX;
@@ -93,9 +94,10 @@ inline bool trimByHead(Window& w, double headDistance, double length) {
 
 inline bool isTooNarrow(const Window& w, double width) { return !(w.end - w.begin > width); }
 
-/// A window carried across its face to the edge that leaves the tail along the unit vector
-/// `along`, in the frame of that edge, tail kept. `apexCrossing` is where the line from the source
-/// to the face's apex crosses the half-edge, of length `from`; `length` is that of the new edge.
+/// A window propagated across its face to the edge that leaves the tail along the unit vector
+/// `along`, in the frame of that edge with the same tail. `apexCrossing` is where the line from the
+/// source to the face's apex crosses the half-edge, of length `from`; `length` is that of the new
+/// edge.
 inline Window carriedToTailEdge(const Window& w, const Vec2& along, double from, double length,
                                 double apexCrossing) {
   const double rounding = kPlaceRounding * from;
@@ -111,7 +113,7 @@ inline Window carriedToTailEdge(const Window& w, const Vec2& along, double from,
   return c;
 }
 
-/// True if a vertex behind the window at (x, -depth) and at distance `vertexDistance` beats all of
+/// Whether a vertex behind the window at (x, -depth) and at distance `vertexDistance` beats all of
 /// it. Every line from the window's source through it must cross the segment from the vertex to the
 /// end of the window at `farEnd`.
 inline bool isBeatenFrom(const Window& w, double vertexDistance, double x, double depth,
@@ -120,7 +122,7 @@ inline bool isBeatenFrom(const Window& w, double vertexDistance, double x, doubl
   return lead + std::sqrt(square(farEnd - x) + square(depth)) < std::sqrt(squaredLegTo(w, farEnd));
 }
 
-/// Some of the windows that wait at a half-edge, and the block that holds more of them.
+/// Some of the windows that wait at a half-edge, and the next block with more of them.
 struct WindowBlock {
   static constexpr int kCapacity = 8;
   Window windows[kCapacity];
@@ -128,12 +130,13 @@ struct WindowBlock {
   int next = -1;
 };
 
-/// Memory for waiting windows; freed blocks are used again.
+/// Memory for waiting windows; freed blocks are reused.
 class WindowPool {
  public:
   WindowBlock& operator[](int block) { return blocks_[block]; }
 
-  /// Puts a window before the list of blocks that starts with `first`; returns the new start.
+  /// Adds a window in front of the list of blocks that starts with `first`, and returns the new
+  /// start.
   int add(int first, const Window& window) {
     if (first < 0 || blocks_[first].count == WindowBlock::kCapacity) {
       const int block = takeBlock();
