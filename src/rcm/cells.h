@@ -41,10 +41,10 @@ class Cells {
     return cut_ ? clampedPoint(cell / 4, toFaceWeights(cell, bary)) : clampedPoint(cell, bary);
   }
 
-  /// Of weights in a cell, or differences of them, those in its face.
+  /// Converts barycentric weights of a cell, or differences of them, to those of its face.
   Vec3 inFace(int cell, const Vec3& bary) const { return cut_ ? toFaceWeights(cell, bary) : bary; }
 
-  /// At parameter s in [0, 1] along half-edge h.
+  /// The point at parameter s in [0, 1] along half-edge h.
   SurfacePoint pointOnEdge(int h, double s) const;
 
   /// The tail of half-edge h, in the same face whichever of its half-edges is given.

@@ -13,15 +13,15 @@ enum class Status {
   kBoundary,    ///< the minimum lies on the boundary, where grad K does not vanish
   kNoProgress,  ///< no point along the Newton step has a smaller gradient
   kLimit,       ///< the bound on iterations was reached
-  /// A zero, but near it K by exact distances is lower (exact_minimum.h). Only where means are
-  /// checked (mean.h).
+  /// The point is a zero, but K by exact distances is lower near it (exact_minimum.h). Only for
+  /// checked means (mean.h).
   kLowerNearby,
 };
 
 /// The name of a status in reports: "converged".
 const char* statusName(Status status);
 
-/// A zero whose barycentric weights go no further below 0 lies in the face.
+/// A zero lies in the face if no barycentric weight is further below 0.
 inline constexpr double kInsideTolerance = 1e-10;
 
 struct CenterOfMass {
@@ -30,17 +30,17 @@ struct CenterOfMass {
   int iterations = 0;
 };
 
-/// Whether grad K vanishes at a point, up to rounding, and the Hessian there is positive definite:
-/// a search that starts there has nothing to look for, though another zero may lie deeper in a face
-/// near by (deepest_zero.h).
+/// Whether grad K vanishes at a point, up to rounding, and the Hessian there is positive definite.
+/// A search that starts there ends at once, though another zero may lie deeper in a face near by
+/// (deepest_zero.h).
 bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point);
 
-/// The zero on an edge behind which the cells on both sides each have theirs, or around the end
-/// that it lies beyond. `h` is a half-edge of a cell, not of the boundary.
+/// The zero on an edge if the cells on both sides each have theirs behind it, or around the end of
+/// the edge that it lies beyond. `h` is a half-edge of a cell, not on the boundary.
 CenterOfMass centerBetween(FieldBlend& fields, Weights weights, int h);
 
-/// The zero of the blended field by walking from face to face: in each face the zero in closed
-/// form; outside it, on to the face across the edge that it lies behind. From a start near by it
+/// Finds the zero of the blended field by walking from face to face. In each face the zero has a
+/// closed form; if it lies outside, the walk crosses the edge that it lies behind. A near start
 /// takes one or two faces. Zeros between faces are taken on their edge or vertex.
 CenterOfMass walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start);
 

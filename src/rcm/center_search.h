@@ -3,15 +3,15 @@
 #include "rcm/center_of_mass.h"
 #include "rcm/field_options.h"
 
-/// The search of each method.
+/// The search for centers by each method.
 namespace karcher {
 
 /// The center of mass of the blended fields, by the method's search.
 CenterOfMass findCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,
                         Method method);
 
-/// Whether the method's search goes on where the Hessian is not positive definite, as our walk
-/// does. Newton's method, the paper's, stops there: its answer depends on where it starts.
+/// Whether the method's search continues where the Hessian is not positive definite, as our walk
+/// does. The paper's Newton's method stops there, so that its answer depends on its start.
 inline bool goesOnWhereIndefinite(Method method) { return method != Method::kPaper; }
 
 }  // namespace karcher

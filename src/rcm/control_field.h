@@ -15,19 +15,19 @@ struct FieldValue {
   double squaredDistance = 0;    ///< d(v, p)^2
 };
 
-/// The field of one control point. The value at a vertex is computed when it is first asked for,
-/// and kept: a field takes memory and time for its neighbourhood, not for the mesh.
+/// The field of one control point. The value at a vertex is computed on first use and kept, so that
+/// a field takes memory and time for its neighbourhood, not for the mesh.
 class ControlField {
  public:
-  /// Computes the value at a vertex. It must depend on the vertex alone, not on earlier calls.
+  /// Computes the value at a vertex, which must depend only on the vertex, not on earlier calls.
   using Evaluate = std::function<FieldValue(int vertex)>;
 
-  /// Computes what a field has at the midpoint of a half-edge beyond the mean of its ends, in the
-  /// half-edge's frame: its direction is the x axis.
+  /// Computes the field at the midpoint of a half-edge minus the mean of its ends, in the
+  /// half-edge's frame, whose x axis is its direction.
   using EvaluateMidpoint = std::function<Vec2(int halfedge)>;
 
-  /// Forgets all values; from now on `evaluate` computes them. Costs what was touched.
-  /// With `evaluateMidpoint` the field has values at the midpoints of edges as well.
+  /// Removes all values, in time linear in their number; `evaluate` computes new ones. With
+  /// `evaluateMidpoint` the field also has values at the midpoints of edges.
   void reset(Evaluate evaluate, EvaluateMidpoint evaluateMidpoint = {}) {
     numberOf_.clear();
     values_.clear();
@@ -48,8 +48,8 @@ class ControlField {
 
   bool hasMidpoints() const { return static_cast<bool>(evaluateMidpoint_); }
 
-  /// What the field has at the midpoint of a half-edge beyond the mean of its ends. A caller asks
-  /// for the same half-edge of an edge each time.
+  /// The field at the midpoint of a half-edge minus the mean of its ends. Callers must always use
+  /// the same half-edge of an edge.
   const Vec2& midpointCorrection(int halfedge) {
     const auto [entry, isNew] = corrections_.try_emplace(halfedge);
     if (isNew) {
@@ -63,11 +63,11 @@ class ControlField {
     return entry->second;
   }
 
-  /// The same without keeping it, for a caller who reads each once.
+  /// The same without keeping it, for callers that read each value once.
   Vec2 midpointCorrectionUnkept(int halfedge) const { return evaluateMidpoint_(halfedge); }
 
  private:
-  /// Most near fields hold fewer values.
+  /// Enough memory for the values of most near fields.
   static Array<FieldValue> roomForNearField() {
     Array<FieldValue> values;
     values.reserve(64);

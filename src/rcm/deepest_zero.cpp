@@ -7,7 +7,7 @@
 namespace karcher {
 namespace {
 
-/// Each step goes to a deeper zero: more than two or three only where faces are all slivers.
+/// Each step leads to a deeper zero; more than two or three occur only where all faces are slivers.
 constexpr int kMostMoves = 8;
 
 class DeepestZero {

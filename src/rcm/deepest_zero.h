@@ -5,23 +5,23 @@
 namespace karcher {
 
 /// The field is not continuous across edges: near an edge two cells may each have a zero, or
-/// neither of them. Where both have one, the zero that lies deeper inside its cell counts, so that
-/// a center does not depend on the cell that the search met first.
+/// neither of them. If both have one, the zero that lies deeper inside its cell counts, so that a
+/// center does not depend on the cell that the search visited first.
 ///
 /// `zero` is the blend's zero in `cell` and lies inside it. Returns the deepest of it and the zeros
-/// around it. Where `isTheOnlyZero` holds, which is usual and quickly told, that is `zero` itself.
+/// around it. If `isTheOnlyZero` holds, which is usual and quickly decided, that is `zero` itself.
 SurfacePoint deepestZero(FieldBlend& fields, Weights weights, int cell, const CellZero& zero);
 
-/// A zero whose weights are no smaller than this is the only one near by: the field's discontinuity
-/// moves a zero by a smaller part of an edge (or makes the curve jump, which curves/trace/bridge.h
-/// finds).
+/// A zero whose weights are all at least this is the only one near by, since the field's
+/// discontinuity moves a zero by a smaller part of an edge. (Larger discontinuities make a curve
+/// jump, which curves/trace/bridge.h finds.)
 inline constexpr double kNearEdge = 0.1;
 
-/// Whether no face beside an edge can have another zero where the blend is that of `zero` and the
-/// zero so far inside the face.
+/// Whether no adjacent face can have another zero, given the cell's zero and its depth inside the
+/// face.
 inline bool isTheOnlyZero(const CellZero& zero, double depth) {
-  // Seen from the side of a zero, the values at an edge's ends make an angle of less than pi. Seen
-  // from the other face they are turned by `holonomy` at most.
+  // In the zero's face, the values at an edge's ends make an angle of less than pi. In the other
+  // face they are turned by at most `holonomy`.
   const double most =
       std::max({zero.field.corner[0].squaredNorm(), zero.field.corner[1].squaredNorm(),
                 zero.field.corner[2].squaredNorm()});

@@ -10,8 +10,8 @@ namespace {
 
 using Neighbour = StencilNeighbour;
 
-/// Adds what carrying along one edge gives to the neighbours from number `begin` on; those before
-/// lie in rings that are done. A neighbour's sums stand in `place` and `rotation`.
+/// Adds the transport along one edge to the neighbours from index `begin` on; earlier ones lie in
+/// finished rings. A neighbour's sums are kept in `place` and `rotation`.
 void carry(Array<Neighbour>& ring, int begin, Array<int>& ways, const Neighbour& from, int vertex,
            double length, double directionThere, double directionBack) {
   const auto known = std::find_if(ring.begin(), ring.end(),
@@ -29,11 +29,11 @@ void carry(Array<Neighbour>& ring, int begin, Array<int>& ways, const Neighbour&
   ++ways[number - begin];
 }
 
-/// The vertex itself, then its ring by ring neighbours, each carried along all edges from the ring
-/// before: the mean of these ways, so that it does not depend on the numbers of vertices and faces.
-/// Rings do not go beyond a hub: its own log vector is its estimate, since stencils through hubs
-/// would take as much as the square of their edges, and so many values are paths round all of them.
-/// Writes to `ring`.
+/// Writes to `ring` the vertex itself and then its neighbours, ring by ring. Each is placed by the
+/// mean of the transports along all edges from the ring before, so that it does not depend on the
+/// numbers of vertices and faces. Rings do not extend past a hub, whose estimate is its own log
+/// vector: stencils through hubs would grow as the square of their edges and would mix paths around
+/// all sides of them.
 void findRings(const Geometry& geometry, int vertex, int rings, Array<Neighbour>& ring,
                Array<int>& ways) {
   const TriangleMesh& mesh = *geometry.mesh;
@@ -69,8 +69,8 @@ void findRings(const Geometry& geometry, int vertex, int rings, Array<Neighbour>
   }
 }
 
-/// How much of an estimate is the vertex's own log vector (Stencil). Vertices of the boundary have
-/// no defect to compare.
+/// The share of the vertex's own log vector in an estimate (Stencil). Boundary vertices have no
+/// angle defect to compare.
 double logVectorShareOf(const Geometry& geometry, int vertex) {
   constexpr double kEven = 0.003;
   const TriangleMesh& mesh = *geometry.mesh;
@@ -94,7 +94,7 @@ double logVectorShareOf(const Geometry& geometry, int vertex) {
   return variance / (variance + mean * mean + kEven * kEven);
 }
 
-/// A linear map under which the neighbours' places have unit covariance about the vertex.
+/// A linear map that gives the neighbours' positions unit covariance about the vertex.
 Eigen::Matrix2d whitening(const Array<Neighbour>& ring) {
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
   for (const Neighbour& n : ring) covariance += n.place * n.place.transpose();
@@ -103,14 +103,14 @@ Eigen::Matrix2d whitening(const Array<Neighbour>& ring) {
   return lower.inverse();
 }
 
-/// The linear fit averages noise away with all of its ring.
+/// The weights of the linear fit, which averages noise over its whole ring.
 double wideGaussian(const Vec2& white) { return std::exp(-white.squaredNorm() / 2); }
 
-/// The quadratic fit takes its second ring for what the first leaves open: near the vertex it stays
-/// closer to the polyhedron's own distances.
+/// The weights of the quadratic fit, in which the second ring only determines what the first
+/// cannot, so that near the vertex it stays closer to the polyhedron's own distances.
 double narrowGaussian(const Vec2& white) { return std::exp(-2 * white.squaredNorm()); }
 
-/// Terms over log vectors; the vertex's own vector alone where the fit is not determined.
+/// Terms over log vectors; only the vertex's own vector if the fit is not determined.
 void linearTerms(const Array<Neighbour>& ring, double share, Array<StencilTerm>& terms) {
   const Eigen::Matrix2d toWhite = whitening(ring);
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -134,8 +134,8 @@ void linearTerms(const Array<Neighbour>& ring, double share, Array<StencilTerm>&
   terms[first].x += share;
 }
 
-/// The vertex's own log vector, then terms over differences of squared distances; false where the
-/// ring does not determine the fit.
+/// The vertex's own log vector, then terms over differences of squared distances. Returns false if
+/// the ring does not determine the fit.
 bool quadraticTerms(const Array<Neighbour>& ring, double share, Array<StencilTerm>& terms) {
   using Vector5 = Eigen::Matrix<double, 5, 1>;
   using Matrix5 = Eigen::Matrix<double, 5, 5>;

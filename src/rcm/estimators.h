@@ -3,41 +3,42 @@
 #include "distance/paged_array.h"
 #include "intrinsic/geometry.h"
 
-/// Estimators of the gradient of a squared distance at a vertex, as linear combinations of what a
-/// solver found around it. Their coefficients depend on the mesh alone, so they serve all fields.
+/// Estimators of the gradient of a squared distance at a vertex, as linear combinations of a
+/// solver's values around it. Their coefficients depend only on the mesh, so that all fields share
+/// them.
 ///
-/// Neighbours are placed in the plane of the vertex's frame along edges, and weighted by a Gaussian
-/// of the covariance of their places, which makes the weights blind to a mesh's stretch.
+/// Neighbours are placed in the plane of the vertex's frame along edges and weighted by a Gaussian
+/// of the covariance of their positions, so that the weights do not depend on a mesh's anisotropy.
 ///
-/// A fit averages the noise of single vectors away where triangles stand for a smooth surface. On a
-/// rough one, as a scan, paths keep to the sides of vertices where they are shortest, which a fit
-/// takes for noise. So the vertex's own log vector takes the fit's place by degrees, as angle
-/// defects vary from vertex to vertex (Stencil).
+/// A fit averages out the noise of single vectors where triangles approximate a smooth surface. On
+/// a rough surface such as a scan, shortest paths prefer one side of a vertex, which a fit mistakes
+/// for noise. So the more angle defects vary from vertex to vertex, the more the vertex's own log
+/// vector replaces the fit (Stencil).
 namespace karcher {
 
 enum class Estimator {
-  /// Linear least-squares fit of the log vectors of the 1-ring, carried into the vertex's frame:
-  /// its value at the vertex. Exact for fields that are linear, as on the plane; halves the noise
-  /// of single vectors.
+  /// The value at the vertex of a linear least-squares fit to the log vectors of the 1-ring,
+  /// transported into the vertex's frame. It is exact for linear fields, as on the plane, and
+  /// halves the noise of single vectors.
   kLinear1,
   /// The same over the 2-ring.
   kLinear2,
-  /// Quadratic least-squares fit of squared distances over the 2-ring, through the vertex's own
-  /// value: its gradient there. Second order; kLinear2 where the ring does not determine the fit.
-  /// For log vectors that are exact: how much of the fit they replace depends on the field as well
+  /// The gradient at the vertex of a quadratic least-squares fit to squared distances over the
+  /// 2-ring, through the vertex's own value. It is of second order, and is kLinear2 if the ring
+  /// does not determine the fit. It needs exact log vectors, whose share also depends on the field
   /// (shareOfLogVector).
   kQuadratic2,
 };
 
-/// Whether estimates are linear in what a solver found, so that the estimate of a sum of fields is
+/// Whether estimates are linear in a solver's values, so that the estimate of a sum of fields is
 /// the sum of their estimates.
 inline bool isLinear(Estimator estimator) { return estimator != Estimator::kQuadratic2; }
 
 /// A term of a stencil. A term of vectors is the neighbour's vector times (x, y) as a complex
-/// number. A term of distances is the neighbour's squared distance less that of the vertex, times
+/// number. A term of distances is the neighbour's squared distance minus that of the vertex, times
 /// the vector (x, y).
 struct StencilTerm {
-  /// Two numbers: a Vec2 would be aligned, and take a third more memory.
+  /// These are two numbers, since an aligned Vec2 would take a third more memory.
   double x;
   double y;
   int vertex;
@@ -72,10 +73,10 @@ struct Stencil {
   }
 };
 
-/// The part of the log vector itself in an estimate, whose part by the mesh alone is `share`.
-/// `difference` is the log vector less what else would stand there. Seen from the source, at
-/// `distance`, it makes an angle. If the angle is more than smooth surfaces leave between
-/// neighbours, paths come from both sides of a ridge, and no fit over both is any path's.
+/// The share of the log vector in an estimate, where `share` is the mesh's part of it. `difference`
+/// is the log vector minus the fit, which is an angle at the source, at `distance`. If the angle
+/// exceeds what smooth surfaces leave between neighbours, paths arrive from both sides of a ridge,
+/// and a fit over both belongs to no path.
 inline double shareOfLogVector(double share, const Vec2& difference, double distance) {
   constexpr double kAngle = 0.01;  // radians
   const double squaredAngle = difference.squaredNorm() / (4 * distance * distance);
@@ -91,7 +92,7 @@ struct StencilNeighbour {
   Vec2 rotation;  ///< unit: turns vectors in the neighbour's frame into the vertex's
 };
 
-/// The stencils of one estimator, each made when it is first asked for.
+/// The stencils of one estimator, each computed on first use.
 class StencilTable {
  public:
   /// The geometry must outlive the table.

@@ -13,7 +13,7 @@ EdgeValues valuesAtEnds(const Geometry& geometry, ControlField& field, int h) {
           rotateBack(direction.head, field.at(geometry.mesh->head(h)).gradient)};
 }
 
-/// What a field has at the midpoint of half-edge h beyond the mean of its ends, in its frame.
+/// A field at the midpoint of half-edge h minus the mean of its ends, in its frame.
 Vec2 midpointCorrection(const TriangleMesh& mesh, ControlField& field, int h) {
   const int t = mesh.twin[h];
   if (t < 0 || !field.hasMidpoints()) return Vec2::Zero();
@@ -56,7 +56,7 @@ void FieldBlend::setFields(const Array<ControlField*>& fields) {
 }
 
 TriangleField FieldBlend::blend(int cell, Weights weights) {
-  // Six components a field side by side, so that the sums vectorise.
+  // The six components of a field are stored side by side, so that the sums vectorise.
   const double* vectors = vectorsOf(slotOf(cell));
   double sum[6] = {};
   for (const double w : weights) {
@@ -101,7 +101,7 @@ double FieldBlend::zeroAlongEdge(int h, Weights weights) {
   double alongB = 0;
   const int cell = faceOf(h);
   if (!cells_.cut() || (cell % 4 < 3 && cornerOf(h) != 1)) {
-    // Of an edge of the mesh, or a half of it.
+    // The edge of the mesh, or a half of one.
     const int edge = !cells_.cut() ? h : 3 * (cell / 4) + (cell % 4 + cornerOf(h)) % 3;
     const EdgeValues values = blendAlongEdge(edge, cornerOf(h) == 2, weights);
     alongA = values.tail.x();
@@ -170,7 +170,7 @@ FieldBlend::CellShape FieldBlend::shapeOf(int cell) const {
   const Vec2& side = geometry_.apex[face];
   const double length = side.norm();
   const Vec2 apex = rotateBack(side / length, side - Vec2(geometry_.edgeLength[3 * face], 0)) / 2;
-  // Within a face the cells' fields fit together.
+  // Within a face the cells' fields are continuous.
   return {length / 2, apex.x(), apex.y(), 0};
 }
 
@@ -179,7 +179,7 @@ int FieldBlend::findSlot(int cell) {
   if (slot < 0) {
     slot = slots_.count();
     fillSlot(slot, cell);
-    // Only now, since a field's evaluation may throw.
+    // The slot is added last, since a field's evaluation may throw.
     slots_.add(cell);
   }
   lastCell_ = cell;
@@ -189,7 +189,7 @@ int FieldBlend::findSlot(int cell) {
 
 void FieldBlend::fillSlot(int slot, int cell) {
   if (slot == shapes_.count()) {
-    // Room for many cells at once: a segment passes some dozens.
+    // Memory for many cells at once, since a segment passes some dozens.
     const size_t room = static_cast<size_t>(slot == 0 ? 32 : 2 * slot);
     vectors_.resize(room * static_cast<size_t>(width_));
     shapes_.resize(room);

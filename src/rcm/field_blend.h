@@ -14,10 +14,10 @@
 /// into.
 namespace karcher {
 
-/// One weight a field; they should sum to 1.
+/// One weight for each field; they should sum to 1.
 using Weights = std::span<const double>;
 
-/// How far a caller's weights may be from a sum of 1.
+/// The largest deviation of a caller's sum of weights from 1.
 inline constexpr double kWeightSumTolerance = 1e-9;
 
 /// A vector field that is linear in one triangle, by its values at the corners, in the face's
@@ -72,11 +72,11 @@ struct EdgeField {
 struct CellZero {
   TriangleField field;
   Vec3 bary;
-  /// Of the field's Jacobian, times that of the map from weights to the cell.
+  /// The determinant of the field's Jacobian, times that of the map from weights to the cell.
   double determinant;
-  /// From the face on one side of an edge to the face on the other, the values at the edge's ends
-  /// are turned relative to each other by at most this angle: corners of pi at both ends together
-  /// are scaled to their vertices' frames.
+  /// The largest angle by which the values at an edge's ends turn relative to each other from the
+  /// face on one side to the face on the other, since corners of pi at both ends together are
+  /// scaled to their vertices' frames.
   double holonomy;
 
   /// How far inside the cell the zero lies: the smallest weight.
@@ -88,7 +88,7 @@ class FieldBlend {
   /// The geometry and the fields must outlive the blend; there must be at least one field.
   FieldBlend(const Geometry& geometry, Array<ControlField*> fields);
 
-  /// Blends these fields from now on, in the memory that is there.
+  /// Replaces the fields and keeps the memory.
   void setFields(const Array<ControlField*>& fields);
 
   const Geometry& geometry() const { return geometry_; }
@@ -103,26 +103,26 @@ class FieldBlend {
   /// The weighted sum of the fields at a point, in the frame of its face.
   Vec2 at(const SurfacePoint& point, Weights weights);
 
-  /// Finds the zero of `blend`; false where its Hessian is not positive definite. All that a search
-  /// asks for at each sample, in one function.
+  /// Finds the zero of `blend`. Returns false if its Hessian is not positive definite. This is all
+  /// that a search needs at each sample, in one function.
   [[gnu::always_inline]] bool findZero(int cell, Weights weights, CellZero& zero);
 
   /// The weighted sum of the fields at a vertex, in its frame.
   Vec2 atVertex(int vertex, Weights weights);
 
-  /// K at a point: the squared distances at the corners, each carried to the point by its own
-  /// gradient, blended. Exact where squared distances are quadratic.
+  /// K at a point: the blend of the squared distances at the corners, each extrapolated to the
+  /// point by its own gradient. It is exact where squared distances are quadratic.
   double energy(const SurfacePoint& point, Weights weights);
 
   /// The parameter s in [0, 1] along half-edge h of a cell at which the component of the field
-  /// along the edge vanishes, in the edge's own frame, which the cells on both sides share: the
-  /// same point of the surface from either.
+  /// along the edge vanishes, in the edge's own frame. The cells on both sides share that frame and
+  /// find the same point.
   double zeroAlongEdge(int h, Weights weights);
 
-  /// The fields along half-edge h of a face; where faces are cut, along its first half from the
-  /// tail (0) or its second (1). Written to `result`, whose memory is used again.
+  /// Writes to `result` the fields along half-edge h of a face or, if faces are cut, along its
+  /// first half from the tail (0) or its second (1).
   void alongEdge(int h, int half, EdgeField& result);
-  /// Their weighted sum alone.
+  /// Only the weighted sum of these fields.
   EdgeValues blendAlongEdge(int h, int half, Weights weights);
 
   /// The rate of change of a blend along the axes of its cell.
@@ -132,11 +132,12 @@ class FieldBlend {
   };
   CellJacobian jacobian(int cell, const TriangleField& field) const;
 
-  /// The cell's first edge in the frame of its face, unit: turns the cell's frame into the face's.
+  /// The unit direction of the cell's first edge in the frame of its face, which turns the cell's
+  /// frame into the face's.
   Vec2 axisInFace(int cell) const;
 
  private:
-  /// What `findZero` reads of a cell beside its fields.
+  /// The shape of a cell, which `findZero` reads beside its fields.
   struct CellShape {
     double edge = 0;  ///< length of the cell's first half-edge
     double apexX = 0;
@@ -144,7 +145,7 @@ class FieldBlend {
     double holonomy = 0;  ///< see CellZero
   };
 
-  /// The slot of a cell, which is filled if it is asked for the first time.
+  /// The slot of a cell, which is filled on first use.
   int slotOf(int cell) { return cell == lastCell_ ? lastSlot_ : findSlot(cell); }
   int findSlot(int cell);
   void fillSlot(int slot, int cell);
@@ -160,15 +161,15 @@ class FieldBlend {
   Array<ControlField*> fields_;
   Cells cells_;
   StraightestPath step_;
-  int width_;              ///< numbers a slot in vectors_
-  Array<double> vectors_;  ///< by slot, with room for some more
+  int width_;              ///< the numbers of each slot in vectors_
+  Array<double> vectors_;  ///< by slot, with memory for some more
   Array<CellShape> shapes_;
   SparseIndex slots_;  ///< of cells
   int lastCell_ = -1;
   int lastSlot_ = 0;
 };
 
-// Defined here, so that the compiler inlines it into the searches.
+// This is defined here so that the compiler inlines it into the searches.
 inline bool FieldBlend::findZero(int cell, Weights weights, CellZero& zero) {
   const int slot = slotOf(cell);
   const double* v = vectorsOf(slot);
@@ -179,7 +180,7 @@ inline bool FieldBlend::findZero(int cell, Weights weights, CellZero& zero) {
     v += 6;
   }
   const double x0 = sum[0], y0 = sum[1], x1 = sum[2], y1 = sum[3], x2 = sum[4], y2 = sum[5];
-  // hessian(...).positiveDefinite(), without its divisions.
+  // This is hessian(...).positiveDefinite() without its divisions.
   const CellShape& shape = shapes_[slot];
   const double xx = shape.apexY * (x1 - x0);
   const double yy = shape.edge * (y2 - y0) - shape.apexX * (y1 - y0);

@@ -5,20 +5,20 @@
 #include "distance/distance_solver.h"
 #include "rcm/surface.h"
 
-/// How the fields of points are made, and all that follows from the choice of a solver. No other
-/// file tells solvers apart.
+/// Options of points' fields, and all that follows from the choice of a solver. No other file
+/// distinguishes solvers.
 namespace karcher {
 
-/// How the field of a control point is made.
+/// The method by which a control point's field is computed.
 enum class Method {
   kKarcher,  ///< log vectors: the directions in which shortest paths arrive
   kPaper,    ///< gradients of squared distances (Mancinelli, Puppo, Eq. 3)
 };
 
-/// How distances are found, and which estimator (estimators.h) smooths log vectors.
+/// The solver that finds distances, and the estimator (estimators.h) that smooths log vectors.
 enum class Solver {
   kFast,   ///< windows, joined up to kFastTolerance; kLinear1
-  kExact,  ///< windows; kQuadratic2, and log vectors at the midpoints of edges as well
+  kExact,  ///< windows; kQuadratic2, and also log vectors at the midpoints of edges
   kGraph,  ///< arcs of the k-ring graph; kLinear1
 };
 
@@ -31,23 +31,24 @@ struct FieldOptions {
   bool operator==(const FieldOptions&) const = default;
 };
 
-/// Whether centers of mass in such fields are held to exact distances (exact_minimum.h): the others
+/// Whether centers of mass in such fields are checked by exact distances (exact_minimum.h); others
 /// are minima of another energy.
 inline bool areHeldToExact(const FieldOptions& options) {
   return options.method == Method::kKarcher && options.solver != Solver::kGraph;
 }
 
-/// Whether curves by the method may be refined: the paper's are one center of mass a segment.
+/// Whether curves by the method may be refined; the paper's have one center of mass for each
+/// segment.
 inline bool takesLevels(Method method) { return method != Method::kPaper; }
 
 /// Throws Error kBadArgument for a combination that does not exist.
 void checkFieldOptions(const FieldOptions& options);
 
-/// Makes what fields with these options share, which is otherwise made when it is first needed.
+/// Builds what fields with these options share, which is otherwise built on first use.
 void prepareFields(Surface& surface, const FieldOptions& options);
 
-/// The tolerance of kFast (window_distance.h). On all meshes that were tried, and on ring tubes of
-/// any proportion, distances are off by at most .1 % in the mean, and by 1 % but at single vertices
+/// The tolerance of kFast (window_distance.h). On all meshes tried, and on ring tubes of any
+/// proportion, distances are off by at most .1 % in the mean, and by 1 % except at single vertices
 /// (docs/gallery.md).
 inline constexpr double kFastTolerance = 0.0075;
 

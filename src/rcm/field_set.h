@@ -8,12 +8,12 @@
 
 namespace karcher {
 
-/// The fields of points on one surface, by point. Centers of mass and curves may share a set: where
-/// one of them has the field of a point already, the others get that one. A field's values depend
-/// on the surface, the options and the point alone, so that no answer depends on what a set holds.
+/// The fields of points on one surface, by point. Centers of mass and curves that share a set share
+/// the field of a point. A field's values depend only on the surface, the options and the point, so
+/// that no answer depends on what a set holds.
 ///
-/// A field that nobody holds is spare. It is still found by its point, until a new point needs its
-/// memory: a drag makes no fields but moves spare ones.
+/// A field that nobody holds is spare. It can still be found by its point until it is moved to a
+/// new point: a drag creates no fields but moves spare ones.
 class FieldSet {
  public:
   /// The surface must outlive the set. Throws what `checkFieldOptions` throws.
@@ -24,23 +24,23 @@ class FieldSet {
   const FieldOptions& options() const { return options_; }
   Surface& surface() const { return surface_; }
 
-  /// The field of a point, near or not (point_field.h): the one that is at it, else a spare one
-  /// that is moved to it, else a new one.
+  /// The field of a point, near or not (point_field.h): the existing one, else a spare one that is
+  /// moved there, else a new one.
   std::shared_ptr<PointField> at(const SurfacePoint& point, bool isNear = false);
 
-  /// The field that is at a point, or none.
+  /// The existing field of a point, or none.
   std::shared_ptr<PointField> find(const SurfacePoint& point, bool isNear = false) const;
 
-  /// Gives the memory of spare fields back, but of at most `kept` of them.
+  /// Frees the spare fields except for at most `kept` of them.
   void dropSpare(int kept = 0);
 
-  /// The same, but of as many as are held.
+  /// Frees spare fields so that at most as many stay as are held.
   void trim();
 
-  /// How many fields there are.
+  /// The number of fields.
   int count() const { return fields_.count(); }
 
-  /// How many fields were made or moved to another point so far.
+  /// The number of fields created or moved to another point so far.
   int made() const { return made_; }
 
  private:
@@ -57,10 +57,10 @@ class FieldSet {
   };
   static Key keyOf(const PointField& field) { return {field.point(), field.isNear()}; }
 
-  /// Tells the place of a field that was moved there.
+  /// Updates the map for a field that was moved to a place in `fields_`.
   void renumber(int place);
 
-  /// The place of a spare field, in turn; -1 if there is none.
+  /// The place of the next spare field, in turn; -1 if there is none.
   int findSpare();
 
   Surface& surface_;
@@ -68,15 +68,15 @@ class FieldSet {
   Array<std::shared_ptr<PointField>> fields_;
   std::shared_ptr<FindPathWorkspace> paths_ = std::make_shared<FindPathWorkspace>();
   std::unordered_map<Key, int, Hash> placeOf_;
-  int next_ = 0;  ///< where the search for a spare field goes on
+  int next_ = 0;  ///< where the search for a spare field continues
   int made_ = 0;
 };
 
-/// The same set for a curve, which may hold many fields: when the last copy of the pointer goes,
-/// the set is trimmed, since what that curve held is spare then.
+/// The same set for a curve, which may hold many fields. When the last copy of the pointer is
+/// destroyed, the set is trimmed, since the curve's fields are then spare.
 std::shared_ptr<FieldSet> trimmedAfter(std::shared_ptr<FieldSet> set);
 
-/// The sets of one surface: one for each options that somebody uses.
+/// The sets of one surface, one for each value of the options in use.
 class FieldSets {
  public:
   /// The surface must outlive the object.
@@ -84,7 +84,7 @@ class FieldSets {
 
   Surface& surface() const { return surface_; }
 
-  /// The set of these options, which lives as long as a caller holds it. Throws what
+  /// The set of these options, which exists as long as a caller holds it. Throws what
   /// `checkFieldOptions` throws.
   std::shared_ptr<FieldSet> of(const FieldOptions& options);
 

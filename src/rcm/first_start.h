@@ -5,20 +5,20 @@
 #include "intrinsic/geometry.h"
 #include "rcm/field_blend.h"
 
-/// Where the first search for a mean of few points starts, and from where others could find a lower
-/// one.
+/// The start of the first search for a mean of few points, and bounds on places from which others
+/// could find a lower one.
 namespace karcher {
 
 /// The average of the first two points along the path between them, averaged with the third, and so
-/// on: on a plane the mean itself, elsewhere near it. None where a weight is negative, or where no
-/// path joins two of the points.
+/// on: the mean itself on a plane, and near it elsewhere. None if a weight is negative or no path
+/// joins two of the points.
 std::optional<SurfacePoint> averageOfAverages(const Geometry& geometry,
                                               const Array<SurfacePoint>& points, Weights weights);
 
-/// Of points with weights, none negative, that sum to 1: how far in space a place may be from the
-/// points' mean in space if the energy there is no higher than `energy`. Distances along the
-/// surface are no shorter than in space, and there the energy is the mean's plus the square of the
-/// distance from it.
+/// For points with non-negative weights that sum to 1: the largest distance in space from the
+/// points' mean in space at which the energy may be at most `energy`. Distances along the surface
+/// are no shorter than in space, where the energy is that of the mean plus the squared distance
+/// from it.
 struct LowerPlaces {
   Vec3 middle = Vec3::Zero();
   double radius = 0;

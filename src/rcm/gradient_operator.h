@@ -8,24 +8,24 @@
 /// Riemannian Center of Mass on Meshes", Eq. 3.
 namespace karcher {
 
-/// Rows 2 v and 2 v + 1 hold the two components at vertex v, in its frame; a column a vertex.
+/// Rows 2 v and 2 v + 1 hold the two components at vertex v, in its frame; each column is a vertex.
 using GradientOperator = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Which faces' gradients are averaged at a vertex.
+/// The faces whose gradients are averaged at a vertex.
 enum class Star {
-  /// Those around it and those across its ring's outer edges, as in the program of the paper's
-  /// authors. With it our curves are theirs to 1e-4 of an edge, with kRing to 0.03 to 0.11
+  /// The faces around it and those across its ring's outer edges, as in the program of the paper's
+  /// authors. With it our curves equal theirs to 1e-4 of an edge, with kRing to 0.03 to 0.11
   /// (tests/bench/authors_study).
   kWide,
-  kRing,  ///< those around it: Eq. 3 as the paper prints it
+  kRing,  ///< the faces around it: Eq. 3 as the paper prints it
 };
 
-/// At a vertex: the area-weighted mean of the constant gradients of the faces of its star, each
-/// turned into the vertex's frame (those beyond its ring by way of the face that they lie behind).
-/// Apply it to squared distances, which are smooth at the source.
+/// The operator that takes at each vertex the area-weighted mean of the constant gradients of the
+/// faces of its star, each turned into the vertex's frame (those beyond its ring through the face
+/// that they lie behind). Apply it to squared distances, which are smooth at the source.
 GradientOperator buildGradientOperator(const Geometry& geometry, Star star = Star::kWide);
 
-/// A gradient a vertex, in the vertices' frames. `values` has one entry a vertex.
+/// The gradient at each vertex, in its frame. `values` has one entry for each vertex.
 Array<Vec2> applyGradient(const GradientOperator& gradient, const Array<double>& values);
 
 }  // namespace karcher

@@ -47,7 +47,7 @@ void checkWeights(Array<double>& weights, int points, bool normalize) {
   }
 }
 
-/// The number of the largest weight; of several that are equal, the first.
+/// The index of the largest weight; if several are equal, the first.
 int firstLargest(const Array<double>& weights) {
   return static_cast<int>(std::max_element(weights.begin(), weights.end()) - weights.begin());
 }
@@ -58,7 +58,8 @@ Mean withEnergy(FieldBlend& fields, const Array<double>& weights, const CenterOf
           Uniqueness::kNotLooked, {}};
 }
 
-/// The fields' estimate of a sum of squares may lie below 0 near its least; the sum does not.
+/// Raises a negative energy to 0 if no weight is negative: the fields' estimate of a sum of squares
+/// may lie below 0 near its minimum.
 Mean withSoundEnergy(Mean mean, const Array<double>& weights) {
   const bool anyNegative =
       std::any_of(weights.begin(), weights.end(), [](double weight) { return weight < 0; });
@@ -68,7 +69,8 @@ Mean withSoundEnergy(Mean mean, const Array<double>& weights) {
   return mean;
 }
 
-/// The number of a point that all points of weight not 0 equal, or -1: it is its own mean.
+/// The index of a point that equals all points of nonzero weight, and is thus the mean; -1 if there
+/// is none.
 int onlyPoint(const Array<SurfacePoint>& points, const Array<double>& weights) {
   int only = -1;
   for (int i = 0; i < points.count(); ++i) {
@@ -79,15 +81,15 @@ int onlyPoint(const Array<SurfacePoint>& points, const Array<double>& weights) {
   return only;
 }
 
-/// Whether a is the better answer: converged before not, then the lower energy.
+/// Whether a is the better answer: converged answers come first, then lower energies.
 bool better(const Mean& a, const Mean& b) {
   const bool aConverged = a.status == Status::kConverged;
   const bool bConverged = b.status == Status::kConverged;
   return aConverged != bConverged ? aConverged : a.energy < b.energy;
 }
 
-/// Minima nearer than this part of the mean edge are one: searches from either side of an edge may
-/// end that far apart.
+/// Minima nearer to each other than this part of the mean edge count as one, since searches from
+/// both sides of an edge may end that far apart.
 constexpr double kSameMinimum = 0.1;
 constexpr int kSpreadStarts = 32;
 
@@ -96,14 +98,14 @@ bool areApart(const Geometry& geometry, const SurfacePoint& a, const SurfacePoin
   return (position(mesh, a) - position(mesh, b)).norm() > kSameMinimum * geometry.meanEdge;
 }
 
-/// Keeps minima from the lowest up, and of equal ones the first found first.
+/// Inserts a minimum in ascending order of energy, after those of equal energy.
 void insertByEnergy(Array<Minimum>& minima, const Minimum& minimum) {
   int place = minima.count();
   while (place > 0 && minimum.energy < minima[place - 1].energy) --place;
   minima.insert(minima.begin() + place, minimum);
 }
 
-/// Leaves those of minima that are apart from the center and from each other.
+/// Sets `otherMinima` to those that are apart from the center and from each other.
 void setOtherMinima(const Geometry& geometry, const Array<Minimum>& minima, Mean& mean) {
   Array<Minimum> apart;
   for (const Minimum& minimum : minima) {
@@ -117,8 +119,8 @@ void setOtherMinima(const Geometry& geometry, const Array<Minimum>& minima, Mean
   mean.otherMinima = std::move(apart);
 }
 
-/// The corner of a vertex into which K falls. Where it falls off the surface, the one at the nearer
-/// side.
+/// The corner of a vertex into which K decreases. If that direction is off the surface, the corner
+/// at the nearer side.
 int cornerDownhill(const Geometry& geometry, int vertex, const Vec2& down) {
   const double total = geometry.totalAngle[vertex];
   double direction = std::atan2(down.y(), down.x()) / geometry.angleScale[vertex];
@@ -129,8 +131,8 @@ int cornerDownhill(const Geometry& geometry, int vertex, const Vec2& down) {
   return cornerOfDirection(geometry, vertex, direction).halfedge;
 }
 
-/// A start on an edge or at a vertex in the face into which K falls: the same one whatever numbers
-/// the faces have.
+/// A start on an edge or at a vertex, in the face into which K decreases, which does not depend on
+/// the numbers of faces.
 SurfacePoint facedDownhill(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
   const Geometry& geometry = fields.geometry();
   const TriangleMesh& mesh = *geometry.mesh;
@@ -149,7 +151,7 @@ SurfacePoint facedDownhill(FieldBlend& fields, Weights weights, const SurfacePoi
   return start;
 }
 
-/// One search after another: the first answer is the center, or the best one where `lowest`.
+/// A sequence of searches. The first answer is the center, or the best one if `lowest`.
 class MinimumSearch {
  public:
   MinimumSearch(FieldBlend& fields, const Array<double>& weights, Method method)
@@ -187,7 +189,7 @@ class MinimumSearch {
   Array<Minimum> others_;
 };
 
-/// Distances of a point as fields have them at a vertex beside it, no shorter.
+/// Upper bounds on a point's distances, from fields at a vertex of its face.
 Array<double> distancesNear(const Geometry& geometry, const Array<ControlField*>& fields,
                             const SurfacePoint& point) {
   int corner = 0;
@@ -205,7 +207,7 @@ bool isToBeChecked(const Mean& mean, const MeanOptions& options) {
   return options.isChecked && mean.status == Status::kConverged && areHeldToExact(options.field);
 }
 
-/// The points and the blend of their fields that a mean was found in; `fields`, if not empty, are
+/// The points and the blend of their fields in which a mean was found; `fields`, if not empty, are
 /// the points' own.
 struct Blended {
   FieldBlend& blend;
@@ -215,7 +217,7 @@ struct Blended {
   Weights weights;
 };
 
-/// A zero, moved to the minimum that exact distances have near it. Its energy is left.
+/// Moves a zero to the minimum of exact distances near it. Keeps its energy.
 Mean heldTo(const ExactMinimum& exact, Mean zero) {
   zero.iterations += exact.moves;
   if (!exact.isLowest) zero.status = Status::kLowerNearby;
@@ -233,10 +235,10 @@ Mean heldToExact(const Mean& zero, const Blended& in) {
   return held;
 }
 
-/// The exact energy of so many points is smooth enough to be compared at few places.
+/// The exact energy of this many points is smooth enough to compare it at few places.
 constexpr int kSmooth = 200;
 
-/// The mean of many points; none where fields do better.
+/// The mean of many points; none if fields do better.
 std::optional<Mean> checkedMeanOfMany(Surface& surface, const Array<SurfacePoint>& points,
                                       const Array<double>& weights, const MeanOptions& options) {
   const WeightedPoints merged = mergedPoints(points, weights);
@@ -254,8 +256,8 @@ std::optional<Mean> checkedMeanOfMany(Surface& surface, const Array<SurfacePoint
              : held(ExactOneSourceEnergy(geometry, merged));
 }
 
-/// The same of a mean and its other minima. Of these, zeros that are no minima are left out, and
-/// where `lowest` one that turns out to be lower than the center takes its place.
+/// Checks a mean and its other minima. Zeros that are no minima are removed from these, and if
+/// `lowest`, one that proves lower than the center replaces it.
 Mean checkedMean(const Mean& mean, const Blended& in, bool lowest) {
   Mean center = heldToExact(mean, in);
   Array<Minimum> others;
@@ -276,7 +278,7 @@ Mean checkedMean(const Mean& mean, const Blended& in, bool lowest) {
   return center;
 }
 
-/// How many values the fields of these points would hold: those of the vertices within the points'
+/// The estimated number of values in the fields of these points: the vertices within the points'
 /// spread of each, or all.
 double likelyValues(const Surface& surface, const Array<SurfacePoint>& points, bool everywhere) {
   const double all = static_cast<double>(points.count()) * surface.mesh().vertexCount();
@@ -287,14 +289,13 @@ double likelyValues(const Surface& surface, const Array<SurfacePoint>& points, b
   return all * std::min(spread * spread, 1.0);
 }
 
-/// A search goes down from a control point to a lower minimum from this many times as far as such a
-/// minimum may be. Four of 810 means of three to eight points on three meshes are higher than with
-/// searches from all control points, and eight are lower, which the average of averages found.
+/// Searches start at control points within this many times the distance at which a lower minimum
+/// may be. Four of 810 means of three to eight points on three meshes are higher than with searches
+/// from all control points, and eight, which the average of averages found, are lower.
 constexpr double kSearched = 2;
 
 /// Searches from the average of averages, and from the control points near which a lower minimum
-/// may be; from all of them where `all`, where a weight is negative, or where the first search
-/// failed.
+/// may be; from all of them if `all`, if a weight is negative, or if the first search failed.
 void searchFew(const Surface& surface, const Array<SurfacePoint>& points,
                const Array<double>& weights, bool all, MinimumSearch& minima) {
   const TriangleMesh& mesh = surface.mesh();
@@ -338,7 +339,7 @@ Mean search(Surface& surface, FieldBlend& fields, const Array<double>& weights,
   return minima.result();
 }
 
-/// Says of a mean for which others were looked for what is known of its uniqueness.
+/// Sets the uniqueness of a mean for which other minima were searched.
 void judgeUniqueness(const Surface& surface, const Array<SurfacePoint>& points,
                      const Array<double>& weights, const std::optional<CurvatureBound>& smooth,
                      Mean& mean) {
@@ -348,7 +349,7 @@ void judgeUniqueness(const Surface& surface, const Array<SurfacePoint>& points,
   }
   const double radius = provedRadius(surface, points, weights, mean.point, smooth);
   const Vec3 center = position(surface.mesh(), mean.point);
-  // What contradicts the proof is an error of the fields, and counts for more.
+  // A contradiction of the proof is an error of the fields and takes precedence.
   const bool contradicted =
       std::any_of(mean.otherMinima.begin(), mean.otherMinima.end(), [&](const Minimum& other) {
         return other.energy <= mean.energy ||
@@ -361,7 +362,7 @@ void judgeUniqueness(const Surface& surface, const Array<SurfacePoint>& points,
   }
 }
 
-/// The fields of points from a set: those that are there stay, the others are moved or made.
+/// The fields of points from a set: existing ones stay, others are moved or created.
 Array<std::shared_ptr<PointField>> fieldsOf(FieldSet& set, const Array<SurfacePoint>& points) {
   Array<std::shared_ptr<PointField>> fields;
   for (const SurfacePoint& point : points) fields.push_back(set.find(point));
@@ -384,7 +385,7 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
                   const MeanOptions& options, std::shared_ptr<FieldSet>& kept) {
   Surface& surface = sets.surface();
   std::shared_ptr<FieldSet> set = sets.of(options.field);
-  // After an error none is kept.
+  // No set is kept after an error.
   kept = nullptr;
   checkWeights(weights, points.count(), options.normalize);
   Array<SurfacePoint> connected = points;
@@ -427,7 +428,7 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
   mean = finished(std::move(mean));
   const bool isKept = values <= options.mostValues / 4;
   if (!isKept) fields.clear();
-  // Of more points that there were before, not more than as many again.
+  // At most as many spare fields are kept as there are points.
   set->dropSpare(isKept ? points.count() : 0);
   if (isKept) kept = std::move(set);
   return mean;

@@ -10,18 +10,19 @@
 namespace karcher {
 namespace {
 
-/// Points at which K is compared first, and those of them from which descents begin.
+/// The number of points at which K is compared first, and of those from which descents begin.
 constexpr int kStarts = 16;
 constexpr int kDescents = 3;
 constexpr int kMostSolves = 24;        ///< of one descent
 constexpr double kLongestStep = 0.25;  ///< of the mesh's extent
 
-/// A step below this part of a mean edge is the last of a descent. The gradient is no better.
+/// A step below this part of a mean edge is the last of a descent, since the gradient is no more
+/// accurate.
 constexpr double kLastStep = 0.1;
-/// A descent that comes so near to where another one ended, in mean edges, would end there too.
+/// A descent that comes this near to where another one ended, in mean edges, would end there, too.
 constexpr double kSameDescent = 2;
 
-/// A symmetric matrix: of the natural step it makes the Newton step, as far as is known.
+/// A symmetric matrix that turns the natural step into the Newton step, as far as is known.
 struct Scale {
   double xx = 1;
   double xy = 0;
@@ -29,14 +30,14 @@ struct Scale {
 
   Vec2 operator*(const Vec2& v) const { return {xx * v.x() + xy * v.y(), xy * v.x() + yy * v.y()}; }
 
-  /// The same where the frame's x axis was `direction`.
+  /// The same matrix in the frame whose x axis is `direction`.
   Scale turned(const Vec2& direction) const {
     const Vec2 x = rotate(direction, *this * rotateBack(direction, Vec2(1, 0)));
     const Vec2 y = rotate(direction, *this * rotateBack(direction, Vec2(0, 1)));
     return {x.x(), x.y(), y.y()};
   }
 
-  /// BFGS: learns from the change of the natural step over a length along the x axis.
+  /// The BFGS update by the change of the natural step over a length along the x axis.
   void learn(double length, const Vec2& change) {
     constexpr double kLeastCurvature = 0.02;
     if (!(change.x() > kLeastCurvature * length)) return;
@@ -46,7 +47,7 @@ struct Scale {
   }
 };
 
-/// A place on the way of a descent, and what is known there.
+/// A place on a descent, with the values there.
 struct State {
   SurfacePoint place;
   EnergyAt here;
@@ -67,8 +68,8 @@ struct Descent {
   Ended ended = Ended::kStuck;
 };
 
-/// Goes down from a place. `energyAt` gives K and the natural step, or none where the descent may
-/// as well end.
+/// Descends from a place. `energyAt` returns K and the natural step, or none if the descent may end
+/// there.
 template <class EnergyFunction>
 Descent descend(const Geometry& geometry, State state, const EnergyFunction& energyAt) {
   double most = kLongestStep * geometry.extent;
@@ -88,7 +89,7 @@ Descent descend(const Geometry& geometry, State state, const EnergyFunction& ene
     const Vec2 before = step / step.norm();
     const std::optional<EnergyAt> there = energyAt(path.path.end());
     if (!there) return {state, Ended::kKnown};
-    // Both in the frame of the way.
+    // Both steps are in the frame of the path.
     const Vec2 change =
         rotateBack(before, state.here.step) - rotateBack(path.direction, there->step);
     Scale scale = state.scale.turned(Vec2(before.x(), -before.y()));
@@ -106,8 +107,8 @@ Descent descend(const Geometry& geometry, State state, const EnergyFunction& ene
   return {state, Ended::kStuck};
 }
 
-/// The points where equal parts of the weight are reached, in the points' order, which is one of
-/// places near each other.
+/// The points at which equal parts of the weight are reached, in the points' order, which is
+/// spatially coherent.
 Array<SurfacePoint> startsOf(const WeightedPoints& points, int count) {
   Array<SurfacePoint> starts;
   double sum = 0;
@@ -128,9 +129,9 @@ int nearestCorner(const TriangleMesh& mesh, const SurfacePoint& point) {
   return mesh.corner(point.face, corner);
 }
 
-/// The starts of the lowest K, by distances along edges: these take a quarter of the time, and are
-/// all too long by much the same part. Where K by straight lines in space, which are shorter, is
-/// above the lowest found so far, they are not looked for.
+/// The starts of the lowest K by distances along edges, which take a quarter of the time and are
+/// all too long by nearly the same part. They are skipped if K by straight lines in space, which is
+/// lower, exceeds the lowest found so far.
 Array<SurfacePoint> lowestStarts(const Geometry& geometry, const WeightedPoints& points) {
   const TriangleMesh& mesh = *geometry.mesh;
   const Array<SurfacePoint> starts = startsOf(points, kStarts);

@@ -13,11 +13,11 @@ namespace {
 
 using Column = Eigen::Vector3d;
 
-/// Constraints are met to this, with vectors scaled so that the longest has length 1.
+/// Constraints are met up to this, with vectors scaled so that the longest has length 1.
 constexpr double kMet = 1e-9;
-/// A constraint of which less than this part (squared) is left beside the others depends on them.
+/// A constraint depends on the others if less than this part of it (squared) is orthogonal to them.
 constexpr double kRank = 1e-13;
-/// Multipliers above this negative number are 0 but for rounding.
+/// Multipliers above this negative number are 0 up to rounding.
 constexpr double kOptimal = 1e-12;
 
 /// The projection of given weights onto those that sum to 1 and balance the vectors: columns
@@ -27,7 +27,7 @@ class Balance {
   Balance(Array<Column> columns, Array<double> given)
       : columns_(std::move(columns)), given_(std::move(given)) {}
 
-  /// With any sign.
+  /// The weights with any sign.
   Array<double> solve() const {
     Array<double> weights = given_;
     Array<char> free(given_.size(), 1);
@@ -40,14 +40,15 @@ class Balance {
     return weights;
   }
 
-  /// None below 0: the primal active set method from a feasible start. A step frees one weight that
-  /// pulls away from 0, or holds one that reaches 0; the objective never grows.
+  /// The non-negative weights, by the primal active set method from a feasible start. A step frees
+  /// one weight that pulls away from 0, or holds one that reaches 0; the objective never grows.
   Array<double> solveNonNegative() const {
     Array<double> weights = feasible();
     const int count = weights.count();
     Array<char> free(weights.size(), 0);
     for (int i = 0; i < count; ++i) free[i] = weights[i] > 0;
-    // Each set of held weights comes once, and seldom more than a few times as many as weights.
+    // Each set of held weights occurs once, and there are seldom more sets than a few times the
+    // number of weights.
     const int bound = 100 + 50 * count;
     for (int step = 0; step < bound; ++step) {
       Array<double> next = given_;
@@ -86,8 +87,8 @@ class Balance {
     for (int i = 0; i < columns_.count(); ++i) {
       if (free[i]) gram += columns_[i] * columns_[i].transpose();
     }
-    // Combinations of the constraints that are orthonormal on the free weights, by Gram and
-    // Schmidt; what depends on the others is left out.
+    // Combinations of the constraints that are orthonormal on the free weights, by the Gram-Schmidt
+    // process, without dependent ones.
     Eigen::Matrix3d rows = Eigen::Matrix3d::Zero();
     for (int k = 0; k < 3; ++k) {
       Column row = Column::Unit(k);
@@ -96,7 +97,7 @@ class Balance {
       if (norm > kRank * gram(k, k)) rows.row(k) = row.transpose() / std::sqrt(norm);
     }
     Column sum = Column::Zero();
-    // The second time takes the rounding of the first away.
+    // The second pass removes the rounding of the first.
     for (int time = 0; time < 2; ++time) {
       const Column multiplier = rows.transpose() * (rows * (Column(1, 0, 0) - met(weights)));
       for (int i = 0; i < columns_.count(); ++i) {
@@ -117,7 +118,7 @@ class Balance {
     return (met(weights) - Column(1, 0, 0)).norm();
   }
 
-  /// The held weight that the objective would have above 0 most; -1 without one.
+  /// The held weight that the objective pulls most strongly above 0; -1 if there is none.
   int mostPulled(const Array<char>& free, const Column& multiplier) const {
     int most = -1;
     double pull = kOptimal;
@@ -132,18 +133,18 @@ class Balance {
     return most;
   }
 
-  /// Weights of at most three vectors around 0, none below 0.
+  /// Non-negative weights of at most three vectors around 0.
   Array<double> feasible() const {
     const int count = columns_.count();
-    // Whatever is given, if it serves.
+    // The given weights, if they are feasible.
     Array<double> weights = given_;
     Array<char> free(weights.size(), 1);
     project(free, weights);
     if (missedBy(weights) <= kMet && *std::min_element(weights.begin(), weights.end()) >= 0) {
       return weights;
     }
-    // A vector at 0 is enough, else two opposite ones, else the triangle of any vector with the two
-    // that are next to its opposite direction on both sides.
+    // One vector at 0 suffices, else two opposite ones, else the triangle of any vector and the two
+    // nearest to its opposite direction on both sides.
     weights.assign(weights.size(), 0);
     const auto vector = [&](int i) { return Vec2(columns_[i][1], columns_[i][2]); };
     int longest = 0;
@@ -241,7 +242,7 @@ MeanWeights weightsOf(FieldSet& set, const SurfacePoint& x, const Array<SurfaceP
     unit[i] = 0;
   }
   MeanWeights result{balancedWeights(vectors, given, options.nonNegative), false};
-  // Balanced weights make the gradient vanish; that leaves the Hessian.
+  // The gradient vanishes for balanced weights, so that this checks the Hessian.
   result.isMinimum = isZero(blend, result.weights, x);
   if (result.isMinimum && areHeldToExact(set.options())) {
     ExactEnergy energy(set.surface().geometry(), points, result.weights);

@@ -3,14 +3,14 @@
 #include "intrinsic/straightest.h"
 #include "rcm/paper_method.h"
 
-/// Algorithm 1 of C. Mancinelli, E. Puppo, "Computing the Riemannian Center of Mass on Meshes".
-/// What the paper leaves open: the tolerance and the bound on iterations, and what happens when
-/// the start of a geodesic is its own best point (see goOn).
+/// Algorithm 1 of C. Mancinelli, E. Puppo, "Computing the Riemannian Center of Mass on Meshes". The
+/// paper leaves open the tolerance, the bound on iterations, and what happens when the start of a
+/// geodesic is its own best point (see goOn).
 namespace karcher {
 namespace {
 
 constexpr int kMaxIterations = 100;
-/// The gradient, a length, as a part of the bounding box's diagonal.
+/// The largest gradient, a length, of a zero, as a part of the bounding box's diagonal.
 constexpr double kGradientTolerance = 1e-10;
 
 struct Candidate {
@@ -92,10 +92,11 @@ class NewtonSearch {
     return best;
   }
 
-  /// Called when no joint of the geodesic is better than its start. Inside a face: on to the best
-  /// point of the step inside the face. On an edge: where each face has its zero behind it, the
-  /// zero sits there; else into the other face. At a vertex: through the faces around it in turn.
-  /// False at the end of the search, whose status is then in status_.
+  /// Continues when no joint of the geodesic is better than its start. Inside a face, the search
+  /// moves to the best point of the step inside the face. On an edge, the zero lies there if each
+  /// face has its zero behind it; else the search enters the other face. At a vertex, the search
+  /// tries the faces around it in turn. Returns false at the end of the search, with its status in
+  /// status_.
   bool goOn(const TriangleField& field, const Vec2& step) {
     const PointLocation location = locate(mesh_, point_);
     if (location.simplex == Simplex::kFace) return shortenStep(field, step);
@@ -122,7 +123,8 @@ class NewtonSearch {
       point_ = edgePoint(h, fields_.zeroAlongEdge(h, weights_));
       return false;
     }
-    // The gradients of the two faces at one place differ: a smaller one is no progress.
+    // The gradients of the two faces differ at the same place, so that a smaller one is no
+    // progress.
     const int edge = std::min(h, twin);
     const bool cameBack = facesTried_ > 0 || crossed_ == edge;
     if (cameBack && zeroLiesBehind(h) && zeroLiesBehind(twin)) {

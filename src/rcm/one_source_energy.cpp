@@ -13,7 +13,8 @@ bool isBefore(const SurfacePoint& a, const SurfacePoint& b) {
                                       b.bary.data() + 3);
 }
 
-/// Log vectors start inside a face. A place on its border is moved by this part of the face.
+/// Log vectors start inside a face. A place on its boundary is moved inwards by this part of the
+/// face.
 constexpr double kInwards = 1e-9;
 
 SurfacePoint movedInside(const SurfacePoint& place) {
@@ -21,7 +22,7 @@ SurfacePoint movedInside(const SurfacePoint& place) {
   return {place.face, (1 - 3 * kInwards) * place.bary + Vec3::Constant(kInwards)};
 }
 
-/// Of a point, by the log vectors of its face's corners: exact where these are those of one plane.
+/// The log of a point, interpolated from its face's corners: exact if these lie in one plane.
 Vec2 logOf(const TriangleMesh& mesh, const SurfacePoint& point, const DistanceSolver& solver,
            SourceVectors& vectors) {
   Vec2 log = Vec2::Zero();

@@ -31,10 +31,11 @@ class OneSourceEnergy {
   /// tells the steps of paths (DistanceSolver::stepTo).
   OneSourceEnergy(const Geometry& geometry, const WeightedPoints& points, DistanceSolver& solver);
 
-  /// By the solver's distances, interpolated in the points' faces: exact on a plane.
+  /// K and the natural step by the solver's distances, interpolated in the points' faces: exact on
+  /// a plane.
   EnergyAt at(const SurfacePoint& place);
 
-  /// How often distances were found.
+  /// The number of times that distances were computed.
   int solved() const { return solved_; }
 
  private:
@@ -45,8 +46,8 @@ class OneSourceEnergy {
   int solved_ = 0;
 };
 
-/// K by exact distances to the points themselves, and the natural step by the directions in which
-/// their paths leave the place: exact, too.
+/// K by exact distances to the points themselves, and the exact natural step by the directions in
+/// which shortest paths leave the place.
 class ExactOneSourceEnergy {
  public:
   /// As above. Throws what WindowDistance throws.
@@ -73,8 +74,8 @@ class ExactOneSourceEnergy {
   const Geometry& geometry_;
   const WeightedPoints& points_;
   WindowDistance solver_;
-  Array<Way> ways_;         ///< one a point
-  Array<Vec2> directions_;  ///< by vertex, of those that were asked for
+  Array<Way> ways_;         ///< one for each point
+  Array<Vec2> directions_;  ///< by vertex, for those that were needed
   int solved_ = 0;
 };
 

@@ -8,7 +8,8 @@
 namespace karcher {
 namespace {
 
-/// Of a caller's own. Its square and products of several are doubles, on the smallest faces too.
+/// The largest distance of a caller's own. Products of several squares fit doubles, even on the
+/// smallest faces.
 constexpr double kLargestDistance = 1e60;
 
 }  // namespace

@@ -14,12 +14,12 @@
 namespace karcher {
 namespace {
 
-/// Differences are taken over this part of an edge, so that paths seldom change on the way.
+/// Differences are taken over this part of an edge, so that paths seldom change in between.
 constexpr double kStep = 1e-3;
-/// A place whose least weight is not above this lies on an edge.
+/// A place lies on an edge if its least weight is not above this.
 constexpr double kInside = 1e-9;
 
-/// How a point at a distance counts.
+/// The influence of a point by its distance.
 struct Rule {
   std::function<double(double)> pull;  ///< as a factor of its weight in a center of mass
   std::function<double(double)> cost;
@@ -36,7 +36,8 @@ Array<Vec2> logVectors(const Geometry& geometry, const Array<SurfacePoint>& poin
   return vectors;
 }
 
-/// Whether all others together pull less at one of the points than its own weight holds it.
+/// Whether one of the points is the median: all others together pull less there than its own
+/// weight.
 bool isMedian(const Geometry& geometry, const Array<SurfacePoint>& points,
               const Array<double>& weights, int at) {
   const Array<Vec2> vectors = logVectors(geometry, points, points[at]);
@@ -100,7 +101,7 @@ RobustMean search(FieldSets& sets, const Array<SurfacePoint>& points, const Arra
         break;
       }
     }
-    // A point that was reached and is no minimum is left by what the others pull.
+    // The search leaves a point that is no minimum by the pull of the others.
     Array<double> factors = weights;
     for (int i = 0; i < factors.count(); ++i)
       factors[i] *= rule.pull(std::max(distances[i], least));
@@ -114,7 +115,7 @@ RobustMean search(FieldSets& sets, const Array<SurfacePoint>& points, const Arra
   return mean;
 }
 
-/// How far one can go from a place inside a face in any direction without leaving it.
+/// The radius of the largest disk around a place inside a face that stays in the face.
 double reachInside(const Geometry& geometry, const SurfacePoint& place) {
   if (place.bary.minCoeff() <= kInside) {
     throw Error(ErrorCode::kBadArgument, "the energy has derivatives inside faces only");

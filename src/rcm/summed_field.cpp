@@ -8,7 +8,7 @@
 namespace karcher {
 namespace {
 
-/// Sums over all points, a value a vertex; 0 where no path leads.
+/// Sums over all points, a value for each vertex; 0 for unreachable ones.
 struct Sums {
   Array<double> squaredDistances;
   Array<Vec2> logVectors;  ///< of -2 log
@@ -26,11 +26,12 @@ void addPoint(DistanceSolver& solver, const SurfacePoint& point, double weight, 
   }
 }
 
-/// Whether a half-edge is the one of its edge that a field is asked for (FieldBlend).
+/// Whether a half-edge is the one of its edge for which a field's midpoint is evaluated
+/// (FieldBlend).
 bool isAskedFor(const TriangleMesh& mesh, int h) { return h < mesh.twin[h]; }
 
-/// The sum of fields with values at the midpoints of edges. How much log vectors count in those
-/// depends on the vectors, so that each field is estimated before it is added.
+/// The sum of fields with values at the midpoints of edges. The share of log vectors in their
+/// estimates depends on the vectors, so that each field is estimated before it is added.
 ControlField sumOfEstimates(Surface& surface, const Array<SurfacePoint>& points,
                             const Array<double>& weights, const FieldOptions& options) {
   const TriangleMesh& mesh = surface.mesh();

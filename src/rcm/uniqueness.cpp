@@ -11,13 +11,13 @@ namespace {
 
 constexpr double kFlatTolerance = 1e-9;
 
-/// A path between two points in a ball about the center stays within twice its radius; one from
-/// such a point to a place that is twice the radius away, where the energy is larger than at the
-/// center, within three times.
+/// A shortest path between two points in a ball about the center stays within twice its radius. A
+/// path from such a point to a place at twice the radius, where the energy is larger than at the
+/// center, stays within three times.
 constexpr double kReach = 3;
 
-/// Of the radius up to which the energy is convex on a smooth surface this part is used, since the
-/// mesh is another one.
+/// The part used of the radius up to which the energy is convex on a smooth surface, since the mesh
+/// differs from it.
 constexpr double kConvexPart = 0.9;
 
 double distanceToFace(const TriangleMesh& mesh, int f, const Vec3& place) {
@@ -30,11 +30,11 @@ double distanceToFace(const TriangleMesh& mesh, int f, const Vec3& place) {
 
 struct FaceSet {
   Array<int> faces;
-  Array<char> isIn;  ///< one a face of the mesh
+  Array<char> isIn;  ///< one for each face of the mesh
 };
 
-/// The faces that are joined to the center's through edges, all within `radius` of it in space:
-/// they hold the geodesic ball of that radius.
+/// The faces connected to the center's through edges and within `radius` of it in space, which hold
+/// the geodesic ball of that radius.
 FaceSet facesWithin(const TriangleMesh& mesh, const SurfacePoint& center, double radius) {
   const Vec3 place = position(mesh, center);
   FaceSet found;
@@ -60,7 +60,7 @@ bool isPositivelyCurved(const Geometry& geometry, int vertex) {
          geometry.totalAngle[vertex] < 2 * kPi - kFlatTolerance;
 }
 
-/// Whether faces joined through edges make a disk in which no vertex has positive curvature.
+/// Whether faces connected through edges form a disk in which no vertex has positive curvature.
 bool isDiskWithoutPositiveCurvature(const Geometry& geometry, const FaceSet& set) {
   const TriangleMesh& mesh = *geometry.mesh;
   Array<char> isCounted;
@@ -73,18 +73,19 @@ bool isDiskWithoutPositiveCurvature(const Geometry& geometry, const FaceSet& set
       if (isPositivelyCurved(geometry, vertex)) return false;
       if (isCounted[vertex] == 0) ++vertices;
       isCounted[vertex] = 1;
-      // An edge inside is met from both sides.
+      // An interior edge is counted from both sides.
       const bool inside = mesh.twin[h] >= 0 && set.isIn[faceOf(mesh.twin[h])] != 0;
       sides += inside ? 1 : 2;
     }
   }
-  // The Euler characteristic: a disk's is 1, and of what is joined through edges no other's.
+  // The Euler characteristic is 1 for a disk, and for no other surface whose faces are connected
+  // through edges.
   return vertices - sides / 2 + set.faces.count() == 1;
 }
 
 bool isProvedOnMesh(const Geometry& geometry, const SurfacePoint& center, double radius) {
   const TriangleMesh& mesh = *geometry.mesh;
-  // Most meshes fail at once.
+  // Most meshes fail here.
   for (int k = 0; k < 3; ++k) {
     if (isPositivelyCurved(geometry, mesh.corner(center.face, k))) return false;
   }
@@ -115,8 +116,8 @@ const char* uniquenessName(Uniqueness uniqueness) {
 std::optional<CurvatureBound> curvatureBound(Shape shape) {
   if (shape == Shape::kSphere) return CurvatureBound{1, kPi};
   if (shape != Shape::kTorus) return std::nullopt;
-  // The largest curvature is at the outer equator; the shortest closed geodesics go round the tube
-  // or along the inner equator.
+  // The largest curvature is at the outer equator; the shortest closed geodesics lead around the
+  // tube or along the inner equator.
   const double largest = 1 / (kTorusMinor * (kTorusMajor + kTorusMinor));
   const double around = kPi * std::min(kTorusMinor, kTorusMajor - kTorusMinor);
   return CurvatureBound{largest, std::min(around, kPi / std::sqrt(largest))};
@@ -136,7 +137,7 @@ double provedRadius(const Surface& surface, const Array<SurfacePoint>& points,
     if (weights[i] == 0) continue;
     chord = std::max(chord, (position(mesh, points[i]) - position(mesh, center)).norm());
   }
-  // Paths are no shorter, and take longer to find.
+  // Chords come first, since paths are no shorter and take longer to find.
   if (!isProved(chord)) return -1;
   double radius = chord;
   for (int i = 0; i < points.count(); ++i) {

@@ -5,7 +5,7 @@
 #include "mesh/shapes.h"
 #include "rcm/surface.h"
 
-/// Whether a center of mass is the only one.
+/// Uniqueness of centers of mass.
 ///
 /// H. Karcher, "Riemannian Center of Mass and Mollifier Smoothing" (1977): where the points lie in
 /// a ball that is small beside the curvature and the injectivity radius, the energy is convex
@@ -16,9 +16,9 @@
 /// Intrinsic Geometry of a Jordan Domain", for its boundary).
 namespace karcher {
 
-/// What is known of other minima of the energy.
+/// The knowledge of other minima of the energy.
 enum class Uniqueness {
-  kNotLooked,  ///< no search was made beyond those from the control points, if any
+  kNotLooked,  ///< no searches beyond those from the control points, if any
   kCertain,    ///< proved: no other is lower, and none is near the points
   kLikely,     ///< all searches ended at this one
   kNotUnique,  ///< some searches ended at others
@@ -27,26 +27,27 @@ enum class Uniqueness {
 /// The name of a state in reports: "notLooked".
 const char* uniquenessName(Uniqueness uniqueness);
 
-/// What is known of the smooth surface that a mesh approximates.
+/// Bounds of the smooth surface that a mesh approximates.
 struct CurvatureBound {
-  double largestCurvature = 0;   ///< of Gauss, anywhere
-  double injectivityRadius = 0;  ///< up to there every geodesic is the only shortest one
+  double largestCurvature = 0;  ///< the largest Gaussian curvature
+  double injectivityRadius =
+      0;  ///< the length up to which every geodesic is the unique shortest path
 };
 
-/// Of the sphere and the torus, whose curvature is known in closed form.
+/// The bound of the sphere and the torus, whose curvature has a closed form.
 std::optional<CurvatureBound> curvatureBound(Shape shape);
 
 /// The radius of a ball about `center` that holds all points of weight not 0, if it is proved that
-/// their energy has no other minimum in it and no lower value elsewhere; else -1. Weights below 0
-/// prove nothing. With `smooth` the proof may be of the smooth surface that the mesh approximates;
-/// else it is of the mesh, whose vertices within three radii of the center then have no angle
-/// defect above 1e-9.
+/// their energy has no other minimum in it and no lower value elsewhere; else -1. Nothing is proved
+/// with negative weights. With `smooth` the proof may be for the smooth surface that the mesh
+/// approximates; else it is for the mesh, whose vertices within three radii of the center then have
+/// no angle defect above 1e-9.
 double provedRadius(const Surface& surface, const Array<SurfacePoint>& points,
                     const Array<double>& weights, const SurfacePoint& center,
                     const std::optional<CurvatureBound>& smooth = std::nullopt);
 
 /// Points spread evenly over the connected component of a face: the centroids of faces at equal
-/// steps of the area, in the faces' order, which is one of places near each other.
+/// steps of the area, in the faces' order, which is spatially coherent.
 Array<SurfacePoint> spreadPoints(Surface& surface, int face, int count);
 
 }  // namespace karcher

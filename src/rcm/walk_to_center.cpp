@@ -30,22 +30,23 @@ namespace {
 constexpr int kMaxFaces = 400;
 constexpr int kMostDescents = 60;
 constexpr double kLongestDescent = 0.5;  ///< of the mesh's extent
-/// A zero whose weights in a face go below this is far away: descend instead of walking there.
+/// A zero with a weight below this is far away, so that the search descends instead of walking
+/// there.
 constexpr double kFarWeight = -6;
 
 int smallestCorner(const Vec3& b) {
   return b[0] < b[1] ? (b[0] < b[2] ? 0 : 2) : (b[1] < b[2] ? 1 : 2);
 }
 
-/// The zero of a cell's field; none where the Hessian is not positive definite.
+/// The zero of a cell's field; none if the Hessian is not positive definite.
 std::optional<CellZero> zeroOfCell(FieldBlend& fields, Weights weights, int cell) {
   CellZero zero;
   if (!fields.findZero(cell, weights, zero)) return std::nullopt;
   return zero;
 }
 
-/// The zero among the cells and edges around the tail of a half-edge: the same answer whichever
-/// cell the search came from. The tail itself where each cell places its zero in another.
+/// The zero among the cells and edges around the tail of a half-edge, which does not depend on the
+/// cell from which the search came. It is the tail itself if each cell has its zero in another.
 CenterOfMass centerAroundTail(FieldBlend& fields, Weights weights, int halfedge) {
   const Cells& cells = fields.cells();
   const int first = cells.firstAround(halfedge);
@@ -63,7 +64,7 @@ CenterOfMass centerAroundTail(FieldBlend& fields, Weights weights, int halfedge)
   }
   if (!definite) return {cells.tailOf(first), Status::kIndefinite, 0};
 
-  // Of zeros between two cells the one that lies farthest from the ends of its edge.
+  // Among zeros between two cells, the one farthest from the ends of its edge is taken.
   double farthest = 0;
   SurfacePoint between;
   for (const int h : HalfedgesAround<Cells>(cells, first)) {
@@ -80,7 +81,7 @@ CenterOfMass centerAroundTail(FieldBlend& fields, Weights weights, int halfedge)
   }
   if (farthest > 0) return {between, Status::kConverged, 0};
 
-  // The field's discontinuity moves a zero by a small part of an edge, no more.
+  // The field's discontinuity moves a zero by at most a small part of an edge.
   constexpr double kMostMoved = 0.5;
   const Status status = cells.twin(first) < 0    ? Status::kBoundary
                         : nearest >= -kMostMoved ? Status::kConverged
@@ -93,7 +94,7 @@ class ZeroWalk {
   ZeroWalk(FieldBlend& fields, Weights weights)
       : fields_(fields), geometry_(fields.geometry()), cells_(fields.cells()), weights_(weights) {}
 
-  /// From a point, with the zero of its face.
+  /// Searches from a point, with the zero of its face.
   CenterOfMass run(const SurfacePoint& start, const std::optional<CellZero>& zero) {
     if (zero && zero->depth() >= kFarWeight) return walk(start, zero);
     const SurfacePoint near = descend(start);
@@ -109,7 +110,7 @@ class ZeroWalk {
     int crossingsLeft = mostCrossingsOfSearch(*geometry_.mesh);
     while (descents_ < kMostDescents && crossingsLeft > 0) {
       ++descents_;
-      // Weights far from 0 and 1 ask for steps that would wind round the surface again and again.
+      // Weights far from 0 and 1 would lead to steps that wind around the surface many times.
       const Vec2 wanted = -fields_.at(point, weights_) / 2;
       const Vec2 step = wanted * std::min(1.0, kLongestDescent * geometry_.extent / wanted.norm());
       StraightestPath& way = fields_.step();
@@ -123,7 +124,7 @@ class ZeroWalk {
     return point;
   }
 
-  /// From a point near the zero, with the zero of its face.
+  /// Walks from a point near the zero, with the zero of its face.
   CenterOfMass walk(const SurfacePoint& start, std::optional<CellZero> zero) {
     const int first = cells_.at(start).cell;
     int cell = first;
@@ -154,15 +155,15 @@ class ZeroWalk {
     return {centroid(cell), Status::kLimit, kMaxFaces};
   }
 
-  /// Two cells that each place the zero behind their common edge.
+  /// The zero if two cells each have theirs behind their common edge.
   CenterOfMass betweenFaces(int h, int step) {
     CenterOfMass result = centerBetween(fields_, weights_, h);
     result.iterations = step;
     return result;
   }
 
-  /// The edge behind which the zero lies farthest; an edge of the boundary only where the zero lies
-  /// behind no other.
+  /// The edge behind which the zero lies farthest; a boundary edge only if the zero lies behind no
+  /// other.
   int exitEdge(int cell, const Vec3& zero, int corner) const {
     const int h = 3 * cell + (corner + 1) % 3;
     if (cells_.twin(h) >= 0) return h;
@@ -184,7 +185,7 @@ class ZeroWalk {
 
   SurfacePoint centroid(int cell) const { return cells_.point(cell, Vec3::Constant(1.0 / 3)); }
 
-  /// Cells left in the last steps: coming back to one means that the zero lies between faces.
+  /// The number of cells remembered. Returning to one means that the zero lies between faces.
   static constexpr int kHistory = 16;
 
   FieldBlend& fields_;
@@ -208,7 +209,7 @@ CenterOfMass centerBetween(FieldBlend& fields, Weights weights, int h) {
 }
 
 bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point) {
-  // Rounding of the fields, of weights that may be far larger than their sum.
+  // The rounding of the fields, for weights that may be far larger than their sum.
   constexpr double kRounding = 1e-12;
   double sum = 0;
   for (const double weight : weights) sum += std::abs(weight);
@@ -219,8 +220,8 @@ bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point) {
 
 CenterOfMass walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
   if (fields.cells().cut()) return walkThroughCuts(fields, weights, start);
-  // Most samples of a curve lie in the face of the one before, and no other zero is near: all that
-  // they need, in one function.
+  // Fast path: most samples of a curve lie in the face of the one before, and no other zero is
+  // near.
   CellZero zero;
   if (!fields.findZero(start.face, weights, zero)) {
     return ZeroWalk(fields, weights).run(start, std::nullopt);
