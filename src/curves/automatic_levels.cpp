@@ -9,26 +9,27 @@
 namespace karcher {
 namespace {
 
-/// The convexity of a safe piece, half of the plane's: on the sphere legs reach over 67 degrees.
+/// The least convexity of a safe piece, half of the plane's: on the sphere legs then reach over at
+/// most 67 degrees.
 constexpr double kLeastConvexity = 0.5;
 
-/// Radians: the detail that a safe piece sees on a leg. By the study of steadiness curves begin to
-/// turn visibly more than their limit beyond it.
+/// The largest detail on a leg of a safe piece, in radians. By the study of steadiness, curves
+/// beyond it begin to turn visibly more than their limit.
 constexpr double kMostDetail = 0.2;
 
-/// Edges that a leg of a quick curve crosses: about three edge lengths.
+/// The most edges that a leg of a quick curve crosses: about three edge lengths.
 constexpr double kFewEdges = 9;
 
-/// What the estimate of a deviation is multiplied by.
+/// The factor on the estimate of a deviation.
 constexpr double kDeviationMargin = 1.5;
 
-/// How much shorter the legs of a curve's pieces are than those of its polygon, before any level:
-/// a Catmull-Rom curve's Bezier polygons have legs of a third.
+/// The ratio of the legs of a curve's pieces at level 0 to those of its polygon: a Catmull-Rom
+/// curve's Bezier polygons have legs of a third.
 double partOfLeg(const CurveShape& shape) {
   return shape.kind == CurveKind::kCatmullRom ? 1.0 / 3 : 1;
 }
 
-/// Writes the weights of a piece's points; none where they do not count.
+/// Writes the weights of a piece's points; none if they do not count.
 void takeWeights(const RefinedPolygon& polygon, const SegmentLayout& piece,
                  Array<double>& weights) {
   weights.clear();
@@ -54,7 +55,7 @@ int levelsToSafety(const Geometry& geometry, const CurveShape& shape, int points
                    const Array<SurfacePath>& legs) {
   double detail = 0;
   for (const SurfacePath& leg : legs) detail = std::max(detail, detailAlong(geometry, leg));
-  // The square of a leg falls by 4 a level.
+  // The square of a leg falls by a factor of 4 at each level.
   detail *= partOfLeg(shape) * partOfLeg(shape);
   int levels = 0;
   while (mayTakeLevels(shape, points, levels + 1) &&

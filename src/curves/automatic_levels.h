@@ -4,25 +4,25 @@
 #include "curves/polygon/deviation.h"
 #include "curves/polygon/levels.h"
 
-/// How many levels a curve takes that is asked for none:
+/// The number of levels of a curve that does not set it:
 ///
 /// - A curve is safe at some levels if all its pieces are: their centers of mass move continuously,
-///   and turn little more than the surface (convexity.h).
+///   and turn little more than the surface does (convexity.h).
 /// - Where level 0 is safe, it is the curve of Mancinelli and Puppo, Eq. 4. If all levels lie
-/// within
-///   a tolerance of it (deviation.h), the curve takes as many as make it quickest, else none.
+///   within a tolerance of it (deviation.h), the curve takes the number that makes it quickest,
+///   else none.
 /// - Where level 0 is not safe, as on rough surfaces, the curve takes the fewest levels at which it
-///   is, or as many as make it quickest.
+///   is, or more if that is quicker.
 ///
-/// All this follows from the control polygon and the faces that its legs cross, but for one thing:
-/// level 0 takes shortest paths between the points to be those to which the legs are pulled tight.
-/// On a tube that the legs go round they are not, and centers of mass jump to its other side.
+/// All this follows from the control polygon and the faces that its legs cross, with one exception:
+/// level 0 assumes that the tightened legs are the shortest paths between their points. On a tube
+/// that the legs go around they are not, and centers of mass jump to its other side.
 namespace karcher {
 
-/// Mean edges: how far levels may move a curve that is safe without them.
+/// The largest move by levels of a curve that is safe without them, in mean edges.
 inline constexpr double kLevelsTolerance = 0.02;
 
-/// Scratch memory; reuse one to spare the allocations.
+/// Scratch memory, which can be reused.
 struct LevelsWorkspace {
   ConvexityWorkspace convexity;
   DeviationWorkspace deviation;
@@ -31,31 +31,33 @@ struct LevelsWorkspace {
   SurfacePath tight;
 };
 
-/// Whether all pieces of a polygon are safe; of the control polygon itself too, whose pieces are
-/// the curve's segments.
+/// Whether all pieces of a polygon are safe. The polygon may be the control polygon itself, whose
+/// pieces are the curve's segments.
 bool isSafe(const Geometry& geometry, const RefinedPolygon& polygon, LevelsWorkspace& workspace);
 
-/// How many levels make a polygon safe, by what the legs of the control polygon tell; at least 1
-/// where a curve of the shape takes levels. Where the legs go round the rim of an ear, the curve
-/// goes over it: the refined polygon may need more.
+/// The number of levels that make a polygon safe, judged by the legs of the control polygon; at
+/// least 1 if a curve of the shape takes levels. If the legs go around the rim of an ear, the curve
+/// crosses it, and the refined polygon may need more.
 int levelsToSafety(const Geometry& geometry, const CurveShape& shape, int points,
                    const Array<SurfacePath>& legs);
 
-/// How many levels make a curve quickest: until legs cross few edges. A piece's fields cost about
-/// the square of the edges that its legs cross, and there are twice as many pieces a level.
+/// The number of levels that makes a curve quickest, at which legs cross few edges. A piece's
+/// fields cost about the square of the edges that its legs cross, and each level doubles the number
+/// of pieces.
 int quickLevels(const CurveShape& shape, int points, const Array<SurfacePath>& legs);
 
-/// In the mesh's units: how far, by estimate, levels move the curve of a control polygon at most.
-/// The estimate is right to about a third of it; this is the upper end.
+/// The estimated largest move of a control polygon's curve by levels, in the mesh's units. The
+/// estimate is right to about a third; this is the upper end.
 double levelsDeviation(const Geometry& geometry, const RefinedPolygon& polygon,
                        LevelsWorkspace& workspace);
 
-/// The length of the way between two of a segment's points to which the legs are pulled tight.
+/// The length of the path between two of a segment's points to which the legs are pulled tight.
 double tightLength(const Geometry& geometry, const RefinedPolygon& polygon,
                    const SegmentLayout& segment, int from, int to, LevelsWorkspace& workspace);
 
-/// As many levels as make legs twice as long as edges, if the work allows that, and at least two.
-/// The averages then lie within a small fraction of an edge of the subdivision curve.
+/// The number of levels at which legs are twice as long as edges, but at least two, and no more
+/// than the work allows. The averages then lie within a small fraction of an edge of the
+/// subdivision curve.
 int levelsToLimit(const Geometry& geometry, const CurveShape& shape, int points,
                   const Array<SurfacePath>& legs);
 

@@ -14,7 +14,7 @@ namespace karcher {
 namespace {
 
 constexpr int kFewestArcs = 3;
-/// Of fitting arcs before any is cut, a full turn, and of ellipses.
+/// The number of fitting arcs of a full turn before any is cut, and of an ellipse's arcs.
 constexpr int kFirstArcs = 7;
 constexpr int kMostCuts = 4;
 constexpr int kMostParts = 4;  ///< of one arc at a time
@@ -50,7 +50,7 @@ class Center {
     if (location_.simplex == Simplex::kVertex) total_ = geometry.totalAngle[location_.vertex];
   }
 
-  /// Throws Error kBoundary where no circle goes all around.
+  /// Throws Error kBoundary if no circle goes all around.
   void checkIsInside() const {
     const bool atVertex = location_.simplex == Simplex::kVertex;
     const bool atEdge = location_.simplex == Simplex::kEdge;
@@ -65,7 +65,7 @@ class Center {
 
   double totalAngle() const { return total_; }
 
-  /// The direction, as `trace` takes it, of a vector in the frame of the center's face.
+  /// The direction, as for `trace`, of a vector in the frame of the center's face.
   double directionOf(const Vec2& vector) const {
     if (location_.simplex != Simplex::kVertex) return angleOf(vector);
     int h = 3 * point_.face;
@@ -91,7 +91,7 @@ class Center {
 constexpr double kLeastOfEdge = 1e-9;
 constexpr double kLeastRoundings = 1e6;
 
-/// Throws Error kBadArgument for a radius that doubles do not tell at the center.
+/// Throws Error kBadArgument for a radius that doubles cannot resolve at the center.
 void checkRadiusIsTold(const Geometry& geometry, const SurfacePoint& center, double radius) {
   const TriangleMesh& mesh = *geometry.mesh;
   const PointLocation location = locate(mesh, center);
@@ -145,13 +145,13 @@ double distanceAt(const Geometry& geometry, const WindowDistance& distance,
   return std::sqrt(std::max(squared, 0.0));
 }
 
-/// Where a control point lies.
+/// The place of a control point.
 struct ArcPoint {
   double direction = 0;
   double distance = 0;
 };
 
-/// An arc but for its end, which is the next one's start.
+/// An arc without its end, which is the next one's start.
 struct Arc {
   ArcPoint start;
   ArcPoint middle;
@@ -207,7 +207,7 @@ Array<CurveSample> planeArc(const Center& from, const ArcPoint (&control)[3],
   return samples;
 }
 
-/// `radius` is how far the surface has to go from the center.
+/// The surface must extend to `radius` from the center.
 GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double radius,
                          const Array<Arc>& arcs, const CircleOptions& options) {
   const Geometry& geometry = surface.geometry();
@@ -275,7 +275,8 @@ Array<Arc> arcsBetween(const Array<double>& directions, double radius) {
   return arcs;
 }
 
-/// Per arc the largest difference of a sample's distance and the radius, as a part of the radius.
+/// The largest difference of a sample's distance and the radius for each arc, as a part of the
+/// radius.
 Array<double> deviationsOf(const Geometry& geometry, const SurfacePoint& center, double radius,
                            const GeodesicCircle& circle) {
   Array<SurfacePoint> points;
@@ -295,7 +296,8 @@ Array<double> deviationsOf(const Geometry& geometry, const SurfacePoint& center,
   return deviations;
 }
 
-/// Into how many parts each arc is to be cut: the worst first, as long as there may be more arcs.
+/// The number of parts into which each arc is cut: the worst are cut first, as long as more arcs
+/// are allowed.
 Array<int> partsOfArcs(const Array<double>& deviations, double tolerance) {
   const int count = deviations.count();
   Array<int> parts;
@@ -326,7 +328,8 @@ Array<double> cutInto(const Array<int>& parts, const Array<double>& directions) 
   return result;
 }
 
-/// As many samples an arc as keep the widest one's as near to each other as in a seventh of a turn.
+/// The number of samples of each arc that keeps those of the widest one as dense as in a seventh of
+/// a turn.
 int samplesOfArcs(const Array<double>& directions, int samples) {
   double widest = 0;
   for (int j = 0; j + 1 < directions.count(); ++j) {
@@ -397,7 +400,7 @@ GeodesicCircle traceEllipse(Surface& surface, const SurfacePoint& center, double
     const double reach = i % 2 == 0 ? 1 : 1 / std::cos(halfAngle);
     const Vec2 place =
         reach * Vec2(along * std::cos(i * halfAngle), across * std::sin(i * halfAngle));
-    // Around a vertex the plane's angles share out the vertex's.
+    // Around a vertex the plane's angles are scaled to the vertex's total angle.
     const double angle = angleOf(place) * from.totalAngle() / (2 * kPi);
     points.push_back({begin + angle, place.norm()});
   }

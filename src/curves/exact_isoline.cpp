@@ -6,18 +6,18 @@
 #include "mesh/error.h"
 #include "mesh/sorted_numbers.h"
 
-/// In a face the points nearer than the radius are the union of the parts of discs that images
-/// reach. Its border consists of arcs: each circle is cut where it crosses the face's edges and its
-/// own image's rays, and of the pieces inside both those parts are taken away that another image
-/// undercuts, cut by that one's circle and rays. The arcs of all faces are then put together where
-/// their ends meet.
+/// In a face, the points nearer than the radius are the union of the parts of disks that images
+/// reach. Its border consists of arcs. Each circle is cut where it crosses the face's edges and its
+/// own image's rays, and from the pieces inside both, the parts that another image undercuts are
+/// removed, cut by that image's circle and rays. The arcs of all faces are then joined where their
+/// ends meet.
 namespace karcher {
 namespace {
 
 /// Lengths below this part of a mean edge are rounding.
 constexpr double kLeastLength = 1e-9;
-/// Ends of arcs this near to each other, in mean edges, may be one point: where an arc grazes an
-/// edge or a ray, rounding moves its end by the root of it. The nearest ends meet first.
+/// Ends of arcs this near to each other, in mean edges, may be one point: if an arc grazes an edge
+/// or a ray, its end moves by the square root of the rounding. The nearest ends are joined first.
 constexpr double kMeet = 1e-3;
 constexpr double kOnEdge = 1e-9;
 
@@ -86,7 +86,7 @@ class FaceArcs {
     });
   }
 
-  /// Takes from the pieces what another image undercuts.
+  /// Removes from the pieces what another image undercuts.
   void takeUndercut(const SourceImage& own, double radius, const SourceImage& other) {
     cuts_.clear();
     cutByCircle(own, radius, other);
@@ -105,7 +105,7 @@ class FaceArcs {
     });
   }
 
-  /// Appends the parts between the cuts of which the middle is kept; neighbours are one piece.
+  /// Appends the parts between cuts whose middle is kept; adjacent ones become one piece.
   template <typename IsKept>
   void keepPieces(const Array<Piece>& from, double radius, const IsKept& isKept) {
     for (const Piece& piece : from) {
@@ -127,7 +127,7 @@ class FaceArcs {
     }
   }
 
-  /// The last arc and the first, where the cut between them is none.
+  /// Joins the last arc and the first if no cut separates them.
   void joinRound(int first, Array<Arc>& arcs) {
     if (arcs.count() == first) return;
     Arc& begin = arcs[first];
@@ -171,7 +171,7 @@ class FaceArcs {
     cuts_.push_back(angle < 0 ? angle + 2 * kPi : angle);
   }
 
-  /// Whether another image leads to a point of the circle on a shorter way; of equal ones the first
+  /// Whether another image has a shorter path to a point of the circle; among equal ones the first
   /// counts.
   bool undercuts(const SourceImage& other, const SourceImage& own, const Vec2& x) const {
     if (!holds(other, x, rounding_)) return false;
@@ -192,13 +192,13 @@ class FaceArcs {
   const SourceImage* begin_ = nullptr;
   const SourceImage* end_ = nullptr;
   Array<double> cuts_;
-  /// Of the circle that is cut; angles from `first_` to a full turn on.
+  /// The pieces of the circle that is being cut, with angles from `first_` to a full turn beyond.
   Array<Piece> pieces_;
   Array<Piece> before_;
   double first_ = 0;
 };
 
-/// Puts arcs together where their ends meet.
+/// Joins arcs where their ends meet.
 class ArcChains {
  public:
   ArcChains(const Geometry& geometry, const Array<Arc>& arcs, double tolerance)
@@ -211,14 +211,14 @@ class ArcChains {
     const auto follow = [&](int end) {
       Isoline line;
       line.closed = false;
-      // From an arc's one end to its other, and on from the end that this one meets.
+      // Goes from one end of an arc to the other, and on to the end that meets it.
       while (end >= 0 && !used[end / 2]) {
         used[end / 2] = 1;
         appendArc(end, line);
         end = partner_[end ^ 1];
       }
       line.closed = end >= 0 || arcs_[first_ / 2].isCircle;
-      // A scrap between two ends that have met each other.
+      // This is a scrap whose two ends met other arcs' ends too early.
       if (!line.closed && line.length <= kMeet * geometry_.meanEdge) return;
       if (line.closed) line.points.push_back(line.points.front());
       isolines.push_back(std::move(line));
@@ -247,9 +247,9 @@ class ArcChains {
     return clampedPoint(arc.face, bary / bary.sum());
   }
 
-  /// Each end with the nearest other one that is free, the nearest pairs first. Those that are
-  /// nearer than a radius are paired before the radius grows: most ends meet at rounding, and few
-  /// are left where it is so large that every end of a narrow face lies within it.
+  /// Pairs each end with the nearest free one, the nearest pairs first. Ends within a radius are
+  /// paired before the radius grows: most ends meet up to rounding, and few are left when the
+  /// radius is so large that it contains every end of a narrow face.
   void pairEnds() {
     const int count = 2 * arcs_.count();
     partner_.assign(static_cast<size_t>(count), -1);
@@ -268,7 +268,7 @@ class ArcChains {
     }
   }
 
-  /// Pairs ends, in the order of x, that are free.
+  /// Pairs free ends in the order of x.
   void pairWithin(double meet, const Array<Vec3>& places, const Array<int>& order) {
     struct Pair {
       double distance;
@@ -344,7 +344,7 @@ Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& sourc
   }
   Array<Arc> arcs;
   FaceArcs faceArcs(geometry, radius);
-  // Whether all of a face is nearer than the radius, by the way over one of its corners.
+  // Whether a whole face is nearer than the radius, by paths over one of its corners.
   const auto isNearer = [&](int face) {
     for (int k = 0; k < 3; ++k) {
       const int h = 3 * face + k;
@@ -356,7 +356,7 @@ Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& sourc
   for (int i = 0; i < images.count();) {
     int end = i;
     while (end < images.count() && images[end].face == images[i].face) ++end;
-    // Of a face without a point at the radius not all images are kept: others would not be
+    // A face without a point at the radius has not kept all images, so that some would not be
     // undercut.
     if (!isNearer(images[i].face)) faceArcs.append(images.data() + i, images.data() + end, arcs);
     i = end;

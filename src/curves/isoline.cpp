@@ -8,10 +8,10 @@
 namespace karcher {
 namespace {
 
-/// A line shorter than this part of the edges it crosses is none.
+/// A line shorter than this part of the edges it crosses is dropped.
 constexpr double kShortestLine = 1e-9;
 
-/// One isoline after another, by walking from face to face.
+/// Traces one isoline after another by walking from face to face.
 class LinearIsolines {
  public:
   LinearIsolines(const TriangleMesh& mesh, const Array<double>& values, double level)
@@ -21,7 +21,7 @@ class LinearIsolines {
         visited_(static_cast<size_t>(mesh.faceCount()), 0) {}
 
   Array<Isoline> run() {
-    // Those that begin on the boundary, then the closed ones.
+    // Lines that begin on the boundary come first, then closed ones.
     for (const bool fromBoundary : {true, false}) {
       for (int f = 0; f < mesh_.faceCount(); ++f) {
         if (visited_[f]) continue;
@@ -74,7 +74,7 @@ class LinearIsolines {
       line.points.push_back(point);
       h = mesh_.twin[exit];
     }
-    // Around a vertex whose value is the level but for rounding.
+    // Shorter lines go around a vertex whose value is the level up to rounding.
     if (line.length > kShortestLine * longestEdge) isolines_.push_back(std::move(line));
   }
 

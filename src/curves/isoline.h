@@ -2,7 +2,7 @@
 
 #include "intrinsic/geometry.h"
 
-/// Lines of points at one distance from a source: what a circle is compared with.
+/// Isolines: lines of points at one distance from a source, with which circles are compared.
 namespace karcher {
 
 /// A line on the surface, or one of several. Consecutive points share a face; a crossing of an edge
@@ -16,15 +16,15 @@ struct Isoline {
 /// Throws Error kBadArgument for a distance that is not positive and finite.
 void checkIsolineRadius(double radius);
 
-/// The isolines of a distance that is linear in each triangle, by its values at the vertices
-/// (kInfinity, or any number): straight from edge to edge, with the smaller values on their left.
-/// Throws Error kBadArgument (level not positive and finite).
+/// The isolines of a distance that is linear in each triangle, given by its values at the vertices
+/// (kInfinity or any number). They are straight from edge to edge and have smaller values on their
+/// left. Throws Error kBadArgument (level not positive and finite).
 Array<Isoline> linearIsolines(const TriangleMesh& mesh, const Array<double>& values, double level);
 
-/// The points at distance `radius` from the source, exactly: in each face the arcs about the
-/// source's images (source_images.h) that no other path undercuts, cut so finely that chords keep
-/// to them within `tolerance` mean edges. Lengths are those of the arcs.
-/// Throws Error: kBadArgument (radius or tolerance not positive and finite).
+/// The exact isoline at distance `radius` from the source. In each face it consists of arcs about
+/// the source's images (source_images.h) that no other path undercuts, divided so that chords stay
+/// within `tolerance` mean edges of them. Lengths are those of the arcs. Throws Error: kBadArgument
+/// (radius or tolerance not positive and finite).
 Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& source, double radius,
                              double tolerance = 1e-3);
 

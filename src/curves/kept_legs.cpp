@@ -26,7 +26,7 @@ void keepLegs(CurveValue& value, int points, const PointChange& change) {
       int to = numberBefore(change, (i + 1) % count);
       if (turned) std::swap(from, to);
       if (from < 0 || to != (from + 1) % points || from >= value.legs.count()) continue;
-      // One that was taken is empty.
+      // A leg that was already taken is empty.
       if (value.legs[from].points.empty()) continue;
       kept[i].points.swap(value.legs[from].points);
       kept[i].lengths.swap(value.legs[from].lengths);

@@ -2,23 +2,22 @@
 
 #include "curves/curve_value.h"
 
-/// Which legs of a control polygon stay when its points are changed.
+/// Keeping of a control polygon's legs when its points change.
 namespace karcher {
 
-/// One point of a polygon goes from one number to another; it is new where `from` is -1, and taken
-/// out where `to` is. By default none.
+/// The change of one point of a polygon from one number to another. The point is new if `from` is
+/// -1 and removed if `to` is. By default no point changes.
 struct PointChange {
   int from = -1;
   int to = -1;
 };
 
-/// Makes a value's legs, which are those before a change of its points, `points` in number, those
-/// after it. A leg goes with its two ends as long as they are neighbours, turned round where these
-/// have changed places, and to one pair at most. The others are the shortest; without legs where
-/// all are.
+/// Updates a value's legs after a change of its points; `points` is the number before. A leg stays
+/// with its two ends as long as they are neighbours, reversed if they changed places, and goes to
+/// one pair at most. All others become the shortest; the value has no legs if all are.
 void keepLegs(CurveValue& value, int points, const PointChange& change);
 
-/// The value with other control points. A leg is kept where both its ends stay, by their numbers.
+/// The value with other control points. A leg is kept if both its ends, by number, are unchanged.
 CurveValue withPoints(CurveValue value, Array<SurfacePoint> points);
 
 }  // namespace karcher

@@ -6,10 +6,10 @@
 namespace karcher {
 namespace {
 
-/// On a leg over as few faces, about an edge length, what is seen is the mesh itself.
+/// A leg over at most this many faces, about an edge length, sees only the mesh itself.
 constexpr int kFewFaces = 4;
 
-/// How many even parts of a piece's parameter are looked at.
+/// The number of even parts of a piece's parameter that are examined.
 constexpr int kParts = 16;
 
 void layAlong(const Geometry& geometry, const Array<SurfacePath>& legs, const SegmentLayout& piece,
@@ -86,14 +86,14 @@ double leastConvexity(const Geometry& geometry, const Array<SurfacePath>& legs,
   double least = 1;
   for (int part = 0; part <= kParts; ++part) {
     weightsAt(piece.basis, pointWeights, static_cast<double>(part) / kParts, workspace.weights);
-    // Where along the legs the curve is by then.
+    // The place along the legs that the curve has reached.
     double place = 0;
     for (int k = 0; k < points; ++k) place += workspace.weights[k] * workspace.points[k];
     const auto after = std::lower_bound(places.begin(), places.end(), place) - places.begin();
     const int at = std::min(static_cast<int>(after), count - 1);
     double convexity = 0;
     for (int k = 0; k < points; ++k) {
-      // Nothing times infinity would be no number.
+      // Zero times infinity would be NaN.
       if (workspace.weights[k] == 0) continue;
       convexity += workspace.weights[k] * workspace.convexities[k * count + at];
     }

@@ -9,7 +9,7 @@
 namespace karcher {
 namespace {
 
-/// How many even parts of a segment's parameter are looked at.
+/// The number of even parts of a segment's parameter that are examined.
 constexpr int kParts = 8;
 
 /// A vector turned to the right.
@@ -26,7 +26,7 @@ double meanAlong(const Geometry& geometry, const SurfacePath& leg) {
   return leg.length() > 0 ? sum / leg.length() : 0;
 }
 
-/// The angle by which one leg turns from the way on of the one before it.
+/// The angle by which one leg turns from the straight continuation of the one before it.
 double turningBetween(const Geometry& geometry, const SurfacePath& before,
                       const SurfacePath& after) {
   if (before.length() == 0 || after.length() == 0) return 0;
@@ -49,7 +49,7 @@ void unroll(const Geometry& geometry, const Array<SurfacePath>& legs, const Segm
   }
 }
 
-/// The share of the later point in an average of the pyramid: row 1 is that of the points.
+/// The share of the later point in an average of the pyramid; row 1 averages the points.
 double shareAt(const SegmentBasis& basis, int degree, int row, int i, double t) {
   if (basis.form == BasisForm::kBernstein || basis.form == BasisForm::kCatmullRom) return t;
   const auto knot = [&](int k) {
@@ -65,7 +65,7 @@ struct Handle {
   Vec2 move;
 };
 
-/// The Bezier polygon of a span of a Catmull-Rom curve in place of its points (through_points.h).
+/// Replaces the points of a Catmull-Rom curve's span by its Bezier polygon (through_points.h).
 void takeHandles(const SegmentBasis& basis, double curvature, DeviationWorkspace& workspace) {
   Array<Vec2>& row = workspace.row;
   const auto log = [&](const Vec2& p, const Vec2& q) {
@@ -98,7 +98,8 @@ void takeHandles(const SegmentBasis& basis, double curvature, DeviationWorkspace
   workspace.moves.assign({Vec2(0, 0), after.move, before.move, Vec2(0, 0)});
 }
 
-/// How far the curvature moves the point of the subdivision curve at t, from the center of mass.
+/// The distance by which the curvature moves the point of the subdivision curve at t from the
+/// center of mass.
 double moveAt(const SegmentBasis& basis, const Array<double>& pointWeights, double curvature,
               double t, DeviationWorkspace& workspace) {
   const Array<Vec2>& unrolled = workspace.unrolled;

@@ -9,7 +9,8 @@ namespace {
 
 int countOf(const ControlPolygon& polygon) { return polygon.points.count(); }
 
-/// The part of a knot vector's spans in which u lies, of empty ones the last, and its knot's place.
+/// The span of a knot vector in which u lies, the last one if several are empty, and the index of
+/// its knot.
 struct KnotPlace {
   int place = 0;
   int span = 0;
@@ -24,8 +25,8 @@ KnotPlace placeOf(const ControlPolygon& polygon, double u) {
   return {place, place - 1 - (polygon.closed ? 0 : polygon.degree)};
 }
 
-/// `insertKnot` for a closed curve of less than p points: the new ones go more than once around, so
-/// that the knots of several turns bear on each. The curve is unrolled over these turns.
+/// `insertKnot` for a closed curve of fewer than p points: new points extend more than once around,
+/// so that the knots of several turns affect each. The curve is unrolled over these turns.
 int insertAround(const Geometry& geometry, ControlPolygon& polygon, double u) {
   const int p = polygon.degree;
   const int n = countOf(polygon);
@@ -77,7 +78,7 @@ int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u) {
   const Array<double>& knots = polygon.knots;
   const auto [place, span] = placeOf(polygon, u);
 
-  // Control point i has the knots of the spans i - p to i + 1.
+  // Control point i depends on the knots of the spans i - p to i + 1.
   const auto knot = [&](int j) { return knotOfSpan(knots, p, polygon.closed, j); };
   const auto old = [&](int i) -> const WeightedPoint& {
     return polygon.points[polygon.closed ? ((i % n) + n) % n : i];
@@ -159,7 +160,7 @@ ControlPolygon cutOpen(const Geometry& geometry, ControlPolygon closed, double u
   const double period = closed.knots.back() - closed.knots.front();
   const double start = u == closed.knots.back() ? u - period : u;
   const auto beyond = std::upper_bound(closed.knots.begin(), closed.knots.end(), start);
-  // The last span that starts there: it blends the points from its own number on.
+  // The last span that starts there blends the points from its own number on.
   const int span = static_cast<int>(beyond - closed.knots.begin()) - 1;
   ControlPolygon open;
   open.degree = p;

@@ -3,11 +3,12 @@
 #include "distance/geodesic_line.h"
 
 /// The classical refinements of B-splines and Bezier curves, with averages of two points along
-/// shortest paths. On the plane they leave the curve as it is; on a curved surface they leave it so
-/// up to the curvature, since averages of averages depend on their order there.
+/// shortest paths. On the plane they do not change the curve. On a curved surface they change it by
+/// an amount that vanishes with the curvature, since averages of averages depend on their order
+/// there.
 namespace karcher {
 
-/// A control point with its weight: the average of two is weighted too.
+/// A control point with its weight; the average of two is weighted, too.
 struct WeightedPoint {
   SurfacePoint point;
   double weight = 1;
@@ -25,7 +26,7 @@ struct ControlPolygon {
 WeightedPoint average(const Geometry& geometry, const WeightedPoint& a, const WeightedPoint& b,
                       double s);
 
-/// How often a knot occurs; of a closed curve up to the period.
+/// The multiplicity of a knot; knots of a closed curve are equal up to the period.
 int multiplicity(const ControlPolygon& polygon, double knot);
 
 /// Inserts a knot u between the first and the last of the spans (W. Boehm, "Inserting new knots
@@ -33,7 +34,7 @@ int multiplicity(const ControlPolygon& polygon, double knot);
 /// the inner ones. Returns the number of the first of them. The multiplicity must be less than p.
 int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u);
 
-/// The same curve of one degree more: a point more.
+/// The same curve with its degree raised by one, which takes one more point.
 Array<WeightedPoint> elevated(const Geometry& geometry, const Array<WeightedPoint>& bezier);
 
 /// The parts of a Bezier curve before and after t, by de Casteljau's algorithm.

@@ -4,19 +4,19 @@
 
 namespace karcher {
 
-/// The faces along the legs of a refined polygon. Reuse one to spare the allocations.
+/// The faces along the legs of a refined polygon. The object can be reused.
 struct FacesAlongLegs {
   Array<int> faces;
-  Array<int> begin;       ///< of leg k: faces[begin[k]] up to faces[begin[k + 1]]
-  Array<double> longest;  ///< the longest edge of those faces, a leg
+  Array<int> begin;       ///< leg k has faces[begin[k]] up to faces[begin[k + 1]]
+  Array<double> longest;  ///< the longest edge of each leg's faces
 };
 
 void findFacesAlongLegs(const Geometry& geometry, const RefinedPolygon& refined,
                         FacesAlongLegs& along);
 
-/// Whether a piece of a refined polygon crosses a face that is larger than the piece: with an edge
-/// longer than the legs of the piece together. It depends on the piece and on the faces that its
-/// legs cross alone.
+/// Whether a piece of a refined polygon crosses a face larger than itself, with an edge longer than
+/// all legs of the piece together. This depends only on the piece and on the faces that its legs
+/// cross.
 bool crossesLargerFace(const RefinedPolygon& refined, const SegmentLayout& piece,
                        const FacesAlongLegs& along);
 

@@ -6,13 +6,13 @@
 /// Averages on the legs of a control polygon, and the paths that join them.
 namespace karcher {
 
-/// The points of a piece with the legs between them, to be averaged.
+/// The points of a piece and the legs between them.
 struct LeggedPolygon {
   Array<WeightedPoint> points;
   Array<SurfacePath> legs;  ///< one fewer
 };
 
-/// The average of both ends of a leg, and how far along it lies.
+/// The average of both ends of a leg, and its length from the leg's start.
 struct LegAverage {
   WeightedPoint point;
   double at = 0;
@@ -25,15 +25,15 @@ inline LegAverage averageOn(const TriangleMesh& mesh, const SurfacePath& path, d
   return {{pointAlong(mesh, path, at), from + to}, at};
 }
 
-/// Paths one after the other, to be straightened as one. Writes to the points of `path`.
+/// Joins consecutive paths, which are then straightened as one. Writes to the points of `path`.
 class Chain {
  public:
   Chain(const TriangleMesh& mesh, SurfacePath& path) : mesh_(mesh), points_(path.points) {
     points_.clear();
-    // Of a path of one point, which is straight.
+    // A path of one point is straight.
     path.lengths.assign(1, 0.0);
   }
-  /// The part between two lengths, backwards where from > to.
+  /// Appends the part between two lengths, backwards if from > to.
   void append(const SurfacePath& next, double from, double to) {
     appendPart(mesh_, next, from, to, points_);
   }
@@ -45,7 +45,7 @@ class Chain {
   Array<SurfacePoint>& points_;
 };
 
-/// Writes the part of a path between two lengths, backwards where from > to.
+/// Writes the part of a path between two lengths, backwards if from > to.
 inline void takePart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
                      SurfacePath& part) {
   part.points.clear();

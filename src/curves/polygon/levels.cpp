@@ -11,7 +11,7 @@
 namespace karcher {
 namespace {
 
-/// Averages in one curve: a drag goes through all of them.
+/// The most averages in one curve, since every step of a drag computes all of them.
 constexpr double kMostAverages = 1e6;
 
 bool isBezier(CurveKind kind) { return kind == CurveKind::kBezier || kind == CurveKind::kRational; }
@@ -29,7 +29,7 @@ void findAverages(const TriangleMesh& mesh, const Share& share, AveragingWorkspa
   }
 }
 
-/// Makes the row that of the averages on its legs, one point fewer.
+/// Replaces the row by that of the averages on its legs, with one point fewer.
 void replaceByAverages(const Geometry& geometry, AveragingWorkspace& workspace) {
   const Array<LegAverage>& averages = workspace.averages;
   Array<SurfacePath>& legs = workspace.row.legs;
@@ -46,7 +46,7 @@ void replaceByAverages(const Geometry& geometry, AveragingWorkspace& workspace) 
 
 // Bezier curves.
 
-/// Numbers of what is written of a refined polygon so far.
+/// The numbers of items of a refined polygon written so far.
 struct Written {
   int points = 0;
   int legs = 0;
@@ -55,7 +55,7 @@ struct Written {
 
 void appendPiece(const LeggedPolygon& polygon, RefinedPolygon& out, Written& written) {
   const int degree = polygon.points.count() - 1;
-  // A piece starts where the one before it ends.
+  // A piece starts at the end of the one before.
   const int first = std::max(written.points - 1, 0);
   SegmentLayout& layout = out.pieces[written.pieces++];
   layout.basis = {BasisForm::kBernstein, degree};
@@ -81,7 +81,7 @@ void appendPieces(const Geometry& geometry, const LeggedPolygon& polygon, int le
   appendPieces(geometry, halves.second, levels - 1, workspace, out, written);
 }
 
-/// Makes room for what a number of Bezier curves of a degree become.
+/// Sets the sizes for the pieces of a number of Bezier curves of a degree.
 void makeRoom(int curves, int degree, int levels, AveragingWorkspace& workspace,
               RefinedPolygon& out) {
   const auto pieces = static_cast<size_t>(curves) << levels;
@@ -142,7 +142,7 @@ bool refinePolygon(const Geometry& geometry, const CurveShape& shape,
   } else {
     Written written;
     if (isBezier(shape.kind)) {
-      // A closed one ends at its first point.
+      // A closed curve ends at its first point.
       if (shape.closed) whole.points.push_back(WeightedPoint(whole.points[0]));
       whole.legs = legs;
       makeRoom(1, legs.count(), levels, workspace, refined);
@@ -156,7 +156,7 @@ bool refinePolygon(const Geometry& geometry, const CurveShape& shape,
       }
     }
     if (shape.closed) {
-      // Its ends are one point, and meet where that point's field has its zero.
+      // Its ends are one point, so that both find the zero of that point's field.
       refined.pieces.back().points.back() = 0;
       refined.points.pop_back();
     }

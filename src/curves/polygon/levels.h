@@ -11,11 +11,11 @@
 /// A center of mass of far points is rough on a rough surface: their squared distances have creases
 /// everywhere. So the control polygon is subdivided first, by averages of two points along its
 /// legs, and each piece of the curve is a center of mass of its own near points. On the plane this
-/// is the same curve, and elsewhere the more levels, the nearer it comes to the subdivision curve
-/// of C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive Bezier Splines on
-/// Surface Meshes" (2022).
+/// is the same curve; elsewhere more levels bring it nearer to the subdivision curve of C.
+/// Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive Bezier Splines on Surface
+/// Meshes" (2022).
 ///
-/// No average searches for a path: each is straightened from the parts of the legs that it joins,
+/// No average searches for a path: its path is straightened from parts of the legs that it joins,
 /// so that the curve moves continuously with the legs.
 namespace karcher {
 
@@ -30,13 +30,14 @@ struct RefinedPolygon {
   Array<WeightedPoint> points;
   /// 2^levels for each segment of the curve, in order; their points are numbers of `points`.
   Array<SegmentLayout> pieces;
-  /// From each point to the next; of a closed B-spline also from the last to the first.
+  /// The legs from each point to the next, and for a closed B-spline also from the last to the
+  /// first.
   Array<SurfacePath> legs;
   bool weighted = false;  ///< whether the points' weights count
 };
 
-/// Throws Error kBadArgument for levels that are not from 0 to 8, for a kind that takes none, and
-/// where the work would be out of all proportion (Bezier curves of very many points).
+/// Throws Error kBadArgument for levels outside 0 to 8, for a kind that takes none, and for
+/// excessive work (Bezier curves of very many points).
 void checkLevels(const CurveShape& shape, int points, int levels);
 
 /// Whether `checkLevels` does not throw.
@@ -48,28 +49,28 @@ struct BezierHalves {
   LeggedPolygon second;
 };
 
-/// Scratch memory of averages. A workspace that is used again spares the allocations.
+/// Scratch memory of averages, which can be reused.
 struct AveragingWorkspace {
   StripWorkspace strip;
-  LeggedPolygon row;  ///< of a pyramid, whose legs may be more than are left
+  LeggedPolygon row;  ///< a row of a pyramid, which may have unused legs at its end
   Array<LegAverage> averages;
   SurfacePath inner;
   LeggedPolygon polygon;
-  Array<BezierHalves> halves;  ///< by the levels that are left
+  Array<BezierHalves> halves;  ///< by the number of levels left
   SplineWorkspace spline;
   HandleWorkspace handles;
 };
 
-/// Subdivides a control polygon `levels` >= 1 times. `legs`: a path from each point to the next, at
-/// a closed curve also from the last to the first.
+/// Subdivides a control polygon `levels` >= 1 times. `legs` are paths from each point to the next,
+/// and for a closed curve also from the last to the first.
 /// - Bezier curves, rational ones too, by de Casteljau's algorithm at 1/2;
 /// - B-splines by a knot in the middle of each span: a new point is the repeated average of its
 ///   parents, from both ends of their row towards its middle (subdivision.h), with the weights of
 ///   the knot insertion. In degrees up to 3, with even knots, that is Lane and Riesenfeld's
 ///   algorithm;
-/// - Catmull-Rom curves as cubic Bezier curves, with handles by log and exp maps at the points.
-/// The result of reversed points and legs is the reversed result. Writes to `refined`, whose memory
-/// is used again. Returns false where a handle would lie beyond the surface's boundary.
+/// - Catmull-Rom curves as cubic Bezier curves, with handles by log and exp maps at the points. The
+///   result of reversed points and legs is the reversed result. Writes to `refined`. Returns false
+///   if a handle would lie beyond the surface's boundary.
 bool refinePolygon(const Geometry& geometry, const CurveShape& shape,
                    const Array<SurfacePoint>& points, const Array<SurfacePath>& legs, int levels,
                    AveragingWorkspace& workspace, RefinedPolygon& refined);
@@ -81,8 +82,8 @@ void halve(const Geometry& geometry, const LeggedPolygon& polygon, AveragingWork
 /// Writes the polygon of a piece.
 void takePolygon(const RefinedPolygon& refined, const SegmentLayout& piece, LeggedPolygon& polygon);
 
-/// The point of a piece at t in [0, 1] by averages of two points alone: de Casteljau's or de Boor's
-/// pyramid. For many levels it is a point of the subdivision curve.
+/// The point of a piece at t in [0, 1] by averages of two points alone, in de Casteljau's or de
+/// Boor's pyramid. For many levels it is a point of the subdivision curve.
 SurfacePoint averageAt(const Geometry& geometry, const SegmentBasis& basis,
                        const LeggedPolygon& polygon, double t, AveragingWorkspace& workspace);
 

@@ -18,7 +18,7 @@ constexpr double kNegligible = 1e-12;
 /// 1980). `old(k)` and `refined(k)` give knots.
 template <class Old, class Refined>
 Array<double> insertionRow(const Old& old, const Refined& refined, int degree, int span, int j) {
-  // Row by row of de Boor's pyramid, on unit vectors.
+  // This computes de Boor's pyramid row by row, on unit vectors.
   Array<Array<double>> d(static_cast<size_t>(degree) + 1);
   for (int i = 0; i <= degree; ++i) {
     d[i].assign(static_cast<size_t>(degree) + 1, 0);
@@ -43,7 +43,7 @@ Array<double> insertionRow(const Old& old, const Refined& refined, int degree, i
   return row;
 }
 
-/// Knots with one in the middle of each span, and the parents of the points that they have.
+/// Knots with one more in the middle of each span, and the parents of the points for them.
 class KnotHalving {
  public:
   KnotHalving(const Array<double>& knots, int points, int degree, bool closed)
@@ -78,8 +78,8 @@ class KnotHalving {
     return knots;
   }
 
-  /// The outer spans are halved too, so that the first and the last points come near; those that no
-  /// span of the curve needs are left out.
+  /// The outer spans are halved, too, so that the first and the last points approach the curve;
+  /// unneeded outer knots are left out.
   Array<double> openHalved() const {
     Array<double> all = everySpanHalved();
     const auto first = std::upper_bound(all.begin(), all.end(), old_[degree_]) - 1 - degree_;
@@ -92,9 +92,9 @@ class KnotHalving {
     if (old_[k + 1] > old_[k]) out.push_back(old_[k] + (old_[k + 1] - old_[k]) / 2);
   }
 
-  /// The old span whose polynomial gives new point j: the first that the new point has a part in,
-  /// or a later one that is far wider. From a narrow one beside wide ones the weights would be
-  /// extrapolated so far that rounding is all that is left of them.
+  /// The old span whose polynomial gives new point j: the first in the new point's support, or a
+  /// later one that is far wider. Weights extrapolated from a narrow span beside wide ones would be
+  /// lost to rounding.
   template <class Refined>
   int spanFor(const Refined& refined, int j) const {
     constexpr double kFarWider = 2;
@@ -110,7 +110,7 @@ class KnotHalving {
     return span;
   }
 
-  /// The start of the last span that is not empty.
+  /// The start of the last nonempty span.
   double lastStart() const {
     int k = count_;
     while (old_[k] == old_[count_]) --k;
@@ -138,7 +138,7 @@ bool isKnown(const CurveShape& shape, int points, int levels, const SplineWorksp
          layAlike(workspace.shape, shape);
 }
 
-/// Makes what depends on the shape and on counts alone, unless it is there from the last time.
+/// Computes what depends only on the shape and on counts, unless the workspace already has it.
 void layOutLevels(const CurveShape& shape, int points, int levels, SplineWorkspace& workspace) {
   if (isKnown(shape, points, levels, workspace)) return;
   workspace.points = 0;
@@ -161,7 +161,7 @@ void layOutLevels(const CurveShape& shape, int points, int levels, SplineWorkspa
   workspace.points = points;
 }
 
-/// One level from the one before.
+/// Computes one level from the one before.
 class SplineLevelStep {
  public:
   SplineLevelStep(const Geometry& geometry, const SplineLevel& old, bool closed,
@@ -199,7 +199,7 @@ class SplineLevelStep {
     int left = 0;
     int right = parents.weights.count() - 1;
     const auto weight = [&](int k) {
-      // The one in the middle is halved between the two sides.
+      // The middle parent is halved between the two sides.
       const double share = left == right ? 0.5 : 1;
       return share * parents.weights[k] * pointAt(parents.first + k).weight;
     };
@@ -235,7 +235,7 @@ class SplineLevelStep {
     side.toParent.lengths.assign(1, 0.0);
   }
 
-  /// Averages the next parent in, in direction `step` of the row.
+  /// Includes the next parent of the row in the average, in direction `step`.
   void advance(Side& side, double weight, int step) {
     Chain chain(mesh_, path_);
     chain.append(side.toParent);
@@ -255,7 +255,7 @@ class SplineLevelStep {
   void writeLeg(int to, int j, SplineLevel& next) {
     const Anchor& start = next.anchors[2 * j + 1];
     const Anchor& end = next.anchors[2 * to];
-    // Around the end of a closed curve the numbers of parents start again.
+    // Past the end of a closed curve the numbers of parents restart.
     const int parent = end.parent + (to <= j ? count_ : 0);
     SurfacePath& path = next.legs[j];
     Chain chain(mesh_, path);

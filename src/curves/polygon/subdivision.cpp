@@ -7,12 +7,12 @@
 namespace karcher {
 namespace {
 
-/// Parts of a curve shorter than this, in mean edges, are not cut any more.
+/// Parts of a curve shorter than this, in mean edges, are not divided further.
 constexpr double kShortest = 0.25;
-/// Weights below this count for nothing: the points of a long Bezier curve far from the parameter.
+/// Weights below this are ignored: those of a long Bezier curve's points far from the parameter.
 constexpr double kNegligible = 1e-9;
 
-/// The average of both, with the sum of their weights.
+/// The average of two points, with the sum of their weights.
 WeightedPoint merged(const Geometry& geometry, const WeightedPoint& a, const WeightedPoint& b,
                      SubdivisionWorkspace& workspace) {
   const double sum = a.weight + b.weight;
@@ -47,15 +47,15 @@ double lengthOf(const Polygon& polygon) {
   return sum;
 }
 
-/// The first edges of a list that has room for them afterwards.
+/// The first edges of a list, which is enlarged if needed.
 template <class T>
 std::span<T> firstOf(Array<T>& edges, size_t count) {
   if (edges.size() < count) edges.resize(count);
   return {edges.data(), count};
 }
 
-/// De Casteljau's triangle at 1/2. Halves of shortest paths are shortest paths, so the edges of
-/// both polygons are there already; only those inside the triangle are searched for.
+/// De Casteljau's triangle at 1/2. Halves of shortest paths are shortest paths, so that the edges
+/// of both polygons are known and only those inside the triangle are searched.
 void split(const Geometry& geometry, const Polygon& polygon, SubdivisionWorkspace& workspace,
            SubdivisionWorkspace::Parts& parts) {
   const size_t edges = polygon.size();
@@ -117,7 +117,7 @@ SurfacePoint averageAlongGeodesic(const Geometry& geometry, const SurfacePoint& 
   SurfacePath& line = workspace.line;
   geodesicLine(geometry, a, b, workspace.geodesics, line);
   if (s <= 1) return pointAlong(mesh, line, s * line.length());
-  // On from b, in the direction of the last piece.
+  // The path continues from b in the direction of the last piece.
   for (int i = line.points.count() - 2; i >= 0; --i) {
     if (line.lengths[i] == line.length()) continue;
     const int face = commonFace(mesh, line.points[i], b);

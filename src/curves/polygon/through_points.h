@@ -3,8 +3,8 @@
 #include "curves/polygon/leg_average.h"
 #include "curves/spec/curve_shape.h"
 
-/// A Catmull-Rom curve as cubic Bezier curves from point to point: with the derivative at a point
-/// that Barry and Goldman's pyramid has there, by log maps along the legs that meet at it.
+/// A Catmull-Rom curve as cubic Bezier curves from point to point. The derivative at a point is
+/// that of Barry and Goldman's pyramid, by log maps along the legs that meet there.
 namespace karcher {
 
 /// The inner control points of a cubic Bezier curve, as ends of straightest geodesics.
@@ -13,22 +13,22 @@ struct BezierHandles {
   SurfacePath before;  ///< from its end
 };
 
-/// Scratch memory of handles. A workspace that is used again spares the allocations.
+/// Scratch memory of handles, which can be reused.
 struct HandleWorkspace {
   Array<double> gaps;
   Array<double> spacings;
   Array<BezierHandles> handles;  ///< by the segments of the curve
 };
 
-/// Finds the handles of a curve through points. `legs`: a path from each point to the next, at a
-/// closed curve also from the last to the first. Returns false where a handle would lie beyond the
-/// surface's boundary.
+/// Finds the handles of a curve through points. `legs` are paths from each point to the next, and
+/// for a closed curve also from the last to the first. Returns false if a handle would lie beyond
+/// the surface's boundary.
 bool findHandles(const Geometry& geometry, const CurveShape& shape,
                  const Array<SurfacePoint>& points, const Array<SurfacePath>& legs,
                  HandleWorkspace& workspace);
 
-/// Writes the Bezier polygon of segment j, whose handles are found; its middle leg is straightened
-/// from the handles and the curve's leg.
+/// Writes the Bezier polygon of segment j, whose handles must be known; its middle leg is
+/// straightened from the handles and the curve's leg.
 void takeBezierPolygon(const Geometry& geometry, const Array<SurfacePoint>& points,
                        const Array<SurfacePath>& legs, int j, StripWorkspace& strip,
                        const HandleWorkspace& workspace, LeggedPolygon& polygon);

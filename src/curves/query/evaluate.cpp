@@ -17,7 +17,7 @@ int sampleAfter(const Array<CurveSample>& samples, double t) {
   return std::clamp(static_cast<int>(found - samples.begin()), 1, samples.count() - 1);
 }
 
-/// The path between the samples around t, and where in it t lies.
+/// The path between the samples around t, and the place of t in it.
 struct PathPiece {
   SurfacePath path;
   double s = 0;
@@ -62,9 +62,9 @@ FieldBlend blendOf(Curve& curve, const PieceParameter& at) {
   return {curve.surface().geometry(), controlFields(curve.fieldsOf(at.segment, at.piece))};
 }
 
-/// The center at a parameter between two samples, as the search for jumps (bridge.h) comes there:
-/// by halves of t, each search starting at the earlier end of its part. From a sample further off
-/// it might be another minimum's.
+/// The center at a parameter between two samples, found as in the search for jumps (jumps.h): t is
+/// bisected, and each search starts at the earlier end of its part. A search from a more distant
+/// sample might find another minimum.
 CurveSample centerBetween(const Curve& curve, FieldBlend& fields, const PieceParameter& at,
                           CurveSample from, CurveSample to) {
   const TriangleMesh& mesh = curve.surface().mesh();
@@ -86,14 +86,14 @@ CurveSample centerBetween(const Curve& curve, FieldBlend& fields, const PiecePar
   return centerAt(at.t);
 }
 
-/// Derivatives of the piece's weights by its t: differences of second order, inside [0, 1].
+/// Derivatives of the piece's weights by its t, as differences of second order inside [0, 1].
 Array<double> weightDerivatives(const Curve::Piece& piece, double t) {
   constexpr double kStep = 1e-5;
   const double middle = std::clamp(t, kStep, 1 - kStep);
   const Array<double> before = piece.weights(middle - kStep);
   const Array<double> here = piece.weights(middle);
   const Array<double> after = piece.weights(middle + kStep);
-  // The parabola through the three, at t.
+  // This differentiates the parabola through the three at t.
   const double away = (t - middle) / kStep;
   Array<double> result;
   for (int i = 0; i < here.count(); ++i) {

@@ -2,7 +2,7 @@
 
 #include "curves/curve.h"
 
-/// A curve at one parameter.
+/// Evaluation of a curve at a parameter.
 namespace karcher {
 
 struct CurvePoint {
@@ -35,8 +35,9 @@ inline CurvePoint pointAt(Curve& curve, double parameter) {
   return pointAt(curve, segmentParameter(curve, parameter));
 }
 
-/// The tangent by the implicit function theorem: the field sum_i w_i(t) grad d_i^2 stays zero along
-/// the curve. Where there is no center of mass, and on polylines, the direction of the path.
+/// The tangent by the implicit function theorem, since the field sum_i w_i(t) grad d_i^2 stays zero
+/// along the curve. Where there is no center of mass, and on polylines, it is the direction of the
+/// path.
 CurveTangent tangentAt(Curve& curve, const SegmentParameter& at);
 inline CurveTangent tangentAt(Curve& curve, double parameter) {
   return tangentAt(curve, segmentParameter(curve, parameter));

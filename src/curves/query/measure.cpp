@@ -9,7 +9,7 @@
 namespace karcher {
 namespace {
 
-/// Where value lies between the numbers around it in an array that does not fall: piece and part.
+/// The place of a value in a nondecreasing array: the piece between two numbers and the part of it.
 struct Place {
   int piece = 0;
   double s = 0;
@@ -49,7 +49,7 @@ CurveLine lineOf(const Curve& curve) {
   for (int j = 0; j < curve.segmentCount(); ++j) {
     const Array<CurveSample>& samples = curve.samples(j);
     const JoinedPath& path = curve.path(j);
-    int first = line.path.points.count();  // of the points that lead to a sample
+    int first = line.path.points.count();  // the first of the points that lead to a sample
     for (int i = 0; i < path.line.points.count(); ++i) {
       const Vec3 here = position(mesh, path.line.points[i]);
       const double step = line.path.points.empty() ? 0 : (here - line.positions.back()).norm();
@@ -79,7 +79,7 @@ CurveLine lineOf(const Curve& curve) {
 double lengthAt(const Curve& curve, const CurveLine& line, double parameter) {
   const SegmentParameter at = segmentParameter(curve, parameter);
   const double inside = at.segment + at.t;
-  // Once around a closed curve is its end here, though it is the point of its start.
+  // Once around a closed curve counts as its end, although the point is that of its start.
   if (parameter > 0 && inside == 0) return line.path.lengths.back();
   return between(line.path.lengths, placeOf(line.parameters, inside));
 }

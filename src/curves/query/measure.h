@@ -10,24 +10,24 @@ namespace karcher {
 /// samples in proportion to length) and the length from the curve's start.
 struct CurveLine {
   SurfacePath path;
-  // Per point of the path.
+  // The positions of the path's points.
   Array<Vec3> positions;
   Array<double> parameters;
 };
 
 CurveLine lineOf(const Curve& curve);
 
-/// The length from the start to a parameter (as `segmentParameter` takes it). Once around a closed
-/// curve it is the whole length.
+/// The length from the start to a parameter, as for `segmentParameter`. Once around a closed curve
+/// it is the whole length.
 double lengthAt(const Curve& curve, const CurveLine& line, double parameter);
 
 /// The point at a length from the start, on the line. Throws Error kBadArgument outside the curve;
 /// on a closed curve the length may go around.
 CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double length);
 
-/// `count` points with the same length between consecutive ones: the ends of an open curve
-/// included, around a closed one from its start. Throws Error kBadArgument for less than 2 or more
-/// than 1,000,000.
+/// `count` points with equal lengths between consecutive ones, including both ends of an open
+/// curve, and starting at the start of a closed one. Throws Error kBadArgument for less than 2 or
+/// more than 1,000,000.
 Array<CurvePoint> equallySpaced(const Curve& curve, const CurveLine& line, int count);
 
 struct NearestOnCurve {

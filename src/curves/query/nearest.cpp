@@ -4,21 +4,22 @@
 #include "intrinsic/surface_path.h"
 #include "mesh/sorted_numbers.h"
 
-/// The drawn line tells how near a curve comes in each interval between samples. The intervals that
-/// may hold the nearest point are searched, the most promising first, by bisection down to parts
-/// inside one face of the mesh, where the curve is smooth and nearly straight, and there by golden
-/// sections: at edges the curve may jump by a small part of them, with a minimum on either side.
+/// The traced line bounds the curve's distance in each interval between samples. The intervals that
+/// may hold the nearest point are searched, the most promising first. Bisection leads to parts
+/// inside one face of the mesh, where the curve is smooth and nearly straight and golden sections
+/// find the minimum; at edges the curve may jump by a small part of them, with a minimum on either
+/// side.
 namespace karcher {
 namespace {
 
-/// A curve bends between samples, and between the ends of a part: it is taken to be at most so
-/// often as long as its chord.
+/// The largest assumed ratio of a curve's length to its chord, between samples and between the ends
+/// of a part.
 constexpr double kBend = 2;
-/// An interval between samples is cut at least so often.
+/// An interval between samples is divided at least this many times.
 constexpr int kFewestCuts = 3;
-/// Of the parameter.
+/// The relative precision of the parameter.
 constexpr double kPrecision = 1e-13;
-/// On a curve all of whose points are as near the intervals cannot be told apart.
+/// A bound for curves that are equally near everywhere, such as a circle around the place.
 constexpr int kMostEvaluations = 20'000;
 
 class NearestSearch {
@@ -42,7 +43,7 @@ class NearestSearch {
   }
 
  private:
-  /// Between two samples, with the line's least distance.
+  /// An interval between two samples, with the line's least distance.
   struct Interval {
     double from = 0;
     double to = 0;
@@ -50,7 +51,7 @@ class NearestSearch {
     double distance = kInfinity;
     double length = 0;
   };
-  /// Of a point of the curve, its distance from the place.
+  /// A point of the curve and its distance from the place.
   struct Evaluation {
     double parameter = 0;
     double distance = 0;
@@ -60,7 +61,7 @@ class NearestSearch {
 
   Array<Interval> intervalsOf(const CurveLine& line) const {
     Array<Interval> intervals;
-    int k = 0;  // of the line's pieces
+    int k = 0;  // the index of the line's piece
     for (int j = 0; j < curve_.segmentCount(); ++j) {
       const Array<CurveSample>& samples = curve_.samples(j);
       for (int i = 1; i < samples.count(); ++i) {
@@ -93,7 +94,7 @@ class NearestSearch {
     return {parameter, distance, point.point.face, here};
   }
 
-  /// The part between two evaluations.
+  /// Searches the part between two evaluations.
   void search(const Evaluation& from, const Evaluation& to, int cuts) {
     const double width = to.parameter - from.parameter;
     const double chord = (to.position - from.position).norm();

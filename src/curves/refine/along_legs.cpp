@@ -9,7 +9,8 @@
 namespace karcher {
 namespace {
 
-/// The legs from the start of a run of legs over an average on each to its end: one more.
+/// The legs from the start of a run of legs through an average on each to its end, which are one
+/// more.
 Array<SurfacePath> legsOver(const Geometry& geometry, const Array<SurfacePath>& run,
                             const Array<LegAverage>& averages) {
   const TriangleMesh& mesh = *geometry.mesh;
@@ -57,7 +58,7 @@ int insertKnot(const Geometry& geometry, PolygonWithLegs& whole, double u) {
   const Array<SurfacePath> renewed = legsOver(geometry, run, averages);
   Array<SurfacePath> legs(whole.legs.size() + 1);
   for (int i = 0; i < legs.count(); ++i) {
-    // Those of a closed curve are numbered from the new ones on.
+    // The legs of a closed curve are numbered from the new ones on.
     const int leg = old.closed && i < first - 1 ? i + n + 1 : i;
     const int place = leg - (first - 1);
     if (place < 0) {

@@ -2,29 +2,29 @@
 
 #include "curves/polygon/leg_average.h"
 
-/// The refinements of B-splines and Bezier curves (knot_insertion.h) whose legs are known: with
-/// averages on the legs instead of shortest paths. New legs are parts of old ones, and where they
-/// join points on two, these parts pulled tight.
+/// Refinements of B-splines and Bezier curves with known legs (knot_insertion.h), by averages on
+/// the legs instead of shortest paths. New legs are parts of old ones; between points on two legs,
+/// the parts are pulled tight.
 namespace karcher {
 
-/// A control polygon with its legs: one from each point to the next, of a closed curve also from
-/// the last to the first; or none, then all averages are along shortest paths.
+/// A control polygon with its legs: one from each point to the next, and for a closed curve also
+/// from the last to the first; or none, in which case all averages are along shortest paths.
 struct PolygonWithLegs {
   ControlPolygon polygon;
   Array<SurfacePath> legs;
 };
 
-/// As in knot_insertion.h. A closed curve of fewer points than its degree loses its legs.
+/// The same as in knot_insertion.h. A closed curve of fewer points than its degree loses its legs.
 int insertKnot(const Geometry& geometry, PolygonWithLegs& whole, double u);
 PolygonWithLegs partBefore(const Geometry& geometry, PolygonWithLegs open, double u);
 PolygonWithLegs partAfter(const Geometry& geometry, PolygonWithLegs open, double u);
 PolygonWithLegs cutOpen(const Geometry& geometry, PolygonWithLegs closed, double u);
 
-/// The Bezier polygon of one degree more.
+/// The Bezier polygon with its degree raised by one.
 LeggedPolygon elevated(const Geometry& geometry, const LeggedPolygon& bezier);
 
-/// Writes the parts of a leg before and after the part t of its length. They are led to `cut`, if
-/// there is one, which lies near; else they meet on the leg. A part that cannot be led there has no
+/// Writes the parts of a leg before and after the part t of its length. If there is a near point
+/// `cut`, both are led to it; else they meet on the leg. A part that cannot be led there has no
 /// points.
 void cutLeg(const Geometry& geometry, const SurfacePath& leg, double t, const SurfacePoint* cut,
             SurfacePath& before, SurfacePath& after);

@@ -23,7 +23,7 @@ Array<WeightedPoint> weightedPoints(const Curve& curve) {
   return points;
 }
 
-/// Splits weighted points; all weights 1 are none.
+/// Sets points and weights; weights that are all 1 are left out.
 void setPoints(CurveParts& parts, const Array<WeightedPoint>& points) {
   parts.points.clear();
   parts.shape.weights.clear();
@@ -36,14 +36,14 @@ void setPoints(CurveParts& parts, const Array<WeightedPoint>& points) {
   if (!weighted) parts.shape.weights.clear();
 }
 
-/// Whether the curve follows legs that were given.
+/// Whether the curve follows given legs.
 bool followsLegs(const Curve& curve) {
   const auto isGiven = [](const SurfacePath& leg) { return !leg.points.empty(); };
   const Array<SurfacePath>& given = curve.value().legs;
   return !curve.usedLegs().empty() && std::any_of(given.begin(), given.end(), isGiven);
 }
 
-/// All legs, if the curve follows some that were given.
+/// All legs, if the curve follows given ones.
 Array<SurfacePath> followedLegs(const Curve& curve) {
   return followsLegs(curve) ? curve.usedLegs() : Array<SurfacePath>();
 }
@@ -64,7 +64,7 @@ CurveParts partsOf(PolygonWithLegs whole) {
   return parts;
 }
 
-/// The knot of a B-spline at a parameter: segments are the spans that are not empty.
+/// The knot of a B-spline at a parameter; segments are the nonempty spans.
 double knotAtParameter(const ControlPolygon& polygon, const SegmentParameter& at) {
   const auto knot = [&](int j) {
     return knotOfSpan(polygon.knots, polygon.degree, polygon.closed, j);
@@ -90,8 +90,8 @@ PolygonWithLegs splineOf(LeggedPolygon bezier) {
           std::move(bezier.legs)};
 }
 
-/// Betas from their logarithms: a common factor changes no curve. The largest is 1, or where that
-/// leaves the least too small for a beta, both are as far from 1.
+/// Betas from their logarithms; a common factor does not change the curve. The largest is 1, unless
+/// the least would be too small for a beta: then both are equally far from 1 in ratio.
 void setBetas(Array<double>& logs) {
   const auto [least, most] = std::minmax_element(logs.begin(), logs.end());
   const double range = *most - *least;
@@ -108,9 +108,9 @@ void setBetas(Array<double>& logs) {
   }
 }
 
-/// A curve in barycentric form is p / q with polynomials of the degree of its nodes. On other nodes
-/// it is the one through its points there with betas |q| times those of a polynomial: here for
-/// `nodes` of them, evenly from `from` to `to`.
+/// A curve in barycentric form is p / q with polynomials of the degree of its nodes. With other
+/// nodes it interpolates its points there, with betas |q| times those of a polynomial: here for
+/// `nodes` nodes, evenly from `from` to `to`.
 CurveParts barycentricPart(Curve& curve, double from, double to, int nodes) {
   Array<double> betas = curve.shape().betas;
   betas.resize(static_cast<size_t>(curve.pointCount()), 1);
@@ -151,8 +151,8 @@ CurveParts barycentricPart(Curve& curve, double from, double to, int nodes) {
   refuse("a curve with its own basis can be neither refined, split nor joined");
 }
 
-/// A point of a Catmull-Rom curve or polyline, and the legs that it makes of the one that it cuts:
-/// the shortest where that was.
+/// A point of a Catmull-Rom curve or polyline, and the two parts of the leg that it cuts: shortest
+/// legs if the leg was.
 struct CutThroughPoints {
   SurfacePoint point;
   SurfacePath before;
@@ -164,7 +164,7 @@ CutThroughPoints cutThroughPoints(Curve& curve, const SegmentParameter& at) {
   if (!followsLegs(curve)) return cut;
   const SurfacePath& leg = curve.value().legs[at.segment];
   if (leg.points.empty()) return cut;
-  // A polyline's points are the leg's.
+  // A polyline's points lie on the leg.
   const bool isOnLeg = curve.shape().kind == CurveKind::kPolyline;
   const SurfacePoint point = cut.point;
   cutLeg(curve.surface().geometry(), leg, at.t, isOnLeg ? nullptr : &point, cut.before, cut.after);
@@ -172,7 +172,8 @@ CutThroughPoints cutThroughPoints(Curve& curve, const SegmentParameter& at) {
   return cut;
 }
 
-/// The part of a curve through points from point `from` to `to`; beyond the last around.
+/// The part of a curve through points from point `from` to `to`, past the last one if the curve is
+/// closed.
 CurveParts partThrough(const Curve& curve, int from, int to) {
   CurveParts part{{curve.shape().kind}, {}};
   part.shape.centripetal = curve.shape().centripetal;
@@ -199,7 +200,7 @@ Array<CurveParts> splitThroughPoint(Curve& curve, const SegmentParameter& at) {
   if (!atPoint) cut = cutThroughPoints(curve, at);
   Array<CurveParts> parts;
   if (curve.shape().closed) {
-    // Once around, from the cut to the cut.
+    // The part leads once around, from the cut to itself.
     parts.push_back(partThrough(curve, atPoint ? before : before + 1, before + last + 1));
   } else {
     parts.push_back(partThrough(curve, 0, before));
@@ -212,8 +213,8 @@ Array<CurveParts> splitThroughPoint(Curve& curve, const SegmentParameter& at) {
   return parts;
 }
 
-/// The legs of two curves one after the other, of which the first ends at `end`, with `between`
-/// shortest ones in between; without such the curves meet there. None where neither has any.
+/// The legs of two curves in sequence, the first of which ends at `end`, with `between` shortest
+/// ones in between; if that is 0 the curves meet there. None if neither has any.
 Array<SurfacePath> joinedLegs(const Geometry& geometry, Array<SurfacePath> first, int firstCount,
                               Array<SurfacePath> second, int secondCount, int between,
                               const SurfacePoint& end) {
@@ -230,7 +231,7 @@ Array<SurfacePath> joinedLegs(const Geometry& geometry, Array<SurfacePath> first
   return first;
 }
 
-/// Two clamped B-splines of one degree as one. Where they do not meet a geodesic joins them.
+/// Two clamped B-splines of one degree as one. If they do not meet, a geodesic joins them.
 PolygonWithLegs joinedPolygons(const Geometry& geometry, const PolygonWithLegs& firstWhole,
                                const PolygonWithLegs& secondWhole) {
   const ControlPolygon& first = firstWhole.polygon;
@@ -252,7 +253,7 @@ PolygonWithLegs joinedPolygons(const Geometry& geometry, const PolygonWithLegs& 
     for (int k = 1; k < p; ++k) {
       result.points.push_back(average(geometry, from, to, static_cast<double>(k) / p));
     }
-    // A span as long as the others are on the average.
+    // The new span has the mean length of the others.
     start += (first.knots.back() - first.knots.front()) / (first.knots.count() - 2 * p - 1);
     result.knots.insert(result.knots.end(), static_cast<size_t>(p), start);
   }

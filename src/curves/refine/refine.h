@@ -2,12 +2,12 @@
 
 #include "curves/curve.h"
 
-/// Inserting control points on a curve, splitting and joining curves. Each operation leaves a curve
-/// on the plane unchanged wherever there is a construction that does (knot_insertion.h).
+/// Inserting control points on a curve, splitting and joining curves. On the plane each operation
+/// leaves the curve unchanged wherever a construction exists that does (knot_insertion.h).
 namespace karcher {
 
-/// A curve's shape, control points and legs (curve_value.h). Where the curve that they come of is
-/// given legs and follows them, the new ones lie along those (along_legs.h).
+/// A curve's shape, control points and legs (curve_value.h). If the original curve follows given
+/// legs, the new ones lie along those (along_legs.h).
 struct CurveParts {
   CurveShape shape;
   Array<SurfacePoint> points;
@@ -20,28 +20,27 @@ struct RefinedCurve {
 };
 
 /// The curve with one more control point, at a parameter (curve.h):
-/// - B-splines: a knot is inserted there; the knots become the curve's own;
+/// - B-splines: a knot is inserted there, and the knots become the curve's own;
 /// - Bezier curves: the degree is raised, whatever the parameter; all inner points are new;
 /// - barycentric curves: the degree is raised; all inner points are new points of the curve, and
 ///   the betas those that leave it as it is;
-/// - Catmull-Rom curves and polylines: a point of the curve, which changes a Catmull-Rom curve a
-///   little.
-/// Throws Error kBadArgument if none can be inserted: the knot is repeated too often, there already
-/// is a control point, or the basis is the caller's own.
+/// - Catmull-Rom curves and polylines: the new point lies on the curve; it changes a Catmull-Rom
+///   curve a little. Throws Error kBadArgument if none can be inserted: the knot is repeated too
+///   often, there already is a control point, or the basis is the caller's own.
 RefinedCurve withPointOnCurve(Curve& curve, double parameter);
 
 /// The curves before and after a parameter; a closed B-spline, Catmull-Rom curve or polyline gives
-/// one open curve instead. B-splines are clamped where they are cut, Bezier curves divided by de
-/// Casteljau's algorithm, barycentric ones by new points on them and the betas that leave them as
-/// they are; Catmull-Rom curves change a little next to the cut.
-/// Throws Error kBadArgument at the ends of an open curve and for a basis of the caller's own.
+/// one open curve instead. B-splines are clamped at the cut. Bezier curves are divided by de
+/// Casteljau's algorithm, and barycentric ones by new points on them with betas that leave the
+/// curve unchanged. Catmull-Rom curves change a little next to the cut. Throws Error kBadArgument
+/// at the ends of an open curve and for a basis of the caller's own.
 Array<CurveParts> splitAt(Curve& curve, double parameter);
 
-/// One curve along two open curves of the same kind. A point where they meet is kept once.
-/// B-splines, and Bezier curves of degree 1 to 5, become one B-spline that runs along both, with a
-/// geodesic between them where they do not meet; the others are the curve through the points of
-/// both. Throws Error kBadArgument if kinds or degrees differ, a curve is closed, or the basis is
-/// the caller's own; kUnreachable.
+/// One curve along two open curves of the same kind. A common end point is kept once. B-splines,
+/// and Bezier curves of degree 1 to 5, become one B-spline that runs along both, with a geodesic
+/// between them if they do not meet; for other kinds it is the curve through the points of both.
+/// Throws Error kBadArgument if kinds or degrees differ, a curve is closed, or the basis is the
+/// caller's own; kUnreachable.
 CurveParts joined(const Curve& first, const Curve& second);
 
 }  // namespace karcher

@@ -11,7 +11,7 @@ namespace karcher {
 /// Bernstein polynomials of degree `degree` >= 0 at t in [0, 1], by de Casteljau's recurrence:
 /// degree + 1 weights.
 Array<double> bernsteinBasis(int degree, double t);
-/// The same, in the memory of `weights`.
+/// The same, written to `weights`.
 void bernsteinBasis(int degree, double t, Array<double>& weights);
 
 /// The uniform cubic B-spline on one segment, t in [0, 1]: 4 weights.
@@ -23,7 +23,7 @@ std::array<double, 4> uniformCubicWeights(double t);
 /// empty, and degree <= span < knots.count() - degree - 1. The weights belong to the control points
 /// span - degree to span.
 Array<double> bsplineBasis(const Array<double>& knots, int degree, int span, double u);
-/// The same, in the memory of `weights`.
+/// The same, written to `weights`.
 void bsplineBasis(const Array<double>& knots, int degree, int span, double u,
                   Array<double>& weights);
 
@@ -37,7 +37,7 @@ void makeRational(const Array<double>& pointWeights, Array<double>& basis);
 /// control tools for rational Bezier curve design", 2021). Equal betas give Berrut's interpolant,
 /// binomial coefficients the interpolating polynomial.
 Array<double> barycentricBasis(const Array<double>& betas, double t);
-/// The same, in the memory of `weights`.
+/// The same, written to `weights`.
 void barycentricBasis(const Array<double>& betas, double t, Array<double>& weights);
 
 /// Catmull-Rom: the curve through four points between the second and the third, with knots

@@ -8,9 +8,9 @@
 namespace karcher {
 namespace {
 
-/// A segment that blends `numbers`, one a weight of the basis; a number may come several times.
-/// Then the segment goes all round a closed curve, and its points have the order that they have in
-/// its other segments, so that these agree where they meet.
+/// A segment that blends `numbers`, one for each weight of the basis. A number may occur several
+/// times, in a segment that goes all around a closed curve. Its points are then in the same order
+/// as in the other segments, so that these agree where they meet.
 SegmentLayout segmentOf(SegmentBasis basis, const Array<int>& numbers) {
   SegmentLayout segment;
   for (const int number : numbers) {
@@ -47,12 +47,12 @@ Array<SegmentLayout> bsplineSegments(const CurveShape& shape, int points) {
     SegmentBasis basis{BasisForm::kBSpline, degree};
     bool uniform = degree == 3;
     for (int k = -degree; k <= degree + 1; ++k) {
-      // The outermost two only fill their places: no weight depends on them.
+      // The outermost two are placeholders on which no weight depends.
       const int used = std::clamp(k, 1 - degree, degree);
       basis.numbers.push_back((knot(j + used) - start) / length);
       uniform = uniform && basis.numbers.back() == used;
     }
-    // Its weights at a joint are the same numbers from both sides.
+    // The weights of this basis at a joint are the same numbers from both sides.
     if (uniform) basis = {BasisForm::kUniformCubic, degree};
     segments.push_back(segmentOf(std::move(basis), consecutive(j, degree + 1, points)));
   }
@@ -70,7 +70,7 @@ Array<SegmentLayout> catmullRomSegments(const CurveShape& shape, int points) {
       segments.push_back(segmentOf(std::move(basis), consecutive(j + points - 1, 4, points)));
       continue;
     }
-    // Beyond an end the curve goes on as if the second point were reflected at the first.
+    // Beyond an end the curve continues as if the second point were reflected at the first.
     SegmentLayout segment;
     const int begin = first ? 0 : j - 1;
     const int end = last ? points - 1 : j + 2;
@@ -98,7 +98,7 @@ Array<SegmentLayout> catmullRomSegments(const CurveShape& shape, int points) {
 }  // namespace
 
 void catmullRomSpacings(const Array<double>& gaps, bool centripetal, Array<double>& spacings) {
-  // Coincident points would leave no knots between them, and nearly so cost digits.
+  // Coincident points would give equal knots, and nearly coincident ones would lose digits.
   constexpr double kLeastGap = 1e-4;
   double largest = 0;
   for (const double gap : gaps) largest = std::max(largest, gap);
@@ -112,7 +112,7 @@ void catmullRomSpacings(const Array<double>& gaps, bool centripetal, Array<doubl
 void spaceKnots(const Array<double>& spacings, bool closed, Array<SegmentLayout>& segments) {
   const int count = segments.count();
   for (int j = 0; j < count; ++j) {
-    // Beyond an end the curve goes on with the span at it.
+    // Beyond an end the curve continues with the span at that end.
     const int before = j > 0 ? j - 1 : closed ? count - 1 : 0;
     const int after = j + 1 < count ? j + 1 : closed ? 0 : count - 1;
     segments[j].basis.numbers.assign(

@@ -2,8 +2,8 @@
 
 #include "curves/spec/segment_basis.h"
 
-/// The segments of a curve: which control points each one blends, and with which basis. This
-/// depends on counts and numbers only, not on the surface.
+/// The segments of a curve: the control points that each one blends, and the basis. They depend
+/// only on counts and numbers, not on the surface.
 namespace karcher {
 
 struct SegmentLayout {
@@ -15,16 +15,16 @@ struct SegmentLayout {
 /// distances between consecutive points if the curve is centripetal, otherwise 1.
 void catmullRomSpacings(const Array<double>& gaps, bool centripetal, Array<double>& spacings);
 
-/// The segments of a curve with a shape that `checkShape` passes. A segment runs from t = 0 to 1,
-/// and its end is the start of the next one; spans without length are left out. A Catmull-Rom
-/// curve's knots are even.
+/// The segments of a curve with a shape that `checkShape` accepts. A segment runs from t = 0 to 1,
+/// and its end is the start of the next one; empty spans are left out. A Catmull-Rom curve's knots
+/// are even.
 Array<SegmentLayout> layOut(const CurveShape& shape, int points);
 
-/// Spaces the knots of a Catmull-Rom curve's segments by the lengths of its spans, one a segment,
-/// without taking memory.
+/// Spaces the knots of a Catmull-Rom curve's segments by the lengths of its spans, one for each
+/// segment.
 void spaceKnots(const Array<double>& spacings, bool closed, Array<SegmentLayout>& segments);
 
-/// Whether two shapes give the same segments to as many points, before knots are spaced.
+/// Whether two shapes have the same segments for equal numbers of points, before knots are spaced.
 bool layAlike(const CurveShape& a, const CurveShape& b);
 
 }  // namespace karcher

@@ -9,10 +9,10 @@
 namespace karcher {
 namespace {
 
-/// Of curves that are one segment, each sample of which weighs all points.
+/// The most points of a curve of one segment, since each sample weighs all of them.
 constexpr int kMostPointsASegment = 1000;
 
-/// As a sentence names it: "a cubic B-spline".
+/// The shape's name in a sentence: "a cubic B-spline".
 std::string nameInSentence(const CurveShape& shape) {
   constexpr const char* kDegrees[] = {"linear", "quadratic", "cubic", "quartic", "quintic"};
   const std::string closed = shape.closed ? "closed " : "";
@@ -157,7 +157,7 @@ CurveShape withPoint(CurveShape shape, int i) {
 }
 
 CurveShape withoutPoint(CurveShape shape, int points, int i) {
-  // Too few points are told by checkShape, whatever the knots.
+  // `checkShape` reports too few points, whatever the knots.
   if (hasOwnKnots(shape) && points > fewestPoints(shape)) {
     shape.knots = knotsWithoutPoint(shape.knots, shape.degree, shape.closed, i);
   }

@@ -7,15 +7,15 @@
 
 #include "mesh/types.h"
 
-/// What a curve is apart from its control points' places: plain data and its edits, which know
-/// nothing of surfaces.
+/// A curve's description without its control points: plain data and its edits, which do not depend
+/// on surfaces.
 namespace karcher {
 
 enum class CurveKind {
   kBSpline,      ///< B-spline of degree 1 to 5; with weights a NURBS curve
   kBezier,       ///< one segment of degree (points - 1)
-  kRational,     ///< the same with a weight per point
-  kBarycentric,  ///< one rational segment through the points, shaped by a beta per point
+  kRational,     ///< the same with a weight for each point
+  kBarycentric,  ///< one rational segment through the points, shaped by a beta for each point
   kCatmullRom,   ///< a segment between each two points, through them, C1
   kPolyline,     ///< shortest paths from point to point
   kOwn,          ///< one segment with a caller's basis
@@ -24,7 +24,7 @@ inline constexpr CurveKind kCurveKinds[] = {
     CurveKind::kBSpline,    CurveKind::kBezier,   CurveKind::kRational, CurveKind::kBarycentric,
     CurveKind::kCatmullRom, CurveKind::kPolyline, CurveKind::kOwn};
 
-/// The name by which callers ask for a kind: "catmullrom".
+/// The name of a kind for callers: "catmullrom".
 const char* curveKindName(CurveKind kind);
 
 inline constexpr int kMostSplineDegree = 5;
@@ -39,8 +39,8 @@ enum class KnotRule {
   kOwn,      ///< the caller's
 };
 
-/// A caller's basis: the weights, one a control point and summing to 1, for a number of points and
-/// t in [0, 1].
+/// A caller's basis: the weights, one for each control point and summing to 1, for a number of
+/// points and t in [0, 1].
 using OwnBasis = std::function<Array<double>(int points, double t)>;
 
 struct CurveShape {
@@ -49,10 +49,11 @@ struct CurveShape {
   int degree = 3;  ///< of a B-spline
   KnotRule knotRule = KnotRule::kUniform;
   Array<double> knots = {};  ///< with KnotRule::kOwn
-  /// Of Catmull-Rom curves: knots spaced by the root of the points' geodesic distances, or evenly.
+  /// Whether a Catmull-Rom curve's knots are spaced by the square roots of the points' geodesic
+  /// distances, or evenly.
   bool centripetal = true;
-  Array<double> weights = {};  ///< kBSpline, kRational: positive, one a point; none: all 1
-  Array<double> betas = {};    ///< kBarycentric: positive, one a point; none: all 1 (Berrut)
+  Array<double> weights = {};  ///< kBSpline, kRational: positive, one for each point; empty: all 1
+  Array<double> betas = {};  ///< kBarycentric: positive, one for each point; empty: all 1 (Berrut)
   std::shared_ptr<const OwnBasis> basis = {};  ///< kOwn
 };
 
@@ -61,16 +62,17 @@ inline bool takesWeights(CurveKind kind) {
 }
 inline bool takesBetas(CurveKind kind) { return kind == CurveKind::kBarycentric; }
 
-/// How many legs a control polygon has.
+/// The number of a control polygon's legs.
 inline int legCount(const CurveShape& shape, int points) {
   return shape.closed ? points : points - 1;
 }
 
-/// Throws Error if a curve of this shape cannot have that many points, or if one of its numbers is
-/// out of range: kTooFewPoints, kNotFinite, kBadArgument.
+/// Throws Error if a curve of this shape cannot have this number of points, or if one of its
+/// numbers is out of range: kTooFewPoints, kNotFinite, kBadArgument.
 void checkShape(const CurveShape& shape, int points);
 
-/// As `checkShape`, and throws kBadArgument if the shape sets something that its kind does not use.
+/// Checks as `checkShape` does, and throws kBadArgument if the shape sets a property that its kind
+/// does not use.
 void checkGivenShape(const CurveShape& shape, int points);
 
 /// The knots of a B-spline with that many points, by its rule.
@@ -81,14 +83,14 @@ Array<double> knotsOf(const CurveShape& shape, int points);
 CurveShape withPoint(CurveShape shape, int i);
 CurveShape withoutPoint(CurveShape shape, int points, int i);
 CurveShape withPointMoved(CurveShape shape, int from, int to);
-/// Without what the kind has no use for.
+/// The shape with another kind, without properties that the kind does not use.
 CurveShape withKind(CurveShape shape, CurveKind kind);
 CurveShape withClosed(CurveShape shape, bool closed);
 CurveShape withWeight(CurveShape shape, int points, int i, double weight);
 CurveShape withBeta(CurveShape shape, int points, int i, double beta);
 CurveShape reversed(CurveShape shape);
 
-/// Puts entries into the order of the reversed curve: a closed curve keeps its first point.
+/// Reorders entries for the reversed curve; a closed curve keeps its first point.
 template <class T>
 void reverseEntries(Array<T>& array, bool closed) {
   std::reverse(array.begin() + (closed && !array.empty() ? 1 : 0), array.end());

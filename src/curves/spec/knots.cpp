@@ -27,8 +27,8 @@ Array<double> knotsOfSpans(double first, const Array<double>& spans) {
   return knots;
 }
 
-/// The span in the middle of control point i's own: of a closed curve any, of an open one one of
-/// those that bound segments.
+/// The middle span of control point i's support: any span of a closed curve, and one that bounds
+/// segments of an open curve.
 int middleSpan(int i, int degree, bool closed, int spans) {
   const int middle = i - (degree + 1) / 2;
   return closed ? wrapped(middle, spans) : std::clamp(middle, 0, spans - 1);
@@ -112,7 +112,7 @@ double knotOfSpan(const Array<double>& knots, int degree, bool closed, int j) {
   const int spans = knots.count() - 1;
   const int k = wrapped(j, spans);
   const int turns = (j - k) / spans;
-  // Added only where it is needed, so that uniform knots stay whole.
+  // The period is added only where needed, so that uniform knots stay integers.
   return turns == 0 ? knots[k] : knots[k] + turns * (knots.back() - knots.front());
 }
 
@@ -141,7 +141,7 @@ Array<double> knotsWithoutPoint(const Array<double>& knots, int degree, bool clo
   const int spans = spanCount(knots, degree, closed);
   Array<double> result = knots;
   if (closed) {
-    // Never the first or last, which are the same.
+    // This is never the first or the last knot, which are the same.
     const int k = middleSpan(i, degree, closed, spans);
     result.erase(result.begin() + std::max(k, 1));
   } else {

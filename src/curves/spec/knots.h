@@ -3,9 +3,9 @@
 #include "mesh/types.h"
 
 /// Knot vectors of B-splines of degree p: numbers that do not decrease. An open curve of n points
-/// has n + p + 1 of them, and its spans lie between knots p and n. A closed curve has n + 1, which
-/// repeat with the period knots[n] - knots[0]. Span j, from 0, blends the points j to j + p (mod
-/// n).
+/// has n + p + 1 knots, and its spans lie between knots p and n. A closed curve has n + 1 knots,
+/// which repeat with the period knots[n] - knots[0]. Span j, from 0, blends the points j to j + p
+/// (mod n).
 namespace karcher {
 
 /// The integers, with span 0 from 0 to 1.
@@ -23,14 +23,14 @@ void checkKnots(const Array<double>& knots, int points, int degree, bool closed)
 /// The number of spans, empty ones included.
 int spanCount(const Array<double>& knots, int degree, bool closed);
 
-/// The knot at the start of span j. j may lie outside the spans as long as there are knots.
+/// The knot at the start of span j. j may lie outside the spans as long as the knot exists.
 double knotOfSpan(const Array<double>& knots, int degree, bool closed, int j);
 
 /// The knots after a control point is inserted before point i: the span at the middle of the new
 /// point's support is halved.
 Array<double> knotsWithPoint(const Array<double>& knots, int degree, bool closed, int i);
 
-/// The knots after control point i is removed: the knot at the middle of its support goes.
+/// The knots after control point i is removed: the knot at the middle of its support is deleted.
 Array<double> knotsWithoutPoint(const Array<double>& knots, int degree, bool closed, int i);
 
 /// The knots of the reversed curve: its points in reverse order, except that a closed curve keeps

@@ -33,8 +33,7 @@ struct SegmentBasis {
 /// those of a caller's basis do not.
 Array<double> weightsAt(const SegmentBasis& basis, double t);
 
-/// The same times the points' weights, where there are any, and divided by their sum. Written to
-/// `weights`, whose memory is used again.
+/// Writes to `weights` the same, times the points' weights if there are any, divided by their sum.
 void weightsAt(const SegmentBasis& basis, const Array<double>& pointWeights, double t,
                Array<double>& weights);
 

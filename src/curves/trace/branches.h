@@ -4,7 +4,7 @@
 
 namespace karcher {
 
-/// For a segment whose trace by a table broke. If control points lie far apart, there may be
+/// Improves a segment whose trace by a table broke. If control points lie far apart, there may be
 /// several local minima at one parameter, and a search that starts at the last sample stays with
 /// its minimum until that one ends. This function also searches from the segment's end to its start
 /// and takes the minimum of lower energy at each sample. The curve is then the same in both

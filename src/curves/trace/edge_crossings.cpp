@@ -3,8 +3,8 @@
 namespace karcher {
 namespace {
 
-/// Calls visit(f) for the faces that hold a point: one, two at an edge; a vertex's faces. Stops
-/// where it returns true.
+/// Calls visit(f) for the faces that hold a point: one inside a face, two on an edge, all around a
+/// vertex. Stops if it returns true.
 template <class Visit>
 bool visitFacesAt(const TriangleMesh& mesh, const SurfacePoint& point, const Visit& visit) {
   const PointLocation place = locate(mesh, point);
@@ -19,7 +19,8 @@ bool visitFacesAt(const TriangleMesh& mesh, const SurfacePoint& point, const Vis
   return twin >= 0 && visit(faceOf(twin));
 }
 
-/// Whether the points share a face; else the half-edge of a face of `a` to a face of `b`, or -1.
+/// Whether the points share a face, or else the half-edge from a face of `a` to a face of `b`, or
+/// -1.
 struct Passage {
   bool sharesFace = false;
   int halfedge = -1;
@@ -92,11 +93,11 @@ bool EdgeCrossings::appendCrossing(int h, int half, double t0, double t1, bool o
   double after = across(valueAt(t1));
   const bool passes = (before < 0) != (after < 0);
   if (!passes && !orNearest) return false;
-  // A sample so near the edge that the faces' own fields place it on this side, the edge's on the
-  // other.
+  // The sample is so near the edge that the faces' own fields place it on this side, and the edge's
+  // field on the other.
   double t = std::abs(before) < std::abs(after) ? t0 : t1;
   if (passes) {
-    // Regula falsi, halving the value of an end that stays (the Illinois rule).
+    // Regula falsi, which halves the value of an end that stays (the Illinois rule).
     constexpr int kMostSteps = 100;
     constexpr double kSmallest = 1e-15;
     for (int step = 0; step < kMostSteps && t1 - t0 > kSmallest; ++step) {

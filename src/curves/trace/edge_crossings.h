@@ -2,17 +2,17 @@
 
 #include "curves/trace/segment.h"
 
-/// Where a curve of centers of mass crosses the edges of the mesh.
+/// Crossings of a curve of centers of mass with the edges of the mesh.
 ///
 /// Along an edge, in the edge's own frame, which the faces on both sides share, the blended field
 /// is linear between its values X_a(t) and X_b(t) at the ends, or at one end and at its middle
 /// (cells.h). It has a zero on the edge's line where X_a(t) x X_b(t) = 0: at this t the curve
 /// passes from face to face, through the same point from either side. Inside a face the field
 /// differs by its transport, so that the curve there ends a small part of an edge beside that point
-/// (crossing_study): the polyline through the crossings closes what the samples leave open.
+/// (crossing_study). The polyline through the crossings closes these gaps.
 namespace karcher {
 
-/// Scratch memory; reuse one to spare the allocations.
+/// Scratch memory, which can be reused.
 struct CrossingWorkspace {
   Array<CurveSample> found;
   Array<double> weights;
@@ -21,14 +21,14 @@ struct CrossingWorkspace {
 
 class EdgeCrossings {
  public:
-  /// All must outlive the object.
+  /// The arguments must outlive the object.
   EdgeCrossings(SegmentFields& fields, const BasisWriter& basis, Method method,
                 CrossingWorkspace& workspace);
 
-  /// Appends the crossings between two converged samples, in ascending t, and the later sample.
-  /// Where the samples' faces do not share an edge, more samples are found and appended. Returns
-  /// false, and changes nothing, where 2^-kMostBisections of the interval is not fine enough to
-  /// tell which edges the curve crosses: as it passes a vertex.
+  /// Appends the crossings between two converged samples, in ascending t, and the later sample. If
+  /// the samples' faces do not share an edge, more samples are found and appended. Returns false
+  /// and changes nothing if 2^-kMostBisections of the interval is too coarse to decide which edges
+  /// the curve crosses, as near a vertex.
   bool append(const CurveSample& from, const CurveSample& to, Array<SurfacePoint>& out);
 
   /// The result of the last call: the crossings, on edges, and the samples between them.
@@ -39,8 +39,9 @@ class EdgeCrossings {
  private:
   bool appendBetween(const CurveSample& from, const CurveSample& to, int bisections);
   bool appendCrossing(int h, double t0, double t1);
-  /// Through one half of an edge, if faces are cut; where the curve does not pass the edge's line
-  /// between t0 and t1 except by rounding, at the nearer of them or not at all.
+  /// Appends the crossing of an edge, or of one half of it if faces are cut. If the curve passes
+  /// the edge's line between t0 and t1 only by rounding, the crossing is at the nearer of them, or
+  /// none.
   bool appendCrossing(int h, int half, double t0, double t1, bool orNearest);
 
   const Geometry& geometry_;

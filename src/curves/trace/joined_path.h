@@ -5,31 +5,31 @@
 
 namespace karcher {
 
-/// What lies between consecutive samples.
+/// The connection between consecutive samples.
 enum class CurveGeometry {
   kGeodesic,  ///< the locally shortest path
   kExact,     ///< the curve's own crossings of edges (edge_crossings.h)
 };
 
 /// A path through the samples. Consecutive samples are joined by geodesics or by the curve's
-/// crossings, and along the bridges where there are any.
+/// crossings, and along bridges.
 struct JoinedPath {
   SurfacePath line;
-  /// Per point the number of the sample that its piece leads to.
+  /// For each point, the number of the sample to which its piece leads.
   Array<int> sample;
-  /// Per point whether its piece lies on a bridge or leads to a sample that is not converged.
+  /// For each point, whether its piece lies on a bridge or leads to a sample that is not converged.
   Array<uint8_t> unconverged;
 };
 
-/// With `crossings` exact; geodesics join what those leave open. Writes to `path`, whose memory is
-/// used again.
+/// Writes to `path`. With `crossings` the path is exact, and geodesics close the gaps that they
+/// leave.
 void joinSamples(Surface& surface, const Array<CurveSample>& samples, const Array<Bridge>& bridges,
                  EdgeCrossings* crossings, StripWorkspace& workspace, JoinedPath& path);
 JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,
                        const Array<Bridge>& bridges = {}, EdgeCrossings* crossings = nullptr);
 
-/// Appends the geodesic between two samples that lie near each other as a rule: its points after
-/// `from`. The samples must lie on one component.
+/// Appends the geodesic's points after `from` between two samples on one component, which are
+/// usually near each other.
 void appendGeodesic(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                     StripWorkspace& workspace, Array<SurfacePoint>& points);
 

@@ -8,9 +8,9 @@
 namespace karcher {
 namespace {
 
-/// A step is divided at most so often: enough for one over the whole of a large surface.
+/// The most divisions of a step, enough for one across a whole large surface.
 constexpr int kMostDivisions = 200'000;
-/// Steps that wait for their turn: each division leaves one, and the finest is 2^-30.
+/// The most waiting steps: each division leaves one, and the finest is 2^-30.
 constexpr int kMostWaiting = 32;
 static_assert(kFinestDivision * (1 << (kMostWaiting - 2)) > 1);
 /// A step in a face that comes nearer to an edge than this part of its length may bend across it.
@@ -29,8 +29,8 @@ class JumpSearch {
         longest_(kLongestStep * geometry_.meanEdge),
         weights_(weights) {}
 
-  /// Whether the way from one converged sample to the next breaks in either direction, and how.
-  /// `middle`: the weights in the middle of it, or none.
+  /// Whether and how the curve from one converged sample to the next breaks, in either direction.
+  /// `middle` has the weights in the middle, or none.
   std::optional<SampleStatus> run(const CurveSample& from, const CurveSample& to, Weights middle) {
     if (!middle.empty() && isContinuous(from.point, to.point, middle)) return std::nullopt;
     bool differ = false;
@@ -41,13 +41,13 @@ class JumpSearch {
   }
 
  private:
-  /// Searches start at the earlier end of a step, at the later one, or at each of them as long as
-  /// both find the same.
+  /// Searches start at the earlier end of a step, at the later one, or at both as long as they find
+  /// the same.
   enum class Direction { kForwards, kBackwards, kBoth };
 
-  /// Follows the curve along a step. Of both directions: sets `differ` and stops where they find
-  /// different centers. `middle`: the weights in the middle of the step where it is known that
-  /// these do not tell, or none.
+  /// Follows the curve along a step. In both directions, it sets `differ` and stops where they find
+  /// different centers. `middle` has the weights in the middle of the step if they are known to be
+  /// inconclusive, or none.
   std::optional<SampleStatus> follow(const CurveSample& from, const CurveSample& to, Weights middle,
                                      Direction direction, bool* differ = nullptr) {
     Step waiting[kMostWaiting];
@@ -98,7 +98,7 @@ class JumpSearch {
     Place to;
   };
 
-  /// Whether the weights in the middle of a step tell that it does not break.
+  /// Whether the weights in the middle of a step prove that it does not break.
   bool isContinuous(const SurfacePoint& from, const SurfacePoint& to, Weights middle) const {
     return staysInCell(from, to, middle) || crossesAnEdge(from, to, middle);
   }
@@ -165,10 +165,9 @@ class JumpSearch {
            gapAtEdge(h, zeroA) <= longest_ / 2;
   }
 
-  /// How far apart the zeros of both faces lie where the zero comes to half-edge h, at most. In the
-  /// other face the values at the ends are turned relative to each other (CellZero::holonomy);
-  /// where they point against each other, and so cancel out at the edge, what is left is at right
-  /// angles to them.
+  /// The largest distance between the zeros of both faces when the zero reaches half-edge h. In the
+  /// other face the values at the ends are turned relative to each other (CellZero::holonomy); if
+  /// they are opposite, and so cancel at the edge, the rest is perpendicular to them.
   double gapAtEdge(int h, const CellZero& zero) const {
     const Vec2& tail = zero.field.corner[cornerOf(h)];
     const Vec2& head = zero.field.corner[cornerOf(next(h))];
@@ -183,7 +182,7 @@ class JumpSearch {
     return lengthInFace(faceOf(h), {-along - up, along, up});
   }
 
-  /// A point of a half-edge's face, which may lie beyond it, with the half-edge as x axis.
+  /// A point of a half-edge's face, possibly outside it, with the half-edge as x axis.
   Vec2 besideEdge(int h, const Vec3& bary) const {
     const int face = faceOf(h);
     return rotateBack(
@@ -196,7 +195,7 @@ class JumpSearch {
     return Vec2(geometry_.edgeLength[h], 0) - besideEdge(h, bary);
   }
 
-  /// How far a point of a half-edge's face lies from the lines of the other two edges.
+  /// The distance of a point of a half-edge's face from the lines of the other two edges.
   double keptOff(int h, const Vec3& bary) const {
     const double area = doubleArea(geometry_, faceOf(h));
     const int edges[] = {next(h), previous(h)};
@@ -204,13 +203,13 @@ class JumpSearch {
                     bary[cornerOf(next(h))] * area / geometry_.edgeLength[edges[1]]);
   }
 
-  /// Whether no face over the other two edges can have a zero as well.
+  /// Whether no face across the other two edges can have a zero, too.
   static bool isAlone(int h, const CellZero& zero) {
     return isTheOnlyZero(zero, std::min(zero.bary[cornerOf(h)], zero.bary[cornerOf(next(h))]) / 2);
   }
 
-  /// Whether the values at the ends of each edge make angles so far from 0 and pi that no face
-  /// beside has a zero, nor would if they turned as much again (isTheOnlyZero).
+  /// Whether the values at the ends of each edge make angles so far from 0 and pi that no adjacent
+  /// face has a zero, nor would after as much turning again (isTheOnlyZero).
   static bool turnsBesideNoEdge(const CellZero& zero) {
     constexpr double kRoom = 2;
     const double bound = kRoom * kRoom * zero.holonomy * zero.holonomy;
@@ -223,7 +222,7 @@ class JumpSearch {
     return true;
   }
 
-  /// Of a difference of barycentric weights.
+  /// The length of a difference of barycentric weights.
   double lengthInFace(int face, const Vec3& off) const {
     const Vec2 vector =
         off[1] * cornerInFace(geometry_, face, 1) + off[2] * cornerInFace(geometry_, face, 2);

@@ -23,10 +23,10 @@ inline bool isConverged(const CurveSample& sample) {
 
 /// The steps between converged samples that break, in order, written to `jumps`. Steps well inside
 /// a face, or shorter than half of `kLongestStep`, need no check; others are divided until their
-/// parts are one or the other.
+/// parts are such steps.
 ///
-/// `basis` and `pointWeights` give the weights (segment_basis.h). `table`: those at the samples and
-/// between them, or none where a tolerance placed the samples. `weights` is scratch memory.
+/// `basis` and `pointWeights` give the weights (segment_basis.h). `table` has those at the samples
+/// and between them; it is null if a tolerance placed the samples. `weights` is scratch memory.
 void findJumps(FieldBlend& fields, const SegmentBasis& basis, const Array<double>& pointWeights,
                const PieceWeights* table, Method method, const Array<CurveSample>& samples,
                Array<double>& weights, Array<Jump>& jumps);

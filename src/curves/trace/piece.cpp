@@ -3,7 +3,8 @@
 namespace karcher {
 namespace {
 
-/// The sign of i / (samples - 1) - k / count: where even sample i lies beside the start of part k.
+/// The sign of i / (samples - 1) - k / count: the side of part k's start on which even sample i
+/// lies.
 int sideOf(int i, int samples, int k, int count) {
   const int64_t sample = static_cast<int64_t>(i) * count;
   const int64_t joint = static_cast<int64_t>(k) * (samples - 1);
@@ -87,7 +88,7 @@ void mergePieces(const Array<const TracedPiece*>& pieces, int even, TracedSegmen
       }
       Bridge& moved = whole.bridges.back();
       moved.t1 = inSegment(bridge.t1);
-      // Where one subdivided piece follows another, its first point is there already.
+      // If one subdivided piece follows another, its first point already exists.
       const double before = goesOn ? moved.line.path.length() : 0;
       for (int i = goesOn ? 1 : 0; i < bridge.line.t.count(); ++i) {
         moved.line.t.push_back(inSegment(bridge.line.t[i]));
@@ -95,11 +96,11 @@ void mergePieces(const Array<const TracedPiece*>& pieces, int even, TracedSegmen
         moved.line.path.lengths.push_back(before + bridge.line.path.lengths[i]);
       }
     }
-    // The start of a piece is the end of the one before.
+    // The start of a piece equals the end of the one before.
     const int last = piece.samples.count() - 1;
     int next = even > 0 ? firstBehind(even, k, count) : 0;
     if (k == 0) whole.samples.push_back(piece.samples[0]);
-    // The points on the way to a joint that is no sample lead to the sample behind it.
+    // The points before a joint that is no sample lead to the sample after it.
     const int first = whole.samples.count();
     const auto inWhole = [&](int sample) { return sample == 0 ? 0 : first + sample - 1; };
     for (int i = 1; i <= last; ++i) {

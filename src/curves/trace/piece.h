@@ -6,11 +6,11 @@
 #include "curves/spec/curve_layout.h"
 #include "curves/trace/joined_path.h"
 
-/// A piece of a curve: one center of mass of a few points. A curve of level 0 has one a segment,
-/// others have 2^levels.
+/// A piece of a curve: one center of mass of a few points. A segment of a curve of level 0 has one
+/// piece, others have 2^levels.
 namespace karcher {
 
-/// Which part of a segment a piece is: number `index` of `count` equal parts.
+/// The part of a segment that a piece is: number `index` of `count` equal parts.
 struct PartOfSegment {
   int index = 0;
   int count = 1;
@@ -18,15 +18,15 @@ struct PartOfSegment {
 };
 
 /// The piece's parameters for evenly spaced samples of the segment: those that lie in the piece,
-/// and both its ends. Table rows are at t in [0, 1] of the piece.
-/// Written to `table`, whose memory is used again; `row` is scratch.
+/// and both its ends. Table rows are at t in [0, 1] of the piece. Writes to `table`; `row` is
+/// scratch memory.
 void tabulatePiece(const SegmentBasis& basis, int samples, const PartOfSegment& part,
                    Array<double>& row, PieceWeights& table);
 
 /// The rows of a table times the points' weights, each divided by its sum.
 PieceWeights weighted(const PieceWeights& weights, const Array<double>& pointWeights);
 
-/// What tracing makes of a piece.
+/// A traced piece.
 struct TracedPiece {
   Array<CurveSample> samples;  ///< in t of the piece, both ends included
   /// The intervals where it is no center of mass.
@@ -34,12 +34,12 @@ struct TracedPiece {
   JoinedPath path;
 };
 
-/// The same of a whole segment, in its t.
+/// A traced segment, in its t.
 using TracedSegment = TracedPiece;
 
-/// Writes a segment's pieces one after the other to `whole`, whose memory is used again. `even`:
-/// how many evenly spaced samples the segment has, or 0 where a tolerance placed them; of even
-/// samples the joints between pieces are only those that fall on them.
+/// Writes a segment's pieces one after the other to `whole`. `even` is the number of evenly spaced
+/// samples of the segment, or 0 if a tolerance placed them; a joint between pieces is an even
+/// sample only if it coincides with one.
 void mergePieces(const Array<const TracedPiece*>& pieces, int even, TracedSegment& whole);
 
 }  // namespace karcher

@@ -5,9 +5,8 @@
 
 namespace karcher {
 
-/// A leg of a control polygon as a curve, with samples at the parts t of its length. Of a shortest
-/// path they are the centers of mass of its ends with weights 1 - t and t, exact and wherever the
-/// ends lie.
+/// A leg of a control polygon as a curve, with samples at the parts t of its length. On a shortest
+/// path they are the exact centers of mass of its ends with weights 1 - t and t.
 TracedPiece traceLeg(const TriangleMesh& mesh, const SurfacePath& leg, int samples);
 
 }  // namespace karcher

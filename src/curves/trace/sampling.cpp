@@ -9,16 +9,17 @@
 namespace karcher {
 namespace {
 
-/// Intervals of a segment before any bisection, a control point: fewer would miss a bend between
-/// their ends.
+/// The intervals of a segment before any bisection, for each control point; fewer would miss a bend
+/// between their ends.
 constexpr int kIntervalsAPoint = 2;
 constexpr int kFewestIntervals = 8;
 constexpr int kMostBisections = 20;
-/// Between the ends of an interval the curve is looked at so often.
+/// The number of evaluations between the ends of an interval.
 constexpr int kLooksAFace = 3;
 constexpr int kFewestLooks = 12;
 constexpr int kMostLooks = 256;
-/// A step from look to look into another face that is longer than this many even ones is divided.
+/// A step between two evaluations in different faces that is longer than this many even ones is
+/// divided.
 constexpr double kLongestOfSteps = 1.5;
 constexpr int kMostHalvings = 4;
 /// Bisections where samples do not converge.
@@ -67,7 +68,7 @@ class AdaptiveTrace {
   }
 
  private:
-  /// Appends the samples that are needed between two.
+  /// Appends the necessary samples between two.
   void refine(const CurveSample& from, const CurveSample& to, int bisections) {
     const CurveSample middle = sample((from.t + to.t) / 2, from);
     const int lost = (from.status != SampleStatus::kConverged) +
@@ -81,16 +82,16 @@ class AdaptiveTrace {
     refine(middle, to, bisections + 1);
   }
 
-  /// A point of the curve, and from where on the geodesic.
+  /// A point of the curve, and its place along the geodesic.
   struct Look {
     CurveSample sample;
     Vec3 position = Vec3::Zero();
     Vec3 off = Vec3::Zero();
   };
 
-  /// Whether the curve keeps to the geodesic, looked at in each face that this crosses, since the
-  /// curve may bend or jump at the edges. Between two looks it is taken to go off further by as
-  /// much as it does from one to the other.
+  /// Whether the curve stays near the geodesic, evaluated in each face that this crosses, since the
+  /// curve may bend or jump at the edges. Between two evaluations the curve may deviate further by
+  /// as much as it changes from one to the other.
   bool isFine(const CurveSample& from, const CurveSample& middle, const CurveSample& to) {
     workspace_.path.points.assign(1, from.point);
     if (!appendLocalPath(geometry_, from.point, to.point, workspace_.strip, workspace_.path.points))
@@ -111,8 +112,8 @@ class AdaptiveTrace {
     return true;
   }
 
-  /// Between two looks the curve may pass a face: where it goes faster than elsewhere, and where
-  /// their faces do not meet.
+  /// Between two evaluations the curve may pass a face, if it moves fast or if their faces do not
+  /// meet.
   bool isFineBetween(const Look& from, const Look& to, int divisions) {
     if (to.sample.status != SampleStatus::kConverged) return false;
     const int face = from.sample.point.face;
@@ -142,7 +143,7 @@ class AdaptiveTrace {
     return result;
   }
 
-  /// From the geodesic's nearest point, in space.
+  /// The vector in space from the geodesic's nearest point.
   Vec3 offGeodesic(const Vec3& p) const {
     const TriangleMesh& mesh = *geometry_.mesh;
     Vec3 nearest = Vec3::Constant(kInfinity);
@@ -185,7 +186,7 @@ class AdaptiveTrace {
   double tolerance_;
   Array<CurveSample>& samples_;
   SamplingWorkspace& workspace_;
-  // Of `isFine`.
+  // Set by `isFine`.
   double longestStep_ = 0;
   double farthest_ = 0;
   double largestChange_ = 0;

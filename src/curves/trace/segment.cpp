@@ -5,7 +5,7 @@
 namespace karcher {
 
 int heaviest(Weights weights) {
-  // Weights that should be equal may differ by rounding.
+  // Weights that differ by less are equal up to rounding.
   constexpr double kEqual = 1e-9;
   const double most = *std::max_element(weights.begin(), weights.end());
   int i = 0;
@@ -62,8 +62,7 @@ Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table,
     const int i = backwards ? last - k : k;
     CurveSample& sample = samples[i];
     sample.t = table.t[i];
-    // The ends are found from their control points alone: as the segments find them that meet
-    // there.
+    // The ends are found from their control points alone, so that adjacent segments find the same.
     const bool isEnd = i == 0 || i == last;
     if (isEnd) start = &points[heaviest(table.row(i))]->point();
     CenterOfMass center = findCenter(fields.blend, table.row(i), *start, method);

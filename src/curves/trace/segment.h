@@ -16,20 +16,21 @@ struct CurveSample {
   SampleStatus status = SampleStatus::kConverged;
 };
 
-/// Of a segment of a curve, or an arc of a circle.
+/// The most samples of a curve's segment or a circle's arc.
 inline constexpr int kMostSamples = 100'000;
 
-/// From t in [0, 1] to the weights of a segment's control points, which sum to 1.
+/// A function from t in [0, 1] to the weights of a segment's control points, which sum to 1.
 using Basis = std::function<Array<double>(double t)>;
 
-/// The same, written to an array whose memory is used again.
+/// The same, written to an existing array.
 using BasisWriter = std::function<void(double t, Array<double>& weights)>;
 
-/// A basis at parameters: where they are evenly spaced, made once for all segments with it.
+/// A basis at given parameters. A table of even parameters is shared by all segments with the
+/// basis.
 struct WeightTable {
   int points = 0;
   Array<double> t;
-  Array<double> weights;  ///< row by row, `points` a sample
+  Array<double> weights;  ///< row by row, `points` for each sample
 
   Weights row(int sample) const {
     return {weights.data() + static_cast<ptrdiff_t>(sample) * points, static_cast<size_t>(points)};
@@ -44,38 +45,39 @@ struct PieceWeights {
 
 void append(WeightTable& table, double t, const Array<double>& weights);
 
-/// At `count` >= 2 parameters, evenly spaced from 0 to 1.
+/// The table at `count` >= 2 parameters, evenly spaced from 0 to 1.
 WeightTable tabulate(const Basis& basis, int count);
 
-/// The number of the largest weight; of several, the first.
+/// The index of the largest weight; if several are equal, the first.
 int heaviest(Weights weights);
 
-/// The control points of a segment with their fields, blended. All stages of tracing share what the
-/// blend has computed for the faces that the segment passes.
+/// The control points of a segment and the blend of their fields. All stages of tracing share the
+/// blend's values in the faces that the segment passes.
 struct SegmentFields {
   SegmentFields(Surface& surface, const Array<PointField*>& ofPoints)
       : points(ofPoints), blend(surface.geometry(), controlFields(ofPoints)) {}
 
-  /// Those of another segment, in the memory that is there.
+  /// Replaces the points by those of another segment, and keeps the memory.
   void setPoints(const Array<PointField*>& ofPoints);
 
   Array<PointField*> points;
   FieldBlend blend;
-  // Scratch.
+  // Scratch memory.
   Array<ControlField*> fields;
   Array<int> restarts;
 };
 
-/// Where a search for a center of mass that failed starts again: at control points of positive
-/// weight, the heaviest first; at the ends of a segment that one has been tried. A search that goes
-/// on where the Hessian is not positive definite tries the heaviest only. Written to `order`.
+/// Writes to `order` the control points at which a failed search for a center of mass restarts:
+/// those of positive weight, the heaviest first, which is left out at the ends of a segment, where
+/// it has been tried. A search that continues where the Hessian is not positive definite tries only
+/// the heaviest.
 void findRestarts(Weights weights, Method method, bool isEnd, Array<int>& order);
 
 /// One sample per row of the table. The search for the first and the last sample starts at the
 /// control point of largest weight, each other one at the last converged sample; a search that
 /// fails starts again at the control points of `findRestarts`. So the result depends only on the
-/// fields and the weights, and the end of one segment is the start of the next. The result takes
-/// the memory of `samples`. Backwards, the search goes from the last row to the first.
+/// fields and the weights, and the end of one segment is the start of the next. The result reuses
+/// the memory of `samples`. If `backwards`, the search goes from the last row to the first.
 Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method,
                                 Array<CurveSample> samples = {}, bool backwards = false);
 
