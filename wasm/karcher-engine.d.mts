@@ -67,6 +67,8 @@ export interface EngineRegion {
   triangles: Int32Array;
   /** ... and four numbers each: second and third weight of one end and of the other. */
   sides: Float64Array;
+  /** Of a region of one shape: the side of its first outline that it lies on. */
+  side?: 'left' | 'right';
 }
 
 /** What the exp map leads to: four numbers a point, three a direction. */
@@ -174,11 +176,11 @@ export interface EngineMesh {
   ): EnginePath[];
   /** The side is 1 for the left, -1 for the right, 0 for both. */
   offset(outlines: Float64Array[], distance: number, side: number): EnginePath[];
-  /** Of each shape `counts` has the number of its outlines, `insides` a point or none. */
+  /** Of each shape `counts` has the number of its outlines, `insides` a point, none, or a side of its first outline. */
   regions(
     outlines: Float64Array[],
     counts: Int32Array,
-    insides: Float64Array[],
+    insides: (Float64Array | string)[],
     rule: FillRule,
     combine: BooleanOperation | 'none',
   ): EngineRegion[];

@@ -472,7 +472,7 @@ export class Mesh {
 
   /**
    * The regions that shapes enclose, one a shape, or with `combine` one of all: union, intersection,
-   * difference or exclusion. A shape is an outline, or several with a point that lies inside. All
+   * difference or exclusion. A shape is an outline, or several with what is inside. All
    * outlines may cross, touch and run along each other, the mesh's edges and its boundary; what lies
    * nearer than 2^-32 of an edge is one. Outlines from boundary to boundary enclose a side, too.
    *

@@ -20,8 +20,11 @@ export type Outline = Path | readonly PointLike[];
 export interface RegionShape {
   /** The closed paths that bound the shape. */
   outlines: readonly Outline[];
-  /** A point that shall lie inside. Without it the smaller side is inside. */
-  inside?: PointLike;
+  /**
+   * A point that shall lie inside, or the side of the first outline that is inside where that first
+   * divides: it stays so while the outline is moved. Without it the smaller side is inside.
+   */
+  inside?: PointLike | 'left' | 'right';
 }
 
 /** A circle on a surface, as a path and as the curve that it was traced of. */

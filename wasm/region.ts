@@ -88,7 +88,7 @@ export const wireOutlines = (paths: unknown): Float64Array[] =>
 export function wireShapes(shapes: unknown) {
   const outlines: Float64Array[] = [];
   const counts: number[] = [];
-  const insides: Float64Array[] = [];
+  const insides: (Float64Array | string)[] = [];
   const all = checkArray(shapes, 'the shapes');
   if (all.length === 0) throw new KarcherError('badArgument', 'there must be at least one shape');
   all.forEach((shape, i) => {
@@ -111,7 +111,9 @@ export function wireShapes(shapes: unknown) {
     insides.push(
       inside === undefined
         ? new Float64Array(0)
-        : wirePoint(inside as SurfacePoint, `the point inside shape ${i}`),
+        : inside === 'left' || inside === 'right'
+          ? inside
+          : wirePoint(inside as SurfacePoint, `the point inside shape ${i}`),
     );
   });
   return { outlines, counts: Int32Array.from(counts), insides };

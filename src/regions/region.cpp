@@ -9,6 +9,32 @@
 namespace karcher {
 namespace {
 
+/// What is counted on one edge of the arrangement: those of its uses that are paths of a range.
+struct EdgeCount {
+  int halfedge = 0;
+  int change = 0;      ///< from right to left of the half-edge
+  PathUse firstOfAll;  ///< of the range's first path the earliest use; its path is -1 without one
+};
+
+/// Calls `take` for each edge that has uses.
+template <class Take>
+void countEdges(const Arrangement& all, const PathRange& paths, const Take& take) {
+  for (int i = 0; i < all.uses.count();) {
+    EdgeCount count;
+    count.halfedge = all.uses[i].halfedge;
+    count.firstOfAll.path = -1;
+    for (; i < all.uses.count() && all.uses[i].halfedge == count.halfedge; ++i) {
+      const PathUse& use = all.uses[i];
+      const int path = use.path - paths.first;
+      if (path < 0 || path >= paths.count) continue;
+      count.change += use.sign;
+      const bool isEarlier = count.firstOfAll.path < 0 || use.part < count.firstOfAll.part;
+      if (path == 0 && isEarlier) count.firstOfAll = use;
+    }
+    take(count);
+  }
+}
+
 /// A step over an edge of the arrangement into another cell.
 struct Step {
   int from;
@@ -24,19 +50,14 @@ struct Steps {
 
 Steps stepsOf(const Arrangement& all, const PathRange& paths) {
   Array<Step> found;
-  for (int i = 0; i < all.uses.count();) {
-    const int h = all.uses[i].halfedge;
-    int change = 0;
-    for (; i < all.uses.count() && all.uses[i].halfedge == h; ++i) {
-      const int path = all.uses[i].path - paths.first;
-      if (path >= 0 && path < paths.count) change += all.uses[i].sign;
-    }
-    if (all.twin[h] < 0) continue;
+  countEdges(all, paths, [&](const EdgeCount& count) {
+    const int h = count.halfedge;
+    if (all.twin[h] < 0) return;
     const int left = all.cell(h);
     const int right = all.cell(all.twin[h]);
-    found.push_back({right, left, change});
-    found.push_back({left, right, -change});
-  }
+    found.push_back({right, left, count.change});
+    found.push_back({left, right, -count.change});
+  });
   Steps result;
   result.start.assign(static_cast<size_t>(all.cellCount()) + 1, 0);
   for (const Step& step : found) ++result.start[step.from + 1];
@@ -117,6 +138,30 @@ Region enclosed(const Arrangement& arrangement, const PathRange& paths, FillRule
     chooseSide(arrangement, cells, labels, isHere ? inside : std::nullopt, region);
   }
   return region;
+}
+
+std::optional<int> cellBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
+                              PathSide side) {
+  // Edges inside the surface come before those of its boundary, beyond which there is no cell.
+  std::optional<PathUse> first;
+  const auto isOnBoundary = [&](const PathUse& use) { return arrangement.twin[use.halfedge] < 0; };
+  countEdges(arrangement, paths, [&](const EdgeCount& count) {
+    const bool divides = rule == FillRule::kEvenOdd ? count.change % 2 != 0 : count.change != 0;
+    if (!divides || count.firstOfAll.path < 0) return;
+    const PathUse& use = count.firstOfAll;
+    const auto order = [&](const PathUse& it) { return std::pair(isOnBoundary(it), it.part); };
+    if (!first || order(use) < order(*first)) first = use;
+  });
+  if (!first) return std::nullopt;
+  const bool isLeft = (first->sign > 0) == (side == PathSide::kLeft);
+  const int h = isLeft ? first->halfedge : arrangement.twin[first->halfedge];
+  if (h < 0) return std::nullopt;
+  return arrangement.cell(h);
+}
+
+Region enclosedBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
+                      PathSide side) {
+  return enclosed(arrangement, paths, rule, cellBeside(arrangement, paths, rule, side));
 }
 
 Region combined(const Region& a, const Region& b, Boolean how) {

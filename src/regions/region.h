@@ -33,6 +33,19 @@ struct PathRange {
 Region enclosed(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                 std::optional<int> inside = std::nullopt);
 
+/// The sides of a path, seen along it.
+enum class PathSide { kLeft, kRight };
+
+/// The cell on a side of the first of these paths, where it first has other cells on its two sides
+/// (by parity, where `rule` is that); none where it has not, or beyond the boundary.
+std::optional<int> cellBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
+                              PathSide side);
+
+/// What paths enclose together, on a side of the first one: where that path is moved, this is what
+/// moves along. Throws Error kBadArgument where they do not bound.
+Region enclosedBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
+                      PathSide side);
+
 Region combined(const Region& a, const Region& b, Boolean how);
 
 double areaOf(const Arrangement& arrangement, const Region& region);

@@ -256,6 +256,51 @@ TEST(Regions, AreTheSmallerSideOrThatOfAPoint) {
   }
 }
 
+TEST(Regions, OnASideStayThereAsTheirCurveMovesOverTheSurface) {
+  const Sheet sphere(meshOf(makeShape(Shape::kSphere, 2000)));
+  const double whole = surfaceArea(sphere.geometry);
+  const auto parallel = [&](double height) {
+    Array<SurfacePoint> points;
+    for (int i = 0; i < 24; ++i) {
+      const Vec2 p = std::sqrt(1 - height * height) * unitVector(2 * kPi * (i + 0.3) / 24);
+      points.push_back(nearestPoint(sphere.mesh, {p.x(), p.y(), height}));
+    }
+    return chain(sphere.geometry, points, true);
+  };
+  for (const FillRule rule : {FillRule::kEvenOdd, FillRule::kNonZero}) {
+    for (double height = 0.9; height > -0.95; height -= 0.2) {
+      const SurfacePath path = parallel(height);
+      const Arrangement all = arrange(sphere.geometry, std::span(&path, 1));
+      const double left = areaOf(all, enclosedBeside(all, kFirst, rule, PathSide::kLeft));
+      EXPECT_NEAR(left, 2 * kPi * (1 - height), 0.02 * whole) << "north of it, at " << height;
+      const double right = areaOf(all, enclosedBeside(all, kFirst, rule, PathSide::kRight));
+      EXPECT_NEAR(left + right, whole, 1e-9);
+    }
+  }
+  const Sheet sheet(planeGrid(8, 8));
+  for (const double x : {0.5, 2.0, 4.0, 6.3, 7.9}) {
+    const SurfacePath path = polygonOn(sheet.geometry, {{x, 0}, {x, 8}}, false);
+    const Arrangement all = arrange(sheet.geometry, std::span(&path, 1));
+    const Region left = enclosedBeside(all, kFirst, FillRule::kEvenOdd, PathSide::kLeft);
+    EXPECT_NEAR(areaOf(all, left), 8 * x, 1e-9) << "from rim to rim";
+  }
+}
+
+/// A square that begins along the boundary, and one that is all of it.
+TEST(Regions, OnASideOfTheBoundaryAreWhatLiesThere) {
+  const Sheet sheet(planeGrid(4, 4));
+  const SurfacePath paths[] = {polygonOn(sheet.geometry, rectangle(0, 0, 2, 2)),
+                               polygonOn(sheet.geometry, rectangle(0, 0, 4, 4))};
+  const Arrangement all = arrange(sheet.geometry, paths);
+  const auto area = [&](const PathRange& path, PathSide side) {
+    return areaOf(all, enclosedBeside(all, path, FillRule::kEvenOdd, side));
+  };
+  EXPECT_NEAR(area(kFirst, PathSide::kLeft), 4, 1e-12);
+  EXPECT_NEAR(area(kFirst, PathSide::kRight), 12, 1e-12);
+  EXPECT_NEAR(area(kSecond, PathSide::kLeft), 16, 1e-12);
+  EXPECT_EQ(area(kSecond, PathSide::kRight), 0) << "beyond the boundary there is nothing";
+}
+
 /// Beyond the boundary there is nothing, which is the smaller side.
 TEST(Regions, OfTheWholeBoundaryAreAllOrNothing) {
   const Sheet sheet(planeGrid(4, 4));

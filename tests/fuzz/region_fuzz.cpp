@@ -309,10 +309,24 @@ class Fuzz {
       if (!region) continue;
       checkBonnet(*region);
       checkPoints(range, byParity, *region, nullptr);
+      checkSides(range, rule);
       if (points_.empty()) continue;
       const Placed& inside = points_[random_.index(points_.count())];
       checkPoints(range, byParity, *regionOf(range, rule, inside.cell), &inside);
       regions_.push_back(*region);
+    }
+  }
+
+  /// By parity what is inside on one side is outside on the other.
+  void checkSides(const PathRange& range, FillRule rule) {
+    const std::optional<int> cell = cellBeside(all_, range, rule, PathSide::kLeft);
+    if (!cell || !cellBeside(all_, range, rule, PathSide::kRight)) return;
+    const Region left = enclosedBeside(all_, range, rule, PathSide::kLeft);
+    const Region right = enclosedBeside(all_, range, rule, PathSide::kRight);
+    if (left[*cell] == 0) fault("what lies left is not inside");
+    if (rule == FillRule::kNonZero) return;
+    for (int c = 0; c < all_.cellCount(); ++c) {
+      if (left[c] == right[c]) return fault("a cell is on both sides or on none");
     }
   }
 

@@ -83,6 +83,29 @@ Array<SurfacePath> pathsFromJs(const Numbering& numbering, const TriangleMesh& m
   return paths;
 }
 
+/// `inside` is a point, none, or the side of the first outline.
+Region regionOf(const Geometry& geometry, const Numbering& numbering, const Arrangement& all,
+                const PathRange& range, FillRule rule, const val& inside) {
+  if (inside.isString()) {
+    const bool isLeft = inside.as<std::string>() == "left";
+    return enclosedBeside(all, range, rule, isLeft ? PathSide::kLeft : PathSide::kRight);
+  }
+  const TriangleMesh& mesh = *geometry.mesh;
+  const Array<SurfacePoint> given = pointsFromJs(numbering, mesh, inside);
+  std::optional<int> cell;
+  if (!given.empty()) cell = all.cellOfPiece[pieceHolding(mesh, all, given[0])];
+  return enclosed(all, range, rule, cell);
+}
+
+/// The side of the first outline that a region lies on.
+const char* sideOf(const Arrangement& all, const PathRange& range, FillRule rule,
+                   const Region& region) {
+  const std::optional<int> left = cellBeside(all, range, rule, PathSide::kLeft);
+  if (left) return region[*left] != 0 ? "left" : "right";
+  const std::optional<int> right = cellBeside(all, range, rule, PathSide::kRight);
+  return right && region[*right] != 0 ? "right" : "left";
+}
+
 }  // namespace
 
 val MeshHandle::regions(const val& outlines, const val& counts, const val& insides,
@@ -92,13 +115,12 @@ val MeshHandle::regions(const val& outlines, const val& counts, const val& insid
   const FillRule fill = rule == "nonZero" ? FillRule::kNonZero : FillRule::kEvenOdd;
   const Arrangement all = arrange(geometry(), paths);
   Array<Region> regions;
+  Array<const char*> sides;
   PathRange range;
   for (int i = 0; i < outlinesOf.count(); ++i) {
     range = {range.first + range.count, outlinesOf[i]};
-    const Array<SurfacePoint> given = pointsFromJs(numbering_, mesh(), insides[i]);
-    std::optional<int> inside;
-    if (!given.empty()) inside = all.cellOfPiece[pieceHolding(mesh(), all, given[0])];
-    regions.push_back(enclosed(all, range, fill, inside));
+    regions.push_back(regionOf(geometry(), numbering_, all, range, fill, insides[i]));
+    sides.push_back(sideOf(all, range, fill, regions.back()));
   }
   if (combine != "none") {
     const Boolean how = combine == "union"          ? Boolean::kUnion
@@ -110,7 +132,9 @@ val MeshHandle::regions(const val& outlines, const val& counts, const val& insid
   }
   val result = val::array();
   for (int i = 0; i < regions.count(); ++i) {
-    result.set(i, regionToJs(geometry(), numbering_, all, regions[i]));
+    val one = regionToJs(geometry(), numbering_, all, regions[i]);
+    if (combine == "none") one.set("side", std::string(sides[i]));
+    result.set(i, one);
   }
   return result;
 }
