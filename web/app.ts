@@ -277,6 +277,7 @@ export async function start(): Promise<void> {
     objectPanel.showUnit(unit);
   });
   editor.onEnded = (figure) => session.ended(figure);
+  editor.insideOf = (figure) => session.insideOf(figure);
   editor.onRefusal = showNote;
   session.onFailure = (error) => showNote(sentenceOf(messageOf(error)));
   session.onBusy = (busy) => status.setBusy(busy);

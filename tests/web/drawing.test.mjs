@@ -91,6 +91,7 @@ describe('a drawing', () => {
           fill: one([0, 0.3, 1]),
           fillColor: random() < 0.5 ? null : '#d9480f',
         }),
+      turn: () => editor.turnInside(some()),
       show: () => editor.setProperties(some(), { visible: random() < 0.7 }),
       lock: () => editor.setProperties(some(), { locked: random() < 0.2 }),
       clear: () => random() < 0.3 && editor.clear(),
@@ -101,6 +102,9 @@ describe('a drawing', () => {
   function editorOfMany(random) {
     const editor = new page.Editor();
     editor.open('sphere:5000', page.emptyDrawing);
+    // Of every other figure it is known what it encloses.
+    editor.insideOf = ({ inside, points }) =>
+      inside ?? (points.length % 2 === 0 ? (random() < 0.5 ? 'left' : 'right') : null);
     const { place } = commandsOf(editor, random);
     for (let object = 0; object < 20; object++) {
       editor.begin(kinds[object % kinds.length]);

@@ -157,6 +157,96 @@ describe('fills', () => {
     await close(tab);
   });
 
+  /** A closed polyline a little above the equator of a sphere, seen from the front. */
+  async function nearHalf() {
+    const first = await Tab.open(browser, 'mesh=sphere:3000');
+    const { positions, triangles } = await first.mesh();
+    await first.page.close();
+    const nearest = (degrees) => {
+      const angle = (degrees * Math.PI) / 180;
+      const [x, y, z] = [Math.sin(angle), 0.2, Math.cos(angle)];
+      const apart = (face) => {
+        const at = 3 * triangles[3 * face];
+        return Math.hypot(positions[at] - x, positions[at + 1] - y, positions[at + 2] - z);
+      };
+      let best = 0;
+      for (let face = 1; face < triangles.length / 3; face++) {
+        if (apart(face) < apart(best)) best = face;
+      }
+      return `${best},0.4,0.3`;
+    };
+    const points = [0, 90, 180, 270].map(nearest).join(';');
+    return Tab.open(browser, `mesh=sphere:3000&kind=polyline&closed=1&points=${points}&fill=0.5`);
+  }
+  const filled = async (tab) => (await tab.view()).fill.region.area;
+
+  test('keep to their side when a curve is dragged over more than half of the surface', async () => {
+    const tab = await nearHalf();
+    const whole = 4 * Math.PI;
+    const small = await filled(tab);
+    assert.ok(small < 0.48 * whole, `${small}`);
+    const before = JSON.stringify((await tab.state()).drawing);
+    const from = await tab.handle('Control point 1 of 4');
+    await tab.page.mouse.move(from.x, from.y);
+    await tab.page.mouse.down();
+    await tab.page.mouse.move(from.x, from.y + 190, { steps: 12 });
+    await tab.settled();
+    const held = await filled(tab);
+    assert.ok(held > 0.52 * whole, `while it is held: ${held}`);
+    await tab.page.mouse.up();
+    await tab.settled();
+    const large = await filled(tab);
+    assert.ok(Math.abs(large - held) < 0.01 * whole, `${large}`);
+    const after = JSON.stringify((await tab.state()).drawing);
+
+    await tab.page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.equal(JSON.stringify((await tab.state()).drawing), before);
+    assert.equal(await filled(tab), small);
+    await tab.page.keyboard.press('Control+y');
+    await tab.settled();
+    assert.equal(JSON.stringify((await tab.state()).drawing), after);
+    assert.equal(await filled(tab), large);
+
+    await tab.pastSaving();
+    const link = tab.page.url();
+    assert.match(link, /inside=(left|right)/);
+    await tab.page.reload();
+    await tab.settled();
+    assert.ok(Math.abs((await filled(tab)) - large) < 1e-3, 'it comes back with the page');
+    const other = await Tab.open(browser, link.split('#')[1]);
+    assert.ok(Math.abs((await filled(other)) - large) < 1e-3, 'a link has it');
+    await close(other);
+
+    await tab.page.keyboard.press('Control+d');
+    await tab.settled();
+    const [one, copy] = (await tab.state()).drawing.objects;
+    assert.equal(copy.figure.inside, one.figure.inside);
+    await close(tab);
+  });
+
+  test('are on the other side by a button, and of a curve that runs the other way where they were', async () => {
+    const tab = await nearHalf();
+    const whole = 4 * Math.PI;
+    const before = await filled(tab);
+    await tab.page.locator('#other-side').click();
+    await tab.settled();
+    const sum = before + (await filled(tab));
+    assert.ok(Math.abs(sum - whole) < 0.01 * whole, `${sum}`);
+    const turned = await filled(tab);
+    await tab.page.locator('#reverse').click();
+    await tab.settled();
+    assert.ok(Math.abs((await filled(tab)) - turned) < 1e-6 * whole);
+    for (let step = 0; step < 2; step++) await tab.page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.equal(await filled(tab), before);
+    await tab.page.locator('#fill').fill('0');
+    await tab.page.keyboard.press('Enter');
+    await tab.settled();
+    assert.ok(await tab.page.locator('#other-side').isDisabled(), 'where nothing is filled');
+    await close(tab);
+  });
+
   test('of an open line are none, and that is said', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...square);

@@ -56,7 +56,7 @@ describe('links', () => {
       objects: [
         drawing.newObject(1, polyline, { name: 'a b&c=#;é', width: 0.5, group: 'Group 1' }),
         drawing.newObject(2, { ...round, circleForm: form }, { color: '#0a0B0c'.toLowerCase() }),
-        drawing.newObject(3, curve, { visible: false, group: 'Group 1' }),
+        drawing.newObject(3, { ...curve, inside: 'right' }, { visible: false, group: 'Group 1' }),
         drawing.newObject(4, through, {
           locked: true,
           dash: 'dotted',

@@ -81,8 +81,11 @@ export const joined = (steps: readonly Command[]): Command =>
 export const stepsOf = (command: Command): readonly Command[] =>
   command.type === 'steps' ? command.steps.flatMap(stepsOf) : [command];
 
-/** The edit of a figure that is all that a command does, but for what is selected; else null. */
+const isBeside = (command: Command) =>
+  command.type === 'activate' || (command.type === 'figure' && command.edit.type === 'inside');
+
+/** The edit of a figure that is all that a command does, but for what is selected or inside; else null. */
 export function onlyEditOf(command: Command, id: number): FigureCommand | null {
-  const [only, ...more] = stepsOf(command).filter(({ type }) => type !== 'activate');
+  const [only, ...more] = stepsOf(command).filter((one) => !isBeside(one));
   return more.length === 0 && only?.type === 'figure' && only.id === id ? only.edit : null;
 }

@@ -2,6 +2,9 @@
 import type { CurveKind, CurveLevels, Parametrization, SurfacePoint } from 'karcher';
 import { type Derived, type DerivedKind, isDerived } from './derived';
 
+/** The side of a line, seen along it, that is inside what it encloses. */
+export type Inside = 'left' | 'right';
+
 /** A curve with control points; a basis of one's own is for programs. */
 export type SplineKind = Exclude<CurveKind, 'custom'>;
 /** `pen` is a curve of anchors with handles; `center` is no curve: the center of mass of the points; `points` are the points alone. */
@@ -114,10 +117,19 @@ export interface Figure {
   readonly points: readonly ControlPoint[];
   readonly circle: CircleShape | null;
   readonly circleForm: CircleForm;
+  /** What it encloses; the smaller side where that was never said, and no drag has begun. */
+  readonly inside?: Inside;
   /** Only of a figure that is made of other ones. */
   readonly derived?: Derived;
   /** These, where they are put in (`resolvedFigure`); never saved. */
   readonly operands?: readonly Operand[];
+}
+
+export const opposite = (side: Inside): Inside => (side === 'left' ? 'right' : 'left');
+
+export function withInside(figure: Figure, side: Inside | undefined): Figure {
+  const { inside: _, ...rest } = figure;
+  return side ? { ...rest, inside: side } : rest;
 }
 
 export const defaultSettings: CurveSettings = {

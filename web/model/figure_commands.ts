@@ -8,8 +8,10 @@ import {
   type ControlPoint,
   type CurveSettings,
   type Figure,
+  type Inside,
   type Kind,
   withFittingKnots,
+  withInside,
 } from './figure';
 import { withFittingLegs } from './legs';
 
@@ -24,6 +26,7 @@ export type FigureCommand =
   | { type: 'settings'; from: CurveSettings; to: CurveSettings }
   | { type: 'circle'; from: CircleShape | null; to: CircleShape | null }
   | { type: 'circleForm'; from: CircleForm; to: CircleForm }
+  | { type: 'inside'; from: Inside | undefined; to: Inside | undefined }
   | { type: 'replace'; from: Figure; to: Figure };
 
 export function applyToFigure(figure: Figure, command: FigureCommand): Figure {
@@ -47,6 +50,8 @@ export function applyToFigure(figure: Figure, command: FigureCommand): Figure {
       return { ...figure, circle: command.to };
     case 'circleForm':
       return { ...figure, circleForm: command.to };
+    case 'inside':
+      return withInside(figure, command.to);
     case 'replace':
       return command.to;
   }
@@ -74,6 +79,8 @@ export function invertFigureCommand(command: FigureCommand): FigureCommand {
     case 'circle':
       return { ...command, from: command.to, to: command.from };
     case 'circleForm':
+      return { ...command, from: command.to, to: command.from };
+    case 'inside':
       return { ...command, from: command.to, to: command.from };
     case 'replace':
       return { ...command, from: command.to, to: command.from };

@@ -32,7 +32,7 @@ import { withTangents } from './pen';
 
 /** The fields of a figure. `numberOf` gives the place of an object among all, from 1; 0 where it is gone. */
 export function figureFields(
-  { kind, points, settings, circle, circleForm, derived }: Figure,
+  { kind, points, settings, circle, circleForm, inside, derived }: Figure,
   numberOf: (id: number) => number,
 ): string[] {
   const parts = [`kind=${kind}`, `points=${points.map(formatControlPoint).join(';')}`];
@@ -40,6 +40,7 @@ export function figureFields(
   if (circle) parts.push(`circle=${formatCircle(circle)}`);
   if (circleForm.type !== defaultCircleForm.type) parts.push(`circletype=${circleForm.type}`);
   if (circleForm.arcs !== defaultCircleForm.arcs) parts.push(`arcs=${circleForm.arcs}`);
+  if (inside) parts.push(`inside=${inside}`);
   if (isDerived(kind) && derived) parts.push(...derivedFields(derived, numberOf));
   return parts;
 }
@@ -143,12 +144,14 @@ export function parseFigure(fragment: string): Figure {
     return point && withTangents(withLeg(point, leg), tangents.get(`${i}`));
   });
   const kind = kinds.find((one) => one === fields.get('kind')) ?? 'bspline';
+  const inside = fields.get('inside');
   return withFittingKnots({
     kind,
     settings: parseSettings(fields),
     points: points.filter((point) => point !== null),
     circle: parseCircle(fields.get('circle') ?? ''),
     circleForm: parseCircleForm(fields),
+    ...((inside === 'left' || inside === 'right') && { inside }),
     ...(isDerived(kind) && { derived: parseDerived(kind, fields) }),
   });
 }

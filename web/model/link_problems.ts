@@ -90,6 +90,7 @@ const rules: Readonly<Record<string, Rule>> = {
     instead: 'the default color',
   },
   fill: within(0, 1, false, 'no fill'),
+  inside: oneOf(['left', 'right'], 'the smaller side'),
   fillcolor: {
     allows: (text) => isColor(`#${text}`),
     range: 'six hexadecimal digits in lower case, as d9560b',

@@ -135,7 +135,7 @@ export const isColor = (value: unknown): value is string =>
   typeof value === 'string' && /^#[0-9a-f]{6}$/.test(value);
 
 function readFigure(value: unknown, what: string): Figure {
-  const { kind, settings, points, circle, circleForm, derived } = record(
+  const { kind, settings, points, circle, circleForm, inside, derived } = record(
     value,
     `the figure of ${what}`,
   );
@@ -148,6 +148,9 @@ function readFigure(value: unknown, what: string): Figure {
     ),
     circle: circle === null ? null : readCircle(circle, what),
     circleForm: readCircleForm(circleForm, what),
+    ...(inside !== undefined && {
+      inside: oneOf(inside, ['left', 'right'], `what is inside ${what}`),
+    }),
     ...(isDerived(own) && { derived: readDerived(derived, own, what) }),
   };
   if (!knotsFit(figure)) throw new Error(`the knots of ${what} are not as many as its points take`);

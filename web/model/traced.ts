@@ -1,5 +1,6 @@
 /** What the engine makes of a document, as the page draws and shows it. */
 import type { CurvePoints, CurveSamples, DrawnLeg, Path, SurfacePoint } from 'karcher';
+import type { Inside } from './figure';
 import type { LostInterval } from './lost';
 
 /** A region as it is painted: faces that lie in it as a whole, and triangles that fill its part of others. */
@@ -10,6 +11,8 @@ export interface Region {
   /** Of each triangle's corners the second and the third weight in its face. */
   corners: Float32Array;
   area: number;
+  /** The side of the first line that it lies on; null of what is made of several regions. */
+  side: Inside | null;
 }
 
 /** What closed lines enclose, or why they enclose nothing, as a sentence. */

@@ -8,6 +8,7 @@ import type { Viewer } from '../viewer/viewer';
 import type { Clipboard } from './clipboard';
 import { make } from './elements';
 import { Menu } from './menu';
+import { hasOtherSide } from './object_panel';
 
 /** How long a finger rests, in milliseconds. */
 const restMilliseconds = 500;
@@ -136,6 +137,9 @@ export class ContextMenu {
     const { objects } = state.drawing;
     const grouped = objects.some(({ id, group }) => group !== null && ids.includes(id));
     const alignable = alignedParts(state).length > 0;
+    const turnable = objects
+      .filter((one) => ids.includes(one.id) && hasOtherSide(one))
+      .map(({ id }) => id);
     const [lone] = ids.length === 1 ? ids : [];
     const actions: [boolean, string, () => void][] = [
       [ids.length > 0, 'Cut', () => void this.clipboard.cut()],
@@ -144,6 +148,7 @@ export class ContextMenu {
       [ids.length > 0, 'Duplicate', () => editor.duplicate(ids)],
       [ids.length > 1, 'Group', () => editor.group(ids)],
       [grouped, 'Ungroup', () => editor.ungroup(ids)],
+      [turnable.length > 0, 'Fill the other side', () => editor.turnInside(turnable)],
       [alignable, 'Align on a line', () => this.align('nearest')],
       [alignable, 'Space evenly on a line', () => this.align('even')],
       [lone !== undefined, 'Bring to front', () => editor.raise(lone!, objects.length)],

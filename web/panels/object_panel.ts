@@ -11,6 +11,7 @@ import {
   surfaceWidths,
   widthRange,
 } from '../model/drawing';
+import { isDerived } from '../model/derived';
 import { isEmpty } from '../model/figure';
 import { longestName } from '../model/names';
 import type { Unit } from '../model/units';
@@ -67,6 +68,9 @@ const hexOf = (color: string) =>
 const percentOf = (part: number | undefined) =>
   part === undefined ? undefined : Math.round(100 * part);
 
+/** Whether a fill could lie on the other side of its line: not what is made of several regions. */
+export const hasOtherSide = ({ fill, figure }: DrawnObject) => fill > 0 && !isDerived(figure.kind);
+
 /** The list of objects, what can be done with those that are selected, and their style. */
 export class ObjectPanel {
   readonly #list = byId('objects');
@@ -81,6 +85,7 @@ export class ObjectPanel {
   readonly #opacity: NumberField;
   readonly #fill: NumberField;
   readonly #fillColor = byId<HTMLInputElement>('fill-color');
+  readonly #otherSide = byId<HTMLButtonElement>('other-side');
   readonly #actions: readonly [HTMLButtonElement, (state: State) => boolean][];
   /** The default line's, as fields of colors have it. */
   #themeColor = '#000000';
@@ -123,6 +128,7 @@ export class ObjectPanel {
       // A color of what is not painted asks for it.
       set(none ? { fillColor, fill: firstFill } : { fillColor });
     });
+    this.#otherSide.addEventListener('click', () => editor.turnInside(this.#targets));
     this.#width = new NumberField(
       byId<HTMLInputElement>('width'),
       (width) => set({ width, onSurface: this.#isOnSurface }),
@@ -339,6 +345,7 @@ export class ObjectPanel {
     this.#look.setAttribute('aria-pressed', `${this.editor.state.tool === 'look'}`);
     const controls = [...this.#swatches, this.#custom, this.#look, ...lists, ...inputs];
     for (const control of controls) control.disabled = selected === 0;
+    this.#otherSide.disabled = !objects.some(hasOtherSide);
   }
 
   #makeSwatch(color: string | null, title: string): HTMLButtonElement {

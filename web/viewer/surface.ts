@@ -330,11 +330,11 @@ export class Surface {
 
   #partGeometry({ faces, weights }: SurfacePart): BufferGeometry {
     const none = new Int32Array();
-    return this.regionGeometry({ whole: none, parts: faces, corners: weights, area: 0 });
+    return this.regionGeometry({ whole: none, parts: faces, corners: weights });
   }
 
   /** The triangles of a region. */
-  regionGeometry({ whole, parts, corners }: Region): BufferGeometry {
+  regionGeometry({ whole, parts, corners }: Omit<Region, 'area' | 'side'>): BufferGeometry {
     const count = 3 * (whole.length + parts.length);
     const [positions, normals] = [new Float32Array(3 * count), new Float32Array(3 * count)];
     const bent = new Float32Array(hollowWidths * count);

@@ -16,7 +16,7 @@ import type {
 import type { FileInfo, Triangles, WrittenFormat } from 'karcher/formats';
 import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-worker';
 import type { BooleanKind, OffsetSide } from '../model/derived';
-import type { Vector } from '../model/figure';
+import type { Inside, Vector } from '../model/figure';
 import { type ToldLegs, withDrawnLegs } from '../model/legs';
 import type { MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
@@ -66,6 +66,15 @@ interface Loaded {
 /** x, y, z each. */
 type Corners = [Vector, Vector, Vector];
 
+/** Whether what is enclosed is asked for: the smaller side, or one that is named. */
+export type AskedFill = boolean | Inside;
+
+/** Lines, and which side of the first one is inside; the smaller one where that is not said. */
+export interface OutlinedShape {
+  outlines: readonly Path[];
+  inside?: Inside;
+}
+
 /** What a curve is asked for, beside its value. */
 export interface CurveRequest {
   /** The object that it belongs to; without one it is given back once it is seen. */
@@ -73,7 +82,7 @@ export interface CurveRequest {
   /** How many points are marked along it. */
   marks?: number;
   /** Whether what it encloses is asked for, too. */
-  fill?: boolean;
+  fill?: AskedFill;
   /** Whether the path is asked for that it follows. */
   outlines?: boolean;
 }
@@ -205,7 +214,7 @@ export class EngineClient {
           before ? curve.set(value) : curve.view(),
           marks > 0 ? curve.equallySpaced(marks) : null,
         ),
-        Promise.all([fill ? this.#fill(curve) : null, outlines ? curve.path() : null]),
+        Promise.all([fill ? this.#fill(curve, fill) : null, outlines ? curve.path() : null]),
       );
       return { ...tracedCurve(view, marked, filled), outlines: path && [path] };
     } finally {
@@ -271,30 +280,38 @@ export class EngineClient {
     return edited(this.mesh, await this.#curveOf(object, value), value, edit);
   }
 
-  async circle(center: PointLike, options: CircleOptions, fill = false): Promise<TracedCurve> {
+  async circle(
+    center: PointLike,
+    options: CircleOptions,
+    fill: AskedFill = false,
+  ): Promise<TracedCurve> {
     return this.#timed(() => this.mesh.circle(center, options), fill);
   }
 
-  async ellipse(center: PointLike, options: EllipseOptions, fill = false): Promise<TracedCurve> {
+  async ellipse(
+    center: PointLike,
+    options: EllipseOptions,
+    fill: AskedFill = false,
+  ): Promise<TracedCurve> {
     return this.#timed(() => this.mesh.ellipse(center, options), fill);
   }
 
   async isolines(
     center: PointLike,
     options: IsolineOptions,
-    fill = false,
+    fill: AskedFill = false,
   ): Promise<TracedIsolines> {
     const started = performance.now();
     const paths = await this.mesh.isolines(center, options);
     const milliseconds = performance.now() - started;
-    const filled = fill && paths.length > 0 ? await this.#fill(paths) : null;
+    const filled = fill && paths.length > 0 ? await this.#fill(paths, fill) : null;
     return tracedLines(paths, milliseconds, filled);
   }
 
   /** Lines at a distance from others. */
   offset(
     outlines: readonly Path[],
-    options: { distance: number; side: OffsetSide },
+    options: { distance: number; side: OffsetSide; inside?: Inside | undefined },
     fill = false,
   ): Promise<TracedIsolines> {
     const closed = outlines.every((path) => path.closed);
@@ -303,7 +320,7 @@ export class EngineClient {
 
   /** The outline of a union, intersection, difference or exclusion of what outlines enclose. */
   combined(
-    shapes: readonly (readonly Path[])[],
+    shapes: readonly OutlinedShape[],
     kind: BooleanKind,
     fill = false,
   ): Promise<TracedIsolines> {
@@ -361,15 +378,16 @@ export class EngineClient {
     this.#worker.dispose();
   }
 
-  #fill(lines: RemoteCurve | Path[]): Promise<Fill> {
-    return this.#worker.call('fill', [this.mesh, lines]) as Promise<Fill>;
+  #fill(lines: RemoteCurve | Path[], fill: AskedFill): Promise<Fill> {
+    const inside = typeof fill === 'string' ? fill : null;
+    return this.#worker.call('fill', [this.mesh, lines, inside]) as Promise<Fill>;
   }
 
-  async #timed(trace: () => Promise<Ellipse>, fill: boolean): Promise<TracedCurve> {
+  async #timed(trace: () => Promise<Ellipse>, fill: AskedFill): Promise<TracedCurve> {
     const started = performance.now();
     const circle = await trace();
     const milliseconds = performance.now() - started;
-    const filled = fill ? await this.#fill([circle.path]) : null;
+    const filled = fill ? await this.#fill([circle.path], fill) : null;
     return tracedCircle(circle, () => milliseconds, filled);
   }
 

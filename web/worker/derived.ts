@@ -1,6 +1,7 @@
 /** Lines that are made of other lines: offsets of them, and booleans of what they enclose. */
 import { KarcherError, type Mesh, type Path, type Region, type SurfacePoint } from 'karcher';
 import type { BooleanKind, OffsetSide } from '../model/derived';
+import type { Inside } from '../model/figure';
 import type { Fill } from '../model/traced';
 import { painted } from './fills';
 
@@ -12,15 +13,20 @@ export interface DerivedLines {
   fill: Fill | null;
 }
 
-const outlined = (mesh: Mesh, outlines: (Outline | Path)[], inside?: Outline): Region => {
-  const point = inside?.[inside.length >> 1];
-  return mesh.regions([{ outlines, ...(point && { inside: point }) }])[0]!;
+/** What is inside is a side, or what holds the middle of a line. */
+const outlined = (
+  mesh: Mesh,
+  outlines: (Outline | Path)[],
+  inside?: Outline | Inside | undefined,
+): Region => {
+  const told = typeof inside === 'string' ? inside : inside?.[inside.length >> 1];
+  return mesh.regions([{ outlines, ...(told && { inside: told }) }])[0]!;
 };
 
 /** What lines enclose, with their inside to the left; null where they enclose nothing. */
-function enclosed(mesh: Mesh, outlines: Outline[]): Path[] | null {
+function enclosed(mesh: Mesh, outlines: Outline[], inside?: Inside | undefined): Path[] | null {
   try {
-    return outlined(mesh, outlines).boundary();
+    return outlined(mesh, outlines, inside).boundary();
   } catch (error) {
     if (error instanceof KarcherError) return null;
     throw error;
@@ -31,10 +37,15 @@ function enclosed(mesh: Mesh, outlines: Outline[]): Path[] | null {
 export function offsetOf(
   mesh: Mesh,
   outlines: Outline[],
-  { distance, side, closed }: { distance: number; side: OffsetSide; closed: boolean },
+  {
+    distance,
+    side,
+    closed,
+    inside: sideInside,
+  }: { distance: number; side: OffsetSide; closed: boolean; inside?: Inside | undefined },
   fill: boolean,
 ): DerivedLines {
-  const from = (closed && side !== 'both' && enclosed(mesh, outlines)) || outlines;
+  const from = (closed && side !== 'both' && enclosed(mesh, outlines, sideInside)) || outlines;
   const sides = { inwards: 'left', outwards: 'right', both: 'both' } as const;
   const paths = mesh.offset(from, { distance, side: sides[side] });
   // The line itself lies in the band round it, and in what is enclosed farther out.
@@ -44,11 +55,10 @@ export function offsetOf(
 
 export function combined(
   mesh: Mesh,
-  shapes: Outline[][],
+  shapes: { outlines: Outline[]; inside?: Inside }[],
   combine: BooleanKind,
   fill: boolean,
 ): DerivedLines {
-  const all = shapes.map((outlines) => ({ outlines }));
-  const region = mesh.regions(all, { combine })[0]!;
+  const region = mesh.regions(shapes, { combine })[0]!;
   return { paths: region.boundary(), fill: fill ? painted(() => region) : null };
 }

@@ -1,25 +1,30 @@
 /** What lines enclose, as the page paints it: the engine's regions as triangles. */
 import { type Curve, KarcherError, type Mesh, type Region, type SurfacePoint } from 'karcher';
+import type { Inside } from '../model/figure';
 import type { Fill } from '../model/traced';
 import { filledSides } from './filled_sides';
 
-/** What a curve encloses, or several paths together. */
-export function fillOf(mesh: Mesh, lines: Curve | readonly SurfacePoint[][]): Fill {
+/** What a curve encloses, or several paths together: the smaller side, unless one is asked for. */
+export function fillOf(
+  mesh: Mesh,
+  lines: Curve | readonly SurfacePoint[][],
+  inside: Inside | null,
+): Fill {
   const outlines = Array.isArray(lines) ? lines : [(lines as Curve).path()];
-  return painted(() => mesh.regions([{ outlines }])[0]!);
+  return painted(() => mesh.regions([{ outlines, ...(inside && { inside }) }])[0]!);
 }
 
 /** A region as it is painted, or why there is none. */
 export function painted(regionOf: () => Region): Fill {
   try {
     const region = regionOf();
-    const { share, triangles, sides } = region.data();
+    const { share, triangles, sides, side = null } = region.data();
     const whole = share.reduce((sum, part) => sum + (part === 1 ? 1 : 0), 0);
     const faces = new Int32Array(whole);
     let next = 0;
     for (let face = 0; face < share.length; face++) if (share[face] === 1) faces[next++] = face;
     const filled = filledSides(triangles, sides);
-    return { region: { whole: faces, ...filled, area: region.area }, problem: null };
+    return { region: { whole: faces, ...filled, area: region.area, side }, problem: null };
   } catch (error) {
     if (error instanceof KarcherError) return { region: null, problem: error.message };
     throw error;

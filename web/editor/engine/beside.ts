@@ -2,7 +2,7 @@ import type { Path, SurfacePoint } from 'karcher';
 import { isDerived } from '../../model/derived';
 import { isSource, resolvedFigure } from '../../model/sources';
 import { type DrawnObject, type LineStyle, othersOf, styleOf } from '../../model/drawing';
-import { type Figure, isEmpty, type Operand } from '../../model/figure';
+import { type Figure, type Inside, isEmpty, type Operand } from '../../model/figure';
 import { type MethodId, methodOptions, type Quality } from '../../model/methods';
 import type { Region } from '../../model/traced';
 import type { EngineClient } from '../../worker/client';
@@ -94,13 +94,18 @@ export class BesideObjects {
   }
 
   /** What was made of a figure by a method. */
-  known(figure: Figure, method: MethodId, { fill = 0 } = {}): Traced | null {
+  known(figure: Figure, method: MethodId, fill = false): Traced | null {
     const traced = this.#traced.get(figure);
     if (traced?.method !== method) return null;
     const isOld = (operand: Operand, i: number) =>
       this.#pathsOf(operand, method) !== traced.from?.[i];
     if (figure.operands?.some(isOld)) return null;
-    return fill > 0 && !traced.shown.fill ? null : traced;
+    return fill && !traced.shown.fill ? null : traced;
+  }
+
+  /** The side that what a figure encloses lies on, as it was last made; null where that is not known. */
+  insideOf(figure: Figure): Inside | null {
+    return this.#traced.get(figure)?.shown.fill?.region?.side ?? null;
   }
 
   /** What lies beside the edited object; the very same list where nothing of it has changed. */
@@ -117,7 +122,7 @@ export class BesideObjects {
   async trace(client: EngineClient, { drawing, method, dragging }: State): Promise<boolean> {
     const started = performance.now();
     const isMissing = (object: DrawnObject) =>
-      !this.known(resolvedFigure(drawing, object), method, object);
+      !this.known(resolvedFigure(drawing, object), method, asksFill(drawing, object));
     const all = shownBeside(drawing).filter(isMissing);
     const left = this.#restUntil - started;
     const rests = dragging && left > 0;
@@ -126,7 +131,7 @@ export class BesideObjects {
     if (!missing) return false;
     const { id } = missing;
     const figure = resolvedFigure(drawing, missing);
-    const fill = missing.fill > 0;
+    const fill = asksFill(drawing, missing);
     const shown = await compute(client, figure, methodOptions(method), {
       ...{ object: id, fill, outlines: isSource(drawing, id) },
       outlinesOf: this.outlinesOf(client, method),
@@ -208,6 +213,10 @@ export class BesideObjects {
     }
   }
 }
+
+/** Also of what another object is made of: a drag of it keeps to its side. */
+export const asksFill = (drawing: State['drawing'], { id, fill, figure }: DrawnObject) =>
+  fill > 0 || (!figure.inside && isSource(drawing, id));
 
 const shownBeside = (drawing: State['drawing']) =>
   othersOf(drawing).filter(({ visible, figure }) => visible && !isEmpty(figure));

@@ -3,7 +3,7 @@ import type { FieldOptions, SurfacePoint } from 'karcher';
 import { acrossDirection, defaultAcross, reachAlong } from '../../model/circle';
 import type { Across, CircleForm, CircleShape, Vector } from '../../model/figure';
 import type { TracedCurve, TracedIsolines } from '../../model/traced';
-import type { EngineClient } from '../../worker/client';
+import type { AskedFill, EngineClient } from '../../worker/client';
 
 /** A radius that has a handle. */
 export interface ShownRadius {
@@ -92,7 +92,7 @@ export async function drawCircle(
     draft,
     leastLevels = 0,
     fill = false,
-  }: { draft: boolean; leastLevels?: number | undefined; fill?: boolean },
+  }: { draft: boolean; leastLevels?: number | undefined; fill?: AskedFill },
 ): Promise<{ curve: TracedCurve } | { isolines: ShownIsolines }> {
   const counted = arcs === 'auto' ? {} : { arcs };
   if (across) {

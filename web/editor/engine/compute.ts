@@ -7,7 +7,7 @@ import { controlPointsOf, penOptions } from '../../model/pen';
 import type { DrawnTangents } from '../../model/pen_legs';
 import { curveOptions, splineOf } from '../../model/splines';
 import type { Fill, TracedCurve } from '../../model/traced';
-import { type EngineClient, KarcherError, Stopped } from '../../worker/client';
+import { type AskedFill, type EngineClient, KarcherError, Stopped } from '../../worker/client';
 import { drawCircle, resolveCircle, type ShownCircle, type ShownIsolines } from './circle_drawing';
 import { drawCut, type ShownCut } from './cut';
 import { drawDerived, type OutlinesOf } from './derived';
@@ -63,7 +63,7 @@ export interface Computation {
   uniqueness?: boolean;
   /** Whether to measure a center of mass by exact shortest paths: about as long as one exact field. */
   certificate?: boolean;
-  /** Whether what its lines enclose is asked for. */
+  /** Whether what its lines enclose is asked for, on the figure's own side. */
   fill?: boolean;
   /** True where the paths of its lines are wanted as well. */
   outlines?: boolean;
@@ -98,13 +98,14 @@ function computeFigure(
   options: FieldOptions,
   computation: Computation,
 ): Promise<Shown> {
-  const { object, draft = false, before, fill = false } = computation;
+  const { object, draft = false, before } = computation;
+  const fill = computation.fill ? (figure.inside ?? true) : false;
   const { outlines = false, outlinesOf } = computation;
   if (figure.kind === 'cut') {
     return drawCut(client, figure, outlinesOf!).then((cut) => ({ ...nothing, cut }));
   }
   if (isDerived(figure.kind)) {
-    return drawDerived(client, figure, outlinesOf!, fill).then((isolines) => ({
+    return drawDerived(client, figure, outlinesOf!, fill !== false).then((isolines) => ({
       ...nothing,
       isolines,
     }));
@@ -143,7 +144,12 @@ async function computePen(
   client: EngineClient,
   figure: Figure,
   options: FieldOptions,
-  { before, ...request }: Pick<Computation, 'object' | 'fill' | 'outlines' | 'before'>,
+  {
+    before,
+    ...request
+  }: Pick<Computation, 'object' | 'outlines' | 'before'> & {
+    fill: AskedFill;
+  },
 ): Promise<Shown> {
   const tangents = await drawnTangents(client, figure);
   const problem = missingHandle(figure, tangents);
@@ -202,7 +208,7 @@ async function computeCircle(
   client: EngineClient,
   { kind, circle: shape, circleForm, settings }: Figure,
   options: FieldOptions,
-  { draft, fill }: { draft: boolean; fill: boolean },
+  { draft, fill }: { draft: boolean; fill: AskedFill },
 ): Promise<Shown> {
   if (!shape) return nothing;
   const circle = await resolveCircle(client, shape, kind === 'ellipse');

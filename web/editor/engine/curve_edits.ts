@@ -8,8 +8,10 @@ import {
   isEmpty,
   isSpline,
   knotsFit,
+  opposite,
   type Spline,
   type Vector,
+  withInside,
 } from '../../model/figure';
 import { applyToFigure, type FigureCommand } from '../../model/figure_commands';
 import { withFittingLegs } from '../../model/legs';
@@ -262,7 +264,10 @@ export class CurveEdits {
     const { figure } = this.editor.state;
     const made = await this.session.reshaped({ type: 'reverse' });
     const spline = made?.splines[0];
-    if (spline) this.editor.replace(withSpline(figure, spline));
+    if (!spline) return;
+    const { inside } = figure;
+    const to = withSpline(figure, spline);
+    this.editor.replace(inside ? withInside(to, opposite(inside)) : to);
   }
 
   /**

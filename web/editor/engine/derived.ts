@@ -2,7 +2,7 @@
 import type { Path } from 'karcher';
 import { isBoolean } from '../../model/derived';
 import type { Figure, Operand } from '../../model/figure';
-import type { EngineClient } from '../../worker/client';
+import type { EngineClient, OutlinedShape } from '../../worker/client';
 import type { ShownIsolines } from './circle_drawing';
 
 /** The lines of an operand. */
@@ -22,15 +22,22 @@ export async function drawDerived(
   fill: boolean,
 ): Promise<ShownIsolines> {
   if (operands.length === 0) throw new Error('what it was made of is gone');
-  const shapes: (readonly Path[])[] = [];
+  const shapes: OutlinedShape[] = [];
   // One after the other: the worker has one curve at a time in hand.
-  for (const operand of operands) shapes.push(await outlinesOf(operand));
-  if (shapes.some((outlines) => outlines.length === 0)) {
+  for (const operand of operands) {
+    const { inside } = operand.figure;
+    shapes.push({ outlines: await outlinesOf(operand), ...(inside && { inside }) });
+  }
+  if (shapes.some(({ outlines }) => outlines.length === 0)) {
     throw new Error('something that it is made of has no line');
   }
   const lines = isBoolean(kind)
     ? await client.combined(shapes, kind, fill)
-    : await client.offset(shapes.flat(), derived!.offset!, fill);
+    : await client.offset(
+        shapes.flatMap(({ outlines }) => outlines),
+        { ...derived!.offset!, inside: shapes.length === 1 ? shapes[0]!.inside : undefined },
+        fill,
+      );
   if (lines.lines.length === 0) {
     const { distance } = derived?.offset ?? { distance: 0 };
     const far = `nothing of the surface lies ${distance.toPrecision(4)} away from it on that side`;

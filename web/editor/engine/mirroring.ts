@@ -1,7 +1,7 @@
 /** Mirror images of objects in the geodesic through two points. */
 import type { SurfacePoint } from 'karcher';
 import type { DrawnObject } from '../../model/drawing';
-import { type Figure, plain, type Vector } from '../../model/figure';
+import { type Figure, isRound, opposite, plain, type Vector, withInside } from '../../model/figure';
 import { carriedOf, movedFigures } from '../../model/moving';
 import { type EngineClient, KarcherError } from '../../worker/client';
 import { directionOf } from './circle_drawing';
@@ -71,7 +71,12 @@ export async function mirroredFigures(
   );
   const most = 1e-9 * client.info.diagonal;
   if (mapped.remaining.some((left) => left > most)) return null;
-  return movedFigures(figures, carried, mapped, 1);
+  const moved = movedFigures(figures, carried, mapped, 1);
+  // Round ones run round their centers, whichever way they are mirrored.
+  return moved.map((figure) => {
+    const { inside, kind } = figure;
+    return inside && !isRound(kind) ? withInside(figure, opposite(inside)) : figure;
+  });
 }
 
 function reversed(polyline: Float64Array): Float64Array {

@@ -3,6 +3,7 @@ import { isSource, resolvedFigure } from '../../model/sources';
 import { activeObject } from '../../model/drawing';
 import {
   type Figure,
+  type Inside,
   isCurve,
   isRound,
   pointsNeeded,
@@ -16,7 +17,7 @@ import { curveOptions, splineFrom, splineOf, usesLegs } from '../../model/spline
 import type { Measured, TracedCurve } from '../../model/traced';
 import { type EngineClient, Stopped } from '../../worker/client';
 import type { Edit } from '../../worker/edits';
-import { BesideObjects } from './beside';
+import { asksFill, BesideObjects } from './beside';
 import {
   compute,
   curveValueOf,
@@ -119,6 +120,11 @@ export class Session {
   /** What a figure becomes where its drag ends: with the legs that its last step drew out. */
   ended(figure: Figure): Figure {
     return this.#drag?.ended(figure) ?? figure;
+  }
+
+  /** The side that a figure encloses, as it is shown; null where that is nothing, or not known. */
+  insideOf(figure: Figure): Inside | null {
+    return figure.inside ?? this.#others.insideOf(figure);
   }
 
   /** Whether the newest state is traced, the geodesics and the exact curve included. */
@@ -258,8 +264,8 @@ export class Session {
       const ids = state.drawing.objects.map(({ id }) => id);
       for (const one of [client, this.#refinement.client]) one?.keepCurves(ids);
       const active = activeObject(state.drawing);
-      const fill = active.fill > 0;
-      const known = state.dragging ? null : this.#others.known(state.figure, method, active);
+      const fill = asksFill(state.drawing, active);
+      const known = state.dragging ? null : this.#others.known(state.figure, method, fill);
       if (known) {
         this.#coarse = false;
         this.#took(state.figure, known.shown);
@@ -335,8 +341,9 @@ export class Session {
   }
 
   #showTraced(state: State, traced: Shown, quality: Quality | null): void {
-    const { visible } = activeObject(state.drawing);
-    const shown = visible ? traced : nothing;
+    const { visible, fill } = activeObject(state.drawing);
+    // What is enclosed may be known without being painted.
+    const shown = visible ? { ...traced, fill: fill > 0 ? traced.fill : null } : nothing;
     // Those of another figure may be none any more.
     const shorter = this.#compared === state.figure ? this.#view.shorter : [];
     // What is hidden is of no quality, so that nothing better is asked for, which would be shown.
@@ -412,9 +419,10 @@ export class Session {
     this.#refinement.request({
       revision: state.revision,
       compute: (client) => {
-        const { id, fill } = activeObject(state.drawing);
+        const active = activeObject(state.drawing);
+        const { id } = active;
         return compute(client, state.figure, options, {
-          ...{ object: id, fill: fill > 0 },
+          ...{ object: id, fill: asksFill(state.drawing, active) },
           outlines: isSource(state.drawing, id),
           certificate: true,
         });
@@ -425,7 +433,8 @@ export class Session {
         const { figure, method, drawing } = state;
         this.#others.tell(figure, method, exact);
         this.#others.keep(figure, { method, shown: exact, quality: 'exact' }, drawing);
-        this.#show({ ...exact, ...refined, shift: shiftOf(draft, exact, unit) });
+        const fill = activeObject(drawing).fill > 0 ? exact.fill : null;
+        this.#show({ ...exact, fill, ...refined, shift: shiftOf(draft, exact, unit) });
         // A center has moved a little: its paths start elsewhere.
         this.#newest.wake();
       },

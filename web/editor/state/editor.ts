@@ -10,7 +10,7 @@ import {
   restyling,
   withGroups,
 } from '../../model/arranging';
-import { apply, type Command } from '../../model/commands';
+import { apply, type Command, joined } from '../../model/commands';
 import {
   activeObject,
   type Drawing,
@@ -27,7 +27,9 @@ import {
   type Figure,
   isCurve,
   isEmpty,
+  type Inside,
   isRound,
+  opposite,
   type Kind,
   withLeg,
 } from '../../model/figure';
@@ -61,7 +63,7 @@ export class Editor {
   readonly #histories = new Map<string, History>();
   readonly #drawings = new Map<string, Drawing>();
   /** The drawing before the drag that is going on, and the drag as one command. */
-  #drag: { base: Drawing; command: Command | null } | null = null;
+  #drag: { base: Drawing; command: Command | null; inside?: Command | null } | null = null;
   #resting: RestingTool = 'insert';
 
   /** Called where an edit is refused, with a sentence. */
@@ -71,6 +73,8 @@ export class Editor {
   onInterrupt: () => void = () => {};
   /** What the edited figure becomes when a drag of its points ends. */
   onEnded: (figure: Figure) => Figure = (figure) => figure;
+  /** The side that a figure encloses, as it is shown: a drag keeps to it. */
+  insideOf: (figure: Figure) => Inside | null = () => null;
 
   get state(): State {
     return this.#state;
@@ -125,10 +129,10 @@ export class Editor {
    */
   preview(edit: FigureCommand, dragged: readonly number[] = noNumbers): void {
     if (!this.#drag && this.refuses()) return;
-    this.#drag ??= { base: this.#state.drawing, command: null };
+    this.#drag ??= { base: this.#state.drawing, command: null, inside: this.#insideKept() };
     const { base } = this.#drag;
     this.#drag.command = this.#commandOf(edit);
-    const drawing = apply(base, this.#drag.command);
+    const drawing = apply(base, this.#withInside(this.#drag.command));
     const single = edit.type === 'change' || edit.type === 'insert';
     this.#change({ drawing, dragging: true, dragged: single ? [edit.index] : dragged }, false);
   }
@@ -157,11 +161,38 @@ export class Editor {
   commitDrag(): void {
     if (!this.#drag) return;
     const { base } = this.#drag;
-    const command = this.#drag.command && this.#ended(this.#drag.command, base);
-    const drawing = command === this.#drag.command ? this.#state.drawing : apply(base, command!);
+    const ended = this.#drag.command && this.#ended(this.#drag.command, base);
+    const command = ended && this.#withInside(ended);
+    const isAsShown = ended === this.#drag.command;
+    const drawing = isAsShown ? this.#state.drawing : apply(base, command!);
     if (command && base !== drawing) record(this.#history, command);
     this.#drag = null;
     this.#change({ drawing, dragging: false, dragged: noNumbers }, false);
+  }
+
+  /** What makes the edited figure keep to the side that it encloses; null where it has one, or none. */
+  #insideKept(): Command | null {
+    const { id, figure } = this.active;
+    const to = figure.inside ? null : this.insideOf(figure);
+    return to && { type: 'figure', id, edit: { type: 'inside', from: undefined, to } };
+  }
+
+  #withInside(command: Command): Command {
+    const { inside } = this.#drag!;
+    return inside ? { type: 'steps', steps: [command, inside] } : command;
+  }
+
+  /** What closed lines of these objects enclose becomes what lies on their other side. */
+  turnInside(ids: readonly number[]): void {
+    this.interrupt();
+    const { objects } = this.#state.drawing;
+    const steps = objects.flatMap(({ id, figure, locked }): Command[] => {
+      const from = figure.inside;
+      const now = ids.includes(id) && !locked ? this.insideOf(figure) : null;
+      if (!now) return [];
+      return [{ type: 'figure', id, edit: { type: 'inside', from, to: opposite(now) } }];
+    });
+    if (steps.length > 0) this.perform(joined(steps));
   }
 
   /** A drag's command once it ends, with what it made of the figure beside what the hand did. */
