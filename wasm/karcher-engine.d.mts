@@ -67,8 +67,8 @@ export interface EngineRegion {
   triangles: Int32Array;
   /** ... and four numbers each: second and third weight of one end and of the other. */
   sides: Float64Array;
-  /** Of a region of one shape: the side of its first outline that it lies on. */
-  side?: 'left' | 'right';
+  /** Of a region of one shape: whether it lies left of its first outline. */
+  isLeft?: boolean;
 }
 
 /** What the exp map leads to: four numbers a point, three a direction. */
@@ -176,11 +176,11 @@ export interface EngineMesh {
   ): EnginePath[];
   /** The side is 1 for the left, -1 for the right, 0 for both. */
   offset(outlines: Float64Array[], distance: number, side: number): EnginePath[];
-  /** Of each shape `counts` has the number of its outlines, `insides` a point, none, or a side of its first outline. */
+  /** Of each shape `counts` has the number of its outlines, `insides` a point, none, or 1 for the left of its first outline, 0 for the right. */
   regions(
     outlines: Float64Array[],
     counts: Int32Array,
-    insides: (Float64Array | string)[],
+    insides: Float64Array[],
     rule: FillRule,
     combine: BooleanOperation | 'none',
   ): EngineRegion[];

@@ -88,7 +88,7 @@ export const wireOutlines = (paths: unknown): Float64Array[] =>
 export function wireShapes(shapes: unknown) {
   const outlines: Float64Array[] = [];
   const counts: number[] = [];
-  const insides: (Float64Array | string)[] = [];
+  const insides: Float64Array[] = [];
   const all = checkArray(shapes, 'the shapes');
   if (all.length === 0) throw new KarcherError('badArgument', 'there must be at least one shape');
   all.forEach((shape, i) => {
@@ -112,7 +112,7 @@ export function wireShapes(shapes: unknown) {
       inside === undefined
         ? new Float64Array(0)
         : inside === 'left' || inside === 'right'
-          ? inside
+          ? Float64Array.of(+(inside === 'left'))
           : wirePoint(inside as SurfacePoint, `the point inside shape ${i}`),
     );
   });

@@ -16,9 +16,9 @@ struct EdgeCount {
   PathUse firstOfAll;  ///< of the range's first path the earliest use; its path is -1 without one
 };
 
-/// Calls `take` for each edge that has uses.
-template <class Take>
-void countEdges(const Arrangement& all, const PathRange& paths, const Take& take) {
+/// One an edge that has uses.
+Array<EdgeCount> countsOf(const Arrangement& all, const PathRange& paths) {
+  Array<EdgeCount> counts;
   for (int i = 0; i < all.uses.count();) {
     EdgeCount count;
     count.halfedge = all.uses[i].halfedge;
@@ -31,8 +31,9 @@ void countEdges(const Arrangement& all, const PathRange& paths, const Take& take
       const bool isEarlier = count.firstOfAll.path < 0 || use.part < count.firstOfAll.part;
       if (path == 0 && isEarlier) count.firstOfAll = use;
     }
-    take(count);
+    counts.push_back(count);
   }
+  return counts;
 }
 
 /// A step over an edge of the arrangement into another cell.
@@ -50,14 +51,14 @@ struct Steps {
 
 Steps stepsOf(const Arrangement& all, const PathRange& paths) {
   Array<Step> found;
-  countEdges(all, paths, [&](const EdgeCount& count) {
+  for (const EdgeCount& count : countsOf(all, paths)) {
     const int h = count.halfedge;
-    if (all.twin[h] < 0) return;
+    if (all.twin[h] < 0) continue;
     const int left = all.cell(h);
     const int right = all.cell(all.twin[h]);
     found.push_back({right, left, count.change});
     found.push_back({left, right, -count.change});
-  });
+  }
   Steps result;
   result.start.assign(static_cast<size_t>(all.cellCount()) + 1, 0);
   for (const Step& step : found) ++result.start[step.from + 1];
@@ -144,14 +145,14 @@ std::optional<int> cellBeside(const Arrangement& arrangement, const PathRange& p
                               PathSide side) {
   // Edges inside the surface come before those of its boundary, beyond which there is no cell.
   std::optional<PathUse> first;
-  const auto isOnBoundary = [&](const PathUse& use) { return arrangement.twin[use.halfedge] < 0; };
-  countEdges(arrangement, paths, [&](const EdgeCount& count) {
+  const auto order = [&](const PathUse& use) {
+    return std::pair(arrangement.twin[use.halfedge] < 0, use.part);
+  };
+  for (const EdgeCount& count : countsOf(arrangement, paths)) {
     const bool divides = rule == FillRule::kEvenOdd ? count.change % 2 != 0 : count.change != 0;
-    if (!divides || count.firstOfAll.path < 0) return;
     const PathUse& use = count.firstOfAll;
-    const auto order = [&](const PathUse& it) { return std::pair(isOnBoundary(it), it.part); };
-    if (!first || order(use) < order(*first)) first = use;
-  });
+    if (divides && use.path >= 0 && (!first || order(use) < order(*first))) first = use;
+  }
   if (!first) return std::nullopt;
   const bool isLeft = (first->sign > 0) == (side == PathSide::kLeft);
   const int h = isLeft ? first->halfedge : arrangement.twin[first->halfedge];

@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <ctime>
+#include <string>
 
 #include "bench_support.h"
 #include "distance/find_path.h"
@@ -7,11 +8,12 @@
 #include "intrinsic/straightest.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
+#include "regions/cut.h"
 #include "regions/region.h"
 
-/// What cells and regions of random closed polygons take on a sphere and a torus of 70,000
-/// triangles: their crossings with one another, and the least time of five, of the processor, so
-/// that what else runs does not count.
+/// What cells, regions and cuts along random closed polygons take on spheres and tori of 70,000 and
+/// a million triangles: the least time of five (two), of the processor, so that what else runs does
+/// not count, beside what is asked.
 namespace karcher {
 namespace {
 
@@ -42,8 +44,13 @@ SurfacePath randomPolygon(const Geometry& geometry, Random& random) {
   return path;
 }
 
-/// Vertices inside faces at which four lines meet.
-int crossingsOf(const Arrangement& all) {
+struct Crossings {
+  int edges = 0;  ///< of curves with edges of the mesh
+  int lines = 0;  ///< of curves: vertices inside faces at which four lines meet
+};
+
+Crossings crossingsOf(const Arrangement& all) {
+  Crossings crossings;
   Array<int> lines(all.added.size(), 0);
   for (int i = 0; i < all.uses.count(); ++i) {
     const int h = all.uses[i].halfedge;
@@ -52,32 +59,53 @@ int crossingsOf(const Arrangement& all) {
       if (vertex >= all.meshVertices) ++lines[vertex - all.meshVertices];
     }
   }
-  int count = 0;
-  for (const int n : lines) count += n >= 4;
-  return count;
+  for (const int n : lines) crossings.lines += n >= 4;
+  for (const DrawnVertex& vertex : all.added) crossings.edges += vertex.halfedge >= 0;
+  return crossings;
 }
 
-void study(Shape shape, int polygons) {
-  const ImportedMesh imported = importMesh(makeShape(shape, 70'000));
+/// What a row may take, in milliseconds; 0 where nothing is asked.
+struct Asked {
+  double cells = 0;
+  double cut = 0;
+};
+
+std::string beside(double milliseconds, double asked) {
+  char text[64];
+  std::snprintf(text, sizeof text, asked > 0 ? "%.1f ms (asked %.0f)" : "%.1f ms", milliseconds,
+                asked);
+  return text;
+}
+
+void study(Shape shape, int triangles, int polygons, const Asked& asked) {
+  const ImportedMesh imported = importMesh(makeShape(shape, triangles));
   const Geometry geometry = buildGeometry(imported.mesh);
   Random random(7);
   Array<SurfacePath> paths;
   for (int i = 0; i < polygons; ++i) paths.push_back(randomPolygon(geometry, random));
   double cells = kInfinity;
   double regions = kInfinity;
+  double cut = kInfinity;
   Arrangement all;
-  for (int i = 0; i < 5; ++i) {
+  int parts = 0;
+  const int rounds = triangles > 500'000 ? 2 : 5;
+  for (int i = 0; i < rounds; ++i) {
     cells = std::min(cells, processorTime([&] { all = arrange(geometry, paths); }));
     regions = std::min(regions, processorTime([&] {
                          const Region region = enclosed(all, {0, all.paths}, FillRule::kEvenOdd);
                          boundaryOf(all, region);
                        }));
+    cut = std::min(cut, processorTime([&] {
+                     parts = partsOf(cutApart(geometry, all), all.cellCount()).count();
+                   }));
   }
-  std::printf(
-      "%-8s %6d triangles, %3d curves, %5d crossings, %5d cells: cells %6.2f ms, "
-      "region and boundary %6.2f ms\n",
-      shapeName(shape), imported.mesh.faceCount(), polygons, crossingsOf(all), all.cellCount(),
-      cells, regions);
+  const Crossings crossings = crossingsOf(all);
+  std::printf("%s, %d triangles, %d curves, %d crossings with edges, %d with each other: ",
+              shapeName(shape), imported.mesh.faceCount(), polygons, crossings.edges,
+              crossings.lines);
+  std::printf("%d cells %s, region and boundary %.1f ms, %d parts %s\n", all.cellCount(),
+              beside(cells, asked.cells).c_str(), regions, parts, beside(cut, asked.cut).c_str());
+  std::fflush(stdout);
 }
 
 }  // namespace
@@ -85,7 +113,10 @@ void study(Shape shape, int polygons) {
 
 int main() {
   using karcher::Shape;
-  for (const int polygons : {4, 16, 55}) {
-    for (const Shape shape : {Shape::kSphere, Shape::kTorus}) karcher::study(shape, polygons);
+  for (const Shape shape : {Shape::kSphere, Shape::kTorus}) {
+    karcher::study(shape, 70'000, 4, {.cells = 20});
+    karcher::study(shape, 70'000, 16, {});
+    karcher::study(shape, 70'000, 55, {});
+    karcher::study(shape, 1'000'000, 100, {.cells = 1000, .cut = 3000});
   }
 }

@@ -2,7 +2,14 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { load } from 'karcher';
-import { energyAt, hessianAt, huberMean, median, weightDerivatives } from 'karcher/statistics';
+import {
+  centroid,
+  energyAt,
+  hessianAt,
+  huberMean,
+  median,
+  weightDerivatives,
+} from 'karcher/statistics';
 import { loadInWorker } from 'karcher/worker';
 import { randomFrom, seed } from '../web/part.mjs';
 import { grid } from './meshes.mjs';
@@ -195,4 +202,76 @@ test('on a torus derivatives are differences, and medians have no gradient', asy
     for (let k = 0; k < 3; k++) sum[k] += vector[k] / Math.hypot(...vector);
   }
   assert.ok(Math.hypot(...sum) < 0.05, `${sum}`);
+});
+
+describe('the centroid of a region', async () => {
+  const engine = await load();
+  const remote = await loadInWorker();
+  after(() => remote.dispose());
+
+  /** The outline of a polygon on a plane. */
+  const outline = (mesh, corners) =>
+    corners.flatMap(([x, y], i) => {
+      const to = corners[(i + 1) % corners.length];
+      const [a, b] = [[x, y], to].map((at) => mesh.nearestPoint([...at, 0]).point);
+      return mesh
+        .shortestPath(a, b)
+        .points()
+        .slice(i === 0 ? 0 : 1);
+    });
+
+  test('on a plane is that of the polygon and its hole, to rounding', async () => {
+    const mesh = engine.meshFromObj(grid(cells));
+    const whole = outline(mesh, [
+      [1.3, 1.2],
+      [8.4, 1.2],
+      [1.3, 7.7],
+    ]);
+    const hole = outline(mesh, [
+      [2.1, 2.2],
+      [3.6, 2.2],
+      [3.6, 3.1],
+      [2.1, 3.1],
+    ]);
+    const [region] = mesh.regions([{ outlines: [whole, hole] }]);
+    const [triangle, square] = [(7.1 * 6.5) / 2, 1.5 * 0.9];
+    const wanted = [
+      [1.3 + 7.1 / 3, 2.85],
+      [1.2 + 6.5 / 3, 2.65],
+    ].map(([of, out]) => (triangle * of - square * out) / (triangle - square));
+    for (const on of [mesh, await remote.meshFromObj(grid(cells))]) {
+      const found = await centroid(on, region);
+      assert.ok(found.converged);
+      near(found.position, [...wanted, 0], 1e-6);
+    }
+    const few = await centroid(mesh, region, { samples: 20 });
+    assert.equal(few.samples, 20);
+    near(few.position, [...wanted, 0], 0.3);
+  });
+
+  test('of a cap of a sphere is its middle', async () => {
+    const mesh = engine.shape('sphere', 20_000);
+    const pole = mesh.nearestPoint([0.2, 0.5, 0.8]).point;
+    const place = mesh.position(pole);
+    const outlines = mesh.isolines(pole, { radius: 0.8, type: 'exact' });
+    const [cap] = mesh.regions([{ outlines, inside: 'left' }]);
+    const { position, converged, samples } = await centroid(mesh, cap);
+    assert.ok(converged);
+    assert.equal(samples, 1000);
+    near(position, place, 2e-3);
+    const all = await centroid(mesh, cap, { samples: 1e5 });
+    near(all.position, place, 1e-4);
+  });
+
+  test('asks for samples and an area', async () => {
+    const mesh = engine.meshFromObj(grid(cells));
+    const corners = [
+      [1.3, 1.2],
+      [8.4, 1.2],
+      [1.3, 7.7],
+    ];
+    const [region] = mesh.regions([outline(mesh, corners)]);
+    await assert.rejects(centroid(mesh, region, { samples: 0 }), { code: 'badArgument' });
+    await assert.rejects(centroid(mesh, region, { sample: 3 }), { code: 'badArgument' });
+  });
 });

@@ -83,11 +83,11 @@ Array<SurfacePath> pathsFromJs(const Numbering& numbering, const TriangleMesh& m
   return paths;
 }
 
-/// `inside` is a point, none, or the side of the first outline.
+/// `inside` is a point, none, or the side of the first outline: 1 for the left, 0 for the right.
 Region regionOf(const Geometry& geometry, const Numbering& numbering, const Arrangement& all,
                 const PathRange& range, FillRule rule, const val& inside) {
-  if (inside.isString()) {
-    const bool isLeft = inside.as<std::string>() == "left";
+  if (inside["length"].as<int>() == 1) {
+    const bool isLeft = inside[0].as<int>() == 1;
     return enclosedBeside(all, range, rule, isLeft ? PathSide::kLeft : PathSide::kRight);
   }
   const TriangleMesh& mesh = *geometry.mesh;
@@ -97,13 +97,12 @@ Region regionOf(const Geometry& geometry, const Numbering& numbering, const Arra
   return enclosed(all, range, rule, cell);
 }
 
-/// The side of the first outline that a region lies on.
-const char* sideOf(const Arrangement& all, const PathRange& range, FillRule rule,
-                   const Region& region) {
+/// Whether a region lies left of the first outline.
+bool isLeftOf(const Arrangement& all, const PathRange& range, FillRule rule, const Region& region) {
   const std::optional<int> left = cellBeside(all, range, rule, PathSide::kLeft);
-  if (left) return region[*left] != 0 ? "left" : "right";
+  if (left) return region[*left] != 0;
   const std::optional<int> right = cellBeside(all, range, rule, PathSide::kRight);
-  return right && region[*right] != 0 ? "right" : "left";
+  return !right || region[*right] == 0;
 }
 
 }  // namespace
@@ -115,12 +114,12 @@ val MeshHandle::regions(const val& outlines, const val& counts, const val& insid
   const FillRule fill = rule == "nonZero" ? FillRule::kNonZero : FillRule::kEvenOdd;
   const Arrangement all = arrange(geometry(), paths);
   Array<Region> regions;
-  Array<const char*> sides;
+  Array<PathRange> ranges;
   PathRange range;
   for (int i = 0; i < outlinesOf.count(); ++i) {
     range = {range.first + range.count, outlinesOf[i]};
+    ranges.push_back(range);
     regions.push_back(regionOf(geometry(), numbering_, all, range, fill, insides[i]));
-    sides.push_back(sideOf(all, range, fill, regions.back()));
   }
   if (combine != "none") {
     const Boolean how = combine == "union"          ? Boolean::kUnion
@@ -133,7 +132,7 @@ val MeshHandle::regions(const val& outlines, const val& counts, const val& insid
   val result = val::array();
   for (int i = 0; i < regions.count(); ++i) {
     val one = regionToJs(geometry(), numbering_, all, regions[i]);
-    if (combine == "none") one.set("side", std::string(sides[i]));
+    if (combine == "none") one.set("isLeft", isLeftOf(all, ranges[i], fill, regions[i]));
     result.set(i, one);
   }
   return result;

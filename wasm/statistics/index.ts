@@ -8,6 +8,7 @@ import type { PointLike, SurfacePoint } from '../types.js';
 import type { AnyMesh } from './energy.js';
 
 export { KarcherError } from '../errors.js';
+export { type Centroid, type CentroidOptions, centroid } from './centroid.js';
 export {
   type AnyMesh,
   type Energy,

@@ -18,7 +18,8 @@ export function fillOf(
 export function painted(regionOf: () => Region): Fill {
   try {
     const region = regionOf();
-    const { share, triangles, sides, side = null } = region.data();
+    const { share, triangles, sides, isLeft } = region.data();
+    const side = isLeft === undefined ? null : isLeft ? 'left' : 'right';
     const whole = share.reduce((sum, part) => sum + (part === 1 ? 1 : 0), 0);
     const faces = new Int32Array(whole);
     let next = 0;

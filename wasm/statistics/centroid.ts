@@ -1,0 +1,220 @@
+import { checkNumber, checkOptions, namesOf } from '../check.js';
+import { KarcherError } from '../errors.js';
+import type { EngineRegion } from '../karcher-engine.mjs';
+import type { Region } from '../region.js';
+import type { PointLike, SurfacePoint } from '../types.js';
+import type { AnyMesh } from './energy.js';
+
+/** How a centroid is searched for. */
+export interface CentroidOptions {
+  /** The point where the search starts; by default the one nearest to the region's centroid in space. */
+  start?: PointLike | undefined;
+  /** The number of points, at most, that stand for the region; the default is 1000. */
+  samples?: number | undefined;
+  /** A part of the diagonal: a step that is shorter ends the search. The default is 1e-7. */
+  tolerance?: number | undefined;
+  /** The number of steps after which the search ends in any case; the default is 100. */
+  mostSteps?: number | undefined;
+}
+
+/** The centroid of a region, and how the search for it ended. */
+export interface Centroid {
+  /** The centroid as a point of the surface; it need not lie in the region. */
+  point: SurfacePoint;
+  /** The place of that point in space. */
+  position: [number, number, number];
+  /** The number of points that stood for the region. */
+  samples: number;
+  /** The number of steps of the search. */
+  steps: number;
+  /** Whether the last step was shorter than the tolerance. */
+  converged: boolean;
+}
+
+const names = namesOf<CentroidOptions>({
+  start: true,
+  samples: true,
+  tolerance: true,
+  mostSteps: true,
+});
+
+/** A part of the region: a point that stands for it, where that is in space, and its area. */
+interface Patch {
+  point: SurfacePoint;
+  place: readonly [number, number, number];
+  area: number;
+}
+
+/**
+ * The centroid of a region: the center of mass of its area, where the integral of the squared distances to all of
+ * the region has a minimum.
+ *
+ * Each triangle, or its part in the region, stands for its area at its own centroid, which is exact to rounding on
+ * a plane and good to the square of the edges on smooth surfaces. Where that makes more points than `samples`,
+ * neighbors are put together, which is good to the square of the size of such groups: on the unit sphere of
+ * 20,000 triangles a cap's centroid was .001 off with 1000 samples. Distances are those of locally shortest paths
+ * (`Mesh.logMap`).
+ *
+ * Rejects with `KarcherError` badArgument for a region without area and for samples below 1, and as
+ * `Mesh.logMap` does.
+ */
+export async function centroid(
+  mesh: AnyMesh,
+  region: Region,
+  given: CentroidOptions = {},
+): Promise<Centroid> {
+  checkOptions(given, names);
+  const { samples = 1000, tolerance = 1e-7, mostSteps = 100 } = given;
+  const most = Math.floor(checkNumber(samples, 'the samples'));
+  if (!(most >= 1)) {
+    throw new KarcherError('badArgument', `there must be at least one sample, not ${samples}`);
+  }
+  const least = checkNumber(tolerance, 'the tolerance') * mesh.info.diagonal;
+  const [positions, triangles] = [await mesh.positions(), await mesh.triangles()];
+  const patches = grouped(patchesOf(region.data(), positions, triangles), most);
+  const area = patches.reduce((sum, patch) => sum + patch.area, 0);
+  if (!(area > 0)) {
+    throw new KarcherError('badArgument', 'the region has no area, so it has no centroid');
+  }
+  const points = patches.map(({ point }) => point);
+  const way = async (from: PointLike): Promise<[number, number, number]> => {
+    const { vectors } = await mesh.logMap(from, points);
+    const sum: [number, number, number] = [0, 0, 0];
+    patches.forEach((patch, i) => {
+      for (let k = 0; k < 3; k++) sum[k]! += (patch.area / area) * vectors[3 * i + k]!;
+    });
+    return sum;
+  };
+  let point = given.start ?? (await mesh.nearestPoint(meanPlace(patches))).point;
+  let step = await way(point);
+  let part = 1;
+  let steps = 0;
+  for (; steps < mostSteps && Math.hypot(...step) > least; steps++) {
+    const vector = Float64Array.from(step, (value) => part * value);
+    const { points: ends } = await mesh.expMap(point, vector);
+    const next = await way(ends[0]!);
+    // A step that led too far is taken again, half as long.
+    if (Math.hypot(...next) > Math.hypot(...step)) {
+      part /= 2;
+      continue;
+    }
+    point = ends[0]!;
+    step = next;
+  }
+  const position = await mesh.position(point);
+  const at = 'face' in point ? point : (await mesh.nearestPoint(position)).point;
+  return {
+    point: { face: at.face, bary: [...at.bary] },
+    position,
+    samples: points.length,
+    steps,
+    converged: Math.hypot(...step) <= least,
+  };
+}
+
+/** The triangles of a region, and what it has of others. */
+function patchesOf(
+  { share, triangles: parts, sides }: EngineRegion,
+  positions: Float64Array,
+  triangles: Int32Array,
+): Patch[] {
+  const patches: Patch[] = [];
+  const corner = (face: number, k: number) => {
+    const at = 3 * triangles[3 * face + k]!;
+    return [positions[at]!, positions[at + 1]!, positions[at + 2]!] as const;
+  };
+  const add = (face: number, part: number, x: number, y: number) => {
+    const [a, b, c] = [corner(face, 0), corner(face, 1), corner(face, 2)];
+    const [u, v] = [b, c].map((to) => to.map((value, k) => value - a[k]!)) as [number[], number[]];
+    const cross = [0, 1, 2].map((k) => {
+      const [i, j] = [(k + 1) % 3, (k + 2) % 3];
+      return u[i]! * v[j]! - u[j]! * v[i]!;
+    });
+    const place = a.map((value, k) => value + x * u[k]! + y * v[k]!);
+    patches.push({
+      point: { face, bary: [Math.max(0, 1 - x - y), x, y] },
+      place: place as unknown as Patch['place'],
+      area: part * Math.hypot(...cross),
+    });
+  };
+  share.forEach((whole, face) => {
+    if (whole === 1) add(face, 1 / 2, 1 / 3, 1 / 3);
+  });
+  for (let i = 0; i < parts.length; ) {
+    // Area and centroid by the sides (Green's theorem), in the coordinates of the triangle.
+    const face = parts[i]!;
+    let [twice, x, y] = [0, 0, 0];
+    for (; parts[i] === face; i++) {
+      const [ax, ay, bx, by] = sides.subarray(4 * i, 4 * i + 4) as unknown as Four;
+      const turn = ax * by - ay * bx;
+      twice += turn;
+      x += turn * (ax + bx);
+      y += turn * (ay + by);
+    }
+    if (twice !== 0) add(face, Math.abs(twice) / 2, x / (3 * twice), y / (3 * twice));
+  }
+  return patches;
+}
+
+type Four = [number, number, number, number];
+
+/** At most so many: neighbors, by a curve that fills space, of about the same area together. */
+function grouped(patches: Patch[], most: number): Patch[] {
+  if (patches.length <= most) return patches;
+  const low = [0, 1, 2].map((k) => Math.min(...extremes(patches, k)));
+  const high = [0, 1, 2].map((k) => Math.max(...extremes(patches, k)));
+  const size = Math.max(...high.map((value, k) => value - low[k]!)) || 1;
+  const codes = new Map(
+    patches.map((patch) => [patch, codeOf(patch.place.map((x, k) => (x - low[k]!) / size))]),
+  );
+  const order = [...patches].sort((a, b) => codes.get(a)! - codes.get(b)!);
+  const each = patches.reduce((sum, { area }) => sum + area, 0) / most;
+  const groups: Patch[] = [];
+  let group: Patch[] = [];
+  let area = 0;
+  for (const patch of order) {
+    group.push(patch);
+    area += patch.area;
+    if (area < each * (groups.length + 1) && patch !== order.at(-1)) continue;
+    groups.push(middleOf(group));
+    group = [];
+  }
+  return groups;
+}
+
+/** The least and the largest coordinate. */
+function extremes(patches: readonly Patch[], k: number): [number, number] {
+  const within: [number, number] = [Infinity, -Infinity];
+  for (const { place } of patches) {
+    within[0] = Math.min(within[0], place[k]!);
+    within[1] = Math.max(within[1], place[k]!);
+  }
+  return within;
+}
+
+/** A place in the unit cube along Morton's curve: bits of its coordinates in turn. */
+function codeOf(place: readonly number[]): number {
+  let code = 0;
+  for (let bit = 9; bit >= 0; bit--) {
+    for (const x of place) code = 2 * code + ((Math.min(1023, Math.floor(1024 * x)) >> bit) & 1);
+  }
+  return code;
+}
+
+const meanPlace = (patches: readonly Patch[]): [number, number, number] => {
+  const sum: [number, number, number] = [0, 0, 0];
+  let all = 0;
+  for (const { place, area } of patches) {
+    all += area;
+    for (let k = 0; k < 3; k++) sum[k]! += area * place[k]!;
+  }
+  return sum.map((value) => value / all) as [number, number, number];
+};
+
+/** The patch nearest to the middle of a group, with the area of all of it. */
+function middleOf(group: readonly Patch[]): Patch {
+  const middle = meanPlace(group);
+  const apart = ({ place }: Patch) => Math.hypot(...place.map((x, k) => x - middle[k]!));
+  const nearest = group.reduce((best, patch) => (apart(patch) < apart(best) ? patch : best));
+  return { ...nearest, area: group.reduce((sum, { area }) => sum + area, 0) };
+}
