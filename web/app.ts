@@ -267,7 +267,7 @@ export async function start(): Promise<void> {
   );
   const cutPanel = new CutPanel(
     editor,
-    (part, format) => session.client!.meshFile(part.thick ?? part, format),
+    (part, format) => session.client!.meshFile(part, format),
     () => meshLabel(editor.state.mesh),
   );
   const units = new UnitChoice((unit) => {

@@ -16,24 +16,20 @@ struct EdgeCount {
   PathUse firstOfAll;  ///< of the range's first path the earliest use; its path is -1 without one
 };
 
-/// One an edge that has uses.
-Array<EdgeCount> countsOf(const Arrangement& all, const PathRange& paths) {
-  Array<EdgeCount> counts;
-  for (int i = 0; i < all.uses.count();) {
-    EdgeCount count;
-    count.halfedge = all.uses[i].halfedge;
-    count.firstOfAll.path = -1;
-    for (; i < all.uses.count() && all.uses[i].halfedge == count.halfedge; ++i) {
-      const PathUse& use = all.uses[i];
-      const int path = use.path - paths.first;
-      if (path < 0 || path >= paths.count) continue;
-      count.change += use.sign;
-      const bool isEarlier = count.firstOfAll.path < 0 || use.part < count.firstOfAll.part;
-      if (path == 0 && isEarlier) count.firstOfAll = use;
-    }
-    counts.push_back(count);
+/// That of the edge of a use, which becomes the first of the next edge.
+EdgeCount countAt(const Arrangement& all, const PathRange& paths, int& i) {
+  EdgeCount count;
+  count.halfedge = all.uses[i].halfedge;
+  count.firstOfAll.path = -1;
+  for (; i < all.uses.count() && all.uses[i].halfedge == count.halfedge; ++i) {
+    const PathUse& use = all.uses[i];
+    const int path = use.path - paths.first;
+    if (path < 0 || path >= paths.count) continue;
+    count.change += use.sign;
+    const bool isEarlier = count.firstOfAll.path < 0 || use.part < count.firstOfAll.part;
+    if (path == 0 && isEarlier) count.firstOfAll = use;
   }
-  return counts;
+  return count;
 }
 
 /// A step over an edge of the arrangement into another cell.
@@ -51,7 +47,8 @@ struct Steps {
 
 Steps stepsOf(const Arrangement& all, const PathRange& paths) {
   Array<Step> found;
-  for (const EdgeCount& count : countsOf(all, paths)) {
+  for (int i = 0; i < all.uses.count();) {
+    const EdgeCount count = countAt(all, paths, i);
     const int h = count.halfedge;
     if (all.twin[h] < 0) continue;
     const int left = all.cell(h);
@@ -144,18 +141,21 @@ Region enclosed(const Arrangement& arrangement, const PathRange& paths, FillRule
 std::optional<int> cellBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                               PathSide side) {
   // Edges inside the surface come before those of its boundary, beyond which there is no cell.
-  std::optional<PathUse> first;
-  const auto order = [&](const PathUse& use) {
-    return std::pair(arrangement.twin[use.halfedge] < 0, use.part);
-  };
-  for (const EdgeCount& count : countsOf(arrangement, paths)) {
-    const bool divides = rule == FillRule::kEvenOdd ? count.change % 2 != 0 : count.change != 0;
+  PathUse first{-1, 0, 0, 0};
+  bool isInside = false;
+  for (int i = 0; i < arrangement.uses.count();) {
+    const EdgeCount count = countAt(arrangement, paths, i);
     const PathUse& use = count.firstOfAll;
-    if (divides && use.path >= 0 && (!first || order(use) < order(*first))) first = use;
+    if (use.path < 0 || (rule == FillRule::kEvenOdd ? count.change % 2 : count.change) == 0)
+      continue;
+    const bool isHere = arrangement.twin[use.halfedge] >= 0;
+    const bool isBetter = isHere == isInside ? use.part < first.part : isHere;
+    if (first.halfedge >= 0 && !isBetter) continue;
+    first = use;
+    isInside = isHere;
   }
-  if (!first) return std::nullopt;
-  const bool isLeft = (first->sign > 0) == (side == PathSide::kLeft);
-  const int h = isLeft ? first->halfedge : arrangement.twin[first->halfedge];
+  int h = first.halfedge;
+  if (h >= 0 && (first.sign > 0) != (side == PathSide::kLeft)) h = arrangement.twin[h];
   if (h < 0) return std::nullopt;
   return arrangement.cell(h);
 }

@@ -123,6 +123,48 @@ test('a part that touches itself at a point is read as it is', async () => {
   }
 });
 
+test('colors and parts of the file stay on the parts of a cut, and colors on shells', async () => {
+  const [positions, triangles] = [sphere.positions(), sphere.triangles()];
+  // Colors that change evenly, so that between corners they are known.
+  const colorAt = (place) => Array.from(place, (x) => Math.round(127.5 + 100 * x));
+  const colors = Uint8Array.from(positions, (x) => Math.round(127.5 + 100 * x));
+  const names = [{ name: 'upper' }, { name: 'lower' }];
+  const partOf = Int32Array.from({ length: triangles.length / 3 }, (_, f) =>
+    [0, 1, 2].every((k) => positions[3 * triangles[3 * f + k] + 1] >= 0) ? 0 : 1,
+  );
+  const content = { positions, triangles, colors, parts: names, partOf };
+  const colored = folder.write('colored.obj', meshFile(content, 'obj'));
+  const cut = ['cut', colored, ...args.slice(2)];
+  const read = async (file) => {
+    const bytes = new Uint8Array(readFileSync(file));
+    return meshFromFile(engine, bytes, { name: file, repair: 'none' });
+  };
+  const farthest = (mesh, given, scale = 1) =>
+    Math.max(
+      ...given.map((value, i) => Math.abs(value - colorAt([mesh.positions()[i] * scale])[0])),
+    );
+  const { parts } = await printed(...cut, '--out', join(folder.path, 'colored_part.obj'));
+  assert.ok(parts.length >= 4);
+  const seen = new Set();
+  for (const { file } of parts) {
+    const { mesh, file: said } = await read(file);
+    // Rounded twice: in the file that was cut, and here.
+    assert.ok(farthest(mesh, said.colors) <= 1, `${farthest(mesh, said.colors)}`);
+    said.parts.forEach(({ name, triangles: count }) => {
+      if (count > 0) seen.add(name);
+    });
+  }
+  assert.deepEqual([...seen].sort(), ['lower', 'upper']);
+  const shells = [...cut, '--thickness', '0.1', '--out', join(folder.path, 'colored_shell.ply')];
+  for (const { file } of (await printed(...shells)).parts) {
+    const { mesh, file: said } = await read(file);
+    const places = mesh.positions();
+    const inner = [...said.colors].filter((_, i) => i < places.length / 2);
+    assert.equal(said.colors.length, places.length);
+    assert.ok(farthest(mesh, Uint8Array.from(inner)) <= 1);
+  }
+});
+
 test('parts in the order of their areas; without --out no file is written', async () => {
   const { parts } = await printed(...args);
   for (const [i, part] of parts.entries()) {

@@ -86,9 +86,9 @@ Array<SurfacePath> pathsFromJs(const Numbering& numbering, const TriangleMesh& m
 /// `inside` is a point, none, or the side of the first outline: 1 for the left, 0 for the right.
 Region regionOf(const Geometry& geometry, const Numbering& numbering, const Arrangement& all,
                 const PathRange& range, FillRule rule, const val& inside) {
-  if (inside["length"].as<int>() == 1) {
-    const bool isLeft = inside[0].as<int>() == 1;
-    return enclosedBeside(all, range, rule, isLeft ? PathSide::kLeft : PathSide::kRight);
+  const Array<double> numbers = fromJs<double>(inside);
+  if (numbers.count() == 1) {
+    return enclosedBeside(all, range, rule, numbers[0] > 0 ? PathSide::kLeft : PathSide::kRight);
   }
   const TriangleMesh& mesh = *geometry.mesh;
   const Array<SurfacePoint> given = pointsFromJs(numbering, mesh, inside);
@@ -114,12 +114,12 @@ val MeshHandle::regions(const val& outlines, const val& counts, const val& insid
   const FillRule fill = rule == "nonZero" ? FillRule::kNonZero : FillRule::kEvenOdd;
   const Arrangement all = arrange(geometry(), paths);
   Array<Region> regions;
-  Array<PathRange> ranges;
+  Array<int> areLeft;
   PathRange range;
   for (int i = 0; i < outlinesOf.count(); ++i) {
     range = {range.first + range.count, outlinesOf[i]};
-    ranges.push_back(range);
     regions.push_back(regionOf(geometry(), numbering_, all, range, fill, insides[i]));
+    areLeft.push_back(isLeftOf(all, range, fill, regions.back()) ? 1 : 0);
   }
   if (combine != "none") {
     const Boolean how = combine == "union"          ? Boolean::kUnion
@@ -132,7 +132,7 @@ val MeshHandle::regions(const val& outlines, const val& counts, const val& insid
   val result = val::array();
   for (int i = 0; i < regions.count(); ++i) {
     val one = regionToJs(geometry(), numbering_, all, regions[i]);
-    if (combine == "none") one.set("isLeft", isLeftOf(all, ranges[i], fill, regions[i]));
+    if (combine == "none") one.set("isLeft", areLeft[i] != 0);
     result.set(i, one);
   }
   return result;

@@ -1,6 +1,6 @@
 import { writeFile } from 'node:fs/promises';
 import { solidOf, thickened } from '../checkup/index.js';
-import { meshFile, type WrittenFormat, writtenFormats } from '../formats/index.js';
+import { marksOfPart, meshFile, type WrittenFormat, writtenFormats } from '../formats/index.js';
 import type { Arguments } from './arguments.js';
 import type { Command } from './command.js';
 import { UsageError, writeError } from './errors.js';
@@ -11,7 +11,7 @@ export const cut: Command = {
   call: "mesh.cut(paths), and thickened of 'karcher/checkup'",
   summary: 'the mesh cut apart along curves, a file a part',
   output:
-    '{parts: [{file, triangles, area, oriented, closed, volume, allowed}, …]}, the largest first; volume is null of what is not closed. On both sides of a cut positions are equal to the last bit',
+    '{parts: [{file, triangles, area, oriented, closed, volume, allowed}, …]}, the largest first; volume is null of what is not closed. On both sides of a cut positions are equal to the last bit; colors and parts of the mesh’s file stay',
   options: [
     ...outlineOptions,
     {
@@ -30,13 +30,14 @@ export const cut: Command = {
   async run(args) {
     const name = args.given('out') ? partNames(args) : null;
     const thickness = args.given('thickness') ? args.number('thickness') : null;
-    const { mesh, outlines } = await readOutlines(args);
+    const { mesh, file: marks, outlines } = await readOutlines(args);
     const whole = { positions: mesh.positions(), triangles: mesh.triangles() };
     const parts = mesh
       .cut(outlines)
       .map((cut) => {
         const thick = thickness === null ? null : thickened(cut, thickness, whole);
-        const part = thick ?? cut;
+        const sheets = thick ? 2 : 1;
+        const part = { ...(thick ?? cut), ...marksOfPart(cut, whole, marks, { sheets }) };
         return { part, ...(thick?.most && { allowed: thick.most }), ...solidOf(part) };
       })
       .sort((a, b) => b.area - a.area);

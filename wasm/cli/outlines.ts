@@ -1,3 +1,4 @@
+import type { FileInfo } from '../formats/index.js';
 import { load } from '../load.js';
 import type { Mesh } from '../mesh.js';
 import type { Path } from '../path.js';
@@ -15,17 +16,19 @@ export const outlineOptions: readonly Option[] = [
   ...fieldOptions,
 ];
 
-/** The mesh, and the curves on it as paths. */
-export async function readOutlines(args: Arguments): Promise<{ mesh: Mesh; outlines: Path[] }> {
+/** The mesh, what its file says beside it, and the curves on it as paths. */
+export async function readOutlines(
+  args: Arguments,
+): Promise<{ mesh: Mesh; file: FileInfo; outlines: Path[] }> {
   const how = { ...samplingOf(args), ...args.field() };
   const records = await readCurves(args);
   const read = await args.meshFile();
-  const { mesh } = await read(await load());
+  const { mesh, file } = await read(await load());
   const outlines = records.map((record) => {
     const curve = mesh.curve({ ...record, ...how });
     const path = curve.path();
     curve.dispose();
     return path;
   });
-  return { mesh, outlines };
+  return { mesh, file, outlines };
 }

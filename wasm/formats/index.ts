@@ -12,6 +12,7 @@ import type { FileInfo, FileOptions, MeshFormat, Polygons } from './types.js';
 
 export { KarcherError } from '../errors.js';
 export { fileEndings, formatOf } from './format.js';
+export { marksOfPart } from './part_marks.js';
 export type * from './types.js';
 export { guessUp } from './up.js';
 export { meshFile, type Triangles, type WrittenFormat, writtenFormats } from './write.js';

@@ -13,7 +13,7 @@ import type {
   Path,
   PointLike,
 } from 'karcher';
-import type { FileInfo, Triangles, WrittenFormat } from 'karcher/formats';
+import type { FileInfo, WrittenFormat } from 'karcher/formats';
 import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-worker';
 import type { BooleanKind, OffsetSide } from '../model/derived';
 import type { Inside, Vector } from '../model/figure';
@@ -333,10 +333,11 @@ export class EngineClient {
     return (await this.#worker.call('cut', args)) as SurfacePart[];
   }
 
-  /** Triangles as a file. */
-  async meshFile(part: Triangles, format: WrittenFormat): Promise<Uint8Array> {
-    const { positions, triangles } = part;
-    const args = [this.mesh, { positions, triangles }, format];
+  /** A part of the cut surface as a file, with what the surface's own file says of it. */
+  async meshFile(part: SurfacePart, format: WrittenFormat): Promise<Uint8Array> {
+    const { thick, positions, triangles, faces } = part;
+    const marks = this.file && { ...this.file, sheets: thick ? 2 : 1 };
+    const args = [this.mesh, { positions, triangles, faces }, thick, format, marks];
     return (await this.#worker.call('meshFile', args)) as Uint8Array;
   }
 

@@ -1,5 +1,6 @@
 /** The worker that runs the engine: `karcher/worker-thread` that also makes the page's meshes. */
 import {
+  type CutPart,
   type DistanceOptions,
   type Karcher,
   KarcherError,
@@ -9,7 +10,7 @@ import {
   type Mesh,
   type PointLike,
 } from 'karcher';
-import type { FileInfo, Triangles, WrittenFormat } from 'karcher/formats';
+import type { FileInfo, FileMarks, Triangles, WrittenFormat } from 'karcher/formats';
 import { serve } from 'karcher/own-worker';
 import { arraysOf, blobsOf, type MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
@@ -74,9 +75,16 @@ const calls = {
   offset: offsetOf,
   combined,
   cut: cutParts,
-  async meshFile(_: Mesh, part: Triangles, format: WrittenFormat) {
-    const { meshFile } = await import('karcher/formats');
-    return meshFile(part, format);
+  async meshFile(
+    mesh: Mesh,
+    part: CutPart,
+    thick: Triangles | null,
+    format: WrittenFormat,
+    marks: (FileMarks & { sheets: 1 | 2 }) | null,
+  ) {
+    const { marksOfPart, meshFile } = await import('karcher/formats');
+    const said = marks && marksOfPart(part, takenFrom(mesh), marks, { sheets: marks.sheets });
+    return meshFile({ ...(thick ?? part), ...said }, format);
   },
   putDown(
     mesh: Mesh,
