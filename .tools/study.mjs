@@ -1,5 +1,5 @@
-// `npm run study`: builds and runs one of the native studies of tests/bench, which measure accuracy, or
-// times.
+// `npm run study`: builds and runs one of the studies of tests/bench, which measure accuracy, or times: native
+// programs, and scripts that measure the package.
 //
 //   npm run study -- [--save] NAME [ARGUMENTS]      (the names without arguments)
 //
@@ -17,6 +17,9 @@ import { filesBelow, inRoot, run } from './shell.mjs';
 const suffix = '_study';
 const names = filesBelow('tests/bench', /_study\.cpp$/).map((file) =>
   basename(file, `${suffix}.cpp`),
+);
+const scripts = filesBelow('tests/bench', /_study\.mjs$/).map((file) =>
+  basename(file, `${suffix}.mjs`),
 );
 const given = process.argv.slice(2);
 const save = given[0] === '--save';
@@ -38,9 +41,16 @@ async function toObj(path) {
   return obj;
 }
 
+if (scripts.includes(name) && !save) {
+  await setUp('build');
+  await buildWasm();
+  await buildFacade();
+  await run(process.execPath, [inRoot(`tests/bench/${name}${suffix}.mjs`), ...rest]);
+  process.exit();
+}
 if (!names.includes(name)) {
   console.error(
-    `Usage: npm run study -- [--save] NAME [ARGUMENTS]; the studies: ${names.join(', ')}`,
+    `Usage: npm run study -- [--save] NAME [ARGUMENTS]; the studies: ${names.join(', ')}; not to be saved: ${scripts.join(', ')}`,
   );
   process.exit(name === undefined ? 0 : 1);
 }

@@ -12,6 +12,7 @@
 #include "mesh/surface_point.h"
 
 // Straightest geodesics, distances, shortest paths, log and exp.
+#include "distance/distance_fields.h"
 #include "distance/find_path.h"
 #include "distance/graph_distance.h"
 #include "distance/path_distance.h"
@@ -26,6 +27,7 @@
 #include "rcm/certificate.h"
 #include "rcm/mean.h"
 #include "rcm/mean_weights.h"
+#include "rcm/statistics.h"
 
 // Curves: their points and lengths, control points put in, circles, isolines, offsets.
 #include "curves/circle.h"
