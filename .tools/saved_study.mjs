@@ -3,7 +3,7 @@
 // `npm run check:long` runs the studies anew and compares them with it (tests/paper/anew.test.mjs).
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
-import { basename } from 'node:path';
+import { basename, join, parse } from 'node:path';
 import { aboutReport, jsonOf } from './paper_report.mjs';
 import { inRoot, run } from './shell.mjs';
 import { sourcesDigest } from './sources.mjs';
@@ -12,18 +12,61 @@ const folder = 'docs/studies';
 /** What a study's numbers depend on. Its seeds are constants there. */
 const sourcesOf = () => sourcesDigest(['src', 'tests/bench', 'tests/generators', 'tests/measures']);
 
-/** Studies of files are told by their names, which stand for them: they are not the project's. */
-const fileOf = (name, args) =>
-  `${[name, ...args]
+/** Meshes in files are not the project's: their names stand for them. */
+export const isMeshFile = (argument) => /\.(obj|stl|ply|off|glb|gltf)$/i.test(argument);
+
+const fileOf = (name, args) => {
+  const others = args.filter((argument) => !isMeshFile(argument) && argument !== 'of-files');
+  const files = args.length > others.length ? ['of-files'] : [];
+  return `${[name, ...others, ...files]
     .join('-')
     .replaceAll(/[^\w.]+/g, '-')
     .toLowerCase()}.json`;
+};
 
 const program = (name) => inRoot(`build/native/tests/bench/${name}_study`);
 
-/** Runs a study that is built, and returns the lines that it printed. */
+/** The studies read OBJ files: the path of one, read as the package reads files, in build/study. */
+async function toObj(path) {
+  if (/\.obj$/i.test(path)) return path;
+  const { load } = await import('karcher');
+  const { meshFromFile } = await import('karcher/formats');
+  const { mesh } = await meshFromFile(await load(), readFileSync(path), { name: basename(path) });
+  const rowsOf = (values, letter, from) =>
+    Array.from({ length: values.length / 3 }, (_, i) =>
+      [letter, ...values.slice(3 * i, 3 * i + 3).map((value) => value + from)].join(' '),
+    );
+  const rows = [...rowsOf(mesh.positions(), 'v', 0), ...rowsOf(mesh.triangles(), 'f', 1)];
+  mkdirSync(inRoot('build/study'), { recursive: true });
+  const obj = inRoot(`build/study/${parse(path).name}.obj`);
+  writeFileSync(obj, `${rows.join('\n')}\n`);
+  return obj;
+}
+
+/**
+ * A study's arguments with its meshes as files of a folder, or below it: with their paths, and the names of
+ * those that are not there.
+ */
+export function found(args, folder) {
+  const files = new Map(
+    folder
+      ? readdirSync(folder, { recursive: true }).map((path) => [basename(path), join(folder, path)])
+      : [],
+  );
+  const missing = args.filter((argument) => isMeshFile(argument) && !files.has(argument));
+  return { args: args.map((one) => (isMeshFile(one) ? (files.get(one) ?? one) : one)), missing };
+}
+
+/** Runs a study that is built, with meshes of any format. */
+export async function runStudy(name, args, options = { minutes: Infinity }) {
+  const read = [];
+  for (const argument of args) read.push(isMeshFile(argument) ? await toObj(argument) : argument);
+  return run(program(name), read, options);
+}
+
+/** The lines that a study prints. */
 export async function studyLines(name, args) {
-  const output = await run(program(name), args, { quiet: true, minutes: Infinity });
+  const output = await runStudy(name, args, { quiet: true, minutes: Infinity });
   return output.trimEnd().split('\n');
 }
 
@@ -49,7 +92,7 @@ export function savedStudies() {
     .map((name) => JSON.parse(readFileSync(inRoot(`${folder}/${name}`), 'utf8')));
 }
 
-/** What a study with these arguments printed when it was kept. */
+/** What a study with these arguments printed when it was kept; 'of-files' stands for any files. */
 export function savedLines(name, args = []) {
   return JSON.parse(readFileSync(inRoot(`${folder}/${fileOf(name, args)}`), 'utf8')).lines;
 }

@@ -2,15 +2,20 @@
 // programs, and scripts that measure the package.
 //
 //   npm run study -- [--save] NAME [ARGUMENTS]      (the names without arguments)
+//   npm run study -- --again [--meshes FOLDER] [NAME …]
 //
-// With --save what it prints is kept in docs/studies, where tests compare the docs with it.
+// With --save what it prints is kept in docs/studies, and the tables of docs that quote it are written anew; tests
+// compare both. With --again all that are kept there, or those of these names, are measured anew and kept, as
+// long as the meshes that they read are in the folder.
 //
 // The studies read OBJ files. Files of other formats are read as the package reads them, and written as
 // OBJ files in build/study.
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { basename, parse, resolve } from 'node:path';
+import { existsSync } from 'node:fs';
+import { basename, resolve } from 'node:path';
+import { parseArgs } from 'node:util';
 import { buildFacade, buildNative, buildWasm } from './build.mjs';
-import { saveStudy } from './saved_study.mjs';
+import { quoteStudies } from './quoted_tables.mjs';
+import { found, isMeshFile, runStudy, savedStudies, saveStudy } from './saved_study.mjs';
 import { setUp } from './setup.mjs';
 import { filesBelow, inRoot, run } from './shell.mjs';
 
@@ -18,57 +23,72 @@ const suffix = '_study';
 const names = filesBelow('tests/bench', /_study\.cpp$/).map((file) =>
   basename(file, `${suffix}.cpp`),
 );
+/** What they print is not kept. */
 const scripts = filesBelow('tests/bench', /_study\.mjs$/).map((file) =>
   basename(file, `${suffix}.mjs`),
 );
+const usage = `Usage: npm run study -- [--save] NAME [ARGUMENTS], or --again [--meshes FOLDER] [NAME …]; the studies: ${names.join(', ')}; not to be saved: ${scripts.join(', ')}`;
 const given = process.argv.slice(2);
-const save = given[0] === '--save';
-const [name, ...rest] = save ? given.slice(1) : given;
+const from = (path) => resolve(process.env.INIT_CWD ?? '.', path);
 
-/** The OBJ file of a mesh file of another format. */
-async function toObj(path) {
-  const { load } = await import('karcher');
-  const { meshFromFile } = await import('karcher/formats');
-  const { mesh } = await meshFromFile(await load(), readFileSync(path), { name: basename(path) });
-  const rowsOf = (values, letter, from) =>
-    Array.from({ length: values.length / 3 }, (_, i) =>
-      [letter, ...values.slice(3 * i, 3 * i + 3).map((value) => value + from)].join(' '),
-    );
-  const rows = [...rowsOf(mesh.positions(), 'v', 0), ...rowsOf(mesh.triangles(), 'f', 1)];
-  mkdirSync(inRoot('build/study'), { recursive: true });
-  const obj = inRoot(`build/study/${parse(path).name}.obj`);
-  writeFileSync(obj, `${rows.join('\n')}\n`);
-  return obj;
-}
-
-if (scripts.includes(name) && !save) {
-  await setUp('build');
+async function build(studies, args) {
+  await setUp('build', 'native');
+  for (const name of new Set(studies)) await buildNative('native', name + suffix);
+  if (!args.some((path) => isMeshFile(path) && !/\.obj$/i.test(path))) return;
   await buildWasm();
   await buildFacade();
-  await run(process.execPath, [inRoot(`tests/bench/${name}${suffix}.mjs`), ...rest]);
-  process.exit();
 }
-if (!names.includes(name)) {
-  console.error(
-    `Usage: npm run study -- [--save] NAME [ARGUMENTS]; the studies: ${names.join(', ')}; not to be saved: ${scripts.join(', ')}`,
-  );
-  process.exit(name === undefined ? 0 : 1);
-}
-try {
-  await setUp('build', 'native');
-  await buildNative('native', name + suffix);
-  const from = (path) => resolve(process.env.INIT_CWD ?? '.', path);
-  const paths = rest.map((value) => (existsSync(from(value)) ? from(value) : value));
-  const isOther = (path) => /\.(stl|ply|off|glb|gltf)$/i.test(path);
-  if (paths.some(isOther)) {
+
+const tellQuoted = () => {
+  const docs = quoteStudies();
+  if (docs.length > 0) console.log(`Their tables are written: ${docs.join(', ')}.`);
+};
+
+async function one([name, ...rest], save) {
+  if (scripts.includes(name) && !save) {
+    await setUp('build');
     await buildWasm();
     await buildFacade();
+    await run(process.execPath, [inRoot(`tests/bench/${name}${suffix}.mjs`), ...rest]);
+    return;
   }
-  const read = [];
-  for (const path of paths) read.push(isOther(path) ? await toObj(path) : path);
-  if (save) console.log(`Written to ${await saveStudy(name, read)}.`);
-  else await run(inRoot(`build/native/tests/bench/${name}${suffix}`), read);
+  if (!names.includes(name)) {
+    console.error(usage);
+    process.exit(name === undefined ? 0 : 1);
+  }
+  const paths = rest.map((value) => (existsSync(from(value)) ? from(value) : value));
+  await build([name], paths);
+  if (!save) {
+    await runStudy(name, paths);
+    return;
+  }
+  console.log(`Written to ${await saveStudy(name, paths)}.`);
+  tellQuoted();
+}
+
+async function again(args) {
+  const known = { meshes: { type: 'string' } };
+  const { values, positionals } = parseArgs({ args, options: known, allowPositionals: true });
+  const folder = values.meshes && from(values.meshes);
+  const chosen = savedStudies().filter(
+    ({ study }) => positionals.length === 0 || positionals.includes(study),
+  );
+  await build(
+    chosen.map(({ study }) => study),
+    folder ? chosen.flatMap((one) => one.arguments) : [],
+  );
+  for (const { study, arguments: saved } of chosen) {
+    const { args: paths, missing } = found(saved, folder);
+    if (missing.length > 0) console.log(`${study} is not run: it needs ${missing.join(', ')}.`);
+    else console.log(`Written to ${await saveStudy(study, paths)}.`);
+  }
+  tellQuoted();
+}
+
+try {
+  if (given[0] === '--again') await again(given.slice(1));
+  else await one(given[0] === '--save' ? given.slice(1) : given, given[0] === '--save');
 } catch (error) {
-  console.error(error.message);
+  console.error(error.code?.startsWith('ERR_PARSE_ARGS') ? usage : error.message);
   process.exit(1);
 }

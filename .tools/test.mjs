@@ -1,17 +1,26 @@
 // `npm test`: sets up, builds everything and runs the tests, always the same ones. With --long it runs also
 // those that are too long for that, and tests take the large numbers of random cases that they keep for
-// KARCHER_LONG=1, but not those of the engine with the sanitizers, which would take hours. With names of
-// files of tests/wasm and tests/web it runs only these.
+// KARCHER_LONG=1, but not those of the engine with the sanitizers, which would take hours; saved studies of
+// meshes in files are computed anew with `--meshes FOLDER`, where these are. With names of files of tests/wasm
+// and tests/web it runs only these.
 import { mkdirSync } from 'node:fs';
+import { resolve } from 'node:path';
+import { parseArgs } from 'node:util';
 import { buildBook, buildFacade, buildNative, buildPage, buildWasm, writeBunny } from './build.mjs';
 import { runGoogleTest } from './gtest.mjs';
 import { runNodeTests } from './node_test.mjs';
 import { chromiumPath, setUp } from './setup.mjs';
 import { closeWith, filesBelow, inRoot, runStages } from './shell.mjs';
 
-const named = process.argv.slice(2).filter((name) => name !== '--long');
-const long = process.argv.includes('--long');
-const longCases = long ? { KARCHER_LONG: '1' } : {};
+const { values: options, positionals: named } = parseArgs({
+  options: { long: { type: 'boolean' }, meshes: { type: 'string' } },
+  allowPositionals: true,
+});
+const { long, meshes } = options;
+const longCases = {
+  ...(long && { KARCHER_LONG: '1' }),
+  ...(meshes && { KARCHER_MESHES: resolve(process.env.INIT_CWD ?? '.', meshes) }),
+};
 // A stage that takes longer hangs, on a busy machine too.
 const minutes = long ? 120 : 40;
 const reports = inRoot('build/reports');

@@ -224,7 +224,8 @@ void study(const std::string& name, const Options& options) {
   std::printf("; prepared in %.1f ms, then its very first curve takes %.2f ms.\n\n", prepareMs,
               firstMs);
   std::printf(
-      "| spacing | curves | first trace | step | limit | step / limit | levels | subdivided / "
+      "| spacing | curves | first trace: ms | step: ms | limit: ms | step / limit, of ms | levels "
+      "| subdivided / "
       "bridged | "
       "no sight | lost | turning / limit's | drafts, release | from exact |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");

@@ -31,7 +31,9 @@ const numbersOf = (text) =>
   (text.match(number) ?? []).map((one) => Number(one.replaceAll(',', '')));
 
 /** Columns that are rounding by themselves, or times. */
-const ofRounding = /^(rotated|both ways|.*: [um]s)$/;
+const ofRounding = /^(rotated|both ways|exact, in these|time)$|\b[um]s\b/;
+/** Times wherever they stand. */
+const times = /\d[\d,.]* [um]?s\b/g;
 
 /** Where the lines that a study printed differ from those that were saved, all but times. */
 export function lineDifferences(now, saved) {
@@ -45,9 +47,10 @@ export function lineDifferences(now, saved) {
     const isRow = line.startsWith('|');
     return cells.flatMap((cell, k) => {
       if (isRow && ofRounding.test(heads[k] ?? '')) return [];
-      const [a, b] = [cell, before[k] ?? ''].map(numbersOf);
+      const [here, there] = [cell, before[k] ?? ''].map((one) => one.replaceAll(times, 'a time'));
+      const [a, b] = [here, there].map(numbersOf);
       const same = a.length === b.length && a.every((value, j) => isNear(value, b[j]));
-      const words = cell.replaceAll(number, '#') === (before[k] ?? '').replaceAll(number, '#');
+      const words = here.replaceAll(number, '#') === there.replaceAll(number, '#');
       return same && words ? [] : [`'${before[k]}' was saved, now '${cell}': ${line}`];
     });
   });

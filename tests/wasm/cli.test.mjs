@@ -100,6 +100,24 @@ test('a result goes to the file of --out, or nothing is written', async () => {
   );
 });
 
+test('a result is what the name of its file says, and no other', async () => {
+  const isolines = ['isolines', squareFile, '--center', 'v:0', '--radius', '0.3'];
+  const out = join(folder.path, 'lines.OBJ');
+  assert.equal((await karcher(...isolines, '--out', out)).status, 0);
+  assert.match(readFileSync(out, 'utf8'), /^v [\s\S]*\nl /);
+  // What is asked for goes before the name.
+  assert.equal((await karcher(...isolines, '--format', 'json', '--out', out)).status, 0);
+  assert.ok(JSON.parse(readFileSync(out, 'utf8')).isolines);
+  assert.match(
+    await failure(...isolines, '--out', 'lines.svg'),
+    /^isolines writes JSON, or OBJ to a file that ends in \.obj, not 'lines\.svg'$/,
+  );
+  const path = ['path', squareFile, '--from', 'v:0', '--to', 'v:2'];
+  assert.match(await failure(...path, '--out', 'a.ply'), /^path writes JSON, .*, not 'a\.ply'$/);
+  const info = ['info', squareFile, '--out'];
+  assert.match(await failure(...info, 'info.obj'), /^info writes JSON, not 'info\.obj'$/);
+});
+
 test('control characters of names never reach a terminal', async () => {
   const solids = new TextDecoder().decode(stlFile(cutBox, { text: true }));
   const named = folder.write(

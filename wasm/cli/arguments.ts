@@ -18,7 +18,7 @@ import type {
   Star,
 } from '../types.js';
 import { fileError, UsageError } from './errors.js';
-import { type Described, type Option, outOption } from './options.js';
+import { type Described, formatOption, type Option, outOption } from './options.js';
 import { decimalOf, isJson, parseNumber, parsePoint, parsePoints, parseRows } from './syntax.js';
 
 /** The arguments of one command, checked: known options, once each, with a value where one belongs. */
@@ -41,6 +41,7 @@ export class Arguments {
         throw new UsageError(`${command.name} needs --${option.name} ${option.value}`);
       }
     }
+    takeFormatOfName(command, values);
     const [meshPath, ...more] = positionals;
     if (meshPath === undefined) throw new UsageError(`${command.name} needs a mesh: a file`);
     if (more.length > 0) checkBatch(command, values);
@@ -225,6 +226,21 @@ export class Arguments {
     } catch (cause) {
       throw fileError(path === '-' ? 'standard input' : path, cause);
     }
+  }
+}
+
+/** Files of these names would be taken for drawings or meshes. */
+const namesOfOthers = /\.(obj|svg|dxf|ply|stl|off|glb|gltf|png)$/i;
+
+/** Where the format is not given the name of the file tells it. Throws where that is one that is not written. */
+function takeFormatOfName(command: Described, values: Map<string, string>): void {
+  const out = values.get('out');
+  if (!command.options.includes(outOption) || out === undefined || values.has('format')) return;
+  const draws = command.options.includes(formatOption);
+  if (draws && /\.obj$/i.test(out)) values.set('format', 'obj');
+  else if (namesOfOthers.test(out)) {
+    const formats = draws ? 'JSON, or OBJ to a file that ends in .obj,' : 'JSON,';
+    throw new UsageError(`${command.name} writes ${formats} not '${out}'`);
   }
 }
 

@@ -18,7 +18,7 @@ export interface Described {
 export const formatOption: Option = {
   name: 'format',
   value: 'json|obj',
-  help: 'JSON, or the polylines as an OBJ file (v and l lines)',
+  help: 'JSON, or the polylines as an OBJ file (v and l lines), as where --out ends in .obj',
   default: 'json',
 };
 
