@@ -5,15 +5,15 @@
 /// The affine heat method: Y. Soliman, N. Sharp, "The Affine Heat Method", Computer Graphics Forum
 /// 44 (2025), the successor of the vector heat method for log maps.
 ///
-/// Heat carries not directions but positions: each vertex holds the source as a point of its own
-/// tangent plane, in homogeneous coordinates, and an edge changes planes by a rotation and by a
+/// Heat transports positions instead of directions: each vertex has the source as a point of its
+/// own tangent plane, in homogeneous coordinates, and an edge changes planes by a rotation and by a
 /// translation along itself. Heat that starts as the origin at the source spreads as (v, u), and v
 /// / u, turned back by a transported frame, is the logarithm. It needs no Poisson equation and is
 /// exact on the plane.
 ///
 /// The 3 n x 3 n operator of the paper is block triangular: u is ordinary heat, and v is heat of
-/// vectors with a source that u gives. So both variants need only the factors that the vector heat
-/// method has, and not the unsymmetric one (or, for the adaptive variant, one for each source).
+/// vectors with a source that u gives. So both variants need only the factors of the vector heat
+/// method, and not the unsymmetric factor (or, for the adaptive variant, one for each source).
 namespace karcher {
 
 enum class AffineVariant {

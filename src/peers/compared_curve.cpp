@@ -143,7 +143,7 @@ bool ComparedCurve::advance(int samples) {
   return samplesLeft() == 0;
 }
 
-/// Makes the field of a moved point, or the path of a descent, if one is missing.
+/// Computes the field of a moved point, or the path of a descent, if one is missing.
 bool ComparedCurve::makeNextField() {
   const auto next = std::find(moved_.begin(), moved_.end(), 1);
   if (next == moved_.end()) return false;
@@ -179,7 +179,7 @@ void ComparedCurve::traceOn(int segment, int samples) {
   const int end = static_cast<int>(
       std::min<int64_t>(plan_.table.t.count(), static_cast<int64_t>(traced.count()) + samples));
   for (int i = traced.count(); i < end; ++i) {
-    // As traceSegment does: the end of one segment is the start of the next.
+    // As in traceSegment, the end of one segment is the start of the next.
     const bool isEnd = i == 0 || i == plan_.table.t.count() - 1;
     if (needsSeed(isEnd)) last_ = startOf(segment, i);
     const Weights weights = plan_.table.row(i);
@@ -192,7 +192,7 @@ void ComparedCurve::traceOn(int segment, int samples) {
   }
 }
 
-/// What was found, or where the search failed and the method starts again, what it found then.
+/// The result of the search, or after a failure that of the method's restarts.
 CenterOfMass ComparedCurve::centerAgain(int segment, Weights weights, bool isEnd,
                                         CenterOfMass found) {
   const ComparedOptions& options = method_.options();
@@ -220,7 +220,7 @@ CenterOfMass ComparedCurve::center(int segment, Weights weights, const SurfacePo
   const int count = plan_.table.points;
   const bool authors = method_.options().seeds == Seeds::kAuthors;
   for (int k = 0; authors && k < count; ++k) {
-    // Their program takes the ends of a Bezier curve from its control points.
+    // The authors' program takes the ends of a Bezier curve from its control points.
     if (weights[static_cast<size_t>(k)] == 1) return {plan_.points[first + k]};
   }
   switch (method_.options().method) {

@@ -10,10 +10,10 @@
 #include "peers/log_map_mean.h"
 #include "peers/weighted_averages.h"
 
-/// Curves by every method that is compared, our own and the paper's among them, behind the same
-/// steps: prepare the mesh, trace a curve, move a point. All take the same weights and start each
-/// search at the same points (`Seeds`), so that times and results can be set side by side. The
-/// paper's method and ours start again where they fail (`restarts`), as they do in the engine.
+/// Curves by every compared method, including our own and the paper's, in the same steps: prepare
+/// the mesh, trace a curve, move a point. All use the same weights and start each search at the
+/// same points (`Seeds`), so that times and results can be compared. The paper's method and ours
+/// restart after failures (`findRestarts`), as in the engine.
 namespace karcher {
 
 enum class ComparedMethod {
@@ -24,14 +24,14 @@ enum class ComparedMethod {
   kDescent,           ///< descent.h: two points only
 };
 
-/// Where the searches of a curve start.
+/// The starts of a curve's searches.
 enum class Seeds {
-  /// As the engine's (traceSegment): both ends of a segment at the control point of the largest
-  /// weight, other samples at the last one that converged.
+  /// As in the engine (traceSegment): both ends of a segment start at the control point of the
+  /// largest weight, other samples at the last one that converged.
   kHeaviest,
-  /// As in the program of the paper's authors: the first sample at the geodesic de Boor point
-  /// (repeatedAverage), as are those after it until one is found; then each at the last one that
-  /// was, through all segments, and never again.
+  /// As in the program of the paper's authors: samples start at the geodesic de Boor point
+  /// (repeatedAverage) until one is found, then each at the last one found, through all segments,
+  /// without restarts.
   kAuthors,
 };
 
@@ -43,11 +43,11 @@ struct ComparedOptions {
   AffineVariant variant = AffineVariant::kLocal;
   EmbeddingOptions embedding;                ///< of kWeightedAverages,
   Solver landmarkDistances = Solver::kFast;  ///< kFast or kExact
-  /// Called before the distances of each landmark; may throw to give up.
+  /// Called before the distances of each landmark; may throw to cancel.
   std::function<void(int landmarks)> progress;
 };
 
-/// What a method computes of a mesh once, for all curves on it.
+/// The data that a method computes once for a mesh and all curves on it.
 class PreparedMethod {
  public:
   /// The surface must outlive the method. Throws Error as the method does: kNoEmbedding,
@@ -86,24 +86,24 @@ class ComparedCurve {
   /// (descent of more than two points).
   ComparedCurve(PreparedMethod& method, ComparedPlan plan);
 
-  /// Replaces a control point: its segments are to be traced again. Throws Error kBadIndex.
+  /// Replaces a control point, whose segments must then be traced again. Throws Error kBadIndex.
   void movePoint(int i, const SurfacePoint& point);
 
-  /// Where the searches for a segment's ends start, instead of at the control point of the largest
+  /// Sets the start of searches for a segment's ends, instead of the control point of the largest
   /// weight.
   void startAt(const SurfacePoint& start) { start_ = start; }
 
-  /// The next step of what is left: the field of one point, or up to `samples` samples of a
-  /// segment. True when nothing is left. Throws Error as the method does.
+  /// Does the next step: the field of one point, or up to `samples` samples of a segment. Returns
+  /// true when nothing is left. Throws Error as the method does.
   bool advance(int samples);
 
   int segmentCount() const { return segments_.count(); }
   int samplesLeft() const;
-  /// Samples that a method's own authors would not have accepted either: for the heat methods those
-  /// beyond their library's tolerance (LogMapMean::metLibraryRule), for others those that did not
-  /// converge.
+  /// The number of samples that a method's own authors would not have accepted either: for the heat
+  /// methods those beyond their library's tolerance (LogMapMean::metLibraryRule), for others those
+  /// that did not converge.
   int lostByOwnRule() const;
-  /// Of the heat methods; null for others.
+  /// The mean of the heat methods; null for others.
   const LogMapMean* logMaps() const { return mean_.get(); }
   const Array<CurveSample>& samples(int segment) const { return segments_[segment]; }
 
@@ -122,11 +122,11 @@ class ComparedCurve {
   std::optional<SurfacePoint> start_;
   Array<Array<CurveSample>> segments_;  ///< as far as they are traced
   Array<int> lostByOwnRule_;            ///< a segment
-  Array<uint8_t> moved_;                ///< points whose field is to be made
+  Array<uint8_t> moved_;                ///< points whose fields are missing
   SurfacePoint last_;                   ///< where the next search starts
   bool hasFound_ = false;               ///< whether that is a sample that converged
   Array<std::unique_ptr<PointField>> fields_;
-  std::optional<FieldBlend> blend_;  ///< of the segment that is traced
+  std::optional<FieldBlend> blend_;  ///< of the current segment
   std::unique_ptr<LogMapMean> mean_;
   DescentPath path_;
 };

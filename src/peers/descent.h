@@ -7,9 +7,8 @@
 /// magenta path of Mancinelli and Puppo's Fig. 3.
 ///
 /// Distances are given at the vertices and linear in each face, so that their gradient is constant
-/// there. From the start the path runs against it from face to face; where two faces send it at
-/// their common edge from both sides it follows the edge, and at a vertex it takes the steepest
-/// way.
+/// there. From the start the path runs against it from face to face. It follows an edge to which
+/// both of its faces lead, and at a vertex it takes the steepest way.
 namespace karcher {
 
 enum class DescentStop {
@@ -19,18 +18,19 @@ enum class DescentStop {
 };
 
 struct DescentPath {
-  /// From the start on; consecutive points share a face.
+  /// The path's points from the start on; consecutive ones share a face.
   Array<SurfacePoint> points;
   double length = 0;
   DescentStop stop = DescentStop::kStuck;
 };
 
-/// The gradient of the linear interpolation of `values` (one a vertex) in face f, in its frame.
+/// The gradient of the linear interpolation of `values` (one for each vertex) in face f, in its
+/// frame.
 Vec2 faceGradient(const Geometry& geometry, const Array<double>& values, int f);
 
-/// Descends from `start` to `source`, to which `distances` (one a vertex) belong. They need be
-/// finite only where the path comes by, so that other components may have none.
-/// Throws Error: kBadArgument (not one distance a vertex), kNotFinite.
+/// Descends from `start` to `source`, to which `distances` (one for each vertex) belong. They must
+/// be finite only along the path, so that other components may have none. Throws Error:
+/// kBadArgument (not one distance a vertex), kNotFinite.
 DescentPath descendDistance(const Geometry& geometry, const Array<double>& distances,
                             const SurfacePoint& source, const SurfacePoint& start);
 

@@ -20,7 +20,7 @@ class Landmarks {
 
   int count() const { return vertices_.count(); }
   int vertex(int i) const { return vertices_[i]; }
-  /// Between landmark i and an earlier one.
+  /// The distance between landmark i and an earlier one.
   double distance(int i, int earlier) const { return distances_[i][earlier]; }
   bool contains(int v) const { return nearest_[v] == 0; }
 
@@ -78,8 +78,8 @@ Scaling scaleLandmarks(const Landmarks& landmarks) {
   return scaleDistances(distances, options);
 }
 
-/// The positions of all vertices that lower the sum of the squared Laplacians most, with those of
-/// the landmarks given.
+/// The positions of all vertices that minimize the sum of squared Laplacians for given positions of
+/// the landmarks.
 class LeastSquaresMesh {
  public:
   explicit LeastSquaresMesh(const Geometry& geometry) {
@@ -163,7 +163,7 @@ Array<int> foldedFaces(const TriangleMesh& mesh, const Embedding& embedding) {
   return folded;
 }
 
-/// A landmark at one corner of each folded face, but not at neighbours of new landmarks.
+/// Landmarks at one corner of each folded face, but not at neighbours of other new landmarks.
 Array<int> newLandmarks(const TriangleMesh& mesh, const Array<int>& folded,
                         const Landmarks& landmarks) {
   constexpr int kMostAtOnce = 100;

@@ -8,7 +8,7 @@
 #include "peers/sparse_factor.h"
 
 /// Short-time heat flow of scalars and of tangent vectors on a mesh, by one step of backward Euler,
-/// and the Poisson equation: what the vector heat and the affine heat method have in common.
+/// and the Poisson equation, which the vector heat and the affine heat method share.
 ///
 /// N. Sharp, Y. Soliman, K. Crane, "The Vector Heat Method" (2019): cotangent and connection
 /// Laplacian (section 5), lumped mass, time t = (mean edge length)^2 (section 7.4).
@@ -19,13 +19,13 @@ struct HeatOptions {
   bool delaunay = false;  ///< use the intrinsic Delaunay triangulation of the surface
 };
 
-/// An edge of the triangulation with what its entries in the operators are made of.
+/// An edge of the triangulation with the parts of its entries in the operators.
 struct HeatEdge {
   int tail = 0;
   int head = 0;
   double weight = 0;  ///< half the sum of the cotangents opposite to it
   Complex atTail;     ///< the edge as a vector from its tail, in the frame of the tail
-  Complex atHead;     ///< the way back, from its head, in the frame of the head
+  Complex atHead;     ///< the reversed edge from its head, in the frame of the head
 };
 
 class HeatOperators {
@@ -39,16 +39,16 @@ class HeatOperators {
   int vertexCount() const { return triangulation_.vertexCount(); }
   const Array<HeatEdge>& edges() const { return edges_; }
   double time() const { return time_; }
-  /// Per vertex a third of the area around it.
+  /// A third of the area around each vertex.
   const Array<double>& mass() const { return mass_; }
   /// The lower triangle of the cotangent Laplacian, positive semidefinite.
   Eigen::SparseMatrix<double> laplacian() const { return scalarMatrix(0, 1); }
 
-  /// The half-edges that leave a vertex in the triangulation: one a corner.
+  /// The half-edges that leave a vertex in the triangulation, one for each corner.
   std::span<const int> halfedgesFrom(int vertex) const;
 
-  /// Mass + t Laplacian for functions, factorised when first asked for. These factors throw Error
-  /// kDegenerateFace where the matrix is singular.
+  /// Mass + t Laplacian for functions, factorised on first use. These factors throw Error
+  /// kDegenerateFace if the matrix is singular.
   const SparseFactor<double>& scalarHeat() const;
   /// Mass + t connection Laplacian, for vectors in the vertices' frames.
   const SparseFactor<Complex>& vectorHeat() const;
@@ -76,7 +76,7 @@ class HeatOperators {
   mutable std::optional<SparseFactor<double>> poisson_;
 };
 
-/// Heat below this is lost to underflow: the vertex is too far away to tell a direction.
+/// Heat below this is lost to underflow: the vertex is too far away for a direction.
 inline constexpr double kLeastHeat = 1e-290;
 
 inline Vec2 toVec2(const Complex& z) { return {z.real(), z.imag()}; }

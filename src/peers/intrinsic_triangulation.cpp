@@ -20,14 +20,14 @@ Vec2 apexOver(const IntrinsicTriangulation& triangulation, int h) {
 }
 
 bool isDelaunay(const IntrinsicTriangulation& triangulation, int h) {
-  // Rounding must not let two flips of a square's diagonal undo each other for ever.
+  // Rounding must not let two flips of a square's diagonal undo each other forever.
   constexpr double kTolerance = 1e-9;
   const int t = triangulation.twin[h];
   if (t < 0 || faceOf(t) == faceOf(h)) return true;
   return oppositeCotangent(triangulation, h) + oppositeCotangent(triangulation, t) >= -kTolerance;
 }
 
-/// Moves the data of half-edge `from` to the place `to`, all but its twin's link back.
+/// Moves the data of half-edge `from` to the place `to`, except for its twin's link back.
 void moveHalfedge(IntrinsicTriangulation& triangulation, int from, int to) {
   triangulation.tail[to] = triangulation.tail[from];
   triangulation.length[to] = triangulation.length[from];

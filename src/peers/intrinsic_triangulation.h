@@ -4,11 +4,11 @@
 
 #include "intrinsic/geometry.h"
 
-/// A triangulation of a surface known by its edge lengths alone: the mesh itself, or the intrinsic
+/// A triangulation of a surface given by its edge lengths alone: the mesh itself, or the intrinsic
 /// Delaunay triangulation, which has the same vertices and metric but other edges.
 ///
-/// Edges are flipped, and the directions in which they leave their vertices kept, after N. Sharp,
-/// Y. Soliman, K. Crane, "The Vector Heat Method" (2019), section 5.4.
+/// Edges are flipped, and the directions in which they leave their vertices are kept, after N.
+/// Sharp, Y. Soliman, K. Crane, "The Vector Heat Method" (2019), section 5.4.
 namespace karcher {
 
 /// A tangent vector as a complex number.
@@ -31,8 +31,8 @@ struct IntrinsicTriangulation {
 /// The mesh's own triangles. The geometry must outlive the result.
 IntrinsicTriangulation meshTriangulation(const Geometry& geometry);
 
-/// Flips edges until the angles opposite to each sum to at most pi, or 100 flips an edge were made.
-/// Returns the number of flips.
+/// Flips edges until the angles opposite to each sum to at most pi, or until 100 flips for each
+/// edge. Returns the number of flips.
 int makeDelaunay(IntrinsicTriangulation& triangulation);
 
 /// Twice the area of face f.
@@ -47,7 +47,7 @@ double oppositeCotangent(const IntrinsicTriangulation& triangulation, int h);
 /// Half-edge h as a vector in the rescaled frame of its tail.
 Complex vectorAtTail(const IntrinsicTriangulation& triangulation, int h);
 
-/// The way back along half-edge h, from head to tail, in the rescaled frame of its head.
+/// The reversed half-edge h, from head to tail, in the rescaled frame of its head.
 Complex vectorAtHead(const IntrinsicTriangulation& triangulation, int h);
 
 }  // namespace karcher

@@ -29,7 +29,7 @@ void LogMapMean::movePoint(int i, const SurfacePoint& point) {
     if (!known.whole.empty() && known.ofPoints[i].allFinite()) {
       ++at;
     } else {
-      // Where the point has no logarithm, the search that asks for it is to say so.
+      // If the point has no logarithm, the search that needs it reports that.
       keptBytes_ -= known.whole.size() * sizeof(Vec2);
       at = known_.erase(at);
     }

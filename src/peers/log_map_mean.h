@@ -13,13 +13,14 @@ namespace karcher {
 struct LogMapMeanOptions {
   double tolerance = 1e-6;  ///< of the weighted sum of logarithms, in mean edges
   int maxIterations = 100;
-  /// Of log maps that are kept whole for points that move. Each takes 16 bytes a vertex.
+  /// The memory for whole log maps, which are kept for points that move. Each takes 16 bytes for
+  /// each vertex.
   size_t mostBytes = size_t{1} << 29;
 };
 
 /// The center of mass of control points that stay the same for many weights. A log map is computed
-/// once for each vertex that a search comes by. It does not depend on the control points, and is
-/// kept whole while memory lasts: where a point moves, its logarithms are looked up.
+/// once for each vertex that a search visits. It does not depend on the control points and is kept
+/// whole while memory lasts, so that the logarithms of a moved point are looked up.
 class LogMapMean {
  public:
   /// The geometry must outlive the mean.
@@ -29,26 +30,25 @@ class LogMapMean {
   /// Replaces the control points and forgets all log maps.
   void setPoints(Array<SurfacePoint> points);
 
-  /// Replaces control point i, which must be there. Forgotten are the log maps that were not kept
-  /// whole.
+  /// Replaces control point i, which must exist. Discards log maps that were not kept whole.
   void movePoint(int i, const SurfacePoint& point);
 
-  /// The weights should sum to 1. Statuses: kConverged; kNoProgress where no step lowers the energy
-  /// or the weighted sum (log maps of neighbouring faces do not quite agree, and a zero may lie in
-  /// between); kBoundary for that at the boundary; kLimit.
-  /// Throws Error: kBadWeights if there is not one weight a point, kUnreachable if a control point
-  /// has no logarithm where the search stands.
+  /// The weights should sum to 1. Statuses: kConverged; kNoProgress if no step lowers the energy or
+  /// the weighted sum (log maps of neighbouring faces do not quite agree, and a zero may lie in
+  /// between); kBoundary for that at the boundary; kLimit. Throws Error: kBadWeights if there is
+  /// not one weight for each point, kUnreachable if a control point has no logarithm at the place
+  /// of the search.
   CenterOfMass centerOfMass(Weights weights, const SurfacePoint& start);
 
-  /// Whether the last search ended where the authors' library would have stopped: where the
-  /// weighted sum is shorter than a third of the root of the face's area (geometry-central,
-  /// findCenter).
+  /// Whether the last search met the stopping rule of the authors' library: a weighted sum shorter
+  /// than a third of the root of the face's area (geometry-central, findCenter).
   bool metLibraryRule() const { return metLibraryRule_; }
 
-  /// How many log maps were computed since the points were set.
+  /// The number of log maps computed since the points were set.
   int logMapCount() const { return logMapCount_; }
 
-  /// How many were asked for: so many the authors' library would have computed, which keeps none.
+  /// The number of log maps used, which the authors' library would have computed, since it keeps
+  /// none.
   int64_t logMapsAsked() const { return logMapsAsked_; }
 
  private:
@@ -59,7 +59,7 @@ class LogMapMean {
     double energy = 0;
   };
 
-  /// What is known of the log map from a vertex.
+  /// The kept data of the log map from a vertex.
   struct KnownMap {
     LogMap whole;          ///< empty if there was no memory for it
     Array<Vec2> ofPoints;  ///< the logarithms of the control points

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-/// Metric multidimensional scaling: points in a Euclidean space whose distances come near given
+/// Metric multidimensional scaling: points in a Euclidean space whose distances approximate given
 /// ones. The sum of the squared relative errors is lowered by majorization, from a start by
 /// classical scaling (J. de Leeuw, "Applications of convex analysis to multidimensional scaling",
 /// 1977; T. Cox, M. Cox, "Multidimensional Scaling", 2000).
@@ -15,7 +15,7 @@ struct ScalingOptions {
 };
 
 struct Scaling {
-  Eigen::MatrixXd positions;  ///< a row a point, centered
+  Eigen::MatrixXd positions;  ///< a row for each point, centered
   double stress = 0;          ///< root mean square of the distances' relative errors
   int iterations = 0;
 };

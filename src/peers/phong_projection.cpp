@@ -35,9 +35,10 @@ Complex turnBetween(const TangentPlane& from, const TangentPlane& to) {
   return size > 0 ? turn / size : Complex(1);
 }
 
-/// Of the planes at the corners: along each edge they are blended linearly, and the blends of the
-/// three edges by the products of their ends' weights. first[k] belongs to corner k in the blend of
-/// the edge from k to k + 1, second[k] in that of the edge from k - 1 to k. All sum to 1.
+/// The weights of the planes at the corners. Along each edge two planes are blended linearly, and
+/// the blends of the three edges by the products of their ends' weights. first[k] belongs to corner
+/// k in the blend of the edge from k to k + 1, second[k] in that of the edge from k - 1 to k. All
+/// sum to 1.
 struct BlendWeights {
   Vec3 first;
   Vec3 second;
@@ -147,8 +148,8 @@ PhongSurface::Patch PhongSurface::patchOf(int f) const {
     turn[k] = turnBetween(planes_[mesh_.corner(f, k)], planes_[mesh_.corner(f, (k + 1) % 3)]);
     around *= turn[k];
   }
-  // Once around the face the turns do not quite cancel: what is left is shared by the corners, at
-  // each of which the blends of two edges meet.
+  // Once around the face the rotations do not quite cancel. The corners, at each of which the
+  // blends of two edges meet, share the rest.
   const Complex share = std::polar(1.0, -std::arg(around) / 3);
   Complex edgeTurn[3];
   edgeTurn[0] = 1;

@@ -10,8 +10,8 @@
 ///
 /// A mesh embedded in eight dimensions has a tangent plane at each vertex, and between them planes
 /// that change continuously over the surface. A point of the space projects to the point of the
-/// mesh whose plane is orthogonal to the line between them. Other than the nearest point, this
-/// depends on the point smoothly.
+/// mesh whose plane is orthogonal to the line between them. Unlike the nearest point, this depends
+/// smoothly on the point.
 namespace karcher {
 
 inline constexpr int kEmbeddingDimensions = 8;
@@ -19,12 +19,12 @@ using EmbeddedPoint = Eigen::Matrix<double, kEmbeddingDimensions, 1>;
 /// Two orthonormal rows.
 using TangentPlane = Eigen::Matrix<double, 2, kEmbeddingDimensions>;
 
-/// Per vertex the plane that fits its edges best, oriented as the mesh: the images of the edges
-/// against their lengths and directions in the vertex's frame, by least squares.
+/// The plane at each vertex that fits its edges best, oriented as the mesh: a least-squares fit of
+/// the edges' images to their lengths and directions in the vertex's frame.
 Array<TangentPlane> tangentPlanes(const Geometry& geometry, const Array<EmbeddedPoint>& positions);
 
-/// Whether face f is turned over, or has no area, as seen in the tangent plane of one of its
-/// corners: there projections are not unique.
+/// Whether face f is turned over, or has no area, in the tangent plane of one of its corners, so
+/// that projections are not unique.
 bool isFolded(const TriangleMesh& mesh, const Array<EmbeddedPoint>& positions,
               const Array<TangentPlane>& planes, int f);
 
@@ -39,13 +39,13 @@ class PhongSurface {
   /// The blended tangent plane at a point: orthonormal rows.
   TangentPlane planeAt(const SurfacePoint& point) const;
 
-  /// The projection of p, searched from face to face and then around the nearest vertex; none where
-  /// it lies off the boundary or no face has one.
+  /// The projection of p, searched from face to face and then around the nearest vertex; none if it
+  /// lies off the boundary or no face has one.
   std::optional<SurfacePoint> project(const EmbeddedPoint& p, const SurfacePoint& start) const;
 
  private:
-  /// A face as Newton's method sees it, from its corner 0: all in the planes of its corners, whose
-  /// two coordinates are taken for a complex number.
+  /// A face in the coordinates of Newton's method, relative to its corner 0, in the planes of its
+  /// corners, whose two coordinates form a complex number.
   struct Patch {
     Complex turnFirst[3];   ///< turns the plane of corner k into the frame of the blend along the
                             ///< edge from k on
@@ -55,7 +55,8 @@ class PhongSurface {
   };
   struct FaceProjection {
     Vec3 bary;
-    bool found = false;  ///< in the face; else the bary tells on which side to go on
+    bool found = false;  ///< whether it is in the face; else the sign of bary gives the side on
+                         ///< which to continue
   };
 
   Patch patchOf(int f) const;

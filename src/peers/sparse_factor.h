@@ -10,11 +10,11 @@
 /// A sparse Hermitian matrix factorised once and solved with many times.
 ///
 /// The factor L D L* is Eigen's (simplicial, approximate minimum degree ordering, no pivoting). The
-/// triangular solves are done here, for several right-hand sides in one pass over L, which is what
-/// they cost: L does not fit into the cache.
+/// triangular solves here handle several right-hand sides in one pass over L, which takes most of
+/// the time, since L does not fit into the cache.
 namespace karcher {
 
-/// Right-hand sides, or solutions: those of one row lie side by side.
+/// Right-hand sides, or solutions; the values of one row are adjacent.
 template <class Scalar, int kColumns>
 using Columns = Eigen::Matrix<Scalar, Eigen::Dynamic, kColumns,
                               kColumns == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
@@ -78,7 +78,7 @@ class SparseFactor {
     return Eigen::Map<const Row<kColumns>>(x.data() + static_cast<ptrdiff_t>(i) * kColumns);
   }
 
-  // Complex products are written out, since the language's own look for infinities.
+  // Complex products are written out, since the language's own check for infinities.
   template <int kColumns>
   static void subtractProduct(Columns<Scalar, kColumns>& x, int i, const Scalar& a,
                               const Row<kColumns>& b) {

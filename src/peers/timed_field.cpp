@@ -6,7 +6,7 @@
 namespace karcher {
 namespace {
 
-/// From vertex to vertex, so that only the neighbourhood is looked at.
+/// Searches from vertex to vertex, so that only the neighbourhood is visited.
 Array<int> verticesWithin(const TriangleMesh& mesh, PointField& field, double radius) {
   Array<int> stack;
   std::unordered_set<int> seen;

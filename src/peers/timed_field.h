@@ -4,8 +4,8 @@
 
 namespace karcher {
 
-/// A field of log vectors and all vertices within a radius of its point: what benchmarks time, in
-/// native code and in WebAssembly.
+/// A field of log vectors and all vertices within a radius of its point, for benchmarks in native
+/// code and in WebAssembly.
 class TimedField {
  public:
   /// The surface must outlive the field.
@@ -14,7 +14,7 @@ class TimedField {
 
   int vertexCount() const { return within_.count(); }
 
-  /// Makes the field anew and reads it at these vertices, as a curve does.
+  /// Computes the field again and reads it at these vertices, as a curve does.
   void read();
 
  private:

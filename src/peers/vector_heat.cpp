@@ -3,9 +3,9 @@
 namespace karcher {
 namespace {
 
-/// What the two hat functions at the far ends of a corner take up of the outward directions on a
-/// small circle in it: the integral over the corner of the hat's slope times the direction, in a
-/// plane with the corner's first side on the x axis.
+/// The coefficients, for the two hat functions at the far ends of a corner, of the outward
+/// directions on a small circle in it: the integral over the corner of the hat's slope times the
+/// direction, in a plane with the corner's first side on the x axis.
 struct CornerBall {
   Complex first;   ///< of the hat at the end of the first side
   Complex second;  ///< of the hat at the end of the second side

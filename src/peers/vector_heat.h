@@ -12,17 +12,17 @@
 /// Laplacian. From a vertex, heat that starts as all outward directions at once gives the direction
 /// in which shortest paths arrive (the radial field); heat that starts as one direction transports
 /// the vertex's own x axis. The angle between the two is the angle of the logarithm; its length is
-/// the potential whose gradient comes nearest to the radial field.
+/// the potential whose gradient is nearest to the radial field.
 namespace karcher {
 
-/// Per vertex its logarithm. Where there is none, on another component or so far away that the heat
-/// underflows (700 mean edges), it is (kInfinity, 0).
+/// The logarithm of each vertex; (kInfinity, 0) if it is on another component or so far away that
+/// the heat underflows (700 mean edges).
 using LogMap = Array<Vec2>;
 
 inline Vec2 noLogarithm() { return {kInfinity, 0}; }
 
 /// The log map from a vertex, in its own rescaled frame (section 8.2 of the paper; the start of the
-/// radial field as in its appendix A). Two solves with vectors and one with functions.
+/// radial field as in its appendix A). It takes two solves with vectors and one with functions.
 LogMap vectorHeatLogMap(const HeatOperators& operators, int vertex);
 
 /// A log map from each vertex, such as vectorHeatLogMap of some operators.

@@ -6,10 +6,10 @@
 /// Weighted averages on surfaces: D. Panozzo, I. Baran, O. Diamanti, O. Sorkine-Hornung, "Weighted
 /// Averages on Surfaces", ACM Transactions on Graphics 32 (2013).
 ///
-/// The mesh is embedded in eight dimensions so that straight distances come near geodesic ones
-/// (embedding.h). There points are averaged as they are, and the average is brought back to the
-/// surface by Phong projection (phong_projection.h). All work is done beforehand: an average takes
-/// microseconds, and so does the inverse, the weights that average to a point.
+/// The mesh is embedded in eight dimensions so that straight distances approximate geodesic ones
+/// (embedding.h). There points are averaged linearly, and Phong projection (phong_projection.h)
+/// returns the average to the surface. After the preparation, an average takes microseconds, and so
+/// does the inverse, the weights that average to a point.
 namespace karcher {
 
 class WeightedAverages {
@@ -17,17 +17,17 @@ class WeightedAverages {
   /// The mesh must outlive the averages.
   WeightedAverages(const TriangleMesh& mesh, Embedding embedding);
 
-  /// The forward problem (section 4). The weights should sum to 1. kNoProgress where the average
-  /// has no projection, as off the boundary. Throws Error kBadWeights if there is not one weight a
-  /// point.
+  /// The forward problem (section 4). The weights should sum to 1. The status is kNoProgress if the
+  /// average has no projection, for example off the boundary. Throws Error kBadWeights if there is
+  /// not one weight for each point.
   CenterOfMass centerOfMass(const Array<SurfacePoint>& points, Weights weights,
                             const SurfacePoint& start) const;
 
-  /// The inverse problem (section 5): weights, summing to 1, whose average projects to `target`. Of
-  /// all such, those with the smallest squares, each weight counted by its point's squared distance
-  /// from the target, in which the part across the tangent plane counts tenfold.
-  /// Throws Error: kTooFewPoints (fewer than 3), kBadArgument where the points lie in one line as
-  /// seen from the target.
+  /// The inverse problem (section 5): weights, summing to 1, whose average projects to `target`.
+  /// Among these, they have the least sum of squares, each multiplied by its point's squared
+  /// distance from the target, in which the part across the tangent plane counts tenfold. Throws
+  /// Error: kTooFewPoints (fewer than 3), kBadArgument if the points lie on one line as seen from
+  /// the target.
   Array<double> weightsOf(const Array<SurfacePoint>& points, const SurfacePoint& target) const;
 
  private:
