@@ -1,4 +1,4 @@
-// Two sittings of people who use the page for the first time, each step with the mouse and the keys that
+// Three sittings of people who use the page for the first time, each step with the mouse and the keys that
 // they would use. `tell` is called after each step with its name.
 import assert from 'node:assert/strict';
 import bunny from 'bunny';
@@ -176,4 +176,141 @@ export async function seamSitting(tab, tell = async () => {}) {
   const { text } = await tab.save('SVG');
   assert.match(text, /stroke="#c81e5b".*stroke-width="8"/);
   assert.match(text, /stroke="#0e7c9e"/);
+}
+
+/** A vase that is turned on a wheel, without its bottom: foot, belly, neck and lip, 240 mm high. */
+function vaseFile(around = 96, along = 70) {
+  const radius = (t) =>
+    45 + 42 * Math.sin(Math.PI * t) ** 2 * (1 - 0.35 * t) - 16 * t ** 3 + 22 * t ** 12;
+  const lines = [];
+  for (let j = 0; j <= along; j++) {
+    for (let i = 0; i < around; i++) {
+      const [t, angle] = [j / along, (2 * Math.PI * i) / around];
+      lines.push(`v ${radius(t) * Math.sin(angle)} ${240 * t} ${radius(t) * Math.cos(angle)}`);
+    }
+  }
+  const at = (i, j) => 1 + (i % around) + around * j;
+  for (let j = 0; j < along; j++) {
+    for (let i = 0; i < around; i++) {
+      lines.push(`f ${at(i, j)} ${at(i + 1, j)} ${at(i + 1, j + 1)} ${at(i, j + 1)}`);
+    }
+  }
+  return { name: 'vase.obj', mimeType: 'model/obj', buffer: Buffer.from(lines.join('\n')) };
+}
+
+const placeOf = ({ face, bary }, { positions, triangles }) =>
+  [0, 1, 2].map((axis) =>
+    bary.reduce(
+      (sum, weight, i) => sum + weight * positions[3 * triangles[3 * face + i] + axis],
+      0,
+    ),
+  );
+
+/** A poster: a heart in a ring of dots, evenly spaced round a vase, colored, and saved as SVG and PNG. */
+export async function posterSitting(tab, tell = async () => {}) {
+  const { page } = tab;
+  await page.locator('#tour-skip').click();
+  const choosing = page.waitForEvent('filechooser');
+  await (await control(tab, '#open')).click();
+  await (await choosing).setFiles(vaseFile());
+  await page.waitForFunction(() => window.karcherPage.state().mesh.endsWith('vase.obj'));
+  await tab.settled();
+  await tab.still();
+  await tell('vase');
+
+  // Half of a heart; the other half is its mirror image in the vase's symmetry.
+  await page.locator('#tool-pen').click();
+  await clickAt(tab, [0, 0.34]);
+  await dragAt(tab, [0.22, 0.06], [0.24, -0.06]);
+  await dragAt(tab, [0.1, -0.1], [0.02, -0.1]);
+  await clickAt(tab, [0, 0]);
+  await page.keyboard.press('Enter');
+  await tab.settled();
+  await page.locator('#tool-select').click();
+  await clickAt(tab, [0.22, 0.06]);
+  await tell('half');
+  await (await control(tab, '#mirror')).click();
+  await (await control(tab, '#mirror-in')).selectOption('symmetry');
+  await (await control(tab, '#mirror-copies')).check();
+  await page.locator('#mirror-now').waitFor();
+  await tell('symmetry');
+  await (await control(tab, '#mirror-now')).click();
+  await page.waitForFunction(() => window.karcherPage.state().drawing.objects.length === 2);
+  await tab.settled();
+  // The half ends in the middle of the view: there the other one begins.
+  const mesh = await tab.mesh();
+  const [left, right] = (await tab.state()).drawing.objects.map(({ figure }) =>
+    [0, -1].map((end) => placeOf(figure.points.at(end), mesh)),
+  );
+  for (const end of [0, 1]) {
+    const gap = Math.hypot(...left[end].map((value, axis) => value - right[end][axis]));
+    assert.ok(gap < 1, `the halves are ${gap} mm apart`);
+  }
+  await page.locator('#tool-select').click();
+  await page.locator('#stage').focus();
+  await page.keyboard.press('Control+a');
+  await (await control(tab, '.swatch[title="Pink"]')).click();
+  await (await control(tab, '#width')).fill('7');
+  await page.keyboard.press('Enter');
+  await tab.settled();
+  await tell('heart');
+
+  // Dots in a row below the lip, spaced evenly.
+  await page.locator('#stage').focus();
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Escape');
+  await page.locator('#tool-circle').click();
+  for (const [x, y] of [
+    [-0.3, -0.4],
+    [-0.16, -0.46],
+    [0.04, -0.42],
+    [0.12, -0.44],
+    [0.3, -0.42],
+  ]) {
+    await dragAt(tab, [x, y], [x + 0.035, y]);
+    await page.keyboard.press('Enter');
+  }
+  await tab.settled();
+  await tell('dots');
+  await page.locator('#tool-select').click();
+  const box = async (from, to) => {
+    await page.keyboard.down('Shift');
+    await dragAt(tab, from, to);
+    await page.keyboard.up('Shift');
+  };
+  await page.keyboard.press('Escape');
+  await box([-0.95, -0.6], [0.95, -0.3]);
+  const { chosen } = await tab.state();
+  await tell('chosen');
+  assert.equal(chosen.length, 5, 'all dots are selected');
+  const before = JSON.stringify((await tab.state()).drawing);
+  const { x, y } = await placeOn(tab, [0.12, -0.44]);
+  await page.mouse.click(x + 4, y, { button: 'right' });
+  await page.getByRole('menuitem', { name: 'Space evenly on a line', exact: true }).click();
+  await page.waitForFunction(
+    (text) => JSON.stringify(window.karcherPage.state().drawing) !== text,
+    before,
+  );
+  await tab.settled();
+  await (await control(tab, '.swatch[title="Teal"]')).click();
+  await (await control(tab, '#fill')).fill('100');
+  await page.keyboard.press('Enter');
+  await tab.settled();
+  await tell('even');
+  await page.locator('#stage').focus();
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Escape');
+  await tab.settled();
+  await tab.still();
+  await tell('poster');
+
+  const { name, text } = await tab.save('SVG');
+  assert.match(name, /\.svg$/);
+  assert.equal((text.match(/stroke="#c81e5b"/g) ?? []).length, 2);
+  assert.equal((text.match(/stroke="#0e7c9e"/g) ?? []).length, 5);
+  const coming = page.waitForEvent('download');
+  await page.locator('#save').click();
+  await page.getByRole('menuitem', { name: 'PNG' }).first().click();
+  const picture = await coming;
+  assert.match(picture.suggestedFilename(), /\.png$/);
 }

@@ -1,12 +1,13 @@
-// What two people do in their first half hour, from the first look to the file that they take away.
+// What three people do in their first half hour, from the first look to the file that they take away.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { part } from './part.mjs';
-import { scanSitting, seamSitting, sitDown, windows } from './sittings.mjs';
+import { posterSitting, scanSitting, seamSitting, sitDown, windows } from './sittings.mjs';
 
 const cases = ['laptop', 'phone'].flatMap((size) => [
   { size, name: 'scan', sitting: scanSitting },
   { size, name: 'seam', sitting: seamSitting },
+  { size, name: 'poster', sitting: posterSitting },
 ]);
 
 for (const { size, name, sitting } of part(cases, 2)) {

@@ -20,30 +20,20 @@ const apartAtMost = 0.02;
 /** The scene's diagonal. */
 const diagonal = 2;
 
-const found = new WeakMap<Surface, Promise<Symmetry | null>>();
-/** From the left to the right as one first sees it, to the front, and up. */
-const preferred = [
-  [1, 0, 0],
-  [0, 0, 1],
-  [0, 1, 0],
-] as const;
-
-/** The plane in which the surface is its own mirror image, in the scene, and how far its sides differ, as a part of its diagonal. */
-export function planeOfSymmetry(surface: Surface): Promise<Symmetry | null> {
-  const known = found.get(surface);
-  if (known) return known;
+/**
+ * The plane in which the surface is its own mirror image, in the scene, and how far its sides differ, as a part of
+ * its diagonal. A vase has many: of those the one is taken that is seen edge-on, its normal to the right.
+ */
+export async function planeOfSymmetry(surface: Surface, right: Vector3): Promise<Symmetry | null> {
   const pause = () => new Promise<void>((resolve) => setTimeout(resolve));
-  const search = symmetryOf(
+  const symmetry = await symmetryOf(
     samplesOf(surface, 600),
     nearestPlaceOf(surface),
-    preferred.map(([x, y, z]) => [x, y, z]),
+    [right.toArray(), [1, 0, 0], [0, 0, 1], [0, 1, 0]],
     pause,
-  ).then((symmetry) => {
-    if (!symmetry || symmetry.apart > apartAtMost * diagonal) return null;
-    return { ...symmetry, apart: symmetry.apart / diagonal };
-  });
-  found.set(surface, search);
-  return search;
+  );
+  if (!symmetry || symmetry.apart > apartAtMost * diagonal) return null;
+  return { ...symmetry, apart: symmetry.apart / diagonal };
 }
 
 /** The figures of objects mirrored in a plane of the scene, each point to the place nearest to its image; null where that is far. */

@@ -195,7 +195,7 @@ export class MirrorTool {
   async #findSymmetry(): Promise<void> {
     const { surface } = this.viewer;
     if (!surface) return;
-    const symmetry = await planeOfSymmetry(surface);
+    const symmetry = await planeOfSymmetry(surface, surface.directionInScene(this.viewer.right));
     const { tool } = this.editor.state;
     if (tool !== 'mirror' || this.#in !== 'symmetry' || this.viewer.surface !== surface) return;
     [this.#symmetry, this.#of] = [symmetry, surface];
