@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import fc from 'fast-check';
 import { openBrowser, Tab } from './browser.mjs';
+import { Dropping, dropStep } from './dropping.mjs';
 import { long, seed } from './part.mjs';
 
 /** A place of the stage, from its middle: mostly on the surface. */
@@ -57,6 +58,7 @@ const step = fc.oneof(
     }),
   },
   { weight: 2, arbitrary: fc.record({ do: fc.constant('undo and redo') }) },
+  { weight: 2, arbitrary: dropStep },
 );
 
 const steps = 100;
@@ -141,7 +143,7 @@ describe('a walk', () => {
   });
   after(() => browser.close());
 
-  async function take(tab, taken) {
+  async function take(tab, taken, dropping) {
     const { page } = tab;
     const { x, y } = await tab.middle();
     const at = ([dx, dy]) => ({ x: x + dx, y: y + dy });
@@ -189,6 +191,7 @@ describe('a walk', () => {
         await tab.settled();
         await page.locator('#redo').click();
       },
+      drop: () => dropping.take(taken),
     };
     await todo[taken.do]();
     await tab.settled();
@@ -197,6 +200,7 @@ describe('a walk', () => {
   for (const [run, walk] of walks.entries()) {
     test(`over everything: one selection is told everywhere, KARCHER_SEED=${seed}, walk ${run}`, async () => {
       const tab = await Tab.open(browser, 'mesh=sphere:500');
+      const dropping = new Dropping(tab);
       const way = [];
       let before = await tab.page.evaluate(said);
       for (const taken of walk) {
@@ -204,7 +208,7 @@ describe('a walk', () => {
         if (makes && before.count >= mostObjects) continue;
         way.push(JSON.stringify(taken));
         const told = () => `after step ${way.length}:\n${way.slice(-8).join('\n')}`;
-        await take(tab, taken);
+        await take(tab, taken, dropping);
         const now = await tab.page.evaluate(said);
         for (const [what, [is, should]] of Object.entries(now.checks)) {
           assert.deepEqual(is, should, `${what} ${told()}`);

@@ -1,0 +1,104 @@
+// Drops of files for walks over the page: surfaces, several at once, and what is none. The page says what it did with
+// each, and a surface that comes back has the drawing that it was left with.
+import assert from 'node:assert/strict';
+import fc from 'fast-check';
+import { box, cutBox, encode, objFile, plyFile } from '../wasm/mesh_files.mjs';
+
+/** Of which there are few, so that walks come back to them. */
+const surfaces = [
+  ['box.obj', objFile(box)],
+  ['cut box.obj', objFile(cutBox)],
+  ['box.ply', plyFile(box)],
+];
+const picture = Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a);
+
+export const dropStep = fc.record({
+  do: fc.constant('drop'),
+  what: fc.constantFrom(
+    'surface',
+    'surface',
+    'bad',
+    'none',
+    'mixed',
+    'several',
+    'several, none chosen',
+  ),
+  which: fc.nat({ max: surfaces.length - 1 }),
+  during: fc.boolean(),
+});
+
+/** What a walk remembers of its drops. */
+export class Dropping {
+  #count = 0;
+  /** By surface, the drawing that was on it when another one was opened. */
+  #left = new Map();
+
+  constructor(tab) {
+    this.tab = tab;
+  }
+
+  /** Drops files, in the middle of a drag where the step says so, and waits until the page says what it did. */
+  async take({ what, which, during }) {
+    const { tab } = this;
+    const { page } = tab;
+    const number = ++this.#count;
+    if (during) {
+      const { x, y } = await tab.middle();
+      await page.mouse.move(x - 30, y);
+      await page.mouse.down();
+      await page.mouse.move(x + 30, y + 20, { steps: 3 });
+      await this.#drop(what, which, number, () => page.mouse.up());
+    } else {
+      await this.#drop(what, which, number, async () => {});
+    }
+  }
+
+  async #drop(what, which, number, release) {
+    const { tab } = this;
+    const { page } = tab;
+    const says = (text) => page.getByText(text).first().waitFor();
+    const before = await tab.state();
+    const [name, bytes] = surfaces.filter(([one]) => !before.mesh.endsWith(`:${one}`))[
+      which % (surfaces.length - 1)
+    ];
+    const bad = [`picture ${number}.ply`, picture];
+    const none = [`notes ${number}.txt`, encode('hello')];
+    const dialog = page.getByRole('dialog', { name: 'Which one is to be opened?' });
+    const files = {
+      surface: [[name, bytes]],
+      bad: [bad],
+      none: [none],
+      mixed: [none, [name, bytes]],
+      several: surfaces,
+      'several, none chosen': surfaces,
+    }[what];
+    await tab.dropFiles(files);
+    await release();
+    if (what === 'bad') await says(`${bad[0]} could not be opened`);
+    if (what === 'none' || what === 'mixed') await says(`${none[0]} is no surface or drawing`);
+    if (what.startsWith('several')) {
+      await dialog.waitFor();
+      if (what === 'several') await dialog.getByRole('button', { name, exact: true }).click();
+      else await page.keyboard.press('Escape');
+      await dialog.waitFor({ state: 'hidden' });
+    }
+    if (['surface', 'mixed', 'several'].includes(what)) {
+      await page.waitForFunction(
+        (ending) => window.karcherPage?.state().mesh.endsWith(ending),
+        `:${name}`,
+      );
+      await tab.settled();
+      const now = await tab.state();
+      // A drag ends, on either surface, when its button is let go.
+      this.#left.set(before.mesh, before.drawing);
+      if (this.#left.has(now.mesh)) assert.deepEqual(now.drawing, this.#left.get(now.mesh), name);
+    } else {
+      await tab.settled();
+      assert.equal(
+        (await tab.state()).mesh,
+        before.mesh,
+        'what is no surface leaves the one that is shown',
+      );
+    }
+  }
+}
