@@ -17,24 +17,24 @@ namespace {
 /// 8.7e-4 of its radius high.
 constexpr double kLongestSide = 1.0 / 12;
 
-/// And this part of it where more than one point of the isoline lies on a side, as in the tip of a
-/// gap: what is cut off there by a chord is off by half of it.
+/// The same where several points of the isoline lie on a side, as in the tip of a gap: a chord that
+/// cuts it off is wrong by half of this.
 constexpr double kShortestSide = kLongestSide / 128;
 
-/// Steps of a search for the extremum on a side: each leaves 0.62 of the interval.
+/// The steps of a search for the extremum on a side; each leaves 0.62 of the interval.
 constexpr int kExtremumSteps = 14;
 
-/// The field reaches a little farther than the line, so that chords beyond it are measured too.
+/// The field extends a little beyond the line, so that chords outside of it are measured, too.
 constexpr double kBeyond = 1.1;
 
-/// Halvings of an interval: to the rounding of doubles.
+/// The halvings of an interval, down to the rounding of doubles.
 constexpr int kHalvings = 52;
 
-/// How often a chord is halved until it keeps to the distance.
+/// The most halvings of a chord that deviates from the distance.
 constexpr int kMostChordHalvings = 14;
 
-/// A corner of a piece of a face. Weights are multiples of powers of two, without rounding, so they
-/// are equal wherever the corner is met.
+/// A corner of a piece of a face. Weights are multiples of powers of two, without rounding, so that
+/// they are equal in all pieces at the corner.
 struct PieceCorner {
   Vec3 bary;
   Vec2 place;
@@ -55,7 +55,7 @@ struct LinePoint {
   PathSide side = PathSide::kEnd;
 };
 
-/// The isoline in a piece, from crossing to crossing, what is nearer on the left.
+/// The isoline in a piece, from crossing to crossing, with nearer points on the left.
 struct Strand {
   int from = 0;
   int to = 0;
@@ -79,7 +79,7 @@ class OffsetTracer {
     }
   }
 
-  /// The strands put together; a last point is the first where a line is closed.
+  /// The joined strands; the last point of a closed line is its first.
   Array<Array<LinePoint>> lines() const {
     Array<int> strandFrom(crossings_.size(), -1);
     Array<uint8_t> isEntered(crossings_.size(), 0);
@@ -163,7 +163,7 @@ class OffsetTracer {
     return {bary, pointInFace(geometry_, {face, bary}), distanceAt(face, bary)};
   }
 
-  /// On edges it is asked in both faces in one order, so that both know the same.
+  /// On edges both faces are queried in one order, so that both have the same value.
   double distanceAt(int face, const Vec3& bary) const {
     for (int k = 0; k < 3; ++k) {
       if (bary[k] == 0) return atEdge(edgeOf(face, k), alongEdge(face, k, bary)).value;
@@ -171,7 +171,7 @@ class OffsetTracer {
     return field_.at(face, pointInFace(geometry_, {face, bary})).value;
   }
 
-  /// Of the edge opposite to a corner the half-edge that both faces know.
+  /// The half-edge that represents the edge opposite to a corner in both faces.
   int edgeOf(int face, int corner) const {
     const int h = next(3 * face + corner);
     return mesh_.twin[h] < 0 ? h : std::min(h, mesh_.twin[h]);
@@ -191,8 +191,8 @@ class OffsetTracer {
     return there.value < here.value ? there : here;
   }
 
-  /// A side of a piece, seen from both pieces the same: from the parameter `from` to `to` of an
-  /// edge of the mesh, or from 0 to 1 inside a face.
+  /// A side of a piece, equal in both of its pieces: from the parameter `from` to `to` of an edge
+  /// of the mesh, or from 0 to 1 inside a face.
   struct Side {
     int halfedge = -1;
     int face = -1;
@@ -240,7 +240,7 @@ class OffsetTracer {
   bool hidesCrossings(int face, const PieceCorner& a, const PieceCorner& b, double length) const {
     const bool nearer = isNearer(a.distance);
     if (nearer != isNearer(b.distance) || length <= kShortestSide * distance_) return false;
-    // Distances change by no more than the way.
+    // Distances change by at most the length of a step.
     const double known = std::min(a.distance, kBeyond * distance_) +
                          std::min(b.distance, kBeyond * distance_) - 2 * distance_;
     if (std::abs(known) > length) return false;
@@ -267,7 +267,7 @@ class OffsetTracer {
     return false;
   }
 
-  /// The isoline's point between two corners of which one is nearer.
+  /// The isoline's point between two corners, one of which is nearer.
   int crossing(int face, const PieceCorner& a, const PieceCorner& b) {
     const Side side = sideBetween(face, a, b);
     const auto [entry, isNew] = numbers_.try_emplace(side.key, crossings_.count());
@@ -280,8 +280,8 @@ class OffsetTracer {
     return crossings_.count() - 1;
   }
 
-  /// Where values pass the distance between two numbers: by the chord, of whose ends the one that
-  /// stays counts half each time (the Illinois method), and by halves where a value is not known.
+  /// The place between two numbers at which values pass the distance, by the Illinois method, and
+  /// by bisection if a value is not known.
   double cut(double from, double to, double atFrom, double atTo,
              const std::function<double(double)>& value) const {
     double low = atFrom - distance_;
@@ -316,7 +316,8 @@ class OffsetTracer {
     for (int k = 0; k < 3; ++k) {
       const bool here = isNearer(corners[k].distance);
       if (here == isNearer(corners[(k + 1) % 3].distance)) continue;
-      // What is nearer lies on the left: counterclockwise the line leaves where it begins.
+      // Nearer points lie on the left, so that the line begins where the counterclockwise boundary
+      // leaves them.
       (here ? leave : enter) = k;
     }
     if (enter < 0) return;
@@ -331,13 +332,13 @@ class OffsetTracer {
     strands_.push_back(std::move(strand));
   }
 
-  /// The points between two that a chord needs to keep to the distance.
+  /// Appends the points between two that chords need to stay at the distance.
   void refine(int face, const Vec2& from, const Vec2& to, int halvings, Array<LinePoint>& inner) {
     const Vec2 middle = (from + to) / 2;
     const double atMiddle = field_.at(face, middle).value;
     if (halvings == 0 || std::abs(atMiddle - distance_) <= kOffsetTolerance * distance_) return;
     const Vec2 chord = to - from;
-    // Out of what is nearer to the right, into it to the left.
+    // The line moves right from nearer points and left towards them.
     const double sign = isNearer(atMiddle) ? 1 : -1;
     const Vec2 aside = sign * Vec2(chord.y(), -chord.x());
     double reach = 1;
@@ -352,7 +353,7 @@ class OffsetTracer {
         isNearer(atReach) == isNearer(atMiddle)) {
       return;
     }
-    // Where all of the way is on one side its end is the best: the line may run along an edge.
+    // If the whole step is on one side, its end is the best, since the line may run along an edge.
     const bool passes = isNearer(atReach) != isNearer(atMiddle);
     const double part = passes ? cut(0, reach, atMiddle, atReach, value) : reach;
     const Vec2 place = middle + part * aside;

@@ -11,7 +11,7 @@ namespace {
 /// A half-edge that leaves a vertex, in a face.
 struct Leaving {
   int vertex;
-  int rank;  ///< of the half-plane that the direction lies in; -1 along a face's side
+  int rank;  ///< the half-plane of the direction; -1 along a face's side
   Vec2 direction;
   int halfedge;
 };
@@ -27,7 +27,7 @@ bool isBefore(const Leaving& a, const Leaving& b) {
 struct Loop {
   int first;
   double area;     ///< twice its area in the face's own coordinates
-  bool isOutside;  ///< lines that touch nothing, from outside
+  bool isOutside;  ///< whether it surrounds isolated lines
 };
 
 class Builder {
@@ -41,7 +41,7 @@ class Builder {
   }
 
   Arrangement build() {
-    // Most faces have nothing in them.
+    // Most faces are empty.
     const size_t faces = static_cast<size_t>(mesh_.faceCount());
     const size_t halfedges = 3 * faces + 4 * all_.added.size();
     for (Array<int>* array : {&all_.tail, &all_.next, &all_.twin, &all_.piece}) {
@@ -64,7 +64,7 @@ class Builder {
     return number < 0 ? nullptr : &drawing_.edges[number];
   }
 
-  /// Of a half-edge's tail, in the face that is being cut.
+  /// The position of a half-edge's tail in the current face.
   const Vec2& placeOf(int h) const { return places_[h - first_]; }
 
   int addHalfedge(int tail, int twin) {
@@ -111,7 +111,7 @@ class Builder {
     for (int h = first; h < end; ++h) all_.piece[h] = piece;
   }
 
-  /// Two half-edges a line, once for all pieces of paths on it.
+  /// Adds two half-edges for each line, shared by all pieces of paths on it.
   void addLines(const DrawnFace& face) {
     Array<DrawnPiece>& pieces = pieces_;
     pieces = face.pieces;
@@ -132,12 +132,12 @@ class Builder {
     }
   }
 
-  /// After a half-edge comes the one to the right of the way back.
+  /// The next half-edge is the one to the right of the reversed one.
   void linkFace(int first, int end) {
     Array<Leaving>& leaving = leaving_;
     leaving.clear();
     for (int h = first; h < all_.tail.count(); ++h) {
-      // Those on the sides come first at their vertices: all others lie left of them.
+      // Half-edges on the sides come first at their vertices, since all others lie left of them.
       const bool isSide = h < end;
       const Vec2 from = placeOf(h);
       const Vec2 way = isSide ? Vec2::Zero().eval() : (placeOf(all_.twin[h]) - from).eval();
@@ -150,7 +150,7 @@ class Builder {
       int last = i;
       while (last + 1 < leaving.count() && leaving[last + 1].vertex == leaving[i].vertex) ++last;
       const bool isSide = leaving[i].rank < 0;
-      // The side that comes in has all others to its left.
+      // The arriving side has all others to its left.
       if (isSide) all_.next[previousSide(first, end, leaving[i].halfedge)] = leaving[last].halfedge;
       for (int j = isSide ? i + 1 : i; j <= last; ++j) {
         all_.next[all_.twin[leaving[j].halfedge]] = leaving[j > i ? j - 1 : last].halfedge;
@@ -174,7 +174,7 @@ class Builder {
       if (std::pair(a.x(), a.y()) < std::pair(lowest.x(), lowest.y())) lowest = a;
       h = all_.next[h];
     } while (h != start);
-    // At its leftmost vertex a loop from outside has the left in one of its corners.
+    // At its leftmost vertex, a surrounding loop has the left direction in one of its corners.
     do {
       const int after = all_.next[h];
       const Vec2 corner = placeOf(after);
@@ -188,8 +188,8 @@ class Builder {
     return loop;
   }
 
-  /// Whether a place lies within a loop: by the lines to its left, so never within the loops of
-  /// lines of which it is the leftmost vertex.
+  /// Whether a place lies within a loop, by the lines to its left, so that it is never within loops
+  /// of which it is the leftmost vertex.
   bool holds(const Loop& loop, const Vec2& place) const {
     bool inside = false;
     int h = loop.first;
@@ -221,7 +221,7 @@ class Builder {
     }
     for (int i = 0; i < loops.count(); ++i) {
       if (!loops[i].isOutside) continue;
-      // The smallest loop around it.
+      // This finds the smallest loop around it.
       const Vec2 place = leftmost(loops[i]);
       int around = -1;
       for (int j = 0; j < loops.count(); ++j) {
@@ -290,7 +290,7 @@ class Builder {
     Array<int>& cells = all_.cellOfPiece;
     cells.resize(names.size());
     for (int p = 0; p < names.count(); ++p) {
-      // Sets are named by their smallest piece, which has its cell already.
+      // Sets are named by their smallest piece, which already has its cell.
       if (names[p] == p) all_.cellArea.push_back(0);
       cells[p] = names[p] == p ? all_.cellCount() - 1 : cells[names[p]];
       all_.cellArea[cells[p]] += all_.pieceArea[p];
@@ -301,8 +301,8 @@ class Builder {
   const TriangleMesh& mesh_;
   Drawing drawing_;
   Arrangement all_;
-  Array<int> sideStart_;  ///< per half-edge of the mesh the first one on it
-  // Of the face that is being cut.
+  Array<int> sideStart_;  ///< the first half-edge on each one of the mesh
+  // The state of the current face.
   int first_ = 0;
   Array<Vec2> places_;
   Array<DrawnPiece> pieces_;
@@ -337,7 +337,7 @@ int pieceHolding(const TriangleMesh& mesh, const Arrangement& arrangement,
   const int f = point.face;
   const int first = arrangement.firstOfFace[f];
   const int end = arrangement.firstOfFace[f + 1];
-  // Points on the sides of the face belong to what lies within.
+  // Points on the sides of the face are moved inwards by this.
   constexpr double kInwards = 0x1p-34;
   const Vec3 bary = (1 - kInwards) * point.bary + Vec3::Constant(kInwards / 3);
   const Vec2 place(onGrid(bary[1]), onGrid(bary[2]));
@@ -350,7 +350,7 @@ int pieceHolding(const TriangleMesh& mesh, const Arrangement& arrangement,
     if (a.y() < b.y() ? left <= 0 : left >= 0) continue;
     crossed.push_back(arrangement.piece[h]);
   }
-  // A piece holds the point if its loops cross the way to the left an odd number of times.
+  // A piece holds the point if its loops cross the ray to the left an odd number of times.
   std::sort(crossed.begin(), crossed.end());
   for (int i = 0; i < crossed.count();) {
     int last = i;

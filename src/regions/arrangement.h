@@ -5,35 +5,35 @@
 
 /// The surface cut by paths into cells, as half-edges.
 ///
-/// Each face is cut by the drawing's lines into pieces; a piece that has lines in it, which touch
-/// nothing, has several loops. Over an edge of the mesh pieces are joined by the drawing's vertices
-/// on it, which both faces share, so whatever the paths do, the pieces fit. A cell is what can be
-/// reached without crossing a path.
+/// The drawing's lines cut each face into pieces; a piece with isolated lines inside has several
+/// loops. Pieces meet across an edge of the mesh at the drawing's vertices on it, which both faces
+/// share, so that they always fit. A cell consists of the pieces that can be reached without
+/// crossing a path.
 namespace karcher {
 
-/// What a path does on an edge of the arrangement.
+/// The use of an edge of the arrangement by a path.
 struct PathUse {
-  int halfedge = 0;  ///< of the edge's two the smaller one
+  int halfedge = 0;  ///< the smaller of the edge's two half-edges
   int path = 0;
   int part = 0;
-  int sign = 1;  ///< -1 where the path runs against the half-edge
+  int sign = 1;  ///< -1 if the path runs against the half-edge
 };
 
 struct Arrangement {
   int meshVertices = 0;
   int paths = 0;
-  /// Vertices are numbered through the mesh's and then these.
+  /// Vertices are numbered consecutively, first the mesh's, then these.
   Array<DrawnVertex> added;
 
-  // Per half-edge: those of face f are firstOfFace[f] to firstOfFace[f + 1], first those on its
-  // sides, counterclockwise from corner 0. The piece lies left of it.
+  // Arrays by half-edge. Those of face f are firstOfFace[f] to firstOfFace[f + 1], beginning with
+  // those on its sides, counterclockwise from corner 0. The piece lies left of its half-edges.
   Array<int> firstOfFace;
   Array<int> tail;
   Array<int> next;
   Array<int> twin;  ///< -1 at the boundary of the surface
   Array<int> piece;
 
-  // Per piece; those of a face follow each other.
+  // Arrays by piece; the pieces of a face are consecutive.
   Array<int> faceOfPiece;
   Array<double> pieceArea;
   Array<int> cellOfPiece;
@@ -50,7 +50,7 @@ struct Arrangement {
   int cell(int h) const { return cellOfPiece[piece[h]]; }
 };
 
-/// Throws Error kBadArgument where consecutive points of a path have no face in common.
+/// Throws Error kBadArgument if consecutive points of a path have no face in common.
 Arrangement arrange(const Geometry& geometry, std::span<const SurfacePath> paths);
 
 /// A vertex in a face that holds it.

@@ -9,8 +9,8 @@
 namespace karcher {
 namespace {
 
-/// The triangles of a face by their sides: of each the vertex opposite to it. Vertices are numbers
-/// in the face.
+/// The triangles of a face, stored as the vertex opposite to each side. Vertices are numbered
+/// within the face.
 class FaceTriangles {
  public:
   using Side = std::pair<int, int>;
@@ -27,7 +27,7 @@ class FaceTriangles {
   void addLine(int from, int to) {
     lines_.emplace(std::minmax(from, to), 0);
     Array<Side> crossed = sidesAcross(from, to);
-    // Each flip can leave a side that crosses; those of a quad that is not convex wait.
+    // Each flip may leave a crossing side; sides of a nonconvex quad wait.
     const int64_t most = 100 + int64_t{4} * crossed.count() * crossed.count();
     for (int i = 0; i < crossed.count(); ++i) {
       if (i == most) refuse("a face could not be cut into triangles");
@@ -44,7 +44,7 @@ class FaceTriangles {
     }
   }
 
-  /// Flips what is not a line until triangles are as round as they can be.
+  /// Flips sides that are not lines until the triangulation is Delaunay.
   void improve() {
     const int most = 10 + places_.count();
     for (int round = 0; round < most; ++round) {
@@ -86,7 +86,7 @@ class FaceTriangles {
       const double toC = left(a, b, p);
       const double toA = left(b, c, p);
       const double toB = left(c, a, p);
-      // On one side at most, and each triangle is met by each of its sides.
+      // The place is on one side at most, and each triangle is visited from each of its sides.
       if (toC < 0 || toA <= 0 || toB <= 0) continue;
       const int apex = c;
       if (toC > 0) {
@@ -133,10 +133,10 @@ class FaceTriangles {
     refuse("a face could not be cut into triangles");
   }
 
-  /// Of the triangles on both sides of (a, b).
+  /// Whether the triangles on both sides of (a, b) form a convex quad.
   bool isConvex(int a, int b, int c, int d) const { return left(d, b, c) > 0 && left(c, a, d) > 0; }
 
-  /// Whether the angles opposite to (a, b) are more than a half turn together.
+  /// Whether the angles opposite to (a, b) sum to more than pi.
   bool isThin(int a, int b, int c, int d) const {
     const auto angle = [&](int apex) {
       const Vec2 u = frame_[a] - frame_[apex];
@@ -175,7 +175,7 @@ class Cutter {
       isDrawn[use.halfedge] = 1;
       if (all_.twin[use.halfedge] >= 0) isDrawn[all_.twin[use.halfedge]] = 1;
     }
-    // Corners at a vertex are one where no path comes between.
+    // Corners at a vertex are united unless a path separates them.
     for (int h = 0; h < all_.halfedgeCount(); ++h) {
       if (isDrawn[h] == 0 && all_.twin[h] >= 0) corners_.unite(h, all_.next[all_.twin[h]]);
     }
@@ -196,7 +196,7 @@ class Cutter {
 
   Vec3 positionOf(int vertex) const {
     if (vertex < all_.meshVertices) return mesh_.positions[vertex];
-    // In the same face for whoever asks.
+    // The face is always the same, so that positions are equal.
     const int f = all_.added[vertex - all_.meshVertices].face;
     return position(mesh_, vertexInFace(mesh_, all_, f, vertex));
   }
@@ -271,7 +271,7 @@ CutSurface cutApart(const Geometry& geometry, const Arrangement& arrangement) {
 
 Array<CutPart> partsOf(const CutSurface& surface, int cellCount) {
   Array<CutPart> parts(static_cast<size_t>(cellCount));
-  // A vertex belongs to one cell.
+  // Each vertex belongs to one cell.
   Array<int> numbers(surface.positions.size(), -1);
   for (int t = 0; t < surface.triangles.count(); ++t) {
     CutPart& part = parts[surface.cellOf[t]];

@@ -2,19 +2,19 @@
 
 #include "regions/arrangement.h"
 
-/// The surface cut apart along paths, as triangles.
+/// Cutting of the surface along paths into triangles.
 ///
 /// The vertices and lines of a face are triangulated together, by flips (S. Sloan, "A fast
-/// algorithm for generating constrained Delaunay triangulations", 1993) whose every decision is
-/// exact, so that thin pieces fit as well as others.
+/// algorithm for generating constrained Delaunay triangulations", 1993) with exact decisions, so
+/// that thin pieces fit as well as others.
 namespace karcher {
 
-/// Cells have no vertex in common, and along a path that ends inside a cell both sides have their
-/// own. What lies on both sides of a path has equal positions, to the last bit.
+/// Cells have no vertices in common, and along a path that ends inside a cell each side has its
+/// own. Vertices on both sides of a path have equal positions, to the last bit.
 struct CutSurface {
   Array<Vec3> positions;
   Array<Triangle> triangles;
-  Array<int> faceOf;  ///< per triangle the face that it is a part of
+  Array<int> faceOf;  ///< the face that each triangle is a part of
   Array<int> cellOf;  ///< per triangle
 };
 
@@ -27,7 +27,7 @@ struct CutPart {
   Array<int> faceOf;
 };
 
-/// One part a cell, in their order.
+/// One part for each cell, in their order.
 Array<CutPart> partsOf(const CutSurface& surface, int cellCount);
 
 }  // namespace karcher

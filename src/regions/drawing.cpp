@@ -16,7 +16,7 @@ struct PlacedVertex {
   int vertex;
 };
 
-/// A line in a face, once for all pieces on it.
+/// A line in a face, shared by all pieces on it.
 struct Line {
   int a;
   int b;
@@ -26,7 +26,7 @@ struct Line {
   double right;  ///< the greatest
 };
 
-/// A vertex at which a line is cut.
+/// A cut of a line at a vertex.
 struct LineCut {
   int line;
   double along;
@@ -62,8 +62,8 @@ class Drawer {
   }
 
   Drawing finish() {
-    // New vertices on an edge make the face across it wait again. Vertices keep apart, so few are
-    // added and this ends; the bound is far beyond what was ever seen.
+    // New vertices on an edge put the face across it back in the queue. Vertices stay apart, so
+    // that few are added and this ends; the bound is far beyond what was ever observed.
     constexpr int kMostRounds = 1000;
     for (int round = 0; !waiting_.empty(); ++round) {
       if (round == kMostRounds) refuse("the paths have too many crossings that lie together");
@@ -77,7 +77,7 @@ class Drawer {
   }
 
  private:
-  /// Rounding does not open what is closed.
+  /// Rounding must not open closed paths.
   bool isClosed(const SurfacePath& path) const {
     if (path.points.count() < 2) return false;
     const int face = commonFace(mesh_, path.points.front(), path.points.back());
@@ -139,7 +139,7 @@ class Drawer {
                          [&](int vertex, double value) { return alongEdge(h, vertex) < value; });
     const double up = after == vertices.end() ? kInfinity : alongEdge(h, *after) - t;
     const double down = after == vertices.begin() ? kInfinity : t - alongEdge(h, *(after - 1));
-    // Of two the older one, which took this point if it was there before.
+    // If both are near, the older one takes the point, as it did if it existed before.
     if (std::max(up, down) <= kTogether) return std::min(*after, *(after - 1));
     if (std::min(up, down) <= kTogether) return up < down ? *after : *(after - 1);
     const int vertex = addVertex({karcher::faceOf(h), h, t, placeOnSide(cornerOf(h), t)});
@@ -152,7 +152,7 @@ class Drawer {
     return vertex;
   }
 
-  /// The vertex that takes a point, an old one or a new one.
+  /// The vertex that takes a point, an existing or a new one.
   int vertexAt(int f, const Vec3& bary) {
     int k = 0;
     if (bary.maxCoeff(&k) >= 1 - kTogether) return mesh_.corner(f, k);
@@ -178,7 +178,7 @@ class Drawer {
     return drawing_.added[vertex - drawing_.meshVertices].halfedge == drawnHalfedge(mesh_, side);
   }
 
-  /// Takes a piece to the edge that it runs along, or else into its face.
+  /// Adds a piece to the edge along which it runs, or else to its face.
   void addPiece(int f, const DrawnPiece& piece) {
     for (int side = 3 * f; side < 3 * f + 3; ++side) {
       if (!onSide(side, piece.from) || !onSide(side, piece.to)) continue;
@@ -251,7 +251,7 @@ class Drawer {
 
   /// The vertex that takes a crossing; `vertices` are those of the face.
   int vertexAtCrossing(int number, const Vec2& place, Array<PlacedVertex>& vertices) {
-    // The nearest one: then both lines are cut into shorter ones, so that cutting ends.
+    // The nearest vertex is taken: both lines are then cut into shorter ones, so that cutting ends.
     double nearest = 4 * kTogether * kTogether;
     int vertex = -1;
     for (const PlacedVertex& other : vertices) {
@@ -270,7 +270,7 @@ class Drawer {
   void cutAtCrossings(int number, const Array<Line>& lines, Array<PlacedVertex>& vertices,
                       Array<LineCut>& cuts) {
     if (lines.count() < 2) return;
-    // Lines that are bent anyway are looked at again.
+    // Lines that are bent anyway are examined again.
     Array<uint8_t> bent(lines.size(), 0);
     for (const LineCut& cut : cuts) bent[cut.line] = 1;
     Array<int> order(lines.size());
@@ -304,7 +304,7 @@ class Drawer {
     }
   }
 
-  /// One round of a face, which waits again until a round finds nothing.
+  /// Does one round of a face, which is queued again until a round finds nothing.
   void cutFace(int number) {
     if (drawing_.faces[number].pieces.empty()) return;
     const Array<Line>& lines = lines_;
@@ -370,7 +370,7 @@ class Drawer {
   Drawing drawing_;
   Array<uint8_t> waits_;  ///< per face of the drawing
   Array<int> waiting_;
-  // Of the face that is being cut.
+  // The state of the current face.
   Array<std::pair<int, int>> ends_;
   Array<Line> lines_;
   Array<PlacedVertex> vertices_;

@@ -5,40 +5,40 @@
 #include "intrinsic/surface_path.h"
 #include "regions/grid.h"
 
-/// Paths on the surface, cut at all points where they meet.
+/// A drawing: paths on the surface, cut at all points where they meet.
 ///
-/// Points and crossings become vertices. What lies nearer than kTogether is one: a vertex of the
-/// mesh takes what is near it, an edge what is near it, and a line that passes a vertex is bent
-/// through it. This is snap rounding (J. Hobby, 1999), repeated until no two vertices, and no
-/// vertex and line, are near each other (D. Halperin, E. Packer, "Iterated Snap Rounding", 2002).
-/// Vertices on an edge are kept once for both of its faces, so these never differ.
+/// Points and crossings become vertices. Those nearer than kTogether are merged: a vertex of the
+/// mesh takes the points near it, an edge likewise, and a line that passes a vertex is bent through
+/// it. This is snap rounding (J. Hobby, 1999), repeated until no two vertices, and no vertex and
+/// line, are near each other (D. Halperin, E. Packer, "Iterated Snap Rounding", 2002). Both faces
+/// of an edge share the vertices on it, so that these never differ.
 namespace karcher {
 
 /// A vertex that the paths add to those of the mesh.
 struct DrawnVertex {
   int face = 0;
-  int halfedge = -1;  ///< of an edge's two the one that the drawing knows; -1 inside the face
+  int halfedge = -1;  ///< the edge's half-edge of the drawing; -1 inside the face
   double t = 0;       ///< along this half-edge
   Vec2 place = Vec2::Zero();
 };
 
-/// A straight piece of a path between two vertices, with nothing on it. Vertices are numbered
-/// through the mesh's and then the drawing's.
+/// A straight piece of a path between two vertices, without others on it. Vertices are numbered
+/// consecutively, first the mesh's, then the drawing's.
 struct DrawnPiece {
   int from = 0;
   int to = 0;
   int path = 0;
-  int part = 0;  ///< of the path, from its point of this number to the next
+  int part = 0;  ///< the part of the path between its point of this number and the next
 };
 
-/// An edge's vertices in the order along the drawing's half-edge, and what runs on it.
+/// An edge's vertices in the order along the drawing's half-edge, and the pieces on it.
 struct DrawnEdge {
   int halfedge = 0;
   Array<int> vertices;
   Array<DrawnPiece> pieces;
 };
 
-/// What lies inside a face.
+/// The vertices and pieces inside a face.
 struct DrawnFace {
   int face = 0;
   Array<int> vertices;
@@ -51,16 +51,16 @@ struct Drawing {
   Array<DrawnVertex> added;
   Array<DrawnEdge> edges;
   Array<DrawnFace> faces;
-  Array<int> edgeOf;  ///< per half-edge, of the smaller of an edge's two; -1 where nothing is
-  Array<int> faceOf;  ///< per face; -1 where nothing is
+  Array<int> edgeOf;  ///< by half-edge, the smaller of an edge's two; -1 if it has nothing
+  Array<int> faceOf;  ///< by face; -1 if it has nothing
 };
 
-/// Of an edge's half-edges the one that the drawing knows.
+/// The half-edge by which the drawing knows an edge.
 inline int drawnHalfedge(const TriangleMesh& mesh, int h) {
   return mesh.twin[h] >= 0 ? std::min(h, mesh.twin[h]) : h;
 }
 
-/// Where a vertex of a face, or on one of its sides, lies in it.
+/// The position in a face of a vertex in it or on one of its sides.
 Vec2 placeIn(const TriangleMesh& mesh, const Array<DrawnVertex>& added, int face, int vertex);
 
 /// Throws Error kBadArgument where consecutive points of a path have no face in common.

@@ -4,17 +4,17 @@
 
 #include "mesh/types.h"
 
-/// Places in a face as exact numbers.
+/// Exact coordinates in a face.
 ///
-/// A face is seen as the triangle (0, 0), (1, 0), (0, 1), in which a point has its second and third
-/// weight as coordinates. What lies left of what is the same there as in the face, and needles are
-/// no thinner than other faces. Coordinates are multiples of 2^-40, so differences are exact, and
-/// the sign of a cross product of differences is computed exactly.
+/// A face is mapped to the triangle (0, 0), (1, 0), (0, 1), in which a point's coordinates are its
+/// second and third weights. Orientations are the same there as in the face, and needles are no
+/// thinner than other faces. Coordinates are multiples of 2^-40, so differences are exact, and the
+/// sign of a cross product of differences is computed exactly.
 namespace karcher {
 
 inline constexpr double kGridStep = 0x1p-40;
 
-/// Parts of an edge, or of a face's height, that are nearer than this are one.
+/// Points nearer to each other than this part of an edge, or of a face's height, are merged.
 inline constexpr double kTogether = 0x1p-32;
 
 inline double onGrid(double x) { return std::round(x / kGridStep) * kGridStep; }
@@ -30,7 +30,7 @@ inline double exactCross(const Vec2& u, const Vec2& v) {
   return std::fma(u.x(), v.y(), -q) + std::fma(-u.y(), v.x(), q);
 }
 
-/// Positive where c lies left of the line from a to b.
+/// Positive if c lies left of the line from a to b.
 inline double leftOf(const Vec2& a, const Vec2& b, const Vec2& c) {
   return exactCross(b - a, c - a);
 }

@@ -9,14 +9,15 @@
 namespace karcher {
 namespace {
 
-/// What is counted on one edge of the arrangement: those of its uses that are paths of a range.
+/// The count of one edge of the arrangement, over its uses by paths of a range.
 struct EdgeCount {
   int halfedge = 0;
-  int change = 0;      ///< from right to left of the half-edge
-  PathUse firstOfAll;  ///< of the range's first path the earliest use; its path is -1 without one
+  int change = 0;  ///< from right to left of the half-edge
+  PathUse
+      firstOfAll;  ///< the earliest use by the range's first path; its path is -1 if there is none
 };
 
-/// That of the edge of a use, which becomes the first of the next edge.
+/// The count of the edge of a use; the use becomes the first of the next edge.
 EdgeCount countAt(const Arrangement& all, const PathRange& paths, int& i) {
   EdgeCount count;
   count.halfedge = all.uses[i].halfedge;
@@ -39,7 +40,7 @@ struct Step {
   int change;
 };
 
-/// The steps from each cell, both ways over each edge that has a path.
+/// The steps from each cell, in both directions across each edge with a path.
 struct Steps {
   Array<int> start;
   Array<Step> steps;
@@ -77,7 +78,7 @@ Steps stepsOf(const Arrangement& all, const PathRange& paths) {
   refuse(sentence + ", round an end or a handle of the surface");
 }
 
-/// What is outside in a connected part of the surface, which gets its cells' insides.
+/// Decides the outside in a connected part of the surface, and sets its cells' insides.
 void chooseSide(const Arrangement& all, const Array<int>& cells, const Array<int>& labels,
                 std::optional<int> inside, Region& region) {
   struct LabelArea {
@@ -92,14 +93,14 @@ void chooseSide(const Arrangement& all, const Array<int>& cells, const Array<int
     if (areas.empty() || areas.back().label != labels[cell]) areas.push_back({labels[cell], 0});
     areas.back().area += all.cellArea[cell];
   }
-  // Of equal areas, but for rounding, the first is taken: what is right of the curves.
+  // Among areas that are equal up to rounding, the first is taken, which is right of the curves.
   constexpr double kSameArea = 1e-9;
   const LabelArea* outside = nullptr;
   for (const LabelArea& one : areas) {
     if (inside && one.label == labels[*inside]) continue;
     if (outside == nullptr || one.area > outside->area * (1 + kSameArea)) outside = &one;
   }
-  // None where the point's side is all there is: beyond the boundary.
+  // There is none if the point's side is everything, as beyond the boundary.
   for (const int cell : cells) {
     region[cell] = outside == nullptr || labels[cell] != outside->label ? 1 : 0;
   }
@@ -207,7 +208,7 @@ bool isBorder(const Arrangement& all, const Region& region, int h) {
 /// The next half-edge of a region's boundary, around the head of one through the region.
 int nextBorder(const Arrangement& all, const Region& region, int h) {
   int next = all.next[h];
-  // At most once round the vertex: the way back from h is on the boundary.
+  // This turns around the vertex at most once, since the reverse of h is on the boundary.
   while (!isBorder(all, region, next)) next = all.next[all.twin[next]];
   return next;
 }
@@ -262,7 +263,7 @@ GaussBonnet gaussBonnet(const Geometry& geometry, const Arrangement& all, const 
   for (int h = 0; h < all.halfedgeCount(); ++h) {
     if (!isIn(h)) continue;
     const bool border = isBorder(all, region, h);
-    // Edges, those inside once.
+    // Edges are counted, interior ones once.
     if (border || h < all.twin[h]) --result.euler;
     if (!border) corners.unite(h, all.next[all.twin[h]]);
   }
@@ -273,7 +274,7 @@ GaussBonnet gaussBonnet(const Geometry& geometry, const Arrangement& all, const 
     const Vec2 corner = placeIn(mesh, all.added, f, all.tail[after]);
     const Vec2 way = placeIn(mesh, all.added, f, all.head(after)) - corner;
     const Vec2 back = placeIn(mesh, all.added, f, all.tail[h]) - corner;
-    // At the tip of a line the piece lies all round.
+    // At the tip of a line the piece lies all around.
     const double between = angleBetween(inFrame(geometry, f, way), inFrame(geometry, f, back));
     angle[corners.find(after)] += exactCross(way, back) > 0 ? between : 2 * kPi - between;
     if (isBorder(all, region, after)) onBorder[corners.find(after)] = 1;
@@ -283,7 +284,7 @@ GaussBonnet gaussBonnet(const Geometry& geometry, const Arrangement& all, const 
     ++result.euler;
     result.curvature += (onBorder[h] != 0 ? kPi : 2 * kPi) - angle[h];
   }
-  // A piece with holes is a disk without so many.
+  // The Euler characteristic of a piece with holes is less by their number.
   Array<int> loopsOfPiece(static_cast<size_t>(all.pieceCount()), 0);
   Array<uint8_t> isSeen(static_cast<size_t>(all.halfedgeCount()), 0);
   for (int first = 0; first < all.halfedgeCount(); ++first) {

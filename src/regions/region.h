@@ -4,15 +4,15 @@
 
 #include "regions/arrangement.h"
 
-/// Regions as sets of cells, what curves enclose, and booleans.
+/// Regions as sets of cells, regions that curves enclose, and booleans.
 ///
-/// Left of a path a cell counts one more than right of it. Summed from cell to cell this labels
-/// all, up to a constant, where the paths bound: on a way round a handle of the surface, or round
-/// the end of a path, the counts cancel, or they do not and nothing is enclosed. What is outside is
-/// not known on a surface; it is the label of the greatest area, unless a point says otherwise.
+/// A cell on the left of a path counts one more than on the right of it. Summed from cell to cell,
+/// this labels all cells up to a constant if the paths bound a region. If the counts do not cancel
+/// around a handle of the surface, or around the end of a path, nothing is enclosed. A surface has
+/// no natural outside: it is the label of the greatest area, unless a point decides otherwise.
 namespace karcher {
 
-/// Per cell 1 where it belongs to the region.
+/// 1 for each cell that belongs to the region.
 using Region = Array<uint8_t>;
 
 enum class FillRule {
@@ -22,14 +22,14 @@ enum class FillRule {
 
 enum class Boolean { kUnion, kIntersection, kDifference, kExclusion };
 
-/// Which of the arrangement's paths are looked at: from `first`, so many of them.
+/// A range of the arrangement's paths: `count` of them from `first` on.
 struct PathRange {
   int first = 0;
   int count = 0;
 };
 
-/// What paths enclose together. `inside` is a cell that shall be inside.
-/// Throws Error kBadArgument where they do not bound.
+/// The region that paths enclose together. `inside` is a cell that must be inside. Throws Error
+/// kBadArgument if the paths do not bound a region.
 Region enclosed(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                 std::optional<int> inside = std::nullopt);
 
@@ -41,8 +41,8 @@ enum class PathSide { kLeft, kRight };
 std::optional<int> cellBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                               PathSide side);
 
-/// What paths enclose together, on a side of the first one: where that path is moved, this is what
-/// moves along. Throws Error kBadArgument where they do not bound.
+/// The region that paths enclose together on a side of the first one, which moves along with that
+/// path. Throws Error kBadArgument if the paths do not bound a region.
 Region enclosedBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                       PathSide side);
 
@@ -50,17 +50,17 @@ Region combined(const Region& a, const Region& b, Boolean how);
 
 double areaOf(const Arrangement& arrangement, const Region& region);
 
-/// The half-edges that have the region on their left only, the boundary of the surface among them,
-/// in loops. Where a region touches itself at a vertex the loops turn back.
+/// The half-edges that have the region only on their left, including the surface's boundary, in
+/// loops. Where a region touches itself at a vertex, the loops turn back.
 Array<Array<int>> boundaryOf(const Arrangement& arrangement, const Region& region);
 
 /// A loop of half-edges as a path that ends where it starts.
 SurfacePath pathOf(const Geometry& geometry, const Arrangement& arrangement,
                    const Array<int>& loop);
 
-/// Both sides of the theorem of Gauss and Bonnet for a region whose corners at one vertex count as
-/// many: the sum of the angles that are missing at vertices inside and of the turns of the
-/// boundary, and 2 pi times the Euler characteristic.
+/// Both sides of the Gauss-Bonnet theorem for a region, in which several corners at one vertex
+/// count separately: the sum of angle defects inside and of turning angles on the boundary, and 2
+/// pi times the Euler characteristic.
 struct GaussBonnet {
   double curvature = 0;
   int euler = 0;
