@@ -1,19 +1,10 @@
 // Objects and points are aligned on a geodesic by the context menu; a look is taken by a click.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, Tab } from './browser.mjs';
 
 describe('aligning', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
-  });
-  after(() => browser.close());
-
-  const close = async (tab) => {
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
-  };
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
   /** Places of surface points in space. */
   async function positions(tab, points) {
@@ -98,7 +89,7 @@ describe('aligning', () => {
       const is = onLine(spaced[inner], spaced[0], spaced[3]);
       assert.ok(is.off < 1e-5 && Math.abs(is.part - part) < 1e-5, `${is.off} ${is.part}`);
     }
-    await close(tab);
+    await tab.close();
   });
 
   test('two objects have nothing to align', async () => {
@@ -108,7 +99,7 @@ describe('aligning', () => {
     await tab.page.mouse.click(x + 140, y - 80, { button: 'right' });
     assert.equal(await tab.page.getByRole('menuitem', { name: 'Align on a line' }).count(), 0);
     await tab.page.keyboard.press('Escape');
-    await close(tab);
+    await tab.close();
   });
 
   test('points of a curve are aligned', async () => {
@@ -129,7 +120,7 @@ describe('aligning', () => {
     const all = await positions(tab, object.figure.points);
     for (const inner of [1, 2]) assert.ok(onLine(all[inner], all[0], all[3]).off < 1e-5);
     assert.equal((await tab.state()).more.length, 3, 'they stay selected');
-    await close(tab);
+    await tab.close();
   });
 
   test('a click with the eyedropper takes another object’s look, for all that are selected', async () => {
@@ -166,6 +157,6 @@ describe('aligning', () => {
     assert.equal((await tab.state()).tool, 'look');
     await tab.page.keyboard.press('Escape');
     assert.equal((await tab.state()).tool, 'select');
-    await close(tab);
+    await tab.close();
   });
 });

@@ -1,7 +1,7 @@
 // The order of objects by drags and keys, and the menu of what lies at a place of the surface.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab, touchOf } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, openBrowser, Tab, touchOf } from './browser.mjs';
 
 const at = (faces) => faces.map((face) => `${face},0.3,0.3`).join(';');
 const other = (faces, name) =>
@@ -16,11 +16,7 @@ const fragment = [
 const namesOf = async (tab) => (await tab.state()).drawing.objects.map(({ name }) => name);
 
 describe('the order of objects, and the menu at a place', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
   test('rows are dragged to another place, and moved by keys, each as one step', async () => {
     const tab = await Tab.open(browser, fragment);
@@ -43,8 +39,7 @@ describe('the order of objects, and the menu at a place', () => {
     assert.deepEqual(await namesOf(tab), ['Second', 'Third', 'First'], 'the keys stay with it');
     await page.keyboard.press('Alt+ArrowDown');
     assert.deepEqual(await namesOf(tab), ['Second', 'First', 'Third']);
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   test('the other button opens a menu on what lies there, and a drag with it turns nothing on', async () => {
@@ -67,8 +62,7 @@ describe('the order of objects, and the menu at a place', () => {
     await page.mouse.move(place.x + 60, place.y, { steps: 4 });
     await page.mouse.up({ button: 'right' });
     assert.equal(await menu.isVisible(), false);
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   test('a finger that rests opens it, and adds no point', async () => {
@@ -84,8 +78,7 @@ describe('the order of objects, and the menu at a place', () => {
     assert.equal(JSON.stringify((await tab.state()).drawing), before);
     await page.locator('#context-menu').getByRole('menuitem', { name: 'Select all' }).click();
     assert.deepEqual((await tab.state()).chosen.toSorted(), [1, 2, 3]);
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   test('a finger drags rows by their grips, and scrolls elsewhere', async () => {
@@ -164,7 +157,6 @@ describe('the order of objects, and the menu at a place', () => {
     assert.deepEqual((await drawn())[1].figure, first.figure);
     await ask('Cut');
     await count(1);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 });

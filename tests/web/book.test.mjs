@@ -2,10 +2,10 @@
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { basename, dirname, join, relative } from 'node:path';
-import { after, before, describe, test } from 'node:test';
+import { describe, test } from 'node:test';
 import axe from 'axe-core';
 import { filesBelow, inRoot } from '../../.tools/shell.mjs';
-import { isComplaint, openBrowser, until } from './browser.mjs';
+import { browserOfSuite, isComplaint, openBrowser, until } from './browser.mjs';
 
 const built = inRoot('build/page');
 const book = join(built, 'book');
@@ -100,11 +100,7 @@ test('every link of the editor to the book leads there', () => {
 });
 
 describe('in a browser the book', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ pixelRatio: 1 });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ pixelRatio: 1 });
 
   const open = async (path) => {
     const page = await browser.context.newPage();

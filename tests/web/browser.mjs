@@ -1,8 +1,10 @@
 // A browser with the built page, for the tests of the page.
+import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { extname, join, normalize } from 'node:path';
+import { after, before } from 'node:test';
 import { setTimeout } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
@@ -160,6 +162,16 @@ export async function openBrowser({
   };
 }
 
+/** A browser for the tests of a suite: `openBrowser` before the first of them, closed after the last. */
+export function browserOfSuite(options) {
+  const browser = {};
+  before(async () => {
+    Object.assign(browser, await openBrowser(options));
+  });
+  after(() => browser.close());
+  return browser;
+}
+
 /** A browser of a phone; `touchOf` sends it fingers. */
 export const openPhone = () =>
   openBrowser({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
@@ -214,6 +226,12 @@ export class Tab {
     return tab;
   }
 
+  /** Closes the tab, in which the page complained about nothing. */
+  async close() {
+    assert.deepEqual(this.logged, []);
+    await this.page.close();
+  }
+
   /** Until the engine has answered the newest state. */
   async settled() {
     await this.page.waitForFunction(
@@ -243,6 +261,19 @@ export class Tab {
   /** For longer than saving waits, by the page's own clock: what waited there has run. */
   async pastSaving() {
     await this.page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 500)));
+  }
+
+  /** The colors of a small part of the window, row by row: red, green and blue of each pixel. */
+  async pixels(clip) {
+    const png = (await this.page.screenshot({ clip })).toString('base64');
+    const bytes = await this.page.evaluate(async (base64) => {
+      const file = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const image = await createImageBitmap(new Blob([file], { type: 'image/png' }));
+      const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+      context.drawImage(image, 0, 0);
+      return [...context.getImageData(0, 0, image.width, image.height).data];
+    }, png);
+    return Array.from({ length: bytes.length / 4 }, (_, i) => bytes.slice(4 * i, 4 * i + 3));
   }
 
   state = () => this.page.evaluate(() => window.karcherPage.state());

@@ -1,16 +1,12 @@
 // The center of mass of points with weights.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, Tab } from './browser.mjs';
 import { farthestFromSurface } from './on_surface.mjs';
 import { lengthOf } from './polylines.mjs';
 
 describe('a center of mass', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser();
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite();
 
   test('of two points moves along their shortest path with the weights', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0&kind=center');
@@ -54,8 +50,7 @@ describe('a center of mass', () => {
     await tab.page.keyboard.press('Control+z');
     const back = await tab.view();
     assert.deepEqual(back.center.position, middle.center.position);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('of many points is drawn, follows a drag, and comes back with the link', async () => {
@@ -82,8 +77,7 @@ describe('a center of mass', () => {
     const again = await tab.view();
     assert.deepEqual(again.center.position, center.position);
     assert.equal(again.legs.length, 5);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('that is one of several is said so', async () => {
@@ -107,8 +101,7 @@ describe('a center of mass', () => {
       .evaluateAll((all) => all.map(({ dataset }) => Number(dataset.tag)));
     assert.equal(tags.length, center.otherMinima.length);
     for (const tag of tags) assert.ok(tag >= Number(center.energy.toPrecision(4)), `${tag}`);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('tells whether it is the only one while points are dragged', async () => {
@@ -125,7 +118,6 @@ describe('a center of mass', () => {
       notUnique: 'not the only center',
     }[center.uniqueness];
     assert.ok((await words()).endsWith(`· ${expected}`), await words());
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 });

@@ -1,8 +1,8 @@
 // Circles and what they are drawn as.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
+import { describe, test } from 'node:test';
 import { load } from '../../dist/index.js';
-import { openBrowser, Tab } from './browser.mjs';
+import { browserOfSuite, Tab } from './browser.mjs';
 import { flatGrid, linesOf, typeRadius } from './circle_views.mjs';
 import { farthestFromSurface, nearestOnSurface } from './on_surface.mjs';
 import { inLongRun } from './part.mjs';
@@ -31,11 +31,7 @@ async function distancesAlong(lines, center, surface, every) {
 }
 
 describe('circles', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser();
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite();
 
   test('on a plane are circles, of each type', async () => {
     const tab = await Tab.open(browser);
@@ -58,8 +54,7 @@ describe('circles', () => {
     assert.ok(deviations.exact < 1e-5, `${deviations.exact}`);
     assert.ok(deviations.arcs < 2e-3, `${deviations.arcs}`);
     assert.ok(deviations.linear < 0.1 && deviations.linear > 1e-3, `${deviations.linear}`);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   inLongRun('are isolines with all their loops, on the surface and at the radius', async () => {
@@ -93,8 +88,7 @@ describe('circles', () => {
       // Interpolated in triangles.
       assert.ok(Math.abs(distance - 1.6) <= 0.25 * meanEdge, `${distance}`);
     }
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('of each type follow their handles, and a drag shows a draft', async () => {
@@ -124,8 +118,7 @@ describe('circles', () => {
       await tab.page.keyboard.press('Control+z');
       assert.deepEqual(linesOf(await tab.view()), linesOf(first), `${type}: as one step`);
     }
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   inLongRun('have as many arcs as are asked for, live and as one step', async () => {
@@ -160,8 +153,7 @@ describe('circles', () => {
     await tab.page.keyboard.press('Control+z');
     await tab.page.keyboard.press('Control+z');
     assert.deepEqual((await tab.view()).polyline, before.polyline);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   inLongRun('take a radius that is typed, and nothing else', async () => {
@@ -199,8 +191,7 @@ describe('circles', () => {
       await tab.page.getByRole('button', { name: 'Undo' }).click();
       assert.equal((await tab.view()).problem, null);
     }
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   inLongRun('are saved with all their loops, and opened again', async () => {
@@ -239,8 +230,7 @@ describe('circles', () => {
     await tab.page.waitForFunction(() => window.karcherPage.state().figure.circle !== null);
     assert.deepEqual((await tab.state()).figure, document);
     assert.deepEqual(linesOf(await tab.view()), lines);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   inLongRun('come back with the link, and go back', async () => {
@@ -264,7 +254,6 @@ describe('circles', () => {
     }, address);
     await tab.page.waitForFunction(() => window.karcherPage.state().figure.kind === 'circle');
     assert.deepEqual(linesOf(await tab.view()), linesOf(view));
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 });

@@ -1,10 +1,10 @@
 // The curvature comb: its numbers against closed forms, and as the page shows it.
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
-import { after, before, describe, test } from 'node:test';
+import { before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
-import { openBrowser, Tab } from './browser.mjs';
+import { browserOfSuite, Tab } from './browser.mjs';
 
 const unit = (place) => place.map((value) => value / Math.hypot(...place));
 const up = () => [0, 0, 1];
@@ -87,11 +87,7 @@ describe('a curvature comb', () => {
 });
 
 describe('the comb on the page', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
 
   test('is off, has the numbers of a circle, a scale, and goes by one click', async () => {
     // A circle of 0.6 radii about a point of the sphere.
@@ -131,8 +127,7 @@ describe('the comb on the page', () => {
     await legend.waitFor({ state: 'hidden' });
     assert.equal(await picture(), plain);
     assert.equal(await page.locator('#comb').getAttribute('aria-checked'), 'false');
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   test('follows what is selected, and has targets for fingers', async () => {
@@ -156,7 +151,6 @@ describe('the comb on the page', () => {
     await page.getByText('There is no curve here: select one.').waitFor();
     await page.locator('#comb-off').click();
     await page.locator('#comb-legend').waitFor({ state: 'hidden' });
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 });

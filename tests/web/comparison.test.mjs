@@ -1,9 +1,9 @@
 // Two methods of one curve beside each other: how far they are apart, in numbers and in the page.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
+import { before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
-import { openBrowser, Tab } from './browser.mjs';
+import { browserOfSuite, Tab } from './browser.mjs';
 import { lengthOf } from './polylines.mjs';
 
 describe('the distance of two polylines', () => {
@@ -61,11 +61,7 @@ describe('the distance of two polylines', () => {
 });
 
 describe('a comparison', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 900 }, pixelRatio: 1 });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 900 }, pixelRatio: 1 });
 
   const said = (tab, id) => tab.page.locator(`#compare-${id}`).textContent();
   /** Mean edges and per cent, as they are told. */
@@ -127,8 +123,7 @@ describe('a comparison', () => {
     await page.locator('#compare-off').click();
     assert.ok(!(await page.locator('#comparison').isVisible()));
     assert.equal(await page.locator('#compare').inputValue(), '');
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   test('with a method of the same curve finds none, and ends where both are one', async () => {
@@ -150,7 +145,6 @@ describe('a comparison', () => {
     await page.waitForFunction(() =>
       /no curve to compare/.test(document.getElementById('compare-problem').textContent),
     );
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 });

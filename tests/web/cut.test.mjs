@@ -1,21 +1,13 @@
 // The surface cut apart along curves, by hand: parts are seen, hidden, deleted, thickened and saved.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, Tab } from './browser.mjs';
 import { fitsFile } from './schema.mjs';
 
 describe('cuts', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
-  const close = async (tab) => {
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
-  };
   const near = (value, wanted, part, what) =>
     assert.ok(Math.abs(value - wanted) < part * wanted, `${what}: ${value}, not ${wanted}`);
   const parts = async (tab) => (await tab.view()).cut.parts;
@@ -90,7 +82,7 @@ describe('cuts', () => {
     await tab.page.keyboard.press('Control+z');
     await tab.settled();
     assert.equal(JSON.stringify((await tab.state()).drawing), bare);
-    await close(tab);
+    await tab.close();
   });
 
   test('parts are saved alone or all, as surfaces or thickened, and say what they are worth for printing', async () => {
@@ -121,7 +113,7 @@ describe('cuts', () => {
     assert.match(text, /^(#.*\n)*v /);
     assert.equal(names.length, 1);
     assert.match(names[0], /^part-2-of-.*\.obj$/);
-    await close(tab);
+    await tab.close();
   });
 
   test('a cut follows its curve, and comes back with a reload and a link', async () => {
@@ -145,7 +137,7 @@ describe('cuts', () => {
       (await parts(other)).map(({ state }) => state),
       ['hidden', 'kept'],
     );
-    await close(other);
+    await other.close();
     await tab.page.locator('#objects .object').last().click();
     await tab.settled();
     const rim = await tab.handle('Radius of the circle');
@@ -156,6 +148,6 @@ describe('cuts', () => {
       cut.parts.map(({ state }) => state),
       ['hidden', 'kept'],
     );
-    await close(tab);
+    await tab.close();
   });
 });

@@ -1,20 +1,12 @@
 // Objects that are made of others and follow them: offsets and booleans, made and changed by hand.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, Tab } from './browser.mjs';
 import { fitsFile } from './schema.mjs';
 
 describe('objects made of others', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
-  const close = async (tab) => {
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
-  };
   const drawingOf = async (tab) => (await tab.state()).drawing;
   const near = (value, wanted, part, what) =>
     assert.ok(Math.abs(value - wanted) < part * wanted, `${what}: ${value}, not ${wanted}`);
@@ -88,7 +80,7 @@ describe('objects made of others', () => {
     await tab.settled();
     const after = await tab.view();
     near(outer(after), around(after.circle.radius + 0.1), 0.005, 'after the drag');
-    await close(tab);
+    await tab.close();
   });
 
   test('each step is undone and done again; a reload, a link and a file have the same', async () => {
@@ -124,8 +116,8 @@ describe('objects made of others', () => {
     const { derived } = (await other.state()).figure;
     assert.deepEqual(derived.offset, { distance: 0.2, side: 'inwards' });
     near((await other.view()).isolines.length, length, 1e-4, 'as long as before');
-    await close(other);
-    await close(tab);
+    await other.close();
+    await tab.close();
   });
 
   test('copies keep to their own sources; what has none left goes with the last one', async () => {
@@ -157,7 +149,7 @@ describe('objects made of others', () => {
     );
     await tab.page.keyboard.press('Control+z');
     assert.equal((await drawingOf(tab)).objects.length, 4);
-    await close(tab);
+    await tab.close();
   });
 
   test('a drag of its line moves what it is made of, and is one step', async () => {
@@ -180,7 +172,7 @@ describe('objects made of others', () => {
     await tab.page.keyboard.press('Control+z');
     await tab.settled();
     assert.equal(JSON.stringify(await drawingOf(tab)), before);
-    await close(tab);
+    await tab.close();
   });
 
   /** Two circles of about the same radius, beside each other, both selected. */
@@ -229,7 +221,7 @@ describe('objects made of others', () => {
     await tab.drag(rim, { x: rim.x + 30, y: rim.y });
     const other = (await tab.view()).others.find(({ id }) => id === 3);
     assert.ok(other.region.area > 1.02 * union, `${other.region.area} ${union}`);
-    await close(tab);
+    await tab.close();
   });
 
   test('an intersection of what lies apart says so, and expanding makes curves that follow nothing', async () => {
@@ -261,6 +253,6 @@ describe('objects made of others', () => {
     await tab.page.locator('#objects [data-id="3"] .object').click();
     await tab.settled();
     assert.match((await tab.view()).problem, /no part in common/);
-    await close(tab);
+    await tab.close();
   });
 });

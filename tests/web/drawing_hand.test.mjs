@@ -1,23 +1,15 @@
 // Drawing does no harm: the pen leaves other lines alone, paths go on after undo and close alike, circles are dragged.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { openBrowser, openPhone, Tab, touchOf } from './browser.mjs';
+import { browserOfSuite, openPhone, Tab, touchOf } from './browser.mjs';
 
 describe('drawing by hand', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
   const objectsOf = async (tab) => (await tab.state()).drawing.objects;
   const at = async (tab, [dx, dy]) => {
     const { x, y } = await tab.middle();
     return { x: x + dx, y: y + dy };
-  };
-  const close = async (tab) => {
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
   };
   const path = [
     [-100, 60],
@@ -39,7 +31,7 @@ describe('drawing by hand', () => {
     assert.equal(objects[1].figure.kind, 'pen');
     assert.equal(objects[1].figure.points.length, 4);
     assert.equal((await tab.state()).drawing.active, objects[1].id);
-    await close(tab);
+    await tab.close();
   });
 
   test('after undo the path of the pen goes on where it stood', async () => {
@@ -54,7 +46,7 @@ describe('drawing by hand', () => {
       objects.map(({ figure }) => figure.points.length),
       [3],
     );
-    await close(tab);
+    await tab.close();
   });
 
   for (const [key, name] of [
@@ -71,7 +63,7 @@ describe('drawing by hand', () => {
       const [{ figure }] = await objectsOf(tab);
       assert.equal(figure.settings.closed, true);
       assert.equal(figure.points.length, 3);
-      await close(tab);
+      await tab.close();
     });
   }
 
@@ -91,7 +83,7 @@ describe('drawing by hand', () => {
       await tab.page.keyboard.press('Control+z');
       await tab.settled();
       assert.equal((await objectsOf(tab))[0].figure.circle, null, view);
-      await close(tab);
+      await tab.close();
     });
   }
 
@@ -116,7 +108,7 @@ describe('drawing by hand', () => {
     await tab.settled();
     const left = (await objectsOf(tab)).filter(({ figure }) => figure.points.length > 0);
     assert.equal(JSON.stringify(left), before);
-    await close(tab);
+    await tab.close();
   });
 });
 
@@ -144,8 +136,7 @@ describe('drawing by a finger', () => {
       const { figure } = drawing.objects[0];
       assert.equal(figure.kind, kind);
       assert.ok(figure.circle && 'face' in figure.circle.rim, 'its rim is where the finger was');
-      assert.deepEqual(tab.logged, []);
-      await tab.page.close();
+      await tab.close();
     });
   }
 });

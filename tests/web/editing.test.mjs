@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, Tab } from './browser.mjs';
 import { farthestFromSurface, middles } from './on_surface.mjs';
 import { inLongRun, part } from './part.mjs';
 
@@ -15,11 +15,7 @@ const places = [
 const onSurface = 2e-6;
 
 describe('editing a curve', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser();
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite();
 
   for (const mesh of part(['sphere:1500', 'bunny:0'], 1)) {
     test(`clicks make a curve on ${mesh}, and a drag changes it there`, async () => {
@@ -54,8 +50,7 @@ describe('editing a curve', () => {
         }
       }
       assert.match(await tab.page.locator('#status').textContent(), /triangles.*128 samples.*ms/s);
-      assert.deepEqual(tab.logged, []);
-      await tab.page.close();
+      await tab.close();
     });
   }
 
@@ -87,8 +82,7 @@ describe('editing a curve', () => {
     }
     const again = await tab.view();
     assert.equal(again.curve.samples.count, 128);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('a curve after edits is the curve that its points make anew', async () => {
@@ -103,8 +97,7 @@ describe('editing a curve', () => {
     assert.equal(anew.polyline.length, edited.polyline.length);
     const farthest = Math.max(...anew.polyline.map((x, i) => Math.abs(x - edited.polyline[i])));
     assert.ok(farthest <= 1e-6 * (await tab.mesh()).info.diagonal, `${farthest}`);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('points are moved in order by buttons and keys, and back', async () => {
@@ -130,8 +123,7 @@ describe('editing a curve', () => {
     for (let step = 0; step < 4; step++) await page.keyboard.press('Control+z');
     assert.deepEqual((await tab.state()).figure.points, points);
     assert.deepEqual((await tab.view()).polyline, before.polyline);
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   test('a drag of empty space or of the surface turns the view and edits nothing', async () => {
@@ -185,8 +177,7 @@ describe('editing a curve', () => {
     await page.keyboard.press('Control+z');
     await page.keyboard.press('Control+z');
     assert.deepEqual((await tab.state()).figure.points, before);
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   inLongRun('another method prepares, can be cancelled, and traces another curve', async () => {
@@ -211,8 +202,7 @@ describe('editing a curve', () => {
     await method.selectOption('karcher');
     await tab.page.waitForFunction(() => window.karcherPage.state().method === 'karcher');
     assert.deepEqual((await tab.view()).polyline, usual.polyline);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test("a circle's radius and center are dragged on the surface", async () => {
@@ -245,8 +235,7 @@ describe('editing a curve', () => {
     assert.equal((await tab.view()).curve, null);
     await tab.page.keyboard.press('Control+z');
     assert.deepEqual((await tab.view()).polyline, moved.polyline);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('a circle wider than the surface is a sentence, and can be taken back', async () => {
@@ -261,8 +250,7 @@ describe('editing a curve', () => {
     await tab.page.keyboard.press('1');
     await tab.click(...places);
     assert.ok((await tab.view()).curve, 'other curves are not in the way of it');
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('a failure tells of points without numbers, which are others in the engine', async () => {
@@ -294,7 +282,6 @@ describe('editing a curve', () => {
       'mesh=openSheet:5000&kind=circle&circle=0,0.3,0.3;0.5,1,0,0',
       'meets the surface’s boundary',
     );
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 });

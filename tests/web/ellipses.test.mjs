@@ -1,7 +1,7 @@
 // Ellipses: their handles, and what becomes of them.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, Tab } from './browser.mjs';
 import { flatGrid, typeRadius } from './circle_views.mjs';
 import { farthestFromSurface } from './on_surface.mjs';
 import { inLongRun } from './part.mjs';
@@ -22,11 +22,7 @@ function axisOf({ path, radius }) {
 const near = (a, b) => Math.abs(a - b) <= 1e-9 * Math.abs(b);
 
 describe('ellipses', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser();
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite();
 
   test('on a plane are ellipses, and turn with their handle', async () => {
     const tab = await Tab.open(browser);
@@ -63,8 +59,7 @@ describe('ellipses', () => {
     assert.ok(dot(was, is) < 0.98, 'it is turned');
     assert.equal(turned.circle.across.radius, 1.5);
     expectEllipse(turned);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   inLongRun('have a handle along, one across and a center, each undone in one step', async () => {
@@ -113,8 +108,7 @@ describe('ellipses', () => {
       await tab.page.keyboard.press('Control+Shift+z');
       assert.deepEqual((await tab.view()).polyline, view.polyline);
     }
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   inLongRun('are shaped with the keys alone', async () => {
@@ -136,8 +130,7 @@ describe('ellipses', () => {
     }
     await tab.page.keyboard.press('Delete');
     assert.equal((await tab.state()).figure.circle, null);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('share center and radius with circles, and come back with link and file', async () => {
@@ -172,8 +165,7 @@ describe('ellipses', () => {
     await tab.drop(name, text);
     await tab.page.waitForFunction(() => window.karcherPage.state().figure.circle !== null);
     assert.deepEqual((await tab.view()).polyline, wider.polyline);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('keep both radii on another mesh of their surface', async () => {
@@ -197,8 +189,7 @@ describe('ellipses', () => {
     for (const [i, radius] of radiiOf(dragged).entries()) {
       assert.ok(Math.abs(carried[i] - radius) < 0.5 * meanEdge, `${carried[i]}, was ${radius}`);
     }
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   inLongRun('that cannot be, or go beyond shortest ways, are said so', async () => {

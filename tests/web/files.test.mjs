@@ -1,6 +1,6 @@
 // Files of surfaces that are dropped on the page: their formats, parts, and what points up.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
+import { describe, test } from 'node:test';
 import {
   box,
   cutBox,
@@ -11,7 +11,7 @@ import {
   objFile,
   stlFile,
 } from '../wasm/mesh_files.mjs';
-import { openBrowser, Tab } from './browser.mjs';
+import { browserOfSuite, openBrowser, Tab } from './browser.mjs';
 import { inLongRun } from './part.mjs';
 import { fitsFile } from './schema.mjs';
 
@@ -23,11 +23,7 @@ const cone = {
 };
 
 describe('files of surfaces', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ pixelRatio: 1 });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ pixelRatio: 1 });
 
   const opened = (tab, name) =>
     tab.page.waitForFunction((ending) => window.karcherPage?.state().mesh.endsWith(ending), name);
@@ -50,8 +46,7 @@ describe('files of surfaces', () => {
       await tab.settled();
       assert.deepEqual((await tab.mesh()).info.triangles, 12, name);
     }
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('dropped together belong together, in any order', async () => {
@@ -102,20 +97,14 @@ describe('files of surfaces', () => {
     await tab.settled();
     assert.equal((await tab.state()).mesh, mesh);
     assert.deepEqual((await tab.state()).drawing, drawing);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   /** Red, green and blue of the stage's middle. */
   async function seenColor(tab) {
     const { x, y } = await tab.middle();
-    const png = await tab.page.screenshot({ clip: { x: x + 9, y: y + 9, width: 1, height: 1 } });
-    return tab.page.evaluate(async (bytes) => {
-      const image = await createImageBitmap(new Blob([Uint8Array.from(bytes)]));
-      const context = new OffscreenCanvas(1, 1).getContext('2d');
-      context.drawImage(image, 0, 0);
-      return Array.from(context.getImageData(0, 0, 1, 1).data.slice(0, 3));
-    }, Array.from(png));
+    const [color] = await tab.pixels({ x: x + 9, y: y + 9, width: 1, height: 1 });
+    return color;
   }
 
   test('a file’s colors are those of its surface, until clay is wanted', async () => {
@@ -146,8 +135,7 @@ describe('files of surfaces', () => {
     assert.ok(!strong((await seenColor(tab)).reverse()), 'plain');
     await tab.page.locator('#view').click();
     assert.equal(await item.isVisible(), false);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('of several surfaces the one that is chosen is opened', async () => {
@@ -165,8 +153,7 @@ describe('files of surfaces', () => {
     await opened(tab, 'box 13.obj');
     await tab.settled();
     assert.equal((await tab.mesh()).info.triangles, 12);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('what is no surface says what it is, and what was shown stays', async () => {
@@ -200,8 +187,7 @@ describe('files of surfaces', () => {
       Buffer.from(everyFile(cone)['little.ply']),
       'with every byte of the file',
     );
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
 
     const elsewhere = await openBrowser();
     try {
@@ -270,8 +256,7 @@ describe('files of surfaces', () => {
     await tab.settled();
     assert.equal(await up.inputValue(), 'y');
     assert.equal((await tab.state()).figure.points.length, 5);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   inLongRun('of several parts one can be chosen', async () => {
@@ -375,8 +360,7 @@ describe('files of surfaces', () => {
     await tab.page.locator('#surface').selectOption('torus');
     await tab.page.getByText('Nothing is in a curve’s way.').waitFor();
     assert.equal(await found.getByRole('button').count(), 0);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('boundaries that lie on each other are joined by a click, and the curve stays', async () => {
@@ -421,8 +405,7 @@ describe('files of surfaces', () => {
     // Opened again it is read as usual.
     await drop();
     assert.equal((await info()).components, 2);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   inLongRun('names in a file are text', async () => {
@@ -443,7 +426,6 @@ describe('files of surfaces', () => {
       await tab.page.evaluate(() => document.querySelectorAll('#panel img, #panel b').length),
       0,
     );
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 });

@@ -1,14 +1,10 @@
 // What closed lines enclose is painted: it follows every edit, is picked, kept, and in the files.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, openPhone, Tab, touchOf } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, openBrowser, openPhone, Tab, touchOf } from './browser.mjs';
 
 describe('fills', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
   const square = [
     [-80, -80],
@@ -16,10 +12,6 @@ describe('fills', () => {
     [80, 80],
     [-80, 80],
   ];
-  const close = async (tab) => {
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
-  };
   async function set(tab, percent) {
     await tab.page.locator('#fill').fill(`${percent}`);
     await tab.page.keyboard.press('Enter');
@@ -56,14 +48,8 @@ describe('fills', () => {
     await tab.still();
     const { x, y } = await tab.middle();
     const clip = { x: x + dx, y: y + dy, width: 1, height: 1 };
-    const png = (await tab.page.screenshot({ clip })).toString('base64');
-    return tab.page.evaluate(async (base64) => {
-      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-      const context = new OffscreenCanvas(1, 1).getContext('2d');
-      context.drawImage(bitmap, 0, 0);
-      return [...context.getImageData(0, 0, 1, 1).data.slice(0, 3)];
-    }, png);
+    const [color] = await tab.pixels(clip);
+    return color;
   }
 
   test('are painted, follow a drag and undo, and are as large as their triangles together', async (t) => {
@@ -98,7 +84,7 @@ describe('fills', () => {
     assert.equal(JSON.stringify((await tab.state()).drawing), before);
     const back = await pixel(tab, [0, 0]);
     assert.deepEqual(back, bare);
-    await close(tab);
+    await tab.close();
   });
 
   test('are picked by a click inside, moved by a drag there, and come back with the page', async () => {
@@ -124,7 +110,7 @@ describe('fills', () => {
     await tab.settled();
     const { fill } = await tab.view();
     assert.deepEqual(Object.values(fill.region.whole), Object.values(after.whole));
-    await close(tab);
+    await tab.close();
   });
 
   test('have a color of their own, and are in the SVG as they are seen', async () => {
@@ -154,7 +140,7 @@ describe('fills', () => {
       return Math.abs(sum);
     });
     assert.ok(Math.abs(area - around) < 0.002 * around, `${area} of ${around} pixels`);
-    await close(tab);
+    await tab.close();
   });
 
   /** A closed polyline a little above the equator of a sphere, seen from the front. */
@@ -258,7 +244,7 @@ describe('fills', () => {
     await tab.settled();
     assert.ok((await tab.view()).fill.region);
     assert.doesNotMatch(await tab.page.locator('#hint').textContent(), /filled/);
-    await close(tab);
+    await tab.close();
   });
 });
 

@@ -1,7 +1,7 @@
 // What someone sees and can do who opens the page for the first time.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, Tab } from './browser.mjs';
 import { inLongRun } from './part.mjs';
 
 const sizes = {
@@ -20,11 +20,7 @@ async function visit(browser) {
 
 for (const [name, viewport] of Object.entries(sizes)) {
   describe(`the first minute in a ${name} window`, () => {
-    let browser;
-    before(async () => {
-      browser = await openBrowser({ viewport });
-    });
-    after(() => browser.close());
+    const browser = browserOfSuite({ viewport });
 
     const inWindow = name === 'wide' ? test : inLongRun;
     inWindow('has a drawing that can be dragged at once, and a line that says so', async () => {
@@ -62,8 +58,7 @@ for (const [name, viewport] of Object.entries(sizes)) {
       for (let step = 0; step < 3; step++) await page.keyboard.press('Control+z');
       await tab.settled();
       assert.equal(JSON.stringify((await tab.state()).drawing), JSON.stringify(drawing));
-      assert.deepEqual(tab.logged, []);
-      await page.close();
+      await tab.close();
     });
 
     inLongRun('a click on the surface adds nothing until a tool is chosen', async () => {
@@ -102,11 +97,7 @@ for (const [name, viewport] of Object.entries(sizes)) {
 }
 
 describe('the tour and the examples', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ viewport: sizes.wide });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ viewport: sizes.wide });
 
   test('five steps lead through the page, once', async () => {
     const tab = await visit(browser);
@@ -136,8 +127,7 @@ describe('the tour and the examples', () => {
     await card.waitFor();
     await page.keyboard.press('Escape');
     await card.waitFor({ state: 'hidden' });
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   test('the tour goes on from dragging to drawing where a file leaves nothing to drag', async () => {
@@ -160,8 +150,7 @@ describe('the tour and the examples', () => {
     await page.locator('#tour-skip').click();
     await begin();
     assert.equal(await step(), '2 of 5', 'nor does it begin with that');
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   inLongRun(
@@ -190,8 +179,7 @@ describe('the tour and the examples', () => {
       await tab.settled();
       const { figure, drawing } = await tab.state();
       assert.deepEqual([drawing.objects.length, figure.points.length], [1, 2]);
-      assert.deepEqual(tab.logged, []);
-      await tab.page.close();
+      await tab.close();
     },
   );
 

@@ -1,7 +1,7 @@
 // What is held with a pointer or a key while something else happens: it is let go, and the next drag is as ever.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, Tab } from './browser.mjs';
 import { inLongRun } from './part.mjs';
 
 /** Two rectangles beside each other, 4 and 4 wide and 6 high, with a gap between them. */
@@ -9,11 +9,7 @@ const rectangle = (x) => `v ${x} 0 0\nv ${x + 4} 0 0\nv ${x + 4} 6 0\nv ${x} 6 0
 const twoParts = `${rectangle(0)}${rectangle(5)}f 1 2 3\nf 1 3 4\nf 5 6 7\nf 5 7 8\n`;
 
 describe('what is held', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser();
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite();
 
   const at = async (tab, [dx, dy]) => {
     const { x, y } = await tab.middle();
@@ -60,8 +56,7 @@ describe('what is held', () => {
     await tab.dragHandle('Handle after anchor 2', 20, 30);
     await tab.settled();
     assert.notEqual(JSON.stringify((await tab.state()).drawing), before);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   inLongRun(
@@ -101,8 +96,7 @@ describe('what is held', () => {
       assert.equal((await tab.state()).drawing.objects.length, 2);
       await tab.page.keyboard.press('Control+z');
       assert.equal((await tab.state()).drawing.objects.length, 1);
-      assert.deepEqual(tab.logged, []);
-      await tab.page.close();
+      await tab.close();
     },
   );
 
@@ -166,8 +160,7 @@ describe('what is held', () => {
       await focus();
       await page.keyboard.press('ArrowLeft');
       await moves(drawn);
-      assert.deepEqual(tab.logged, []);
-      await page.close();
+      await tab.close();
     },
   );
 
@@ -192,8 +185,7 @@ describe('what is held', () => {
     assert.equal(await points(), nudged);
     await page.keyboard.press('Control+z');
     assert.equal(await points(), start);
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   test('Escape ends the drag of a handle, and Tab leads from an anchor to its handles', async () => {
@@ -218,8 +210,7 @@ describe('what is held', () => {
     }
     assert.deepEqual(labels.slice(0, 2), ['Anchor 1 of 2', 'Anchor 2 of 2']);
     assert.match(labels[2], /^Handle (before|after) anchor 2$/);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('a name that is typed is for its object, and its undo is its own', async () => {
@@ -248,8 +239,7 @@ describe('what is held', () => {
     assert.deepEqual(await named(), ['', 'Seam']);
     const rows = page.locator('#objects [aria-current]');
     assert.deepEqual(await rows.evaluateAll((all) => all.map((one) => one.ariaCurrent)), ['true']);
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   test('a handle whose anchor is removed is let go', async () => {
@@ -268,8 +258,7 @@ describe('what is held', () => {
     await tab.dragHandle('Anchor 1', -20, -30);
     await tab.settled();
     assert.notDeepEqual((await tab.state()).figure.points[0], figure.points[0]);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   const places = [
@@ -308,8 +297,7 @@ describe('what is held', () => {
       await tab.page.keyboard.press('Control+y');
       await tab.settled();
       assert.equal(await drawingOf(tab), JSON.stringify(after.drawing));
-      assert.deepEqual(tab.logged, []);
-      await tab.page.close();
+      await tab.close();
     });
   }
 
@@ -343,7 +331,6 @@ describe('what is held', () => {
     await tab.page.keyboard.press('Delete');
     await tab.settled();
     assert.equal((await tab.state()).figure.points.length, 0);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 });

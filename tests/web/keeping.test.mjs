@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab, until } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, openBrowser, Tab, until } from './browser.mjs';
 import { inLongRun, part } from './part.mjs';
 
 const places = [
@@ -22,11 +22,7 @@ f 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n`,
 };
 
 describe('nothing that was made is lost', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ profile: true, pixelRatio: 1 });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ profile: true, pixelRatio: 1 });
 
   test('a bad file is a sentence, and the curve stays', async () => {
     const tab = await Tab.open(browser);
@@ -46,8 +42,7 @@ describe('nothing that was made is lost', () => {
     }
     await tab.dragHandle('Control point 2 of 4', 10, 10);
     assert.notDeepEqual((await tab.view()).polyline, polyline, 'the curve is still edited');
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   for (const [where, isFull] of [
@@ -138,8 +133,7 @@ describe('nothing that was made is lost', () => {
     await tab.drop('tetrahedron.obj', tetrahedron);
     await tab.page.waitForFunction(() => window.karcherPage.triangles === 4);
     assert.deepEqual((await tab.view()).polyline, polyline);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('a file that was kept as bytes is found', async () => {
@@ -164,8 +158,7 @@ describe('nothing that was made is lost', () => {
     await tab.page.reload();
     await tab.settled();
     assert.equal((await tab.state()).mesh, mesh);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('an engine that breaks is started again, and the curve is edited on', async () => {
@@ -209,8 +202,7 @@ describe('nothing that was made is lost', () => {
     await tab.page.locator('#surface').selectOption('torus');
     await tab.page.waitForFunction(() => window.karcherPage.state().mesh.startsWith('torus:'));
     await tab.click([0, 100], [60, 100]);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('reload and the link alone restore what was made', async () => {
@@ -265,8 +257,7 @@ describe('nothing that was made is lost', () => {
     await note.waitFor();
     await tab.page.keyboard.press('Control+z');
     assert.deepEqual((await tab.state()).figure, document);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   inLongRun(
@@ -346,8 +337,7 @@ describe('nothing that was made is lost', () => {
     // Loop subdivision moves the coarse bunny's surface by less than an edge.
     const off = [0, 1, 2].map((axis) => finer.polyline[axis] - polyline[axis]);
     assert.ok(Math.hypot(...off) < 2 * info.meanEdge);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   inLongRun('opening a surface is cancelled, and the one before stays', async () => {
@@ -366,7 +356,6 @@ describe('nothing that was made is lost', () => {
     assert.equal((await tab.state()).mesh, 'sphere:1500');
     assert.deepEqual((await tab.view()).polyline, polyline);
     assert.equal(await tab.page.locator('#surface').inputValue(), 'sphere');
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 });

@@ -1,8 +1,8 @@
 // Every kind of curve on the page, and the edits that are theirs.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
+import { describe, test } from 'node:test';
 import { isDeepStrictEqual } from 'node:util';
-import { openBrowser, Tab } from './browser.mjs';
+import { browserOfSuite, Tab } from './browser.mjs';
 import { farthestFromSurface } from './on_surface.mjs';
 import { inLongRun, part } from './part.mjs';
 import { far, lengthOf, vertices } from './polylines.mjs';
@@ -35,11 +35,7 @@ const distanceTo = (polyline, place) =>
 const ends = (polyline) => [polyline.slice(0, 3), polyline.slice(-3)];
 
 describe('kinds of curves', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser();
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite();
 
   test('lie on the surface, go where they say, and come back with the link', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0');
@@ -70,8 +66,7 @@ describe('kinds of curves', () => {
     const { polyline } = await tab.view();
     await tab.page.reload();
     assert.deepEqual((await tab.view()).polyline, polyline);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   inLongRun('are closed and opened', async () => {
@@ -89,8 +84,7 @@ describe('kinds of curves', () => {
     assert.ok(far(...ends((await tab.view()).polyline)) > 0.01 * diagonal);
     await tab.page.keyboard.press('Control+z');
     assert.ok(far(...ends((await tab.view()).polyline)) <= 1e-6 * diagonal);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   inLongRun('have the degree and the ends that are asked for', async () => {
@@ -112,8 +106,7 @@ describe('kinds of curves', () => {
     const meets = 0.05 * surface.info.meanEdge;
     assert.ok(far(ends(polyline)[0], points[0]) <= meets);
     assert.ok(far(ends(polyline)[1], points.at(-1)) <= meets);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   const sliders = { bspline: 'Weight', rational: 'Weight', barycentric: 'Beta' };
@@ -150,8 +143,7 @@ describe('kinds of curves', () => {
       assert.deepEqual((await tab.view()).polyline, before.polyline);
       await tab.page.keyboard.press('Control+Shift+z');
       assert.deepEqual((await tab.view()).polyline, weighted.polyline);
-      assert.deepEqual(tab.logged, []);
-      await tab.page.close();
+      await tab.close();
     });
   }
 
@@ -189,8 +181,7 @@ describe('kinds of curves', () => {
       }
       await tab.page.keyboard.press('Control+z');
       assert.deepEqual((await tab.view()).polyline, before.polyline);
-      assert.deepEqual(tab.logged, []);
-      await tab.page.close();
+      await tab.close();
     });
   }
 
@@ -233,8 +224,7 @@ describe('kinds of curves', () => {
       assert.deepEqual((await tab.state()).figure, knotted, name);
       assert.deepEqual((await tab.view()).polyline, polyline, name);
     }
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   test('are cut where they are clicked, and joined again', async () => {
@@ -270,8 +260,7 @@ describe('kinds of curves', () => {
     await tab.page.keyboard.press('s');
     await tab.page.keyboard.press('Escape');
     assert.equal((await tab.state()).tool, 'insert');
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('a B-spline has its knots as a list, and wrong ones lose nothing', async () => {
@@ -312,8 +301,7 @@ describe('kinds of curves', () => {
     await page.locator('#stage').focus();
     await page.keyboard.press('Control+z');
     assert.deepEqual((await tab.view()).polyline, polyline);
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   inLongRun('as many samples as a tolerance takes, and marks evenly along the curve', async () => {
@@ -348,8 +336,7 @@ describe('kinds of curves', () => {
     assert.equal((await tab.save('SVG')).text.match(/r="4"/g).length, 5);
     await page.reload();
     assert.deepEqual(Object.values((await tab.view()).curve.marks.position).length, 15);
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   inLongRun('are measured where they are pointed at', async () => {
@@ -387,8 +374,7 @@ describe('kinds of curves', () => {
     await page.keyboard.press('Escape');
     assert.equal((await tab.state()).tool, 'insert');
     assert.equal(await hint.textContent(), '');
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   inLongRun('are run backwards', async () => {
@@ -407,8 +393,7 @@ describe('kinds of curves', () => {
       assert.ok(far(ends(polyline)[0], ends(before.polyline)[1]) <= 1e-6 * diagonal);
       assert.ok(far(ends(polyline)[1], ends(before.polyline)[0]) <= 1e-6 * diagonal);
     }
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   inLongRun('lie beside each other, and a click takes up another one', async () => {
@@ -432,7 +417,6 @@ describe('kinds of curves', () => {
     assert.ok((await tab.view()).others[0].lines[0]);
     await tab.page.keyboard.press('Control+z');
     assert.equal((await tab.state()).figure.kind, 'bspline');
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 });

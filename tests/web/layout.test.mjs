@@ -1,14 +1,10 @@
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab, touchOf } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, Tab, touchOf } from './browser.mjs';
 import { part } from './part.mjs';
 
 describe('where the page is shown', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ viewport: { width: 390, height: 844 }, hasTouch: true });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ viewport: { width: 390, height: 844 }, hasTouch: true });
 
   test('a narrow window has no sideways scroll and every tool in reach', async () => {
     const tab = await Tab.open(browser);
@@ -52,8 +48,7 @@ describe('where the page is shown', () => {
       const { height } = await page.locator(`#${id}`).boundingBox();
       assert.ok(height >= 44, `${id} is for a finger`);
     }
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   test('a narrow window has facts, repairs, the points and Clear in its sheet', async () => {
@@ -78,8 +73,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     await tab.page.locator('#clear').tap();
     await tab.settled();
     assert.equal((await tab.state()).figure.points.length, 0);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('the sheet is drawn up and down, and leaves the surface most of the height', async () => {
@@ -121,8 +115,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     await page.keyboard.press('ArrowDown');
     await heights('half');
     assert.equal((await tab.state()).figure.points.length, 0, 'and nothing is drawn by it');
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   test('menus are as wide as the longest of their words', async () => {
@@ -151,8 +144,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
       assert.ok(width <= Math.max(words + 40, 170), `${id}: ${width} for ${words}`);
       await page.keyboard.press('Escape');
     }
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   for (const kind of ['bspline', 'pen', 'ellipse', 'center']) {
@@ -225,8 +217,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     assert.equal((await tab.state()).figure.points.length, 2);
     await tab.page.locator('#remove').tap();
     assert.equal((await tab.state()).figure.points.length, 1);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('the selected point has its weight in reach', async () => {
@@ -289,8 +280,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     await tab.still();
     assert.ok((await apart()) > 1.3 * near, 'nearer');
     assert.equal((await tab.state()).figure.points.length, 2, 'and no point is added');
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('the theme follows the system until it is chosen', async () => {

@@ -1,16 +1,12 @@
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, Tab } from './browser.mjs';
 
 /** On the upper side of the torus, around its axis. */
 const onRing = (angle) => [Math.cos(angle), Math.sin(angle), 0.4];
 
 describe('legs of the control polygon', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser();
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite();
 
   const seen = (tab, angle) =>
     tab.page.evaluate((place) => window.karcherPage.seen(place), onRing(angle));
@@ -72,8 +68,7 @@ describe('legs of the control polygon', () => {
     });
     await tab.page.mouse.click(place.x, place.y);
     assert.deepEqual((await tab.view()).polyline, short.polyline);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('of a drag are one step of the history with it', async () => {

@@ -1,8 +1,8 @@
 // Lines answer: what a click would take is marked, what is selected is seen beside any line, what the surface hides is
 // thin and can be left out, dashes are as long as the line is wide, and the magnet tells whether it is on.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab, until } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, Tab, until } from './browser.mjs';
 
 const upper = [
   [-120, -90],
@@ -14,29 +14,13 @@ const lower = [
 ];
 
 describe('lines', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
 
-  const close = async (tab) => {
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
-  };
   /** Colors of the stage, red, green and blue each, of a column of pixels through a place of the window. */
   async function column(tab, { x, y }, reach = 16) {
     await tab.still();
     const clip = { x: Math.round(x), y: Math.round(y) - reach, width: 1, height: 2 * reach };
-    const png = (await tab.page.screenshot({ clip })).toString('base64');
-    return tab.page.evaluate(async (base64) => {
-      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-      const context = new OffscreenCanvas(1, bitmap.height).getContext('2d');
-      context.drawImage(bitmap, 0, 0);
-      const { data } = context.getImageData(0, 0, 1, bitmap.height);
-      return Array.from({ length: bitmap.height }, (_, i) => [...data.slice(4 * i, 4 * i + 3)]);
-    }, png);
+    return tab.pixels(clip);
   }
   const yellow = ([red, green, blue]) => red > 200 && green > 150 && blue < 90;
   const unlike = (a, b, by = 40) =>
@@ -71,7 +55,7 @@ describe('lines', () => {
       await tab.page.locator('.stage:not([data-action])').waitFor();
       assert.deepEqual(unlike(await column(tab, place), bare), []);
     }
-    await close(tab);
+    await tab.close();
   });
 
   test('that are selected are seen to be, whatever their width and color', async () => {
@@ -93,7 +77,7 @@ describe('lines', () => {
         assert.equal(runs, 3, `${width}: ${marked.map(Number).join('')}`);
       }
     }
-    await close(tab);
+    await tab.close();
   });
 
   test('that are dashed and selected have no white between their dashes', async () => {
@@ -113,7 +97,7 @@ describe('lines', () => {
       kinds.add(r - g > 100 ? 'dash' : Math.min(r, g, b) > 248 ? 'white' : 'between');
     }
     assert.deepEqual([...kinds].sort(), ['between', 'dash']);
-    await close(tab);
+    await tab.close();
   });
 
   test('that differ have settings that say so in whole words', async () => {
@@ -151,7 +135,7 @@ describe('lines', () => {
       cut.filter(([, left]) => left < 0),
       [],
     );
-    await close(tab);
+    await tab.close();
   });
 
   test('that the surface hides show through until that is switched off', async () => {
@@ -177,7 +161,7 @@ describe('lines', () => {
     await tab.page.keyboard.press('h');
     assert.equal(await item.getAttribute('aria-checked'), 'true');
     assert.deepEqual(unlike(await column(tab, at, 110), shown), []);
-    await close(tab);
+    await tab.close();
   });
 
   test('of a color that the surface has too are seen by a rim, light in the dark and dark in the light', async () => {
@@ -207,7 +191,7 @@ describe('lines', () => {
       assert.ok(!(await column(tab, place)).some(isRim), theme);
       await tab.page.keyboard.press('Control+a');
     }
-    await close(tab);
+    await tab.close();
   });
 
   test('are as wide where the surface turns away as where it faces the view', async () => {
@@ -238,7 +222,7 @@ describe('lines', () => {
       ([red, green, blue]) => red > 150 && green < 130 && blue < 80,
     );
     assert.ok(orange.length >= 14, `${orange.length} of 16 pixels`);
-    await close(tab);
+    await tab.close();
   });
 
   test('of the rubber band lead as the next piece will, also out of a handle', async () => {
@@ -272,7 +256,7 @@ describe('lines', () => {
       async () => unlike(await columns(), bare).length > 4,
       'the band is where the piece will be',
     );
-    await close(tab);
+    await tab.close();
   });
 
   test('have dashes as long as they are wide, in the SVG too', async () => {
@@ -291,7 +275,7 @@ describe('lines', () => {
       dashes[1],
       dashes[0].map((length) => 3 * length),
     );
-    await close(tab);
+    await tab.close();
   });
 
   test('snap to a magnet that tells whether it is on', async () => {
@@ -310,6 +294,6 @@ describe('lines', () => {
     assert.deepEqual([off, on], ['false', 'true']);
     assert.deepEqual([offTip, onTip], ['Snapping is off (G)', 'Snapping is on (G)']);
     assert.notEqual(offColor, onColor);
-    await close(tab);
+    await tab.close();
   });
 });

@@ -1,9 +1,9 @@
 // Links that say too much, or what no page knows: refused or told, and never a failure of the page.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
+import { before, describe, test } from 'node:test';
 import fc from 'fast-check';
 import { draws } from '../wasm/draws.mjs';
-import { openBrowser, Tab } from './browser.mjs';
+import { browserOfSuite, Tab } from './browser.mjs';
 import { load } from './figures.mjs';
 
 const link =
@@ -177,19 +177,14 @@ describe('links', () => {
 });
 
 describe('a page with a link', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser();
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite();
 
   test('of 5,000 points refuses it with its bound', async () => {
     const points = Array.from({ length: 5000 }, (_, i) => `${i % 1400},0.3,0.3`).join(';');
     const tab = await Tab.open(browser, `mesh=sphere:1500&kind=bspline&points=${points}`);
     const alert = tab.page.getByRole('alert');
     assert.match(await alert.textContent(), /The link has 5,000 points; up to 1,000 are opened\./);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('of more points that was made here is opened: from its file, and by a reload with its steps', async () => {
@@ -204,8 +199,7 @@ describe('a page with a link', () => {
     assert.equal((await tab.state()).figure.points.length, 1200);
     await tab.page.keyboard.press('Control+z');
     assert.equal((await tab.state()).figure.points.length, 0);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('whose object is hidden shows nothing of it, also once it could be refined', async () => {

@@ -1,18 +1,14 @@
 // The pen: anchors and handles drawn and edited with a mouse, a finger and keys.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, openPhone, Tab, touchOf } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, openPhone, Tab, touchOf } from './browser.mjs';
 
 const penOf = async (tab) => (await tab.state()).figure;
 const bytesOf = async (tab) => JSON.stringify((await tab.state()).drawing);
 const dot = (a, b) => a.reduce((sum, value, axis) => sum + value * b[axis], 0);
 
 describe('the pen', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser();
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite();
 
   /** A place of the stage by its offsets from the middle. */
   async function placeOf(tab, [dx, dy]) {
@@ -70,8 +66,7 @@ describe('the pen', () => {
       await tab.page.keyboard.press('Control+Shift+z');
       assert.equal(await bytesOf(tab), state);
     }
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('drags handles and anchors, Alt breaks them, and all of it comes back with the link', async () => {
@@ -149,8 +144,7 @@ describe('the pen', () => {
     assert.equal(await hint.textContent(), '1 more point makes a curve');
     await page.keyboard.press('Escape');
     assert.match(await hint.textContent(), /^Click to place a corner/, 'no point goes on with it');
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   test('bends the curve by a drag, and removes an anchor by a double click, each one step', async () => {
@@ -217,8 +211,7 @@ describe('the pen', () => {
     await page.keyboard.up('Alt');
     await tab.settled();
     await page.waitForFunction(() => !window.karcherPage.state().figure.points[1].tangents);
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   test('keeps handles to 45 degrees with Shift, and draws by keys alone', async () => {
@@ -253,8 +246,7 @@ describe('the pen', () => {
     assert.equal(figure.kind, 'pen');
     assert.equal(figure.points.length, 2);
     assert.ok((await tab.view()).curve);
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 
   test('draws with a finger: taps are corners, and a drag makes a smooth anchor', async () => {

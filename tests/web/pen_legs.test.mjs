@@ -1,8 +1,8 @@
 // The pen's segments, whose legs follow the hand: by the page's parts in Node, and dragged on the page.
 import assert from 'node:assert/strict';
-import { after, before, beforeEach, describe, test } from 'node:test';
+import { beforeEach, describe, test } from 'node:test';
 import { load } from 'karcher';
-import { openBrowser, Tab } from './browser.mjs';
+import { browserOfSuite, Tab } from './browser.mjs';
 import { arraysOfShape, openPage } from './engine_in_node.mjs';
 
 /** Along a geodesic around the tube of a torus; half of it is 1.25 long. */
@@ -320,11 +320,7 @@ describe('legs of the pen', () => {
 });
 
 describe('a segment of the pen on the page', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser();
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite();
 
   /** On the upper side of the torus, around its axis. */
   const onRing = (angle) => [Math.cos(angle), Math.sin(angle), 0.4];

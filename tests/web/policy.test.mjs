@@ -1,14 +1,10 @@
 // The built pages' Content-Security-Policy: it lets them work, and nothing else in.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, Tab } from './browser.mjs';
 
 describe('the policy of the pages', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser();
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite();
 
   /** What the page does with a script in its text, code made of text, and another host. */
   const tried = (page) =>

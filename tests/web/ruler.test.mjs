@@ -1,15 +1,11 @@
 // Lengths: the surface's unit is guessed and can be chosen, and a ruler measures along the surface and straight.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
+import { describe, test } from 'node:test';
 import { cutBox, stlFile } from '../wasm/mesh_files.mjs';
-import { openBrowser, Tab } from './browser.mjs';
+import { browserOfSuite, Tab } from './browser.mjs';
 
 describe('lengths', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
   const hint = (tab) => tab.page.locator('#hint');
   const ruled = (unit = '') =>
@@ -59,8 +55,7 @@ describe('lengths', () => {
     await tab.page.keyboard.press('Escape');
     await tab.page.keyboard.press('v');
     assert.doesNotMatch(await hint(tab).textContent(), /straight/);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('have the unit of the file, which is guessed, chosen, and kept', async () => {
@@ -86,7 +81,6 @@ describe('lengths', () => {
     await tab.settled();
     await tab.page.waitForFunction(() => window.karcherPage.state().mesh.endsWith('part.stl'));
     assert.equal(await unit.inputValue(), 'in');
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 });

@@ -1,8 +1,8 @@
 // What the page saves as files, and opens again.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, openBrowser, Tab } from './browser.mjs';
 import { inLongRun } from './part.mjs';
 import { fitsFile } from './schema.mjs';
 
@@ -16,11 +16,7 @@ const octahedron = `v 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 0 -1
 f 1 2 3\nf 2 4 3\nf 4 5 3\nf 5 1 3\nf 2 1 6\nf 4 2 6\nf 5 4 6\nf 1 5 6\n`;
 
 describe('saving', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ pixelRatio: 1 });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ pixelRatio: 1 });
 
   test('an OBJ file holds the polyline that is drawn', async () => {
     const tab = await Tab.open(browser);
@@ -39,8 +35,7 @@ describe('saving', () => {
       element,
       vertices.map((_, i) => i + 1),
     );
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('a PNG is the view in twice as many pixels, see-through where that is asked for', async () => {
@@ -78,8 +73,7 @@ describe('saving', () => {
     assert.equal(whole.clear, 0);
     assert.ok(clear.clear > 0.2 && clear.clear < 0.9, `${clear.clear} is seen through`);
     assert.ok(whole.blue > 500 && clear.blue > 500, 'the curve is on both');
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('a JSON file opens the curve again, elsewhere too', async () => {
@@ -242,8 +236,7 @@ describe('saving', () => {
     assert.equal(await only.isEnabled(), false);
     await tab.page.keyboard.press('Escape');
     assert.equal((await tab.save('OBJ')).text.match(/^l /gm).length, 2);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('without a curve there is nothing to save, and a file of another kind is a sentence', async () => {
@@ -265,7 +258,6 @@ describe('saving', () => {
       assert.match(await alert.locator('p').textContent(), /could not be read\. .*JSON.*\.$/);
     }
     assert.deepEqual((await tab.state()).figure, document);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 });

@@ -1,7 +1,7 @@
 // One selection: what is edited, colored, named and deleted is what is seen to be selected.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, Tab } from './browser.mjs';
 
 const two = [
   [
@@ -19,11 +19,7 @@ const two = [
 ];
 
 describe('the selection', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
   /** Two curves, of which the second is edited, with the tool that selects. */
   async function drawn() {
@@ -39,11 +35,6 @@ describe('the selection', () => {
   const objectsOf = async (tab) => (await tab.state()).drawing.objects;
   const swatch = (tab, name) => tab.page.getByRole('button', { name, exact: true });
   const placeholder = (tab) => tab.page.locator('#object-name').getAttribute('placeholder');
-  const close = async (tab) => {
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
-  };
-
   test('after a drag of another object is undone, one object is shown, colored and named', async () => {
     const tab = await drawn();
     const place = await tab.onCurve(0.5, 0);
@@ -68,7 +59,7 @@ describe('the selection', () => {
       closed.map(({ id }) => id),
       [drawing.active],
     );
-    await close(tab);
+    await tab.close();
   });
 
   test('Delete takes the object whose points are shown', async () => {
@@ -85,7 +76,7 @@ describe('the selection', () => {
       left.map(({ id }) => id),
       [1],
     );
-    await close(tab);
+    await tab.close();
   });
 
   const swatchRow = (tab, row) => tab.page.locator('#objects .object').nth(row).click();
@@ -121,7 +112,7 @@ describe('the selection', () => {
       await tab.settled();
       assert.equal(await handles(tab), 4);
       assert.equal(await placeholder(tab), 'B-spline 2');
-      await close(tab);
+      await tab.close();
     });
   }
 
@@ -195,8 +186,7 @@ describe('the selection', () => {
       await shiftClick(tab, `${name} 3 of 4`);
       await tab.page.mouse.click(second.x, second.y);
       assert.deepEqual(await pressed(tab), ['point-1']);
-      assert.deepEqual(tab.logged, []);
-      await tab.page.close();
+      await tab.close();
     });
   }
 
@@ -217,7 +207,7 @@ describe('the selection', () => {
       assert.deepEqual([color, width, figure.settings.closed], ['#0e7c9e', 7, true]);
     }
     assert.equal(await tab.page.locator('#swatches [aria-pressed="true"]').count(), 1);
-    await close(tab);
+    await tab.close();
   });
 
   test('of several what they do not share is said to be mixed, until it is set', async () => {
@@ -264,6 +254,6 @@ describe('the selection', () => {
         [1, 'dotted', 'auto', 3, 2, 30],
       );
     }
-    await close(tab);
+    await tab.close();
   });
 });

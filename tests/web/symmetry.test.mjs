@@ -1,8 +1,8 @@
 // Mirroring in planes: the plane in which a surface is its own mirror image is found from its places, or is
 // that of three clicks.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { before, describe, test } from 'node:test';
+import { browserOfSuite, Tab } from './browser.mjs';
 import { pageModule } from './page_module.mjs';
 
 /** An egg with a nose, which is its own mirror image in x alone, as places and normals at directions. */
@@ -134,11 +134,7 @@ describe('the plane of symmetry', () => {
 });
 
 describe('mirroring in planes', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
   const placesOf = (points, { positions, triangles }) =>
     points.map(({ face, bary }) =>
@@ -181,11 +177,6 @@ describe('mirroring in planes', () => {
     const by = 2 * dot(normal, [x, y, z]);
     return [x, y, z].map((value, axis) => value - by * normal[axis]);
   };
-  const close = async (tab) => {
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
-  };
-
   async function checkCopies(tab, most = 0.06) {
     await tab.page.waitForFunction(() => window.karcherPage.state().drawing.objects.length === 2);
     const mesh = await tab.mesh();
@@ -218,7 +209,7 @@ describe('mirroring in planes', () => {
     await page.getByText('both sides of it are alike').waitFor();
     await page.locator('#mirror-now').click();
     await checkCopies(tab);
-    await close(tab);
+    await tab.close();
   });
 
   test('three clicks mirror in the plane through them; on a line they say that they cannot', async () => {
@@ -251,7 +242,7 @@ describe('mirroring in planes', () => {
       await page.mouse.click(place.x, place.y);
     }
     await checkCopies(tab, 0.15);
-    await close(tab);
+    await tab.close();
   });
 
   test('a surface without a symmetry says so, and mirrors nothing', async () => {
@@ -277,6 +268,6 @@ describe('mirroring in planes', () => {
     await tab.page.mouse.click(x, y);
     await tab.settled();
     assert.equal((await tab.state()).drawing.objects.length, 1);
-    await close(tab);
+    await tab.close();
   });
 });

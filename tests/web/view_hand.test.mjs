@@ -1,14 +1,10 @@
 // The view follows the hand: it is zoomed, turned and moved at what is under the pointer.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, Tab } from './browser.mjs';
 
 describe('the view', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ reducedMotion: 'reduce' });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ reducedMotion: 'reduce' });
 
   const off = [70, -40];
 
@@ -64,8 +60,7 @@ describe('the view', () => {
     await wheel(tab, 30, 240);
     near(await seen(tab, place), at, 'after 30 steps back');
     assert.ok((await sizeOf()) < 50, 'it is not stuck');
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   for (const [how, hold, button] of [
@@ -90,8 +85,7 @@ describe('the view', () => {
         assert.equal(JSON.stringify((await tab.state()).drawing), before, 'nothing is drawn');
         assert.equal(await tab.page.locator('#context-menu').isVisible(), false);
         assert.ok(other !== undefined && beside && view);
-        assert.deepEqual(tab.logged, []);
-        await tab.page.close();
+        await tab.close();
       });
     }
   }
@@ -111,8 +105,7 @@ describe('the view', () => {
       if (hold) await tab.page.keyboard.up(hold);
       near(await seen(tab, place), { x: at.x + by[0], y: at.y + by[1] }, 'moved');
       assert.equal(JSON.stringify((await tab.state()).drawing), before, 'nothing is drawn');
-      assert.deepEqual(tab.logged, []);
-      await tab.page.close();
+      await tab.close();
     });
   }
 
@@ -135,7 +128,6 @@ describe('the view', () => {
     await tab.page.keyboard.press('Shift+Digit1');
     await tab.still();
     near(await tab.handle('Control point 1 of 3'), usual, 'as it was');
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 });

@@ -69,8 +69,7 @@ describe('while the page waits', () => {
     await up.selectOption('Z up');
     await shown(tab, '~z:cone.ply');
     assert.equal((await tab.state()).figure.points.length, 5);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test("for a link's method: its drawing does not land on the surface that was opened since", async () => {
@@ -115,8 +114,7 @@ describe('while the page waits', () => {
     await tab.page.waitForFunction(() => document.getElementById('progress').hidden);
     assert.equal((await tab.state()).method, 'paper-exact');
     assert.equal(await method.inputValue(), 'paper-exact');
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('for the keys: Escape closes a menu that has just been opened, and lets go of nothing else', async () => {
@@ -167,7 +165,6 @@ describe('while the page waits', () => {
     await coming;
     await progress.waitFor({ state: 'hidden' });
     assert.equal(downloads, 1);
-    assert.deepEqual(tab.logged, []);
-    await page.close();
+    await tab.close();
   });
 });

@@ -1,9 +1,9 @@
 // A walk over the controls and gestures, in any order: after every step panel, handles, halo and status speak of one
 // selection, and what is undone comes back.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
+import { describe, test } from 'node:test';
 import fc from 'fast-check';
-import { openBrowser, Tab } from './browser.mjs';
+import { browserOfSuite, Tab } from './browser.mjs';
 import { Dropping, dropStep } from './dropping.mjs';
 import { long, seed } from './part.mjs';
 
@@ -137,11 +137,7 @@ const said = () => {
 };
 
 describe('a walk', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
-  });
-  after(() => browser.close());
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
   async function take(tab, taken, dropping) {
     const { page } = tab;

@@ -1,19 +1,10 @@
 // Widths in pixels stay, widths in the surface's unit are seen as the surface is; opacity is one for a line.
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { openBrowser, Tab } from './browser.mjs';
+import { describe, test } from 'node:test';
+import { browserOfSuite, Tab } from './browser.mjs';
 
 describe('looks of lines', () => {
-  let browser;
-  before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
-  });
-  after(() => browser.close());
-
-  const close = async (tab) => {
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
-  };
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
 
   async function type(tab, id, text) {
     await tab.page.locator(id).fill(text);
@@ -27,15 +18,7 @@ describe('looks of lines', () => {
     await tab.still();
     const { x, y } = await tab.middle();
     const clip = { x: x + aside, y: y - half, width: 1, height: 2 * half };
-    const png = (await tab.page.screenshot({ clip })).toString('base64');
-    return tab.page.evaluate(async (base64) => {
-      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-      const context = new OffscreenCanvas(1, bitmap.height).getContext('2d');
-      context.drawImage(bitmap, 0, 0);
-      const { data } = context.getImageData(0, 0, 1, bitmap.height);
-      return Array.from({ length: bitmap.height }, (_, i) => [...data.slice(4 * i, 4 * i + 3)]);
-    }, png);
+    return tab.pixels(clip);
   }
 
   /** How many pixels of a column are red. */
@@ -90,7 +73,7 @@ describe('looks of lines', () => {
     await type(tab, '#width', '12');
     const [pixels] = await measured();
     assert.ok(Math.abs(pixels - before) <= 2, `${pixels}`);
-    await close(tab);
+    await tab.close();
   });
 
   test('a width in the unit lies on the surface: seen from aside it is as slanted', async () => {
@@ -108,7 +91,7 @@ describe('looks of lines', () => {
     const slanted = thickness(await column(tab, 10, 120));
     assert.ok(straight > 20, `${straight}`);
     assert.ok(slanted > 4 && slanted < 0.95 * straight, `${slanted} of ${straight}`);
-    await close(tab);
+    await tab.close();
   });
 
   test('what is seen through is as opaque where a line crosses itself, and kept in files', async () => {
@@ -136,6 +119,6 @@ describe('looks of lines', () => {
     await tab.settled();
     const { opacity, width, onSurface } = (await tab.state()).drawing.objects[0];
     assert.deepEqual({ opacity, width, onSurface }, { opacity: 0.5, width: 20, onSurface: false });
-    await close(tab);
+    await tab.close();
   });
 });
