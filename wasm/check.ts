@@ -87,7 +87,7 @@ function checkArrayLike(value: unknown, what: string): ArrayLike<unknown> {
 }
 
 /** A buffer that was transferred has no bytes any more, and looks like an empty one. */
-export function checkAttached({ buffer }: ArrayBufferView, what: string): void {
+function checkAttached({ buffer }: ArrayBufferView, what: string): void {
   try {
     new Uint8Array(buffer, 0, 0);
   } catch {

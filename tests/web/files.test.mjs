@@ -326,8 +326,7 @@ describe('files of surfaces', () => {
     await tab.settled();
     assert.equal(await part.inputValue(), '1');
     assert.equal(await part.locator('option').count(), 4);
-    assert.deepEqual(tab.logged, []);
-    await tab.page.close();
+    await tab.close();
   });
 
   test('the check-up tells what the surface is like, and shows where', async () => {

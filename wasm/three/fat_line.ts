@@ -1,7 +1,6 @@
 import {
   type ColorRepresentation,
   DynamicDrawUsage,
-  Float32BufferAttribute,
   InstancedInterleavedBuffer,
   InterleavedBufferAttribute,
 } from 'three';
@@ -42,16 +41,9 @@ export function lineMaterial({ width = 3, color = 0xd03a1e }: LineLook): LineMat
  */
 function segmentGeometry(): LineSegmentsGeometry {
   const geometry = new LineSegmentsGeometry();
-  const index = geometry.getIndex();
-  if (!index) return geometry;
-  for (const name of ['position', 'uv']) {
-    const attribute = geometry.getAttribute(name);
-    const values = Array.from(index.array, (i) =>
-      Array.from({ length: attribute.itemSize }, (_, k) => attribute.getComponent(i, k)),
-    );
-    geometry.setAttribute(name, new Float32BufferAttribute(values.flat(), attribute.itemSize));
-  }
-  return geometry.setIndex(null);
+  if (!geometry.index) return geometry;
+  const { position, uv } = geometry.toNonIndexed().attributes;
+  return geometry.setAttribute('position', position!).setAttribute('uv', uv!).setIndex(null);
 }
 
 /** Draws a polyline as a fat line. Its buffers are kept and only grow, so that a drag makes none. */

@@ -78,7 +78,7 @@ export const joined = (steps: readonly Command[]): Command =>
   steps.length === 1 ? steps[0]! : { type: 'steps', steps };
 
 /** The single commands that a command is of, in order. */
-export const stepsOf = (command: Command): readonly Command[] =>
+const stepsOf = (command: Command): readonly Command[] =>
   command.type === 'steps' ? command.steps.flatMap(stepsOf) : [command];
 
 const isBeside = (command: Command) =>

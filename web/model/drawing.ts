@@ -65,7 +65,7 @@ export const defaultStyle: LineStyle = {
   dash: 'solid',
   opacity: 1,
 };
-export const defaultFill: FillStyle = { fill: 0, fillColor: null };
+const defaultFill: FillStyle = { fill: 0, fillColor: null };
 
 const defaultProperties: Properties = {
   name: '',

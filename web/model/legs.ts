@@ -58,7 +58,7 @@ export function withDrawnLegs(value: CurveOptions, before: DrawnBefore): CurveOp
 }
 
 /** The numbers of the legs that meet some points, as many as these and some more. */
-export const legsAt = (count: number, at: readonly number[]): number[] => [
+const legsAt = (count: number, at: readonly number[]): number[] => [
   ...new Set(at.flatMap((i) => [i, (i + count - 1) % count])),
 ];
 

@@ -13,7 +13,7 @@ import { NumberField } from './number_field';
 import { eye } from './object_panel';
 
 /** Colors of parts, told apart on light and dark surfaces. */
-export const partColors = ['#2f9e8f', '#d9480f', '#8a3ffc', '#c81e5b', '#0b8457', '#b58900'];
+const partColors = ['#2f9e8f', '#d9480f', '#8a3ffc', '#c81e5b', '#0b8457', '#b58900'];
 
 export const partColor = (index: number) => partColors[index % partColors.length]!;
 

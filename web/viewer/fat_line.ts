@@ -2,7 +2,6 @@ import {
   AlwaysStencilFunc,
   type Color,
   DynamicDrawUsage,
-  Float32BufferAttribute,
   GreaterDepth,
   Group,
   InstancedInterleavedBuffer,
@@ -50,16 +49,9 @@ const smallest = 256;
 /** Without an index: by one, software rendering in Chromium 156 draws the first of the instances alone. */
 function segmentGeometry(): LineSegmentsGeometry {
   const geometry = new LineSegmentsGeometry();
-  const index = geometry.getIndex();
-  if (!index) return geometry;
-  for (const name of ['position', 'uv']) {
-    const attribute = geometry.getAttribute(name);
-    const values = Array.from(index.array, (i) =>
-      Array.from({ length: attribute.itemSize }, (_, k) => attribute.getComponent(i, k)),
-    );
-    geometry.setAttribute(name, new Float32BufferAttribute(values.flat(), attribute.itemSize));
-  }
-  return geometry.setIndex(null);
+  if (!geometry.index) return geometry;
+  const { position, uv } = geometry.toNonIndexed().attributes;
+  return geometry.setAttribute('position', position!).setAttribute('uv', uv!).setIndex(null);
 }
 
 /**

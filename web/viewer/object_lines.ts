@@ -49,7 +49,7 @@ const usuallyHidden = 0.22;
 /** Lines that are seen through are told apart by so many numbers; the edited one has one more. */
 export const mostMarks = 253;
 /** A point is so many times as wide as a line. */
-export const dotWidth = 2.4;
+const dotWidth = 2.4;
 
 /** A line so short that its round ends are a dot. */
 export const dotAt = ({ x, y, z }: Vector3) => Float32Array.of(x, y, z, x + 1e-4, y, z);

@@ -22,8 +22,7 @@ export interface MachineLoad {
 }
 
 /** Whether every thread had a core of its own, so that times are those of the work. */
-export const isQuiet = (load: MachineLoad | null): boolean =>
-  load !== null && load.most <= load.cores;
+const isQuiet = (load: MachineLoad | null): boolean => load !== null && load.most <= load.cores;
 
 /**
  * - `settled here`: what the paper leaves open has an answer in this project;
