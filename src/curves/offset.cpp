@@ -338,7 +338,7 @@ class OffsetTracer {
     const double atMiddle = field_.at(face, middle).value;
     if (halvings == 0 || std::abs(atMiddle - distance_) <= kOffsetTolerance * distance_) return;
     const Vec2 chord = to - from;
-    // The line moves right from nearer points and left towards them.
+    // The search leaves nearer points to the right, and approaches them to the left.
     const double sign = isNearer(atMiddle) ? 1 : -1;
     const Vec2 aside = sign * Vec2(chord.y(), -chord.x());
     double reach = 1;

@@ -7,8 +7,8 @@
 namespace karcher {
 namespace {
 
-/// By the two shortest edges: rounding takes a part of their lengths' product, which for the long
-/// edges of a needle is far more than its area.
+/// Uses the two shortest edges, since rounding is proportional to the product of the lengths, which
+/// for the long edges of a needle far exceeds its area.
 double doubledArea(const Vec3& e0, const Vec3& e1, const Vec3& e2) {
   const double a = e0.squaredNorm();
   const double b = e1.squaredNorm();
@@ -56,8 +56,8 @@ void cumulateAngles(const TriangleMesh& mesh, Geometry& geometry) {
   }
 }
 
-/// One rotation a corner: the direction from the vertex to the face's centroid, as an angle in the
-/// frame of the face, less the same direction in the frame of the vertex.
+/// Computes one rotation for each corner: the direction from the vertex to the face's centroid, as
+/// an angle in the frame of the face, minus the same direction in the frame of the vertex.
 void connectFrames(const TriangleMesh& mesh, Geometry& geometry) {
   geometry.vertexToFace.resize(static_cast<size_t>(mesh.halfedgeCount()));
   for (int f = 0; f < mesh.faceCount(); ++f) {

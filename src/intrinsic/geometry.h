@@ -7,12 +7,12 @@
 ///
 /// Frame of a face: corner 0 at the origin, corner 1 on the positive x axis, corner 2 above it.
 /// Frame of a vertex: directions are measured counterclockwise from its `outgoing` half-edge, by
-/// the cumulated corner angle times `angleScale` = 2 pi / total angle; at the boundary the scale
-/// is 1, since anything else would bend the plane. A direction that is followed on the surface is
-/// unscaled: the cumulated corner angle itself.
+/// the cumulated corner angle times `angleScale` = 2 pi / total angle; at the boundary the scale is
+/// 1, since any other would bend the plane. A direction in which a path is traced is unscaled: the
+/// cumulated corner angle itself.
 ///
 /// Connection: F. Knoppel, K. Crane, U. Pinkall, P. Schroder, "Globally Optimal Direction Fields"
-/// (2013), section 3, taken to the centroids of faces.
+/// (2013), section 3, evaluated at the centroids of faces.
 namespace karcher {
 
 /// A path that crosses an edge this near to its end (as a part of the edge) goes through the
@@ -33,9 +33,8 @@ struct Geometry {
   double shortestEdge = 0;
   double longestEdge = 0;
   double diagonal = 0;  ///< of the bounding box
-  /// Twice the largest distance of a vertex from the middle of all. Unlike the diagonal it stays
-  /// the same where the mesh is turned: what a search decides by the size of the mesh, it decides
-  /// by this.
+  /// Twice the largest distance of a vertex from the mean of all. Unlike the diagonal it is
+  /// invariant under rotations, so that searches use it as the size of the mesh.
   double extent = 0;
 };
 
@@ -82,25 +81,27 @@ Vec3 barycentric(const Geometry& geometry, int f, const Vec2& x);
 /// unfolded about the edge. The half-edge must have a twin.
 Vec2 acrossEdge(const Geometry& geometry, int h, const Vec2& vector);
 
-/// A vector in the frame of face f as a vector in space, and the projection of one onto the face.
+/// Converts a vector in the frame of face f to space, and a vector in space to the frame by
+/// projection.
 Vec3 toSpace(const Geometry& geometry, int f, const Vec2& vector);
 Vec2 toFace(const Geometry& geometry, int f, const Vec3& vector);
 
-/// Unscaled direction at the tail of half-edge h of a vector in the frame of h's face that points
-/// into the corner: the cumulated angle of h plus the angle from h to the vector.
+/// The unscaled direction at the tail of half-edge h of a vector in the frame of h's face that
+/// points into the corner: the cumulated angle of h plus the angle from h to the vector.
 double directionAtTail(const Geometry& geometry, int h, const Vec2& vector);
 
-/// The direction of half-edge h as a unit vector in the frames of its ends; at the head the way on.
+/// The direction of half-edge h as a unit vector in the frames of its ends; at the head it points
+/// onwards.
 struct EdgeDirection {
   Vec2 tail;
   Vec2 head;
 };
 EdgeDirection directionOfEdge(const Geometry& geometry, int h);
 
-/// The corner (a half-edge that leaves the vertex) into which an unscaled direction points, and
-/// the angle from that half-edge to it. Directions wrap around at interior vertices. At the
-/// boundary a direction outside [0, totalAngle] is the one a full turn off that lies within, as
-/// the angle of a vector is; where neither does, it leaves the surface: then halfedge is -1.
+/// The corner (a half-edge that leaves the vertex) into which an unscaled direction points, and the
+/// angle from that half-edge to it. Directions wrap around at interior vertices. At the boundary a
+/// direction outside [0, totalAngle] is shifted by a full turn if that lies within; else it leaves
+/// the surface, and halfedge is -1.
 struct CornerDirection {
   int halfedge = -1;
   double angle = 0;

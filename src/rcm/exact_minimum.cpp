@@ -10,23 +10,24 @@
 namespace karcher {
 namespace {
 
-/// Circles round a center of few points, in mean edges, the checked one first.
+/// Circles around a center of few points, in mean edges, the checked one first.
 struct Circle {
   double radius;
   int count;
 };
 constexpr Circle kCircles[] = {{kCheckedRadius, 64}, {0.1, 16}, {0.03, 16}};
-/// Of many points.
+/// The circle around a center of many points.
 constexpr Circle kCircleOfMany{kCheckedRadius, 12};
 
-/// A center is moved where a point is lower by this part of a square mean edge: less than what is
-/// promised, since points lie between those that are tried.
+/// A center is moved if a point is lower by this part of a square mean edge: less than the promise,
+/// since lower points may lie between those compared.
 constexpr double kMovedFor = kLowerBy / 4;
 
-/// Most moves shorten the way by half; more than a dozen only where the surface is all noise.
+/// Most moves halve the distance to the minimum; more than a dozen occur only on surfaces of pure
+/// noise.
 constexpr int kMostMoves = 24;
 
-/// Straightest paths of part of a mean edge cross more edges than this only among needles.
+/// Straightest paths of a fraction of a mean edge cross more edges than this only among needles.
 constexpr int kMostCrossings = 1000;
 
 /// The least length among a face's images, and over its corners.
@@ -94,12 +95,12 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
     const double weight = weights_.data()[i];
     if (weight == 0) continue;
     const double straight = (position(mesh, points_[i]) - middle).norm();
-    // What the fast solver finds is seldom shorter than the truth by more than this.
+    // The fast solver's distances are seldom too short by more than this factor.
     constexpr double kTooShort = 1.002;
     double most = kTooShort * std::max(guesses[i], straight) + 2 * radius;
-    // A search that is aimed too short ends with a path that is long enough, or goes further. That
-    // ends: no path is longer after a further search, and without one the searches soon are as wide
-    // as the mesh.
+    // A search whose aim is too short either finds a path that is long enough or goes further. This
+    // ends: a further search makes no path longer, and without one the searches are soon as wide as
+    // the mesh.
     for (;;) {
       distance.aimAt(WindowDistance::Aim{middle, radius, most});
       distance.setSource(points_[i]);
@@ -150,28 +151,28 @@ Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& c
 
 namespace {
 
-/// Places that were compared, the center first, then those of its checked circle.
+/// The compared places, the center first, then those of its checked circle.
 struct Compared {
   Array<SurfacePoint> places;
   Array<double> values;
-  int checked = 0;  ///< how many are the center and its circle
-  /// Whether the lowest place, if none of the circle is lower than the center, is itself known to
-  /// be a minimum.
+  int checked = 0;  ///< the number of places of the center and its checked circle
+  /// Whether the lowest place is known to be a minimum if none of the circle is lower than the
+  /// center.
   bool isSettled = false;
 
   void take(const SurfacePoint& place, double value) {
     places.push_back(place);
     values.push_back(value);
   }
-  /// The number of the lowest of the first `count`.
+  /// The index of the lowest of the first `count` places.
   int lowestOf(int count) const {
     return static_cast<int>(std::min_element(values.begin(), values.begin() + count) -
                             values.begin());
   }
 };
 
-/// Moves from a point to the lowest place until none is lower. `compare` gives the places about the
-/// point that the result has.
+/// Moves from a point to the lowest place until none is lower. `compare` returns the places about
+/// the point of the result.
 template <class Compare>
 ExactMinimum descend(const Geometry& geometry, ExactMinimum result, const Compare& compare) {
   const double squareEdge = square(geometry.meanEdge);
@@ -194,7 +195,7 @@ ExactMinimum descend(const Geometry& geometry, ExactMinimum result, const Compar
 }
 
 /// The quadratic here + first . x + bowl |x|^2 + second . (x^2 - y^2, 2 x y), with the circle's
-/// radius for 1, that is nearest to values on a circle, by Fourier's coefficients.
+/// radius for 1, that is nearest to values on a circle, by Fourier coefficients.
 struct Quadratic {
   Vec2 first = Vec2::Zero();
   Vec2 second = Vec2::Zero();
@@ -210,8 +211,7 @@ struct Quadratic {
     }
   }
 
-  /// Where it is lowest. Where it rises by less than `leastBowl` in some direction, it is taken to
-  /// rise by that.
+  /// Its minimum; a curvature below `leastBowl` in some direction counts as that.
   Vec2 minimum(double leastBowl) const {
     const double rise = std::max(bowl, second.norm() + leastBowl);
     return Vec2(second.y() * first.y() - (rise - second.x()) * first.x(),
@@ -219,7 +219,7 @@ struct Quadratic {
            (2 * (square(rise) - second.squaredNorm()));
   }
 
-  /// By how much it is lower at x than at the center.
+  /// The amount by which it is lower at x than at the center.
   double gainAt(const Vec2& x) const {
     return -(first.dot(x) + bowl * x.squaredNorm() + second.dot(rotate(x, x)));
   }
@@ -242,7 +242,7 @@ Dip dipOf(std::span<const double> onCircle) {
   return {(k + 0.5 + beside) / count, at(k) + slope * beside / 2};
 }
 
-/// Whether the boundary cuts no point of a circle off. On the steepest cones a point lies nearer in
+/// Whether the boundary cuts off no point of a circle. On very steep cones a point lies nearer in
 /// space than along the surface.
 bool isWhole(const TriangleMesh& mesh, const Array<SurfacePoint>& places, double radius) {
   constexpr double kNearest = 0.5;
@@ -265,7 +265,7 @@ ExactMinimum exactMinimumNear(const Geometry& geometry, ExactEnergy& energy,
            circleAround(geometry, at.point, circle.radius * edge, circle.count)) {
         compared.places.push_back(point);
       }
-      // The smaller circles only where the center is moved.
+      // The smaller circles are compared only if the center is moved.
       if (at.moves == 0) break;
     }
     compared.checked = 1 + kCircles[0].count;
@@ -277,7 +277,7 @@ ExactMinimum exactMinimumNear(const Geometry& geometry, ExactEnergy& energy,
 ExactMinimum exactMinimumNear(const Geometry& geometry, ExactOneSourceEnergy& energy,
                               const SurfacePoint& start) {
   const double radius = kCircleOfMany.radius * geometry.meanEdge;
-  // A step by the exact gradient spares a circle about the wrong place.
+  // A step by the exact gradient avoids a circle about the wrong place.
   const EnergyAt here = energy.at(start);
   const Vec2 way = here.step * std::min(1.0, geometry.meanEdge / here.step.norm());
   const SurfacePoint there =
@@ -302,7 +302,7 @@ ExactMinimum exactMinimumNear(const Geometry& geometry, ExactOneSourceEnergy& en
     if (dip.value < at.energy) take(circleRadius(geometry, at.point, radius, dip.part).path.end());
     compared.checked = compared.values.count();
     if (!isWhole(*geometry.mesh, compared.places, radius)) return compared;
-    // In square mean edges; on a plane a circle of this radius is higher by 0.09.
+    // The least bowl in square mean edges; on a plane a circle of this radius is higher by 0.09.
     constexpr double kLeastBowl = 0.04;
     constexpr double kFarthest = 3;
     const double squareEdge = square(geometry.meanEdge);

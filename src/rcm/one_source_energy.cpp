@@ -33,8 +33,8 @@ Vec2 logOf(const TriangleMesh& mesh, const SurfacePoint& point, const DistanceSo
   return log;
 }
 
-/// The squared distance of a point, from where the corners of its face see the source. Where they
-/// see it in different places, on both sides of the cut locus, the nearest counts.
+/// The squared distance of a point, from the positions in which the corners of its face see the
+/// source. If these differ, on both sides of the cut locus, the nearest counts.
 double squaredDistanceOf(const Geometry& geometry, const SurfacePoint& point,
                          const DistanceSolver& solver) {
   const Vec2 place = pointInFace(geometry, point);
@@ -146,7 +146,7 @@ double ExactOneSourceEnergy::energyAt(const SurfacePoint& place) {
   return energy;
 }
 
-/// In which the shortest path to a vertex leaves the source.
+/// The direction in which the shortest path to a vertex leaves the source.
 Vec2 ExactOneSourceEnergy::directionTo(int vertex) {
   // Each turn is nearer to the source than the last.
   while (solver_.arrival(vertex).pseudoSource >= 0) vertex = solver_.arrival(vertex).pseudoSource;
@@ -158,12 +158,12 @@ Vec2 ExactOneSourceEnergy::directionTo(int vertex) {
   return direction;
 }
 
-/// In which a path that came back to the source has left it.
+/// The direction in which a path that was traced back to the source leaves it.
 Vec2 ExactOneSourceEnergy::directionBefore(const StraightestPath& back) const {
   const int face = solver_.source().face;
   const Array<SurfacePoint>& points = back.path.points;
   if (points.back().face == face) return -back.direction;
-  // By rounding it went past.
+  // Rounding may lead the path past the source.
   for (int i = points.count() - 2; i > 0; --i) {
     if (points[i].face != face || points[i - 1].face != face) continue;
     return (pointInFace(geometry_, points[i - 1]) - pointInFace(geometry_, points[i])).normalized();
@@ -171,7 +171,7 @@ Vec2 ExactOneSourceEnergy::directionBefore(const StraightestPath& back) const {
   return Vec2::Zero();
 }
 
-/// Until no point can have another path, all of which come through the point's face.
+/// Grows until no point can have a shorter path, all of which pass through the point's face.
 void ExactOneSourceEnergy::grow(const SurfacePoint& place) {
   const TriangleMesh& mesh = *geometry_.mesh;
   solver_.setSource(place);
@@ -179,8 +179,8 @@ void ExactOneSourceEnergy::grow(const SurfacePoint& place) {
   for (const SurfacePoint& point : points_.points) {
     radius = std::max(radius, (position(mesh, point) - position(mesh, place)).norm());
   }
-  // That ends: no corner is farther after more is grown, and a radius that grows for ever reaches
-  // all of the mesh.
+  // This ends, since growing makes no corner farther, and an increasing radius reaches all of the
+  // mesh.
   for (;;) {
     solver_.grow(radius);
     if (solver_.reached() == kInfinity) break;
@@ -194,7 +194,7 @@ void ExactOneSourceEnergy::grow(const SurfacePoint& place) {
   }
 }
 
-/// From the images that the points' faces see, and over the faces' corners.
+/// Measures lengths from the images that the points' faces see, and over the faces' corners.
 void ExactOneSourceEnergy::measure() {
   const TriangleMesh& mesh = *geometry_.mesh;
   const auto take = [&](int i, const Way& way) {

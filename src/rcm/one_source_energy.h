@@ -6,20 +6,19 @@
 
 /// The energy K(p) = sum_i w_i d(p, p_i)^2 of many points at few places.
 ///
-/// Distances are the same there and back. So those of one source, the place, are all that K takes
-/// there, and their log vectors at it sum to grad K: as much work for thousands of points as for
-/// one.
+/// Distances are symmetric, so that those from one source, the place, determine K there, and the
+/// log vectors at the place sum to grad K. Thousands of points take as much work as one.
 namespace karcher {
 
-/// Points with weights that are not 0, sorted by their faces, equal ones put together: K is that of
-/// the points that it is made of, to the last bit in whatever order they come.
+/// Points with nonzero weights, sorted by their faces, with equal ones merged, so that K does not
+/// depend on the points' order, to the last bit.
 struct WeightedPoints {
   Array<SurfacePoint> points;
   Array<double> weights;
 };
 WeightedPoints mergedPoints(const Array<SurfacePoint>& points, const Array<double>& weights);
 
-/// K at a place, and the way of the natural step: sum_i w_i log(p_i), half of grad K turned back.
+/// K at a place, and the natural step sum_i w_i log(p_i) = -grad K / 2.
 struct EnergyAt {
   double energy = 0;
   Vec2 step = Vec2::Zero();  ///< in the frame of the place's face
@@ -27,8 +26,8 @@ struct EnergyAt {
 
 class OneSourceEnergy {
  public:
-  /// The points must lie on one component. All must outlive the object; the solver must be one that
-  /// tells the steps of paths (DistanceSolver::stepTo).
+  /// The points must lie on one component. The arguments must outlive the object; the solver must
+  /// implement DistanceSolver::stepTo.
   OneSourceEnergy(const Geometry& geometry, const WeightedPoints& points, DistanceSolver& solver);
 
   /// K and the natural step by the solver's distances, interpolated in the points' faces: exact on
@@ -50,7 +49,7 @@ class OneSourceEnergy {
 /// which shortest paths leave the place.
 class ExactOneSourceEnergy {
  public:
-  /// As above. Throws what WindowDistance throws.
+  /// The same conditions hold as above. Throws what WindowDistance throws.
   ExactOneSourceEnergy(const Geometry& geometry, const WeightedPoints& points);
 
   EnergyAt at(const SurfacePoint& place);
@@ -61,9 +60,9 @@ class ExactOneSourceEnergy {
  private:
   /// The last straight part of a path to a point.
   struct Way {
-    double length = kInfinity;  ///< of the whole path
+    double length = kInfinity;  ///< the length of the whole path
     Vec2 toSource = Vec2::Zero();
-    int pseudoSource = -1;  ///< where the part begins, or -1 at the source itself
+    int pseudoSource = -1;  ///< the vertex at which the part begins, or -1 for the source itself
   };
 
   void grow(const SurfacePoint& place);
