@@ -11,7 +11,7 @@ import { layPackage, packageFolder } from './package.mjs';
 import { attempt, run, trials } from './package_trials.mjs';
 import { inRoot, root } from './shell.mjs';
 
-/** What would be published, and how each trial of it went: `problem` is empty where it did. */
+/** The files that would be published, and the outcome of each trial: `problem` is empty where it passed. */
 export async function checkPackages({ short = false, words = [] } = {}) {
   const folder = mkdtempSync(join(tmpdir(), 'karcher packages '));
   try {

@@ -18,7 +18,7 @@ export function shown(value: unknown): string {
 }
 
 function textOf(value: unknown): string {
-  // Its code would be shown, in a worker the worker's.
+  // As a text a function is its code.
   if (typeof value === 'function') return 'a function';
   try {
     return String(value);

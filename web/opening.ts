@@ -291,7 +291,7 @@ export class Opening {
     return opened;
   }
 
-  /** Keeps a link until its file is there; an empty one ends that. */
+  /** Keeps a link until its file is there. An empty link ends the waiting. */
   #await(mesh: string, link: string): void {
     const file = keyOfFile(mesh);
     this.#awaited.set(file, link);

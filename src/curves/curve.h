@@ -134,7 +134,7 @@ class Curve {
   /// How many fields its edits made or moved so far: the work that they should spare.
   int fieldsMade() const { return fieldsMade_; }
 
-  /// What measures the stages of edits from now on.
+  /// The clock that measures the stages of edits from now on.
   void setClock(std::function<double()> clock) { clock_ = std::move(clock); }
   const StageTimes& times() const { return times_; }
 

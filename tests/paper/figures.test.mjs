@@ -233,7 +233,7 @@ describe('figures', () => {
     assert.ok(circle.circleArcs.deviation.max < 0.1);
     const { isolineLinear, isolineExact } = circle;
     assert.ok(good(isolineLinear).deviation.max < 0.2);
-    // Both distances come of the same windows, and differ by rounding.
+    // Both distances come from the same windows and differ by rounding.
     assert.ok(good(isolineExact).deviation.max < 1e-6, `${isolineExact.deviation.max}`);
     // The linear one has a kink at every edge.
     assert.ok(isolineLinear.turningNoise > circle.circleArcs.turningNoise);

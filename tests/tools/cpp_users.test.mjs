@@ -83,7 +83,7 @@ describe('a C++ project', { concurrency: true }, () => {
   /** Of a project that compiles the engine: how, that nothing else is built, and that the program compiles. */
   const checkWithEngine = async (name) => {
     const engine = commandOf(name, '/src/curves/curve.cpp');
-    // In whatever order CMake writes them.
+    // CMake may write flags in any order.
     for (const flag of [/ -fPIC /, / -std=c\+\+20 /]) assert.match(engine, flag);
     assert.doesNotMatch(engine, / -(Wextra|Wconversion|Wshadow) /);
     // The user's project names no build type.

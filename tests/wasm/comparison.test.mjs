@@ -33,7 +33,7 @@ describe('a drag', () => {
     const start = plane.position(points[2]);
     // Along a cell's diagonal to the next control point, which is nearer than two edges.
     const hand = Math.SQRT2 / 10;
-    /** Follows the hand, but for a leap forth and back of a part of an edge; its other sample is lost. */
+    /** A curve of two samples: one follows the hand but for a leap forth and back, the other is lost. */
     const curve = (leap) => {
       let moves = 0;
       let place = start;

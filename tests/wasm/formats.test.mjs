@@ -352,7 +352,8 @@ test('which way is up: a sole, a rim that is open below, or what is usual', () =
     assert.equal(guess(turned(shape, [1, 2, 0])), 'y');
     assert.equal(guess(shape, 'gltf'), 'y');
   }
-  // Wherever it lies, and however far its sole goes on around a hole: chains of edges enclose nothing.
+  // The guess depends neither on the place of the shape nor on how far its sole reaches around a hole, since chains of edges
+  // enclose nothing.
   const raised = (shape, by) => ({
     ...shape,
     positions: shape.positions.map((x, i) => x + (i % 3 === 0 ? by : 0)),

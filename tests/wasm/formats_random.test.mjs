@@ -57,7 +57,7 @@ async function opens(bytes, options) {
 const name = fc.constantFrom('x', 'x.obj', 'x.ply', 'x.stl', 'x.off', 'x.glb', 'x.gltf');
 
 test('random bytes, also after the beginning of a format', async () => {
-  // Faces of three vertices that are there may follow what is a beginning of an OBJ file.
+  // After the beginning of an OBJ file random bytes may be faces of its three vertices, so some files are read.
   let refused = 0;
   const start = fc.constantFrom(
     ...['', 'ply\nformat ascii 1.0\n', 'ply\nformat binary_big_endian 1.0\nelement vertex 3\n'],

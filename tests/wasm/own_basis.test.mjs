@@ -7,7 +7,7 @@ const karcher = await load();
 const mesh = karcher.shape('sphere', 2000);
 const points = [0, 50, 100, 150].map((vertex) => ({ vertex }));
 
-/** Bernstein's; from `failsFrom` calls on it throws. */
+/** Bernstein's basis, which counts its calls and throws from call `failsFrom` on. */
 function countedBasis() {
   const counted = {
     calls: 0,

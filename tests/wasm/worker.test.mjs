@@ -411,7 +411,7 @@ test('a step of a drag is one call into the module, also where calls can be inte
     const remoteMesh = await client.call('mesh', []);
     const value = { kind: 'bspline', points };
     const curve = await remoteMesh.curve(value);
-    // Also of a drag's steps, whose legs a value has: nothing is asked for so that they can be made anew.
+    // The steps of a drag have their legs in the value, so that the client asks for nothing more to make the curve anew.
     let { drawnLegs: legs } = await curve.view();
     const { calls } = await noted(here, async () => {
       for (let vertex = 41; vertex < 75; vertex++) {

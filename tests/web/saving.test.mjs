@@ -217,7 +217,7 @@ describe('saving', () => {
     for (const [i, name] of ['Wave & <rim>', 'B-spline 2'].entries()) {
       const { samples, commands } = groups.find((group) => group.name === name);
       for (const place of samples) assert.ok(off(place, lines[i]) < 0.25, `${name}: ${place}`);
-      // And the other way round; two hundredths are the digits' and the samples' doing.
+      // Each place of the line is as near to the curve; rounded digits and samples take two hundredths more.
       for (const place of lines[i]) assert.ok(off(place, samples) < 0.27, `${name}: ${place}`);
       assert.ok(commands < lines[i].length / 6, `${commands} for ${lines[i].length} vertices`);
     }

@@ -18,7 +18,7 @@ export const cut: Command = {
       name: 'out',
       value: 'FILE',
       help: `where parts are written: leg.stl makes leg_0.stl, leg_1.stl, …; ${writtenFormats.join(', ')}`,
-      // What is said of it, not what is given.
+      // Words for the help: no such value is given.
       default: 'nowhere',
     },
     {

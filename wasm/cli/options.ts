@@ -34,7 +34,7 @@ export const outOption: Option = {
   name: 'out',
   value: 'FILE',
   help: 'where the result is written',
-  // What is said of it, not what is given.
+  // Words for the help: no such value is given.
   default: 'standard output',
 };
 
@@ -56,7 +56,7 @@ export const meshOptions: readonly Option[] = [
     name: 'weld',
     value: 'LENGTH',
     help: 'weld boundaries that lie this near each other; 0 for none',
-    // What is said of it, not what is given.
+    // Words for the help: no such value is given.
     default: '1e-6 of the diagonal',
   },
 ];

@@ -79,7 +79,7 @@ export class Words {
     return false;
   }
 
-  /** Goes back by the last bytes of the last word, which are then a word. */
+  /** Goes back by some bytes of the last word, so that they are read once more as a word of their own. */
   back(bytes: number): void {
     this.at -= bytes;
   }

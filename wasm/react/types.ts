@@ -12,7 +12,7 @@ export interface EngineHookOptions {
   worker?: boolean | undefined;
 }
 
-/** What hears of failures. */
+/** The callback of hooks that hears of failures. */
 export interface FailureOptions {
   /**
    * Called with what went wrong. Without it, the hook throws that while the component renders, so that

@@ -117,7 +117,7 @@ export interface Figure {
   readonly points: readonly ControlPoint[];
   readonly circle: CircleShape | null;
   readonly circleForm: CircleForm;
-  /** What it encloses; the smaller side where that was never said, and no drag has begun. */
+  /** The side that the figure encloses: the smaller one until a side is chosen or a drag begins. */
   readonly inside?: Inside;
   /** Only of a figure that is made of other ones. */
   readonly derived?: Derived;

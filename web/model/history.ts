@@ -2,7 +2,7 @@
 import { type Command, invert, joined } from './commands';
 
 export interface History {
-  /** The newest last. */
+  /** The commands that were done, the newest last. */
   done: Command[];
   /** What was taken back, the next one to be done again last. */
   undone: Command[];

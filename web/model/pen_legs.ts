@@ -48,7 +48,7 @@ export function penLegs(
 const wayOf = (handle: DrawnTangent | undefined): readonly SurfacePoint[] | null =>
   handle?.through.length ? handle.through : null;
 
-/** What the two parts of a segment go through that is cut at t. */
+/** The points that the two parts of a segment pass through, after the segment is cut at t. */
 export function waysAlong(
   samples: Omit<CurveSamples, 'status'>,
   segment: number,

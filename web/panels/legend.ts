@@ -43,7 +43,7 @@ export class Legend {
     byId('legends').append(this.#element);
   }
 
-  /** Whether it is there. */
+  /** Shows or hides the legend. */
   set shown(shown: boolean) {
     this.#item.setAttribute('aria-checked', `${shown}`);
     this.#element.hidden = !shown;

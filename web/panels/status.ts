@@ -92,7 +92,7 @@ export class Status {
     }
   }
 
-  /** Says when what is made is not kept, as the browser's storage is full or blocked. */
+  /** Shows a warning where the drawing is not kept, because the browser's storage is full or blocked. */
   setKept(kept: boolean): void {
     byId('status-kept').hidden = kept;
   }

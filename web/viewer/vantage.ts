@@ -27,7 +27,7 @@ export class Vantage {
   constructor(
     private readonly surface: Surface | null,
     private readonly camera: PerspectiveCamera,
-    /** The stage's, in CSS pixels. */
+    /** The size of the stage, in CSS pixels. */
     readonly size: Readonly<{ width: number; height: number }>,
   ) {}
 

@@ -375,7 +375,7 @@ export class Viewer {
     return this.#vantage.reach(position, pixels);
   }
 
-  /** Where the stage is in the window: asked of the page once, as its size is. */
+  /** The stage's place in the window. The page is asked for it once, and again after a change of size. */
   get box(): DOMRect {
     this.#box ??= this.stage.getBoundingClientRect();
     return this.#box;

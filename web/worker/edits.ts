@@ -29,7 +29,7 @@ export async function edited(
   value: CurveOptions,
   edit: Edit,
 ): Promise<Edited> {
-  // What is asked without waiting comes one after the other.
+  // Calls that are not waited for are answered in their order.
   const set = curve.set(value);
   switch (edit.type) {
     case 'insertPoint':

@@ -26,7 +26,7 @@ export interface Beside {
   locked: boolean;
   /** None while it is not traced. */
   lines: readonly Float32Array[];
-  /** Points that are drawn themselves. */
+  /** The points that are drawn as dots. */
   points: readonly SurfacePoint[];
   /** A center of mass. */
   center: SurfacePoint | null;

@@ -25,7 +25,7 @@ export interface Compared {
 /** A trace that takes longer, in milliseconds, waits until a drag has ended. */
 const longestOfDrag = 60;
 
-/** What was asked for, and what came of it. */
+/** A comparison that was asked for, and its outcome. */
 interface Asked {
   figure: Figure;
   method: MethodId;

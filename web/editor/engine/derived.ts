@@ -14,7 +14,7 @@ const emptyResults: Partial<Record<Figure['kind'], string>> = {
   exclusion: 'each covers the others',
 };
 
-/** Throws a sentence where there is nothing. */
+/** Draws what is derived of other figures. Throws an error whose message says why where there is nothing to draw. */
 export async function drawDerived(
   client: EngineClient,
   { kind, derived, operands = [] }: Figure,

@@ -12,7 +12,7 @@ import { directionsOf } from './moving';
  * longer one comes back to where it began, and may end near what is mirrored.
  */
 const beyond = 0.8;
-/** How far it goes on where that is too short to have all of it beside it. */
+/** The same length where the geodesic would be too short to pass beside all that is mirrored. */
 const farther = 1.5;
 
 /** The locally shortest path between two points, gone on with at both ends; ends at the boundary. */

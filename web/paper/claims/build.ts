@@ -4,5 +4,5 @@ import type { Build } from './saved';
 declare const __KARCHER_BUILD__: string;
 declare const __KARCHER_SOURCES__: string;
 
-/** This page's. */
+/** The build of this page. */
 export const build: Build = { version: __KARCHER_BUILD__, sources: __KARCHER_SOURCES__ };
