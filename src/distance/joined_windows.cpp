@@ -107,13 +107,6 @@ void sortByPlace(Array<Window>& windows) {
 
 }  // namespace
 
-double toleranceOver(const Geometry& geometry, int h, double part) {
-  const int f = faceOf(h);
-  const double longest = std::max(
-      {geometry.edgeLength[3 * f], geometry.edgeLength[3 * f + 1], geometry.edgeLength[3 * f + 2]});
-  return part * doubleArea(geometry, f) / longest;
-}
-
 void joinWindows(const JoinedEdge& edge, Array<Window>& windows) {
   const double length = edge.length;
   const double most = edge.tolerance;

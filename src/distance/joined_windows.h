@@ -1,7 +1,6 @@
 #pragma once
 
 #include "distance/window.h"
-#include "intrinsic/geometry.h"
 
 /// Joining of windows that wait at an edge and are parts of one front: see window_distance.h.
 namespace karcher {
@@ -17,9 +16,6 @@ struct JoinedEdge {
   double frontTolerance() const { return kSameFront * tolerance; }
   static constexpr double kSameFront = 0.25;  ///< as a part of the tolerance
 };
-
-/// The most that distances may change at half-edge h: a part of the least height of its face.
-double toleranceOver(const Geometry& geometry, int h, double part);
 
 /// Joins windows, at least one, and removes those that lie in others.
 void joinWindows(const JoinedEdge& edge, Array<Window>& windows);
