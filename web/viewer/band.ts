@@ -12,8 +12,8 @@ const usual = 'vec4 clip = ( position.y < 0.5 ) ? clipStart : clipEnd;';
 const lift = 0.25;
 
 /**
- * The vertices of three.js's lines, which with a width on the surface go apart in its plane before they go
- * apart on the screen: such a line is seen as far and as slanted as the surface.
+ * The vertices of three.js's lines. Those of a line with a width on the surface are moved apart in the surface's
+ * plane before they are moved apart on the screen, so that the line is seen as far away and as slanted as the surface.
  */
 const bandShader = ShaderLib.line!.vertexShader.replace(
   'void main()',
@@ -30,7 +30,7 @@ const bandShader = ShaderLib.line!.vertexShader.replace(
       vec3 aside = normalize(cross(along, normal));
       float end = position.y < 0.0 ? -1.0 : position.y > 1.0 ? 1.0 : 0.0;
       eye.xyz += 0.5 * bandWidth * (sign(position.x) * aside + end * along);
-      // Along the ray: where the surface bends it would rise above the band's sides.
+      // The lift is along the ray, since a bent surface would rise above the band's sides.
       eye.xyz *= 1.0 - min(0.5, ${lift} * bandWidth / length(eye.xyz));
     }
     vec4 clip = projectionMatrix * eye;`,

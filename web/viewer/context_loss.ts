@@ -1,9 +1,9 @@
 import { Mesh, type Object3D } from 'three';
 
 /**
- * Goes on when the browser takes a canvas's drawing context away and gives it back empty, as after a
- * fault of the graphics driver. What three.js has made for the scenes is given up while there is no
- * context: it would be deleted later otherwise, in one that it does not belong to.
+ * Survives the loss of a canvas's drawing context: the browser takes it away and gives it back empty, such as after a
+ * fault of the graphics driver. Resources of three.js for the scenes are given up while there is no context; later
+ * they would be deleted in a context that they do not belong to.
  */
 export function outliveContextLoss(
   canvas: HTMLCanvasElement,

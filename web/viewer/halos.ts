@@ -6,14 +6,14 @@ import type { Surface } from './surface';
 
 type Drawn = Omit<ObjectDrawing, 'id' | 'locked'>;
 
-/** How much wider the halo of what is selected is than its line, in CSS pixels; within it is a seam. */
+/** How much wider than its line the halo of a selected object is, in CSS pixels; a seam lies between them. */
 const [haloWider, seamWider] = [8, 3];
-/** How much wider the rim is of a line whose color is among the surface's shades. */
+/** How much wider than its line the rim is, where the line's color is among the surface's shades. */
 const rimWider = 2.5;
 
 const plain = { id: 0, locked: true };
 
-/** Whole lines under those of objects, in the color of all of them. */
+/** Lines of one color under the lines of objects. */
 const around = (objects: readonly Drawn[]): ObjectDrawing[] =>
   objects.map(({ style: { width, onSurface }, lines, dots }) => ({
     ...plain,
@@ -22,19 +22,19 @@ const around = (objects: readonly Drawn[]): ObjectDrawing[] =>
     dots,
   }));
 
-/** What is drawn around lines: of what is selected, of what a click would take, and of what is hard to see. */
+/** Halos around lines that are selected, that a click would take, or that are hard to see. */
 export class Halos {
-  /** The lines themselves: between dashes, and through what is not opaque, the surface is seen as ever. */
+  /** The lines, cut out of their halos: the surface shows between dashes and through lines that are not opaque. */
   readonly #inside = new ObjectLines(0.1, { hidden: 0, frames: 'inside' });
   readonly #halo = new ObjectLines(0.2, { hidden: 0, wider: haloWider, frames: 'around' });
-  /** Between the halo and the line, so that it is seen beside any color. */
+  /** A seam between halo and line, so that the halo is seen beside a line of any color. */
   readonly #seam = new ObjectLines(0.5, { hidden: 0, wider: seamWider, frames: 'around' });
   readonly #hover = new ObjectLines(0.8, { hidden: 0, wider: seamWider, frames: 'around' });
   readonly #rim = new ObjectLines(1, { hidden: 0, wider: rimWider });
   readonly #all = [this.#inside, this.#halo, this.#seam, this.#hover, this.#rim];
   readonly objects = this.#all.map(({ object }) => object);
   #colors: ViewerColors | null = null;
-  /** Half of the widest line with what is around it, in CSS pixels. */
+  /** Half the width of the widest line with its halo, in CSS pixels. */
   reach = 0;
 
   set surface(surface: Surface) {
@@ -49,7 +49,7 @@ export class Halos {
     this.#hover.setColors(new Color(colors.frame), surface);
   }
 
-  /** All that is drawn, and what of it is selected, and what a click would take. */
+  /** Shows the halos of chosen and hovered objects, and the rims of those of all objects that need one. */
   show(all: readonly Drawn[], chosen: readonly Drawn[], hovered: readonly Drawn[]): void {
     this.#inside.show(around([...chosen, ...hovered]));
     this.#halo.show(around(chosen));

@@ -2,7 +2,7 @@ import type { Vector3 } from 'three';
 import type { Viewer } from './viewer';
 
 export interface Handle {
-  /** Tells it from the others, and stays with the point while it moves. */
+  /** The handle's name, which stays with the point while it moves. */
   id: string;
   position: Vector3;
   label: string;
@@ -34,7 +34,7 @@ export class Handles {
   /** The drag that is going on: its pointer, and how far from the handle's middle that is. */
   #held: { button: HTMLButtonElement; id: string; pointer: number; x: number; y: number } | null =
     null;
-  /** How often handles were shown. */
+  /** The number of times that handles were shown. */
   #shows = 0;
   /** Whether several fingers are down, which mean the view. */
   severalFingers: () => boolean = () => false;
@@ -63,7 +63,7 @@ export class Handles {
     const ids = new Set(handles.map(({ id }) => id));
     const shows = ++this.#shows;
     if (this.#held && !ids.has(this.#held.id)) this.letGo();
-    // The handles that remain are shown already.
+    // Handles that stay are in the page already.
     if (shows !== this.#shows) return;
     for (const [id, { button }] of this.#buttons) {
       if (ids.has(id)) continue;
@@ -112,7 +112,7 @@ export class Handles {
     this.viewer.requestFrame();
   }
 
-  /** Other minima than the center of mass, each with its energy. */
+  /** Shows the other minima beside the center of mass, each with its energy. */
   showMinima(minima: readonly { position: Vector3; tag: string }[]): void {
     for (const { element } of this.#minima) element.remove();
     this.#minima = minima.map(({ position, tag }) => {
@@ -125,17 +125,17 @@ export class Handles {
     this.viewer.requestFrame();
   }
 
-  /** Rings around a place, for a moment. */
+  /** Shows rings around a place for a moment. */
   showBeacon(position: Vector3): void {
     this.#beaconPosition = position;
-    // Shown anew, the animation starts again.
+    // A new element starts the animation again.
     this.#mark(this.#beacon, false);
     void this.#beacon.offsetWidth;
     this.#mark(this.#beacon, true);
     this.viewer.requestFrame();
   }
 
-  /** Shows or hides one of the marks, which the layer has from the first time on that it is shown. */
+  /** Shows or hides one of the marks, which stays in the layer once it was shown. */
   #mark(mark: HTMLElement, shown: boolean): void {
     if (shown && !mark.isConnected) this.layer.append(mark);
     mark.hidden = !shown;
@@ -210,13 +210,13 @@ export class Handles {
     button.className = 'handle';
     button.dataset.id = id;
     button.addEventListener('mousedown', (event) => {
-      // The menu is of all that are selected, and a focus would select this one alone.
+      // The menu is for all selected points, and a focus would select this one alone.
       const isMenu = event.button === 2;
       if (isMenu && button.getAttribute('aria-pressed') === 'true') event.preventDefault();
     });
     button.addEventListener('pointerdown', (event) => {
       if (event.button !== 0 || this.#held || this.severalFingers()) return;
-      // The view's controls listen on the stage: a drag of a handle is none of theirs.
+      // The view's controls listen on the stage and must not get a drag of a handle.
       event.stopPropagation();
       button.setPointerCapture(event.pointerId);
       const box = button.getBoundingClientRect();

@@ -17,7 +17,7 @@ export function hollowsOf(
   const hollows = new Int8Array(hollowWidths * count);
   const { areas, bends, weights } = measured(positions, normals, triangles);
   const curvatures = new Float64Array(count);
-  // From the finest to the widest, each begins with what the one before it found.
+  // From the finest to the widest, each solution begins with the one before.
   for (let width = hollowWidths - 1; width >= 0; width--) {
     const radius = hollowRadii[width]!;
     spread(curvatures, bends, areas, { triangles, weights, time: radius ** 2 / 4 });
@@ -29,18 +29,18 @@ export function hollowsOf(
   return hollows;
 }
 
-/** How many neighborhoods a vertex has. */
+/** The number of neighborhoods of a vertex. */
 export const hollowWidths = 4;
-/** Each a fourth of the one before: on the whole surface the second is some 15 pixels wide. */
+/** The radii, each a fourth of the one before: with the whole surface in view the second is some 15 pixels wide. */
 export const hollowRadii = [0.2, 0.05, 0.0125, 0.003125] as const;
 /** A ball of four times a neighborhood's radius is nearly as dark, from within, as can be. */
 const steepness = 2;
 /** Steps of conjugate gradients: each reaches one edge farther, and so does what relief is seen of. */
 const mostSteps = 16;
-/** Bytes cannot tell a smaller error. */
+/** The tolerance of the solution; bytes cannot show a smaller error. */
 const precision = 1e-2;
 
-/** Of vertices the areas and integrals of twice the mean curvature, of triangles' edges what heat they carry. */
+/** Areas and integrals of twice the mean curvature of the vertices, and the conductance of the triangles' edges. */
 function measured(positions: Float32Array, normals: Float32Array, triangles: Uint32Array) {
   const areas = new Float64Array(positions.length / 3);
   const bends = new Float64Array(positions.length / 3);
@@ -71,7 +71,7 @@ function measured(positions: Float32Array, normals: Float32Array, triangles: Uin
           normals[normal + 1]! * (z * ex - x * ez) +
           normals[normal + 2]! * (x * ey - y * ex)) /
         (2 * twice);
-      // As the cotangents of an equilateral triangle, and never negative.
+      // The weight is relative to the cotangents of an equilateral triangle, and never negative.
       weights[at + corner] = Math.min(twice / (3 * (ex * ex + ey * ey + ez * ez)), longest);
     }
     for (let corner = 0; corner < 3; corner++) {

@@ -12,15 +12,15 @@ const margin = 0.88;
 const widthTaken = 0.94;
 const startDirection = new Vector3(0.34, 0.22, 1).normalize();
 const flightMilliseconds = 260;
-/** From how far a place is looked at, unless the view is nearer already. */
+/** The distance from which a place is looked at, unless the view is nearer already. */
 const closeDistance = 1.6;
 const [nearest, farthest] = [0.02, 20];
-/** Nearer ones are not told. */
+/** The smallest reach that a view's place has. */
 const leastReach = 0.01;
-/** Room around what is zoomed to. */
+/** The room around what the view zooms to, as a factor. */
 const roomAround = 1.25;
 
-/** Where the camera is from what it looks at. */
+/** The place that the camera looks at, and the camera's offset from it. */
 interface Place {
   offset: Vector3;
   target: Vector3;
@@ -29,15 +29,15 @@ interface Place {
 /** The camera, and how the pointer, keys and flights move it. */
 export class OrbitView {
   readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.002, 100);
-  /** What is looked at, once there is something. */
+  /** The surface that the camera looks at, once there is one. */
   surface: Surface | null = null;
   readonly #controls: OrbitControls;
   /** From where the whole is seen, where the view was not touched since; it then goes with the stage's size. */
   #whole: Vector3 | null = startDirection;
   #flight: { from: Place; to: Place; started: number } | null = null;
-  /** What is turned about: a point of the scene, and where the camera sees it. */
+  /** The pivot about which the view turns: a point of the scene, and where the camera sees it. */
   #pivot: { point: Vector3; seen: Vector3 } | null = null;
-  /** Those that are down: several fingers zoom and move, and turn about nothing. */
+  /** The pointers that are down: several fingers zoom and move, and turn about no pivot. */
   readonly #pointers = new Set<number>();
 
   /** `moved` is called when a frame is to be drawn. */
@@ -45,7 +45,7 @@ export class OrbitView {
     private readonly stage: HTMLElement,
     private readonly moved: () => void,
   ) {
-    // Before the controls hear of it, what they turn about and zoom to is the surface under the pointer.
+    // Before the controls get the event, the surface under the pointer becomes what they turn about and zoom to.
     stage.addEventListener('pointerdown', (event) => this.#hold(event), { capture: true });
     stage.addEventListener('wheel', (event) => this.#turnTo(event.clientX, event.clientY), {
       capture: true,
@@ -58,7 +58,7 @@ export class OrbitView {
       });
     }
     this.#controls = new OrbitControls(this.camera, stage);
-    // The controls set a cursor of their own, which would hide those that tell what a gesture does.
+    // The controls' own cursor would hide the cursors that show what a gesture does.
     stage.style.cursor = '';
     this.#controls.zoomToCursor = true;
     this.#controls.mouseButtons = { LEFT: MOUSE.ROTATE, MIDDLE: MOUSE.PAN, RIGHT: MOUSE.ROTATE };
@@ -98,8 +98,8 @@ export class OrbitView {
   }
 
   /**
-   * Takes the controls' target to the depth of what lies at a place of the window, and the view stays as it
-   * is: steps of a zoom and of a move are parts of the way to the surface, so none goes through it.
+   * Takes the controls' target to the depth of what lies at a place of the window, without a change of the view.
+   * Steps of a zoom and of a move are parts of the way to the target, so none goes through the surface.
    */
   #turnTo(x: number, y: number): Vector3 | null {
     const point = this.#under(x, y);
@@ -130,7 +130,7 @@ export class OrbitView {
     this.#pivot = point && seen && isTurned ? { point, seen } : null;
   }
 
-  /** The controls turn about what is in the middle: the camera goes where the pivot is seen as before. */
+  /** The controls turn about the middle of the stage, so this moves the camera until the pivot is seen where it was. */
   #keepPivot(): void {
     if (!this.#pivot) return;
     const { point, seen } = this.#pivot;
@@ -140,7 +140,7 @@ export class OrbitView {
     position.copy(to);
   }
 
-  /** Sees a ball from where the view is, or from a direction. */
+  /** Fits a ball into the stage, seen from where the view is or from a direction. */
   fit(center: Vector3, radius: number, direction: Vector3 | null): void {
     this.#whole = null;
     const from = direction ?? this.camera.position.clone().sub(this.#controls.target);
@@ -202,7 +202,7 @@ export class OrbitView {
     };
   }
 
-  /** Sees the scene from a place, where a ball of its reach fits into the stage. */
+  /** Shows the scene from a place: a ball as large as its reach fits into the stage. */
   show(place: ViewPlace, { animated }: { animated: boolean }): void {
     if (typeof place === 'string') {
       this.#whole = views[place];
@@ -265,12 +265,12 @@ export class OrbitView {
     this.#controls.update();
   }
 
-  /** Half of what is seen of the stage's narrower side, in radians. */
+  /** Half the angle of view along the stage's narrower side, in radians. */
   get #narrowAngle(): number {
     return Math.atan(halfSlope * Math.min(1, this.camera.aspect));
   }
 
-  /** From how far the bounding sphere, of radius 1, fills the stage, and no width is cut off. */
+  /** The distance from which the bounding sphere, of radius 1, fills the stage and no width is cut off. */
   #wholeDistance(direction: Vector3): number {
     const narrow = this.#narrowAngle;
     const wide = widthTaken * halfSlope * this.camera.aspect;

@@ -54,7 +54,7 @@ export function outlineOf(mesh: Mesh, [x, y, z]: readonly [number, number, numbe
 
 const follower = (corner: number) => (corner % 3 === 2 ? corner - 2 : corner + 1);
 
-/** Not of unit length: as long as twice the area. */
+/** The normal of a triangle, as long as twice its area. */
 function faceNormals({ positions, triangles }: Mesh): Float64Array {
   const normals = new Float64Array(triangles.length);
   for (let first = 0; first < triangles.length; first += 3) {
@@ -75,12 +75,12 @@ function faceNormals({ positions, triangles }: Mesh): Float64Array {
 }
 
 /**
- * For each side that of the triangle beyond it; -1 on the boundary. Of more than two triangles at one
- * edge, those beyond the second go on among themselves.
+ * For each side the matching side of the triangle beyond it; -1 on the boundary. Of more than two triangles at one
+ * edge, those beyond the second are paired among themselves.
  */
 function sidesAcross({ positions, triangles }: Mesh): Int32Array {
   const across = new Int32Array(triangles.length).fill(-1);
-  // Sides that wait for their other one, in a list for each vertex: at the end of the side with the lower number.
+  // Sides that are not paired yet, in a list for each vertex: at the end of the side with the lower number.
   const firstAt = new Int32Array(positions.length / 3).fill(-1);
   const behind = new Int32Array(triangles.length);
   for (let side = 0; side < triangles.length; side++) {
@@ -115,7 +115,7 @@ function isSharp(normals: Float64Array, side: number, other: number): boolean {
   return ax * bx + ay * by + az * bz < leastCosine * lengths;
 }
 
-/** At each corner, of unit length, the sum of the normals of the faces that meet there without a crease between them. */
+/** Unit normals at each corner: the sum of the normals of the faces that meet there without a crease between them. */
 function smoothNormals({ triangles }: Mesh, normals: Float64Array, across: Int32Array) {
   // Corners that share a normal are in one set, each with the corner that leads to its first.
   const leads = new Uint32Array(triangles.length);
@@ -155,7 +155,7 @@ function smoothNormals({ triangles }: Mesh, normals: Float64Array, across: Int32
   return unit;
 }
 
-/** Sides of triangles as lines. */
+/** The sides of triangles as lines. */
 function linesOf({ positions, triangles }: Mesh, sides: readonly number[]): Float32Array[] {
   const end = (corner: number) => {
     const vertex = triangles[corner]!;

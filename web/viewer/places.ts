@@ -2,7 +2,7 @@ import { Ray, Vector3 } from 'three';
 import type { Places } from '../model/examples';
 import type { Surface } from './surface';
 
-/** Farther from the middle than anything of the scene. */
+/** A distance from the middle beyond everything in the scene. */
 const outside = 4;
 
 /** Finds places of a surface in the scene. */

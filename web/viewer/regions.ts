@@ -11,12 +11,12 @@ export interface PaintedRegion {
   id: number;
   region: Region;
   style: FillStyle;
-  /** The line's, which a fill without one of its own has. */
+  /** The color of the line, for a fill without a color of its own. */
   color: string | null;
   locked: boolean;
 }
 
-/** What is painted on the surface, from the lowest to the topmost; the lines lie above it. */
+/** The regions that are painted on the surface, below the lines. */
 export class Regions {
   readonly object = new Group();
   #painted: readonly PaintedRegion[] = [];
@@ -30,7 +30,7 @@ export class Regions {
     this.#paint();
   }
 
-  /** Whether something else is painted than before. */
+  /** Whether the painted regions differ from those before. */
   show(painted: readonly PaintedRegion[], surface: Surface | null): void {
     if (surface === this.#surface && `${painted.map(keyOf)}` === `${this.#painted.map(keyOf)}`) {
       if (painted.every(({ region }, i) => region === this.#painted[i]!.region)) return;
@@ -47,7 +47,7 @@ export class Regions {
     return found?.id ?? null;
   }
 
-  /** What is seen of each, as a drawing on paper has it: the triangles that the surface does not hide. */
+  /** The triangles of each region that the surface does not hide, for a drawing on paper. */
   *seen(vantage: Vantage): Generator<{ painted: PaintedRegion; triangles: Float32Array }> {
     for (const painted of this.#painted) {
       const places = this.#geometryOf(painted.region).getAttribute('position')
@@ -100,7 +100,7 @@ function seenTriangles(places: Float32Array, vantage: Vantage): Float32Array {
       const { x, y } = vantage.onStage(place.fromArray(places, 9 * i + corner));
       return [x, y] as const;
     }) as [Place, Place, Place];
-    // All turn alike: where they meet they add up, and do not cancel.
+    // All triangles turn the same way, so that neighbors add up where they meet and do not cancel.
     const turn = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     triangles.push(...a, ...(turn < 0 ? [...c, ...b] : [...b, ...c]));
   }
@@ -122,7 +122,7 @@ export function holds({ whole, parts, corners }: Region, { face, bary }: Surface
   return false;
 }
 
-/** Where a number begins in sorted ones. */
+/** The first index of a number among sorted numbers. */
 function firstOf(sorted: Int32Array, value: number): number {
   let low = 0;
   let high = sorted.length;

@@ -4,7 +4,7 @@ import type { Vector } from '../model/figure';
 import type { NearestPlace, Plane } from '../model/symmetry';
 import type { Surface } from './surface';
 
-/** Where a plane cuts the surface: a line for each triangle. */
+/** The section of the surface by a plane: a line for each triangle. */
 export function sectionOf(surface: Surface, { normal, offset }: Plane): Float32Array[] {
   const { positions, triangles } = surface.arrays;
   const heights = new Float64Array(positions.length / 3);
@@ -29,7 +29,7 @@ export function sectionOf(surface: Surface, { normal, offset }: Plane): Float32A
   return lines;
 }
 
-/** About so many places of the surface, as many on each part of it as it has area. */
+/** About `count` places of the surface, in proportion to the area of each part. */
 export function samplesOf(surface: Surface, count: number): Vector[] {
   const areas = Float64Array.from({ length: surface.triangles }, (_, face) => {
     const [a, b, c] = surface.corners(face);
@@ -39,7 +39,7 @@ export function samplesOf(surface: Surface, count: number): Vector[] {
   const samples: Vector[] = [];
   let due = step / 2;
   for (const [face, area] of areas.entries()) {
-    // On large triangles several: along the golden spiral of their corners' weights.
+    // Large triangles get several places, along the golden spiral of their corners' weights.
     for (; due < area; due += step) {
       const [u, v] = [(samples.length * 0.7549) % 1, (samples.length * 0.5698) % 1];
       const [y, z] = u + v > 1 ? [1 - u, 1 - v] : [u, v];

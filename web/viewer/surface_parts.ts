@@ -1,7 +1,7 @@
 import { type BufferGeometry, Color, Group, Mesh, type ShaderMaterial } from 'three';
 import type { SurfacePart } from '../model/parts';
 
-/** How opaque the color of a part is over it. */
+/** The opacity of the color over a part. */
 const opacity = 0.35;
 
 interface Drawn {
@@ -13,7 +13,7 @@ interface Drawn {
 /** The parts of a cut surface, in the scene. */
 export class SurfaceParts {
   readonly object = new Group();
-  /** By the triangles of the parts. */
+  /** The meshes, by the triangles of their parts. */
   readonly #drawn = new Map<Int32Array, Drawn>();
 
   /** `clay` makes what is seen of the surface itself, and `paint` the material of a color over it. */
@@ -56,7 +56,7 @@ export class SurfaceParts {
 
   #remove(drawn: Drawn, forgets: boolean): void {
     this.object.remove(...drawn.meshes);
-    // All but the clay, which is everyone's.
+    // The clay stays, since all surfaces share it.
     for (const { material } of drawn.meshes.slice(1)) (material as ShaderMaterial).dispose();
     drawn.meshes.length = 0;
     if (forgets) drawn.geometry.dispose();

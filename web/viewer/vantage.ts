@@ -59,7 +59,10 @@ export class Vantage {
     }
     return line;
   }
-  /** The point of a polyline of the scene that is seen nearest to a place of the stage; null where it is behind the camera. */
+  /**
+   * The point of a polyline of the scene that is seen nearest to a place of the stage; null where all of the polyline
+   * is behind the camera.
+   */
   nearest(line: Float32Array, place: { x: number; y: number }): NearestSeen | null {
     const { camera, size } = this;
     const matrix = new Matrix4().multiplyMatrices(
