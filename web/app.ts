@@ -1,4 +1,4 @@
-import { align } from './editor/engine/aligning';
+import { type Alignment, align } from './editor/engine/aligning';
 import type { Beside } from './editor/engine/beside';
 import { Comparison } from './editor/engine/comparison';
 import { messageOf, polylinesOf } from './editor/engine/compute';
@@ -281,6 +281,7 @@ export async function start(): Promise<void> {
   editor.onRefusal = showNote;
   session.onFailure = (error) => showNote(sentenceOf(messageOf(error)));
   session.onBusy = (busy) => status.setBusy(busy);
+  session.onProgress = (done, stage) => status.setProgress(done, stage);
 
   const surfacePanel = new SurfacePanel({
     choose: (key) => opening.sample(key),
@@ -338,11 +339,13 @@ export async function start(): Promise<void> {
   new ExamplesMenu((example) => void opening.example(example));
   const clipboard = new Clipboard(editor, () => session.client?.info.triangles ?? 0);
   const letGo = () => gestures.letGo();
-  new ContextMenu(editor, viewer, stage, letGo, clipboard, (how) => {
+  const alignChosen = (how: Alignment) => {
     align(editor, session, viewer.surface!, how).catch((error) =>
       showNote(`It is not aligned. ${sentenceOf(messageOf(error))}`),
     );
-  });
+  };
+  const makers = () => derivedPanel.possible;
+  new ContextMenu(editor, viewer, stage, letGo, clipboard, alignChosen, makers);
   const snap = new SnapToggle((on) => {
     gestures.snapping.on = on;
   });

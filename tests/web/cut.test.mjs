@@ -85,6 +85,27 @@ describe('cuts', () => {
     await tab.close();
   });
 
+  test('how far a cut is, is said', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:6000&kind=circle');
+    const { x, y } = await tab.middle();
+    await tab.drag({ x, y }, { x: x + 90, y });
+    await tab.page.evaluate(() => {
+      window.said = [];
+      const busy = document.querySelector('#status-busy');
+      new MutationObserver(() => window.said.push(busy.textContent)).observe(busy, {
+        childList: true,
+        characterData: true,
+        subtree: true,
+      });
+    });
+    await maker(tab, 'Cut').click();
+    await tab.settled();
+    const said = (await tab.page.evaluate(() => window.said)).join('\n');
+    assert.match(said, /Cutting… 0 %/);
+    assert.match(said, /Measuring part 2 of 2… 67 %/);
+    await close(tab);
+  });
+
   test('parts are saved alone or all, as surfaces or thickened, and say what they are worth for printing', async () => {
     const { tab, radius } = await cutSphere();
     const open = await savedPart(tab, 'Part 2');

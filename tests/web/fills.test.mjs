@@ -233,6 +233,39 @@ describe('fills', () => {
     await close(tab);
   });
 
+  test('the menu at a place makes an offset, a cut and booleans of what is selected there', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=circle');
+    const { x, y } = await tab.middle();
+    const items = async () => {
+      await tab.page.mouse.click(x + 20, y, { button: 'right' });
+      return tab.page.locator('#context-menu [role=menuitem]').allTextContents();
+    };
+    const made = ['Offset', 'Cut the surface', 'Union', 'Intersection'];
+    assert.deepEqual(
+      (await items()).filter((name) => made.includes(name)),
+      [],
+      'where there is nothing',
+    );
+    await tab.page.keyboard.press('Escape');
+    for (const dx of [-40, 40]) {
+      await tab.page.keyboard.press('o');
+      await tab.drag({ x: x + dx, y }, { x: x + dx + 70, y });
+      await tab.page.keyboard.press('Enter');
+    }
+    await tab.page.keyboard.press('v');
+    await tab.page.locator('#stage').focus();
+    await tab.page.keyboard.press('Control+a');
+    const all = await items();
+    assert.deepEqual(
+      all.filter((name) => made.includes(name)),
+      made,
+    );
+    await tab.page.getByRole('menuitem', { name: 'Intersection', exact: true }).click();
+    await tab.settled();
+    assert.equal((await tab.state()).figure.kind, 'intersection');
+    await close(tab);
+  });
+
   test('of an open line are none, and that is said', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...square);

@@ -29,6 +29,7 @@ export class ContextMenu {
     private readonly letGo: () => void,
     private readonly clipboard: Clipboard,
     private readonly align: (how: Alignment) => void,
+    private readonly makers: () => readonly Action[],
   ) {
     // By itself the browser would close it as soon as the finger that opened it is lifted.
     window.addEventListener('pointerdown', ({ target }) => this.#close(target), { capture: true });
@@ -148,6 +149,7 @@ export class ContextMenu {
       [ids.length > 0, 'Duplicate', () => editor.duplicate(ids)],
       [ids.length > 1, 'Group', () => editor.group(ids)],
       [grouped, 'Ungroup', () => editor.ungroup(ids)],
+      ...this.makers().map(([name, act]): [boolean, string, () => void] => [true, name, act]),
       [turnable.length > 0, 'Fill the other side', () => editor.turnInside(turnable)],
       [alignable, 'Align on a line', () => this.align('nearest')],
       [alignable, 'Space evenly on a line', () => this.align('even')],

@@ -10,7 +10,13 @@ import {
   willCombine,
 } from '../model/combining';
 import type { Command } from '../model/commands';
-import { booleans, isBoolean, type OffsetSide, offsetSides } from '../model/derived';
+import {
+  booleans,
+  type DerivedKind,
+  isBoolean,
+  type OffsetSide,
+  offsetSides,
+} from '../model/derived';
 import { objectOf } from '../model/drawing';
 import type { Unit } from '../model/units';
 import { byId, make, write } from './elements';
@@ -30,6 +36,7 @@ const sideNames: Record<OffsetSide, string> = {
 /** What is made of other objects: the buttons that make it, and how it is made. */
 export class DerivedPanel {
   readonly #makers: readonly HTMLButtonElement[];
+  readonly #actions: readonly [name: string, act: () => void][];
   readonly #distance: NumberField;
   readonly #input = byId<HTMLInputElement>('offset-distance');
   readonly #sides: readonly HTMLInputElement[];
@@ -40,18 +47,18 @@ export class DerivedPanel {
     expansion: Expansion,
     private readonly diagonal: () => number,
   ) {
-    const maker = (name: string, title: string, act: () => void) => {
+    const kindsMade: readonly DerivedKind[] = ['offset', 'cut', ...booleans];
+    this.#actions = kindsMade.map((kind) => {
+      if (kind === 'offset') return ['Offset', () => this.offset()];
+      if (kind === 'cut') return ['Cut', () => this.#make(cutting)];
+      return [kindNames[kind], () => this.#make(combining, kind)];
+    });
+    this.#makers = this.#actions.map(([name, act], i) => {
+      const title = kindNotes[kindsMade[i]!];
       const button = make('button', name, { type: 'button', className: 'button small', title });
       button.addEventListener('click', act);
       return button;
-    };
-    this.#makers = [
-      maker('Offset', kindNotes.offset, () => this.offset()),
-      maker('Cut', kindNotes.cut, () => this.#make(cutting)),
-      ...booleans.map((kind) =>
-        maker(kindNames[kind], kindNotes[kind], () => this.#make(combining, kind)),
-      ),
-    ];
+    });
     byId('makers').append(...this.#makers);
     this.#distance = new NumberField(this.#input, (distance) => this.#remakeOffset({ distance }));
     this.#sides = offsetSides.map((side) => {
@@ -63,6 +70,16 @@ export class DerivedPanel {
       return input;
     });
     byId('expand').addEventListener('click', () => void expansion.expand());
+  }
+
+  /** What can be made of what is selected, with what makes it. */
+  get possible(): readonly [name: string, act: () => void][] {
+    if (byId('makers-group').hidden) return [];
+    return this.#actions.flatMap(([name, act], i) => {
+      const { hidden, disabled } = this.#makers[i]!;
+      // In a menu, beside that of the clipboard.
+      return hidden || disabled ? [] : [[name === 'Cut' ? 'Cut the surface' : name, act]];
+    });
   }
 
   /** Makes an offset of what is selected, whose distance may be typed at once. */

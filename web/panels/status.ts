@@ -86,10 +86,16 @@ export class Status {
       [byId('stop'), stopping],
     ] as const;
     this.#timers = [];
+    write(byId('status-busy'), 'computing…');
     for (const [element, patience] of shown) {
       if (busy) this.#timers.push(window.setTimeout(() => (element.hidden = false), patience));
       else element.hidden = true;
     }
+  }
+
+  /** Says what the engine is at, and how far. */
+  setProgress(done: number, stage: string): void {
+    write(byId('status-busy'), `${stage}… ${Math.round(100 * done)} %`);
   }
 
   /** Shows a warning where the drawing is not kept, because the browser's storage is full or blocked. */

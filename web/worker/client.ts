@@ -135,6 +135,8 @@ export class EngineClient {
   readonly #curves = new Map<number, Promise<RemoteCurve | null>>();
   /** Called when the worker ends by itself, as when memory runs out. */
   onStopped: (() => void) | null = null;
+  /** Hears how far long work is, as a part of 1, and what is done. */
+  onProgress: (done: number, stage: string) => void = () => {};
 
   private constructor() {
     this.#worker.onFatal = () => this.onStopped?.();
@@ -329,7 +331,8 @@ export class EngineClient {
 
   /** The surface cut apart along outlines, the largest part first; of a thickness, if it is positive. */
   async cut(outlines: readonly Path[], thickness: number): Promise<SurfacePart[]> {
-    const args = [this.mesh, outlines, thickness];
+    const progress = (done: number, stage: string) => this.onProgress(done, stage);
+    const args = [this.mesh, outlines, thickness, { progress }];
     return (await this.#worker.call('cut', args)) as SurfacePart[];
   }
 

@@ -1,5 +1,5 @@
 /** The surface cut apart, as the page lists, draws and saves its parts. */
-import type { CutPart, Mesh, SurfacePoint } from 'karcher';
+import type { CutPart, LongWorkOptions, Mesh, SurfacePoint } from 'karcher';
 import type { Shell, SurfacePart } from '../model/parts';
 
 type Corners = readonly [number, number, number];
@@ -8,6 +8,7 @@ export async function cutParts(
   mesh: Mesh,
   outlines: SurfacePoint[][],
   thickness: number,
+  { progress = () => {} }: LongWorkOptions = {},
 ): Promise<SurfacePart[]> {
   const { solidOf, thickened } = await import('karcher/checkup');
   const [positions, triangles] = [mesh.positions(), mesh.triangles()];
@@ -15,7 +16,10 @@ export async function cutParts(
     const { area, closed, volume } = solidOf(made);
     return { positions: made.positions, triangles: made.triangles, area, closed, volume };
   };
-  const parts = mesh.cut(outlines).map((part): SurfacePart => {
+  progress(0, 'Cutting');
+  const cut = mesh.cut(outlines);
+  const parts = cut.map((part, i): SurfacePart => {
+    progress((i + 1) / (cut.length + 1), `Measuring part ${i + 1} of ${cut.length}`);
     const weights = weightsOf(part, positions, triangles);
     const thick = thickness > 0 ? thickened(part, thickness, { positions, triangles }) : null;
     return {

@@ -110,6 +110,8 @@ export class Session {
   onView: (view: View) => void = () => {};
   /** Called when the engine begins to work, and when it has ended. */
   onBusy: (busy: boolean) => void = () => {};
+  /** Called with how far its work is, where that is told. */
+  onProgress: (done: number, stage: string) => void = () => {};
   /** Called when an edit that was asked for can't be made. */
   onFailure: (error: unknown) => void = () => {};
 
@@ -141,6 +143,7 @@ export class Session {
     this.#client = client;
     this.onBusy(false);
     client.onBusy = (busy) => this.onBusy(busy);
+    client.onProgress = (done, stage) => this.onProgress(done, stage);
     this.#refinement.use(client);
     this.#legs.clear();
     this.#others.clear();
