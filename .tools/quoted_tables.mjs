@@ -50,6 +50,10 @@ export const quotedTables = [
   { doc: steady, head: '| mesh | spacing | levels of `auto`', rows: steadiness },
   { doc: steady, head: '| mesh | triangles | curve', rows: printed('joints') },
   {
+    ...{ doc: steady, head: '| mesh | triangles | curve', at: 1 },
+    rows: printed('joints', ['none', 'of-files']),
+  },
+  {
     doc: 'docs/compare.md',
     head: '| mesh | triangles | edge Dijkstra',
     rows: printed('fields', ['of-files']),
