@@ -1,6 +1,6 @@
 /**
- * Answers each message to this worker with what is made of it; `buffersOf` tells what of that is
- * transferred. A failure is an error event of the worker.
+ * Answers each message to this worker with the result of `make`; `buffersOf` gives the buffers of a result that are
+ * transferred. A failure becomes an error event of the worker.
  */
 export function answering<Request, Answer>(
   make: (request: Request) => Promise<Answer>,
@@ -10,7 +10,7 @@ export function answering<Request, Answer>(
     make(data).then(
       (answer) => self.postMessage(answer, { transfer: [...new Set(buffersOf(answer))] }),
       (error) => {
-        // Of a promise that fails the page would hear nothing.
+        // The page would not hear of a promise that fails.
         setTimeout(() => {
           throw error;
         });

@@ -1,6 +1,6 @@
 import { Color } from 'three';
 
-/** The colors of what is drawn in the scene, as CSS has them. */
+/** The colors in the scene, as CSS values. */
 export interface ViewerColors {
   front: string;
   back: string;
@@ -12,26 +12,26 @@ export interface ViewerColors {
   polygon: string;
   marks: string;
   center: string;
-  /** Around what is selected. */
+  /** The halo around selected objects. */
   chosen: string;
-  /** Of the frame round what is transformed. */
+  /** The frame around the objects that are transformed. */
   frame: string;
 }
 
-/** How bright the surface is where it is lit as most of it is. */
+/** The brightness of most of the surface, as a part of its color. */
 const surfaceShade = 0.75;
 
-/** The surface's color where it is lit as most of it is. */
+/** The color of most of the surface, as it is lit. */
 export const litSurface = ({ front }: ViewerColors): Color =>
   new Color(front).multiplyScalar(surfaceShade);
 
-/** How dark and how bright the surface is, as parts of its color: in its shadows, and where it faces the light. */
+/** Shades of the surface as parts of its color, from its shadows to where it faces the light. */
 const shades = [0.15, 0.3, 0.5, 0.75, 1, 1.2];
 
-/** What is nearer in OKLab than five times what is just told apart is hard to see as a thin line. */
+/** The distance in OKLab below which a thin line is hard to see: five times the least difference that people see. */
 const leastApart = 5 * 0.02;
 
-/** Where a color is in OKLab, in which distances are as large as they look. */
+/** A color in OKLab, where distances are as large as they look. */
 function oklab({ r, g, b }: Color): [number, number, number] {
   const l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
   const m = Math.cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
@@ -43,7 +43,7 @@ function oklab({ r, g, b }: Color): [number, number, number] {
   ];
 }
 
-/** Whether a line of a color may be lost on the surface, where that is lit so. */
+/** Whether a line of this color may be lost on some shade of the surface. */
 export function isAmongShades(color: string, { front }: ViewerColors): boolean {
   const line = oklab(new Color(color));
   return shades.some((part) => {
@@ -52,6 +52,6 @@ export function isAmongShades(color: string, { front }: ViewerColors): boolean {
   });
 }
 
-/** Light around what is dark, dark around what is light. */
+/** The color of a rim: light around a dark line, dark around a light one. */
 export const rimColor = (color: string): string =>
   oklab(new Color(color))[0] < 0.5 ? '#ffffff' : '#14171c';

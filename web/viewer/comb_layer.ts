@@ -5,12 +5,12 @@ import { FatLine } from './fat_line';
 import type { Layer } from './layer';
 import type { Surface } from './surface';
 
-/** From tooth to tooth, in the scene; a surface's diagonal is 2. */
+/** The distance between teeth, in the scene; a surface's diagonal is 2. */
 const spacing = 0.011;
 const [fewestTeeth, mostTeeth] = [16, 600];
-/** How long most teeth are at first, in the scene; a surface's diagonal is 2. */
+/** The length that most teeth do not exceed at first, in the scene; a surface's diagonal is 2. */
 const usualLength = 0.12;
-/** The part of the teeth that are no longer than that. */
+/** The part of the teeth that do not exceed that length. */
 const usualShare = 0.9;
 
 /** What a comb shows, in the surface's coordinates. */
@@ -24,7 +24,7 @@ export interface CombFacts {
 const teethOn = (length: number) =>
   Math.round(Math.min(mostTeeth, Math.max(fewestTeeth, length / spacing)));
 
-/** Teeth across a curve, on the side that it turns away from, as long as it is bent within the surface. */
+/** Teeth across a curve, on its outer side, in proportion to its geodesic curvature. */
 export class CombLayer implements Layer {
   readonly object = new Group();
   readonly #teeth = new FatLine({ width: 1, hidden: 0.3 }, 3);
@@ -39,8 +39,8 @@ export class CombLayer implements Layer {
   }
 
   /**
-   * The combs of lines in the surface's coordinates. Curvature is not told from what is shorter than
-   * `meanEdge`. The length of the teeth is fitted anew unless it is to stay, as during a drag.
+   * Shows the combs of lines in the surface's coordinates. Stretches shorter than `meanEdge` give no curvature. The
+   * length of the teeth is fitted again unless it has to stay, such as during a drag.
    */
   show(
     surface: Surface | null,
@@ -62,7 +62,7 @@ export class CombLayer implements Layer {
     };
   }
 
-  /** How many times as long as fitted the teeth are. */
+  /** The factor on the fitted length of the teeth. */
   set factor(factor: number) {
     this.#factor = factor;
     this.#draw();

@@ -11,7 +11,7 @@ import type { Surface } from './surface';
 /** Distances as colors of the surface, and as isolines, from a dot. */
 export class DistanceLayer implements Layer {
   readonly object = new Group();
-  // Below the curves, and seen only where the surface is.
+  // Isolines lie below the curves, and are drawn only where the surface is seen.
   readonly #lines = new FatLine({ width: 1.25, hidden: 0 }, 0);
   readonly #dot = new FatLine({ width: 11, hidden: 0 }, 1);
   #surface: Surface | null = null;
@@ -20,7 +20,7 @@ export class DistanceLayer implements Layer {
     this.object.add(this.#lines.object, this.#dot.object);
   }
 
-  /** Those of a surface, in place of what was shown. */
+  /** Shows the distances of a surface in place of earlier ones. */
   show(
     surface: Surface | null,
     distances: TracedDistances | null,

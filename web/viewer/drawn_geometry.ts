@@ -4,13 +4,13 @@ import type { UpAxis } from '../model/meshes';
 import type { Frame } from './frame';
 
 export interface DrawnGeometry {
-  /** What it was made of. */
+  /** The mesh that the geometry is made of. */
   mesh: MeshBlobs;
   frame: Frame;
-  /** In the scene's coordinates. */
+  /** Positions in the scene's coordinates. */
   positions: Float32Array;
   normals: Float32Array;
-  /** How the neighborhoods of each vertex are sunken (`hollows.ts`). */
+  /** How deep each vertex lies among its neighborhoods (`hollows.ts`). */
   hollows: Int8Array;
   triangles: Uint32Array;
   /** Bytes of red, green and blue at the vertices; null for clay. */
@@ -24,7 +24,7 @@ export interface GeometryRequest {
   mesh: MeshBlobs;
   /** Bytes of red, green and blue at the vertices, of a file that has colors. */
   colors?: Uint8Array | null;
-  /** Without a boundary. */
+  /** Whether the surface has no boundary. */
   closed: boolean;
   /** The axis that points up. */
   up: UpAxis;

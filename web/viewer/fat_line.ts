@@ -17,36 +17,36 @@ import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js
 import { type Band, withBand } from './band';
 
 export interface LineStyle {
-  /** In CSS pixels. */
+  /** The width in CSS pixels. */
   width: number;
-  /** Dash and gap in the scene's units; solid where there are none. */
+  /** Dash and gap in the scene's units; without them the line is solid. */
   dash?: readonly [number, number] | null;
-  /** How much of the color is left where the surface hides the line. */
+  /** The part of the color that is left where the surface hides the line. */
   hidden: number;
-  /** A width on the surface, beside that in pixels. */
+  /** The width on the surface, in addition to the one in pixels. */
   band?: Band | null;
-  /** Less than 1 where what lies below is seen through the line. */
+  /** The opacity; below 1 the line lets through what lies below it. */
   opacity?: number;
-  /** From 1 to 254: lines that are seen through are told apart by it. */
+  /** A number from 1 to 254, by which the stencil keeps apart lines that are not opaque. */
   mark?: number;
   /** `inside` is not seen, but keeps its pixels free of what is `around`. */
   frames?: 'inside' | 'around' | null;
 }
 
-/** The mark of pixels that are kept free. */
+/** The stencil's mark of pixels that are kept free. */
 const free = 255;
 
-/** Lines are drawn this part of the way to the camera nearer, so that the surface cuts none. */
+/** The part of the way to the camera by which lines are drawn nearer, so that the surface cuts none. */
 const nearer = 0.003;
 
-/** How wide a line is where the surface hides it, as a part of its width. */
+/** The part of a line's width that is left where the surface hides it. */
 const hiddenWidth = 0.55;
 
-/** Of what stands in for something else, as a part of a curve without a center. */
+/** Dash and gap of lines that stand in for others, such as a part of a curve without a center. */
 export const fineDash = [0.009, 0.006] as const;
 const smallest = 256;
 
-/** Without an index: by one, software rendering in Chromium 156 draws the first of the instances alone. */
+/** A geometry without an index: with one, software rendering in Chromium 156 draws the first instance alone. */
 function segmentGeometry(): LineSegmentsGeometry {
   const geometry = new LineSegmentsGeometry();
   if (!geometry.index) return geometry;
@@ -65,7 +65,7 @@ export class FatLine {
   #left: number;
   #opacity = 1;
   #normals: Band['normals'] | null = null;
-  /** Puts in again what is shown. */
+  /** Sets the shown polylines again, for another style. */
   #again = () => {};
   #geometry = new LineSegmentsGeometry();
   #ends = new Float32Array(0);
@@ -98,7 +98,7 @@ export class FatLine {
   setStyle(style: Omit<LineStyle, 'hidden'>): void {
     const { width, dash, band = null, opacity = 1, mark = 1, frames = null } = style;
     for (const [i, material] of this.#materials.entries()) {
-      // What is hidden is thin beside what is seen.
+      // The hidden part of a line is thinner than the visible one.
       const part = i === 0 ? hiddenWidth : 1;
       material.linewidth = part * width;
       this.#bands[i]!.value = part * (band?.width ?? 0);

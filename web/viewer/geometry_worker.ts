@@ -8,7 +8,7 @@ import { frameOf, geometryInScene, treeOf } from './scene_mesh';
 
 type Corners = [number, number, number];
 
-/** The sign of the volume that a closed surface encloses tells which way its triangles face. */
+/** The sides of triangles that face outwards: the sign of the volume that a closed surface encloses says so. */
 function outsideOf(positions: Float32Array, triangles: Uint32Array): 'front' | 'back' {
   let volume = 0;
   for (let i = 0; i < triangles.length; i += 3) {

@@ -1,11 +1,11 @@
-/** What is seen of lines that the surface hides in part: no line is drawn through it. */
+/** The visible parts of lines, of which the surface hides others. */
 import { DoubleSide, Matrix4, Ray, Vector3 } from 'three';
 import type { MeshBVH } from 'three-mesh-bvh';
 import { type Mesh, outlineOf } from './outline';
 
-/** How finely lines are looked at, in the scene; a surface's diagonal is 2. */
+/** The step along lines between tests of visibility, in the scene; a surface's diagonal is 2. */
 const step = 0.008;
-/** A line is not hidden by what is so little nearer, in the scene: by the faces that it lies on. */
+/** How much nearer than a line, in the scene, a face must be to hide it: the faces that the line lies on do not. */
 const grain = 0.004;
 /**
  * Where the surface turns away, its facets may hide the contour itself: there it is seen where a place
@@ -13,16 +13,16 @@ const grain = 0.004;
  */
 const asideEdges = 0.4;
 const [leastAside, mostAside] = [0.002, 0.02];
-/** Shorter gaps in what is seen, and shorter pieces of it, are the facets' doing. */
+/** The least length of a gap and of a visible piece: facets cause shorter ones. */
 const speck = 0.02;
-/** Shorter creases are a rough surface's grain. */
+/** The least length of a crease; shorter ones are the grain of a rough surface. */
 const shortestCrease = 0.06;
 
 export interface Sight {
   eye: [number, number, number];
-  /** From the scene to the camera's cube, by columns. */
+  /** The matrix from the scene to the camera's cube, by columns. */
   matrix: number[];
-  /** Of the stage, in CSS pixels. */
+  /** The size of the stage, in CSS pixels. */
   width: number;
   height: number;
 }

@@ -7,7 +7,7 @@ import type { Surface } from './surface';
 export interface ObjectDrawing {
   id: number;
   style: LineStyle;
-  /** What is locked is not picked. */
+  /** Whether the object is locked, and so cannot be picked. */
   locked: boolean;
   lines: readonly Float32Array[];
   dots: readonly Vector3[];
@@ -20,17 +20,17 @@ const usualDashes: Record<Dash, readonly [number, number] | null> = {
   dotted: [0.007, 0.013],
 };
 
-/** How wide a line of the usual width is in the scene, where the whole surface is seen on a large screen. */
+/** The width of a usual line in the scene, where the whole surface is seen on a large screen. */
 const usualBand = 0.0125;
 
-/** How wide a line on the surface is at least, in CSS pixels. */
+/** The least width of a line on the surface, in CSS pixels. */
 const leastSeen = 0.5;
 
 /** How a line is drawn on a surface, so many CSS pixels wider than its style says. */
 export function fatStyle(style: LineStyle, surface: Surface | null, wider = 0) {
   const { width, onSurface, opacity } = style;
   const band = onSurface && surface ? width * surface.frame.scale : 0;
-  // As long as the line is wide.
+  // Dashes are in proportion to the line's width.
   const scale = onSurface ? band / usualBand : width / defaultStyle.width;
   const dash = usualDashes[style.dash];
   return {
@@ -44,11 +44,11 @@ export function fatStyle(style: LineStyle, surface: Surface | null, wider = 0) {
   };
 }
 
-/** How much of the color is left where the surface hides a line. */
+/** The part of the color that is left where the surface hides a line. */
 const usuallyHidden = 0.22;
-/** Lines that are seen through are told apart by so many numbers; the edited one has one more. */
+/** The number of marks that keep apart lines that are not opaque; the edited object has one more. */
 export const mostMarks = 253;
-/** A point is so many times as wide as a line. */
+/** The width of a point, as a factor on the line's width. */
 const dotWidth = 2.4;
 
 /** A line so short that its round ends are a dot. */
@@ -57,7 +57,7 @@ export const dotAt = ({ x, y, z }: Vector3) => Float32Array.of(x, y, z, x + 1e-4
 /** The objects beside the edited one: a line for each style, so that many objects are few draws. */
 export class ObjectLines {
   readonly object = new Group();
-  /** The one that the lines are on. */
+  /** The surface that the lines lie on. */
   surface: Surface | null = null;
   readonly #lines = new Map<string, FatLine>();
   #objects: readonly ObjectDrawing[] = [];
@@ -68,7 +68,7 @@ export class ObjectLines {
 
   constructor(
     private readonly order: number,
-    /** How much is left where the surface hides a line, and how much wider it is than its style says. */
+    /** The part of the color that is left where the surface hides a line, and what is added to its style's width. */
     private readonly looks: Partial<Pick<FatLineStyle, 'hidden' | 'frames'>> & {
       wider?: number;
     } = {},

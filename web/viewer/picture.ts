@@ -1,8 +1,8 @@
 import type { WebGLRenderer } from 'three';
 
 /**
- * What `render` draws as a PNG, of so many pixels for each of CSS; see-through where nothing is drawn
- * and no background is given. The renderer's canvas holds the picture afterwards: it wants another frame.
+ * A PNG of what `render` draws, with `scale` pixels for each CSS pixel. Without a background it is transparent where
+ * nothing is drawn. Afterwards the renderer's canvas holds the picture, so it needs another frame.
  */
 export function pictureOf(
   renderer: WebGLRenderer,
@@ -20,7 +20,7 @@ export function pictureOf(
   }
   renderer.setPixelRatio(scale);
   render();
-  // What is drawn holds until this task ends.
+  // The canvas keeps the picture until this task ends.
   context.drawImage(renderer.domElement, 0, 0);
   renderer.setPixelRatio(ratio);
   return picture.convertToBlob({ type: 'image/png' });

@@ -1,4 +1,4 @@
-/** A mesh in the scene, and the tree that rays look for its triangles in. */
+/** A mesh in the scene, and the tree by which rays find its triangles. */
 import { BufferAttribute, BufferGeometry } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import type { MeshArrays } from '../model/mesh_blobs';
@@ -36,5 +36,5 @@ export function geometryInScene({ positions, triangles }: MeshArrays, frame: Fra
   return { geometry, positions: places, triangles: corners };
 }
 
-/** Without `indirect` the tree would reorder the triangles, and lose the engine's numbering. */
+/** The tree of a geometry. Without `indirect` it would reorder the triangles, and lose the engine's numbering. */
 export const treeOf = (geometry: BufferGeometry) => new MeshBVH(geometry, { indirect: true });

@@ -35,7 +35,7 @@ import {
 import { hollowRadii, hollowWidths } from './hollows';
 import { SurfaceParts } from './surface_parts';
 
-/** Digits after the point that the weights of a picked point have, so that links are short. */
+/** The number of decimals in the weights of a picked point, few so that links are short. */
 const shortened = (weight: number) => Math.floor(weight * 1e9) / 1e9;
 
 /** A point under the pointer, and where it is in the scene. */
@@ -52,7 +52,7 @@ export interface SurfaceColors {
   edges: string;
 }
 
-/** How much darker a hollow is at most, as a part of the light. */
+/** The part of the light that a hollow loses at most. */
 const reliefShown = 0.55;
 
 /** How much lighter a ridge is, as a part of how much darker a hollow is. */
@@ -73,7 +73,7 @@ const light = {
 const sunk = { value: 0 };
 const steepest = 4;
 
-/** How large a CSS pixel is at a distance of 1. */
+/** The size of a CSS pixel at a distance of 1. */
 const pixel = { value: 1 };
 /** Neighborhoods of so many pixels are what relief is seen of, and less and less those four times as wide or narrow. */
 const reliefPixels = 16;
@@ -113,7 +113,7 @@ const clay = {
     varying float vHollow;
     void main() {
       vValue = value;
-      // From sRGB, as files have it, to light.
+      // Files have sRGB, and the shader computes with linear light.
       vTint = mix(tint / 12.92, pow((tint + 0.055) / 1.055, vec3(2.4)), step(0.04045, tint));
       vec4 eye = modelViewMatrix * vec4(position, 1.0);
       vEye = -eye.xyz;
@@ -123,7 +123,7 @@ const clay = {
       float facing = abs(dot(normalize(vNormal), normalize(vEye)));
       float slope = sqrt(1.0 - facing * facing) / max(facing, 0.01);
       slope = clamp(slope, leastSlope, ${steepest.toFixed(1)});
-      // Along the ray, so that it is seen where it is.
+      // The surface moves back along the ray, so that it is seen where it is.
       gl_Position = projectionMatrix * vec4(eye.xyz * (1.0 + sunk * slope), 1.0);
     }`,
   fragmentShader: `
@@ -212,7 +212,7 @@ const unitWeights = [
   [0, 0, 1],
 ] as const;
 
-/** Only the sides that are seen are drawn: the others would show as specks at the silhouette. */
+/** The sides that are drawn: hidden ones would show as specks at the silhouette. */
 const sides = { front: FrontSide, back: BackSide, both: FrontSide };
 
 const edgeMaterial = new MeshBasicMaterial({
@@ -258,7 +258,7 @@ export class Surface {
   #seen: Uint8Array | null = null;
   readonly #edges: Mesh;
   readonly #whole: Mesh;
-  /** What is seen in its place, where it is cut. */
+  /** The parts that are shown in its place where it is cut. */
   readonly #parts = new SurfaceParts(clayMesh, paint);
   readonly #along = new WeakMap<Float32Array, Float32Array>();
 
@@ -292,7 +292,7 @@ export class Surface {
     this.object.add(this.#whole, this.#edges, this.#parts.object);
   }
 
-  /** Its vertices and triangles, in the scene. */
+  /** The surface's vertices and triangles, in the scene. */
   get arrays(): { positions: Float32Array; triangles: Uint32Array } {
     return { positions: this.#positions, triangles: this.#triangles };
   }
