@@ -216,6 +216,47 @@ describe('looks', () => {
     await tab.page.close();
   });
 
+  for (const colorScheme of ['light', 'dark']) {
+    test(`the status is read before a surface that fills the view, ${colorScheme}`, async () => {
+      const tab = await Tab.open(browser, 'mesh=sphere:5000&kind=polyline');
+      await tab.page.emulateMedia({ colorScheme });
+      await tab.click([-60, 0], [60, 0]);
+      const { x, y } = await tab.middle();
+      await tab.page.mouse.move(x, y);
+      for (let notch = 0; notch < 12; notch++) await tab.page.mouse.wheel(0, -120);
+      await tab.still();
+      const words = tab.page.locator('#status-length');
+      const clip = await words.boundingBox();
+      const png = (await tab.page.screenshot({ clip })).toString('base64');
+      const contrast = await words.evaluate(async (element, base64) => {
+        const light = ([r, g, b]) => {
+          const linear = [r, g, b].map((value) => {
+            const part = value / 255;
+            return part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4;
+          });
+          return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2] + 0.05;
+        };
+        const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+        const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+        const { width, height } = bitmap;
+        const context = new OffscreenCanvas(width, height).getContext('2d');
+        context.fillStyle = getComputedStyle(element).color;
+        context.fillRect(0, 0, 1, 1);
+        const ink = light(context.getImageData(0, 0, 1, 1).data);
+        context.drawImage(bitmap, 0, 0);
+        const { data } = context.getImageData(0, 0, width, height);
+        const lights = Array.from({ length: width * height }, (_, i) =>
+          light(data.slice(4 * i, 4 * i + 3)),
+        ).sort((a, b) => a - b);
+        // Most of the pixels are of what lies behind.
+        const behind = lights[lights.length >> 1];
+        return Math.max(ink, behind) / Math.min(ink, behind);
+      }, png);
+      assert.ok(contrast >= 4.5, `${contrast}`);
+      await tab.page.close();
+    });
+  }
+
   test('the color fields show the default color where a line has no color of its own', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:320&kind=polyline');
     await tab.click([-60, 0], [60, 0]);

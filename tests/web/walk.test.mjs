@@ -127,6 +127,10 @@ const said = () => {
           ? `${more.length > 0 ? more.length + 1 : selection + 1}`
           : '',
       ],
+      'the status of nothing': [
+        objects.length === 0 && document.getElementById('status-length').textContent !== '',
+        false,
+      ],
       'the halo': [
         page.marked().toSorted((a, b) => a - b),
         // A single one has its handles.

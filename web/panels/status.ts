@@ -64,10 +64,14 @@ export class Status {
   show(state: State, view: View, info: MeshInfo | null): void {
     write(byId('status-triangles'), info ? formatCount(info.triangles, 'triangle') : '');
     const { curve, isolines, center } = view;
-    write(byId('status-samples'), countOf(view));
-    write(byId('status-length'), measureOf(view, this.#unit));
+    // Of what is selected; what was edited last is in the view still.
+    write(byId('status-samples'), state.none ? '' : countOf(view));
+    write(byId('status-length'), state.none ? '' : measureOf(view, this.#unit));
     const time = (curve ?? isolines ?? center)?.milliseconds;
-    write(byId('status-time'), time === undefined ? '' : `${formatMilliseconds(time)} ms`);
+    write(
+      byId('status-time'),
+      time === undefined || state.none ? '' : `${formatMilliseconds(time)} ms`,
+    );
     this.#showLost(view);
     this.#showQuality(view);
     const arcs = byId('status-arcs');
@@ -138,7 +142,7 @@ export class Status {
   /** The unit of lengths from now on. */
   showUnit(unit: Unit, state: State, view: View): void {
     this.#unit = unit;
-    write(byId('status-length'), measureOf(view, unit));
+    write(byId('status-length'), state.none ? '' : measureOf(view, unit));
     this.showHint(state, view);
   }
 
