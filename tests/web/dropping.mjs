@@ -27,6 +27,19 @@ export const dropStep = fc.record({
   during: fc.boolean(),
 });
 
+/** In the page: keeps what messages say, since notes go away by themselves. */
+const rememberMessages = () => {
+  if (window.messagesSeen) return;
+  window.messagesSeen = [];
+  new MutationObserver((changes) => {
+    for (const { addedNodes } of changes) {
+      for (const node of addedNodes) {
+        if (node.classList?.contains('message')) window.messagesSeen.push(node.textContent);
+      }
+    }
+  }).observe(document.body, { childList: true, subtree: true });
+};
+
 /** What a walk remembers of its drops. */
 export class Dropping {
   #count = 0;
@@ -56,7 +69,9 @@ export class Dropping {
   async #drop(what, which, number, release) {
     const { tab } = this;
     const { page } = tab;
-    const says = (text) => page.getByText(text).first().waitFor();
+    await page.evaluate(rememberMessages);
+    const says = (text) =>
+      page.waitForFunction((part) => window.messagesSeen.some((one) => one.includes(part)), text);
     const before = await tab.state();
     const [name, bytes] = surfaces.filter(([one]) => !before.mesh.endsWith(`:${one}`))[
       which % (surfaces.length - 1)
@@ -75,7 +90,9 @@ export class Dropping {
     await tab.dropFiles(files);
     await release();
     if (what === 'bad') await says(`${bad[0]} could not be opened`);
-    if (what === 'none' || what === 'mixed') await says(`${none[0]} is no surface or drawing`);
+    // Alone it is tried as a surface.
+    if (what === 'none') await says(`${none[0]} could not be opened`);
+    if (what === 'mixed') await says(`${none[0]} is no surface or drawing`);
     if (what.startsWith('several')) {
       await dialog.waitFor();
       if (what === 'several') await dialog.getByRole('button', { name, exact: true }).click();
