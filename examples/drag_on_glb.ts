@@ -1,4 +1,4 @@
-// A curve that is dragged over a GLB of one's own. What is Karcher's are the lines between the two marks.
+// A curve that is dragged over a GLB of one's own. The lines between the two marks are those that use Karcher.
 import { load } from 'karcher';
 import { CurveDrag, SurfaceCurve, surfaceFromGeometry } from 'karcher/three';
 import {

@@ -19,7 +19,7 @@ const piecesOf = (path, language) => {
 
 /** Names that pieces of TypeScript use and leave to their reader. */
 const left = `
-import type { CenterOfMass, Karcher, Mesh as Surface, SurfacePoint, PointLike } from 'karcher';
+import type { CenterOfMass, Karcher, Mesh as Surface, SurfacePoint, PointLike, Region } from 'karcher';
 import type { WebGLRenderer, PerspectiveCamera, Mesh as Drawn, Raycaster } from 'three';
 declare global {
   const karcher: Karcher;
@@ -29,6 +29,7 @@ declare global {
   const rows: number[];
   const weights: number[];
   const center: CenterOfMass;
+  const region: Region;
   const text: string;
   const bytes: Uint8Array;
   const signal: AbortSignal;
