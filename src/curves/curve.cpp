@@ -26,7 +26,7 @@ bool areSame(const Array<SurfacePoint>& a, const Array<SurfacePoint>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), isSame);
 }
 
-/// Whether what was traced with one still holds with the other.
+/// Whether traces with one are valid with the other.
 bool traceAlike(const CurveOptions& a, const CurveOptions& b) {
   return a.samples == b.samples && a.tolerance == b.tolerance && a.geometry == b.geometry &&
          a.shape.kind == b.shape.kind && (a.levels == kLimitLevels) == (b.levels == kLimitLevels);
@@ -50,7 +50,7 @@ void checkOptions(const CurveOptions& options) {
   }
 }
 
-/// Throws where legs are given, but not one from each point to the next.
+/// Throws if legs are given, but not one from each point to the next.
 void checkLegCount(const CurveValue& value) {
   const int wanted = legCount(value.options.shape, value.points.count());
   if (value.legs.empty() || value.legs.count() == wanted) return;
@@ -71,16 +71,16 @@ double legsLength(const RefinedPolygon& polygon, const SegmentLayout& piece) {
   return length;
 }
 
-/// How many even samples keep the chords between them within a tolerance of a polynomial curve: its
-/// second derivative is no longer than 2 n (n - 1) times its control polygon, and a chord over 1 /
-/// m of it lies within an eighth of that over m^2.
+/// The number of even samples whose chords stay within a tolerance of a polynomial curve: its
+/// second derivative is at most 2 n (n - 1) times its control polygon's length, and a chord over 1
+/// / m of it deviates by at most an eighth of that over m^2.
 int samplesWithin(double tolerance, int degree, double polygonLength) {
   constexpr int kMost = 1024;
   const double chords = std::sqrt(degree * (degree - 1) / 4.0 * polygonLength / tolerance);
   return 2 + static_cast<int>(std::min(chords, kMost - 2.0));
 }
 
-/// The leg that a value leaves out: the shortest path, of a polyline exactly.
+/// The leg that a value leaves out: the shortest path, which is exact for a polyline.
 SurfacePath shortestLeg(const Geometry& geometry, const CurveOptions& options,
                         const SurfacePoint& from, const SurfacePoint& to) {
   SurfacePath leg;
@@ -90,7 +90,7 @@ SurfacePath shortestLeg(const Geometry& geometry, const CurveOptions& options,
     findPath(geometry, from, to, workspace, leg);
     return leg;
   }
-  // A polyline's legs are the curve: they are exact.
+  // A polyline's legs are the curve, so they are exact.
   leg = pathThrough(*geometry.mesh, shortestPath(geometry, from, to).points);
   leg.points.front() = from;
   leg.points.back() = to;
@@ -135,7 +135,7 @@ void Curve::dragPoint(int i, const SurfacePoint& point) {
   becomeNext();
 }
 
-/// The next value, which is this curve's as yet.
+/// Returns the next value, initially a copy of this curve's.
 CurveValue& Curve::startNext() {
   next_.value = value_;
   return next_.value;
@@ -145,7 +145,8 @@ CurveValue& Curve::startNext() {
 void Curve::becomeNext() {
   check(next_.value);
   if (!(next_.value.options.field == fieldSet_->options())) {
-    // Other fields: nothing of this curve holds, and the ones that it has go before their set.
+    // With other field options nothing of this curve can be kept; its fields are released before
+    // their set.
     Curve other(fieldSets_, std::move(next_.value), clock_);
     segments_.clear();
     *this = std::move(other);
@@ -191,7 +192,7 @@ void Curve::make(Next& next) {
   timed(times_.fields);
   trace(next);
   if (!jumpsAtLevelZero(next)) return;
-  // It is not safe after all.
+  // The curve of level 0 is not safe after all.
   next.jumps = true;
   releaseFields(next.segments);
   makeSegments(next);
@@ -239,7 +240,7 @@ void Curve::check(const CurveValue& value) const {
 }
 
 /// Continues the legs that do not reach their points to these. A leg that no strip of faces
-/// continues is the shortest, and so is one that the curve has no use for.
+/// continues becomes the shortest, and so does one that the curve does not use.
 void Curve::continueLegs(CurveValue& value) {
   const Geometry& geometry = surface().geometry();
   StripWorkspace& workspace = workspace_->averaging.strip;
@@ -258,7 +259,7 @@ void Curve::continueLegs(CurveValue& value) {
   }
 }
 
-/// The legs that a value gives, and the shortest ones in place of the others. `legs` may be this
+/// Writes the legs of a value, with shortest ones for those that it leaves out. `legs` may be this
 /// curve's own while it has none.
 void Curve::takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const {
   const Geometry& geometry = surface().geometry();
@@ -274,7 +275,7 @@ void Curve::takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const {
       legs[i] = value.legs[i];
       continue;
     }
-    // The shortest one, if it is known.
+    // The leg is the shortest one, which may be known.
     const bool isKnown = i < known && isPolyline == wasPolyline &&
                          (value_.legs.empty() || value_.legs[i].points.empty()) &&
                          isSame(legs_[i].start(), from) && isSame(legs_[i].end(), to);
@@ -286,7 +287,7 @@ void Curve::takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const {
   }
 }
 
-/// The legs, where the curve has a use for them.
+/// Writes the legs if the curve uses them.
 void Curve::makeLegs(Next& next) const {
   if (!usesLegs(next.value.options)) {
     next.legs.clear();
@@ -307,7 +308,7 @@ void Curve::makeSegments(Next& next) {
     findSubdivided(next);
   }
   const int pieces = 1 << next.levels;
-  // Legs that are the curve are not part of what pieces are compared by.
+  // A polyline's pieces are not compared by their legs, which are the curve.
   const bool keep =
       traceAlike(options, value_.options) &&
       (shape.kind != CurveKind::kPolyline || (next.value.legs.empty() && value_.legs.empty()));
@@ -327,12 +328,12 @@ void Curve::makeSegments(Next& next) {
 }
 
 /// Finds the pieces that are their own subdivision: each crosses a face that is larger than the
-/// piece, and a corner of its faces is not in sight of its points. Such a corner is far off, over
-/// creases or many faces, and tells little about the curve. The piece itself lies in a few faces,
-/// where its subdivision is the same curve but for the edges between them, and needs no field.
-/// Levels and exact fields that a caller asks for are centers of mass whatever they cost. So are
-/// B-splines, whose pieces have joints that are no control points: there a center and an average
-/// differ.
+/// piece, and a corner of its faces is not in sight of its points. Such a corner is far away,
+/// across creases or many faces, and matters little to the curve. The piece itself lies in a few
+/// faces, where its subdivision is the same curve except at the edges between them, and needs no
+/// field. Curves with a caller's levels or exact fields are centers of mass whatever they cost. So
+/// are B-splines, whose pieces have joints that are no control points, where a center and an
+/// average differ.
 void Curve::findSubdivided(const Next& next) {
   const RefinedPolygon& polygon = next.polygon;
   Array<char>& isSubdivided = workspace_->isSubdivided;
@@ -360,7 +361,7 @@ bool Curve::seesFaces(const Next& next, const SegmentLayout& piece) {
     for (int k = 1; k < piece.points.count(); ++k) {
       const int leg = piece.points[k - 1];
       for (int i = along.begin[leg]; i < along.begin[leg + 1]; ++i) {
-        // A face along a leg has two corners of the one before, which are seen.
+        // A face along a leg shares two corners with the one before, which are seen.
         const int before = i > along.begin[leg] ? along.faces[i - 1] : -1;
         for (int corner = 0; corner < 3; ++corner) {
           const int vertex = mesh.corner(along.faces[i], corner);
@@ -393,7 +394,7 @@ void Curve::layKnots(const Next& next) {
   spaceKnots(workspace_->spacings, shape.closed, workspace_->layout);
 }
 
-/// Makes piece `part` of segment j: one of this curve's that is alike, or one to be traced.
+/// Sets piece `part` of segment j: an equal one of this curve, or one that must be traced.
 void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const PartOfSegment& part,
                       bool keep) {
   const RefinedPolygon& polygon = next.polygon;
@@ -422,7 +423,7 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
   };
   if (keep) {
     const Piece* alike = before && isAlike(*before) ? before : nullptr;
-    // Points that came or went have moved the others' segments up or down.
+    // Inserted and removed points have shifted the segments of others.
     for (int i = 0; !alike && i < segments_.count(); ++i) {
       const Array<Piece>& pieces = segments_[i].pieces;
       if (part.index < pieces.count() && isAlike(pieces[part.index])) alike = &pieces[part.index];
@@ -448,7 +449,7 @@ void Curve::makeTables(const Next& next, const SegmentLayout& layout, Piece& pie
                        std::shared_ptr<PieceWeights> spare) {
   const CurveOptions& options = next.value.options;
   const SegmentBasis& basis = piece.basis_;
-  // Adaptive sampling asks for weights as it goes; a caller's basis is checked all the same.
+  // Adaptive sampling computes weights as needed, but a caller's basis is checked nevertheless.
   const bool hasTolerance = options.tolerance > 0 && isOfCenters(options, next.levels);
   if (hasTolerance && piece.isSubdivided_) {
     const double tolerance = options.tolerance * surface().geometry().diagonal;

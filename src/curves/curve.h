@@ -14,7 +14,7 @@
 
 namespace karcher {
 
-/// How long the stages of the last edit took, in the clock's unit; 0 without a clock.
+/// The durations of the last edit's stages, in the clock's unit; 0 without a clock.
 struct StageTimes {
   double polygon = 0;  ///< legs and levels
   double fields = 0;
@@ -23,7 +23,7 @@ struct StageTimes {
   double joins = 0;
 };
 
-/// A curve: what a value (curve_value.h) is on a surface. It has one edit, `set`.
+/// The curve of a value (curve_value.h) on a surface. All edits set another value.
 ///
 /// Its parameter runs from 0 to segmentCount(): the number of a segment plus t in [0, 1].
 class Curve {
@@ -32,12 +32,12 @@ class Curve {
   class Piece {
    public:
     const Array<SurfacePoint>& points() const { return points_; }
-    /// In t of the piece.
+    /// The samples, in t of the piece.
     const Array<CurveSample>& samples() const { return traced_->samples; }
     const Array<Bridge>& bridges() const { return traced_->bridges; }
     const JoinedPath& path() const { return traced_->path; }
-    /// Whether it is its own subdivision: it crosses a face larger than itself, a corner of which
-    /// is not in sight of its points (findSubdivided).
+    /// Whether the piece is its own subdivision: it crosses a face larger than itself, a corner of
+    /// which its points do not see (findSubdivided).
     bool isSubdivided() const { return isSubdivided_; }
     /// The points' weights at t in [0, 1] of the piece.
     Array<double> weights(double t) const;
@@ -45,7 +45,7 @@ class Curve {
    private:
     friend class Curve;
     Array<SurfacePoint> points_;
-    Array<double> pointWeights_;  ///< empty where the basis is not rational
+    Array<double> pointWeights_;  ///< empty if the basis is not rational
     SegmentBasis basis_;
     PartOfSegment part_;
     /// Of the basis alone, and with the points' weights; pieces share them.
@@ -62,13 +62,13 @@ class Curve {
   Curve(Surface& surface, CurveValue value, std::function<double()> clock = {});
   Curve(Surface& surface, CurveOptions options, Array<SurfacePoint> points)
       : Curve(surface, CurveValue{std::move(options), std::move(points), {}}) {}
-  /// A curve that shares its fields with all that takes them from these sets.
+  /// A curve that shares its fields with all users of these sets.
   Curve(std::shared_ptr<FieldSets> sets, CurveValue value, std::function<double()> clock = {});
 
-  /// Makes it the curve of a value, the same as one made anew from it. Keeps the fields of points
-  /// that stay, and what was traced of pieces that stay. On failure the curve is unchanged. Throws
-  /// Error: kUnreachable (points on several components), kBadArgument (samples, tolerance, levels,
-  /// the number of legs), what `checkGivenShape` throws, and what a basis of the caller's throws.
+  /// Becomes the curve of a value, equal to a new one. Keeps the fields of unchanged points and the
+  /// traces of unchanged pieces. On failure the curve is unchanged. Throws Error: kUnreachable
+  /// (points on several components), kBadArgument (samples, tolerance, levels, the number of legs),
+  /// what `checkGivenShape` throws, and what a basis of the caller's throws.
   void set(CurveValue value);
 
   /// `set` to what a change makes of the curve's value. The value is written where the one before
@@ -82,7 +82,7 @@ class Curve {
 
   // Edits: `set` to the value after them.
   void movePoint(int i, const SurfacePoint& point);
-  /// As a hand moves it: its legs are continued from where they lie.
+  /// Moves a point as a drag does: its legs are continued from where they lie.
   void dragPoint(int i, const SurfacePoint& point);
   void insertPoint(int i, const SurfacePoint& point) { set(withPointInserted(value_, i, point)); }
   void removePoint(int i) { set(withPointRemoved(value_, i)); }
@@ -96,14 +96,14 @@ class Curve {
   const CurveValue& value() const { return value_; }
   /// The legs of the control polygon as they lie on the surface.
   const Array<SurfacePath>& legs();
-  /// The same where the curve has a use for them, else none.
+  /// The same if the curve uses them, else none.
   const Array<SurfacePath>& usedLegs() const;
-  /// How many levels there are, also where the options leave it to the curve; none where a
-  /// Catmull-Rom curve's handle would lie beyond the surface's boundary.
+  /// The number of levels, also if the options leave it to the curve; 0 if a Catmull-Rom curve's
+  /// handle would lie beyond the surface's boundary.
   int levels() const { return levels_; }
-  /// How far the levels move it at most from its curve of level 0 (Eq. 4), by estimate, in the
-  /// mesh's units: 0 without levels. Not a number where that curve is not safe
-  /// (automatic_levels.h), so that its distance means nothing.
+  /// The estimated largest distance by which the levels move it from its curve of level 0 (Eq. 4),
+  /// in the mesh's units; 0 without levels. NaN if that curve is not safe (automatic_levels.h), so
+  /// that the distance has no meaning.
   double deviation();
   /// Whether its points are centers of mass; else they lie on legs or are averages of two points.
   bool isOfCenters() const { return isOfCenters(options(), levels()); }
@@ -126,12 +126,13 @@ class Curve {
   /// The fields of a piece's points.
   Array<PointField*> fieldsOf(int segment, int k = 0);
 
-  /// Of level 0: the numbers of the control points that a segment blends.
+  /// The numbers of the control points that a segment blends, at level 0.
   const Array<int>& pointsOf(int segment) const { return segments_[segment].points; }
-  /// Of level 0: their weights at t.
+  /// The weights of these points at t, at level 0.
   Array<double> weights(int segment, double t) const { return piece(segment, 0).weights(t); }
 
-  /// How many fields its edits made or moved so far: the work that they should spare.
+  /// The number of fields that edits created or moved so far, which is the work that edits should
+  /// avoid.
   int fieldsMade() const { return fieldsMade_; }
 
   /// The clock that measures the stages of edits from now on.
@@ -222,7 +223,7 @@ class Curve {
   CurveValue value_;
   int levels_ = 0;
   bool jumps_ = false;
-  Array<SurfacePath> legs_;  ///< empty until they are asked for
+  Array<SurfacePath> legs_;  ///< empty until first used
   Array<Segment> segments_;
   Next next_;
   std::shared_ptr<Workspace> workspace_ = std::make_shared<Workspace>();

@@ -3,11 +3,11 @@
 #include "curves/trace/polyline.h"
 #include "curves/trace/sampling.h"
 
-/// How a curve traces its pieces.
+/// Tracing of a curve's pieces.
 namespace karcher {
 
-/// Gives each piece that is to be traced its fields: those that are there stay, then what the curve
-/// had is spare, and the others are moved from there.
+/// Gives fields to each piece that must be traced: existing fields of its points stay, then this
+/// curve's old ones are released, and spare fields are moved to the other points.
 void Curve::makeFields(Next& next) {
   if (!isOfCenters(next.value.options, next.levels)) return;
   const auto forEach = [&](const auto& work) {
@@ -53,7 +53,7 @@ std::shared_ptr<TracedPiece> Curve::spareTraced() {
   return traced;
 }
 
-/// Traces the pieces that are not, and puts the segments together.
+/// Traces the pieces that are not traced yet, and joins the segments.
 void Curve::trace(Next& next) {
   double last = clock_ ? clock_() : 0;
   const auto timed = [&](double& stage) {
@@ -96,7 +96,7 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   if (!isOfCenters(options, next.levels) || piece.isSubdivided_) {
     findAveragedSamples(next, piece, segment);
     if (piece.isSubdivided_) {
-      // Its neighbours may be centers of mass, which start and end there.
+      // The neighbours may be centers of mass, which start and end there.
       piece.traced_->samples.front().point = centerOf(piece.points_.front());
       piece.traced_->samples.back().point = centerOf(piece.points_.back());
     }
@@ -115,8 +115,8 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   }
 }
 
-/// The center of mass of one point by its near field, where the pieces beside it begin or end: the
-/// field's interpolation has its zero a hundredth of an edge from the point.
+/// The center of mass of one point by its near field, at which the adjacent pieces begin or end:
+/// the interpolated field has its zero up to a hundredth of an edge from the point.
 SurfacePoint Curve::centerOf(const SurfacePoint& point) {
   const std::shared_ptr<PointField> field = fieldSet_->at(point, true);
   workspace_->fields.assign(1, field.get());
@@ -125,7 +125,7 @@ SurfacePoint Curve::centerOf(const SurfacePoint& point) {
   return center.status == Status::kConverged ? center.point : point;
 }
 
-/// Of a piece of the subdivision curve.
+/// Samples a piece of the subdivision curve.
 void Curve::findAveragedSamples(const Next& next, Piece& piece, int segment) {
   const SegmentLayout& layout =
       next.polygon.pieces[segment * piece.part_.count + piece.part_.index];
@@ -151,7 +151,7 @@ void Curve::layOwnSubdivision(Piece& piece) {
   SurfacePath& path = bridge.line.path;
   Array<double>& t = bridge.line.t;
   path.points.assign(1, traced.samples[0].point);
-  Array<int> ends(1, 0);  // of the samples, among the path's points
+  Array<int> ends(1, 0);  // the indices of the samples among the path's points
   for (int i = 1; i < traced.samples.count(); ++i) {
     appendGeodesic(surface().geometry(), traced.samples[i - 1].point, traced.samples[i].point,
                    workspace_->averaging.strip, path.points);
@@ -219,7 +219,7 @@ void Curve::merge(Next& next) {
   }
 }
 
-/// Leaves the fields to others.
+/// Releases the segments' fields.
 void Curve::releaseFields(Array<Segment>& segments) {
   for (Segment& segment : segments) {
     for (Piece& piece : segment.pieces) piece.fields_.clear();

@@ -9,13 +9,13 @@
 namespace karcher {
 namespace {
 
-/// Over a shorter part of the segment the scheme's curve is as good as its chord.
+/// Over a shorter part of the segment the subdivision curve is no better than its chord.
 constexpr double kShortInterval = 1.0 / 32;
 constexpr int kMostPieces = 8;
 
 using Interval = BridgeWorkspace::Interval;
 
-/// Appends an interval, as one with the last where they meet.
+/// Appends an interval, merged with the last one if they touch.
 void addInterval(Array<Interval>& intervals, const Interval& interval) {
   if (!intervals.empty() && intervals.back().last >= interval.first) {
     intervals.back().last = interval.last;
@@ -45,7 +45,7 @@ void findIntervals(const Array<CurveSample>& samples, const Array<Jump>& jumps,
   }
 }
 
-/// Lays bridges over one segment.
+/// Builds the bridges of one segment.
 class BridgeBuilder {
  public:
   BridgeBuilder(const Geometry& geometry, const Array<PointField*>& points,
@@ -62,8 +62,8 @@ class BridgeBuilder {
     for (const PointField* point : points) points_.push_back(point->point());
   }
 
-  /// The line between the ends; null ones are the scheme's own. Between neighbouring samples it is
-  /// straight.
+  /// The line between the ends; null ends are those of the subdivision curve. Between neighbouring
+  /// samples it is straight.
   const ParametricLine& build(double t0, double t1, const SurfacePoint* from,
                               const SurfacePoint* to, bool betweenNeighbours) {
     ParametricLine& line = workspace_.line;
@@ -103,7 +103,7 @@ class BridgeBuilder {
     line.t.back() = t1;
   }
 
-  /// The control points of cubic pieces one after the other, ends shared.
+  /// Writes the control points of consecutive cubic pieces, which share their ends.
   void makePolygon(double t0, double t1, Array<SurfacePoint>& polygon) {
     const double wanted = (t1 - t0) * (points_.count() - 1) / 3;
     const int pieces =
@@ -134,8 +134,8 @@ class BridgeBuilder {
   }
 
   /// Moves the polygon's ends to the given points. The farther these are, as a part of the
-  /// polygon's length, the nearer come its other points to the path between the ends, so that a
-  /// short bridge makes no long way round.
+  /// polygon's length, the more its other points move to the path between the ends, so that a short
+  /// bridge makes no long detour.
   void pullEnds(Array<SurfacePoint>& polygon, const SurfacePoint* from, const SurfacePoint* to) {
     double length = 0;
     for (int i = 1; i < polygon.count(); ++i) length += distance(polygon[i - 1], polygon[i]);

@@ -5,13 +5,13 @@
 #include "curves/polygon/subdivision.h"
 #include "curves/trace/jumps.h"
 
-/// Curves that do not break.
+/// Bridges over the gaps of curves.
 ///
 /// Where control points lie too far apart, there is no center of mass, or it jumps from one local
 /// minimum to another. Over the interval from the last sample before to the first one after, the
 /// curve follows a bridge instead: the subdivision curve of the segment's own control points
 /// (subdivision.h), with its ends moved to those two samples. So the curve is continuous
-/// everywhere, and its samples tell where and why it is no center of mass.
+/// everywhere, and its samples show where and why it is no center of mass.
 namespace karcher {
 
 struct Bridge {
@@ -19,7 +19,7 @@ struct Bridge {
   double t1 = 1;
   /// kJump, kSubdivided, or the status of the first sample in the interval.
   SampleStatus reason = SampleStatus::kJump;
-  /// Over [t0, t1].
+  /// The bridge's line over [t0, t1].
   ParametricLine line;
 };
 
@@ -29,9 +29,9 @@ inline SampleStatus statusOn(const Bridge& bridge) {
                                                     : SampleStatus::kBridged;
 }
 
-/// Scratch memory; reuse one to spare the allocations.
+/// Scratch memory, which can be reused.
 struct BridgeWorkspace {
-  /// An interval that is to be bridged, by its samples. An end that is not kept is lost itself.
+  /// An interval between two samples that needs a bridge. An end that is not kept is lost itself.
   struct Interval {
     int first = 0;
     int last = 0;
@@ -49,7 +49,7 @@ struct BridgeWorkspace {
   Array<SurfacePoint> polygon;
   std::array<Array<double>, 4> bezier;  ///< weights of a cubic's control points
   SurfacePath chord;
-  ParametricLine line;  ///< of the bridge that is being laid
+  ParametricLine line;  ///< of the current bridge
   Array<Bridge> spare;  ///< bridges of curves before, whose memory new ones take
 };
 
@@ -70,10 +70,10 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 /// Between two neighbouring samples a bridge is the geodesic that joins them.
 ///
 /// `basis` and `pointWeights` give the weights (segment_basis.h); where all weight is on one
-/// control point a bridge passes that point. `table`: the weights by which `traceSegment` found the
-/// samples, or none where a tolerance placed them. By a table a segment that breaks is traced
-/// backwards as well (branches.h), but for the paper's method; samples that a tolerance placed stay
-/// where they are.
+/// control point, a bridge passes through that point. `table` has the weights with which
+/// `traceSegment` found the samples; it is null if a tolerance placed them. With a table, a segment
+/// that breaks is also traced backwards (branches.h), except by the paper's method; samples that a
+/// tolerance placed stay where they are.
 void bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
                    const Array<double>& pointWeights, const PieceWeights* table, Method method,
                    Array<CurveSample>& samples, BridgeWorkspace& workspace, Array<Bridge>& bridges);

@@ -22,7 +22,7 @@ constexpr int kMostLooks = 256;
 /// divided.
 constexpr double kLongestOfSteps = 1.5;
 constexpr int kMostHalvings = 4;
-/// Bisections where samples do not converge.
+/// The most bisections where samples do not converge: at the border of an interval, and inside.
 constexpr int kMostAtBorder = 8;
 constexpr int kMostInside = 2;
 
