@@ -510,7 +510,7 @@ export class Curve {
   }
 }
 
-/** With the point as callers see it. */
+/** The same record, with the point as an object of face and weights. */
 function withPoint<At extends { point: Float64Array }>(
   at: At,
 ): Omit<At, 'point'> & { point: SurfacePoint } {

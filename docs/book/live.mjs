@@ -7,7 +7,7 @@ import { png } from './picture.mjs';
 const source = inRoot('build/book/live');
 const sourceOf = (name) => readFileSync(inRoot(`examples/${name}`), 'utf8');
 
-/** As examples/README.md lists them, with its words. */
+/** The examples in the order of examples/README.md, with its words. */
 function listed() {
   const rows = sourceOf('README.md').matchAll(/^\| \[([\w.]+)\]\(\1\) \| (.*) \|$/gm);
   return [...rows].map(([, file, words]) => ({ file, words, name: file.replace(/\.\w+$/, '') }));

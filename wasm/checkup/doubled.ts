@@ -5,8 +5,8 @@ export interface FacesOnOthers {
   /** Of each face, whether it lies on another one with the same orientation: the engine leaves it out. */
   same: Uint8Array;
   /**
-   * Those with the opposite one that no other face hangs on, or that have the same vertices: the engine
-   * leaves them out where they are in the way of others.
+   * Faces that lie on another one with the opposite orientation and have no other neighbor, or the same vertices.
+   * The engine leaves them out where an edge has more than two faces.
    */
   turned: number[];
 }

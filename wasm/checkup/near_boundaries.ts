@@ -30,9 +30,9 @@ interface Places {
 }
 
 /**
- * Boundaries that lie on each other: vertices within 1e-4 of the diagonal, and a third of the shortest
- * edge at either, of another one. Where they are at the very same place, an edge of each must be too:
- * vertices that only touch are not welded.
+ * Finds boundaries that lie on each other. A vertex of one is within 1e-4 of the diagonal of a vertex of the other,
+ * and within a third of the shortest edge at either. Where both are at the same place, an edge of each must be
+ * too, since vertices that only touch are not welded.
  */
 export async function nearBoundaries(
   { positions, boundary, shortest, diagonal }: Places,

@@ -95,9 +95,9 @@ export class Accessors {
   }
 
   /**
-   * What Draco compressed: accessors tell of it, and of how much it is. It is decoded when a first row is
-   * asked for, after what they tell was found to fit; at once where none tells of its triangles, which it
-   * has all the same.
+   * The places and triangles of a primitive that Draco compressed. Its accessors say how many there are, and they
+   * are checked first. The data is decoded when the first row is read; without an accessor of triangles it is
+   * decoded at once, since it has triangles all the same.
    */
   #ofDraco(of: Json, places: unknown, indices: unknown): { places: Accessor; indices: Accessor } {
     // First, as what is no number may have no text.

@@ -21,7 +21,7 @@ export class GrowingInts {
   }
 }
 
-/** The corners of polygons; their sizes are kept once one is no triangle. */
+/** The corners of polygons. The numbers of corners are kept as soon as one polygon is not a triangle. */
 export class GrowingPolygons {
   readonly #corners = new GrowingInts();
   #sizes: GrowingInts | null = null;

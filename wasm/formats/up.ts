@@ -7,7 +7,7 @@ const flat = 0.94;
 /** The least part of the box's face that is a sole, and how much more than another axis has. */
 const [leastSole, muchMore] = [0.06, 2];
 
-/** Up where the shape does not tell: what programs that write the format mostly mean. */
+/** The axis that points up where the shape does not show it: the one that most programs use with the format. */
 const usual: Readonly<Record<MeshFormat, UpAxis>> = {
   obj: 'y',
   gltf: 'y',

@@ -53,7 +53,7 @@ export async function measureDrag(
   return result;
 }
 
-/** Of the first piece that is not a rounding error long. */
+/** The direction of the first piece that is longer than a rounding error. */
 function directionOf(polyline: Float64Array): Vector {
   const from = at(polyline, 0);
   const last = polyline.length / 3 - 1;

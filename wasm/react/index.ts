@@ -83,7 +83,7 @@ export function useSurface(
     let surface: Surface<AnyMesh> | undefined;
     const make = async () => {
       const options: MeshOptions = { repair, weld };
-      // Of an engine in the page it is no promise.
+      // An engine in the page gives the surface itself, one in a worker a promise.
       surface = await surfaceFromGeometry(karcher as never, geometry, options);
       if (isMounted) setMade({ surface, of: geometry });
       else release(surface);

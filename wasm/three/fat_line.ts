@@ -63,7 +63,7 @@ export function drawLine(line: LineSegments2, polyline: ArrayLike<number>): void
   for (let i = 0; i < count; i++) {
     for (let k = 0; k < 6; k++) places[6 * i + k] = polyline[3 * i + k]!;
   }
-  // The rest repeats the end: bounds are of all of it.
+  // The rest of the array repeats the end, since bounds are computed of the whole array.
   for (let i = 6 * count; i < places.length; i++) places[i] = places[i - 3]!;
   ends.needsUpdate = true;
   line.geometry.instanceCount = count;

@@ -259,7 +259,7 @@ export class WorkerClient {
       pending.begun = 0;
       const { call, of } = pending;
       if (call === 'dispose' && of && (of.worker !== this.#worker || spare.includes(of))) {
-        // It went with the worker before.
+        // The object is gone with the worker that had it.
         this.#pending.delete(id);
         this.#forget(of);
         pending.resolve(undefined);
