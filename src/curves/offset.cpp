@@ -52,7 +52,7 @@ using CrossingKey = std::array<double, 5>;
 
 struct LinePoint {
   SurfacePoint point;
-  PathSide side = PathSide::kEnd;
+  SideOfPath side = SideOfPath::kEnd;
 };
 
 /// The isoline in a piece, from crossing to crossing, with nearer points on the left.
@@ -113,7 +113,7 @@ class OffsetTracer {
     LinePoint far = b;
     for (int i = 0; i < kHalvings; ++i) {
       const SurfacePoint middle = pointBetween(mesh_, near.point, far.point, 0.5);
-      const PathSide side = field_.at(middle).side;
+      const SideOfPath side = field_.at(middle).side;
       (side == a.side ? near : far) = {middle, side};
     }
     return near;
@@ -386,7 +386,7 @@ Array<SurfacePoint> pointsOf(const Array<LinePoint>& line) {
 
 /// Appends the parts of a line that come from one side.
 void appendSide(const TriangleMesh& mesh, const OffsetTracer& tracer, Array<LinePoint> line,
-                bool closed, PathSide side, Array<Isoline>& lines) {
+                bool closed, SideOfPath side, Array<Isoline>& lines) {
   const auto isOfSide = [&](const LinePoint& point) { return point.side == side; };
   const auto other = std::find_if_not(line.begin(), line.end(), isOfSide);
   if (other == line.end()) {
@@ -432,10 +432,10 @@ Array<Isoline> offsetLines(const Geometry& geometry, std::span<const SurfacePath
     if (side == OffsetSide::kBoth) {
       lines.push_back(isolineOf(mesh, pointsOf(line), closed));
     } else if (side == OffsetSide::kRight) {
-      appendSide(mesh, tracer, std::move(line), closed, PathSide::kRight, lines);
+      appendSide(mesh, tracer, std::move(line), closed, SideOfPath::kRight, lines);
     } else {
       std::reverse(line.begin(), line.end());
-      appendSide(mesh, tracer, std::move(line), closed, PathSide::kLeft, lines);
+      appendSide(mesh, tracer, std::move(line), closed, SideOfPath::kLeft, lines);
     }
   }
   return lines;

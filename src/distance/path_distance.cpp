@@ -62,7 +62,7 @@ PathDistance::PathDistance(const Geometry& geometry, std::span<const SurfacePath
     for (const SurfacePoint& point : path.points) {
       const PointLocation location = locate(mesh_, point);
       if (location.simplex == Simplex::kVertex) {
-        arrivals_[location.vertex] = {0, 0, PathSide::kEnd, true};
+        arrivals_[location.vertex] = {0, 0, SideOfPath::kEnd, true};
       }
     }
   }
@@ -123,14 +123,14 @@ void PathDistance::leavePiece(int face, const Vec2& from, const Vec2& to) {
   image.source = from;
   image.end = to;
   images_.push_back(image);
-  leaveFront(face, from, to, PathSide::kLeft);
-  leaveFront(face, from, to, PathSide::kRight);
+  leaveFront(face, from, to, SideOfPath::kLeft);
+  leaveFront(face, from, to, SideOfPath::kRight);
 }
 
-void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, PathSide side) {
+void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, SideOfPath side) {
   const double width = (to - from).norm();
   const Vec2 along = (to - from) / width;
-  const Vec2 way = (side == PathSide::kLeft ? 1.0 : -1.0) * leftOf(along);
+  const Vec2 way = (side == SideOfPath::kLeft ? 1.0 : -1.0) * leftOf(along);
   const double noHeight = kNoLength * geometry_.meanEdge;
   for (int k = 0; k < 3; ++k) {
     const int h = 3 * face + k;
@@ -212,11 +212,11 @@ void PathDistance::leaveTurn(const SurfacePoint& point, const SurfacePoint* befo
                              const SurfacePoint* after) {
   const Fan fan = fanOf(point);
   const double right = kPi / 2;
-  const auto leave = [&](double from, double to, PathSide side) {
+  const auto leave = [&](double from, double to, SideOfPath side) {
     if (to - from > kGap) leaveFan(fan, from, to, 0, side);
   };
   // Counterclockwise from one direction to another, on the surface.
-  const auto leaveBetween = [&](double from, double to, PathSide side) {
+  const auto leaveBetween = [&](double from, double to, SideOfPath side) {
     if (to > from) {
       leave(from + right, to - right, side);
     } else if (fan.isRound) {
@@ -229,21 +229,22 @@ void PathDistance::leaveTurn(const SurfacePoint& point, const SurfacePoint* befo
   if (before != nullptr && after != nullptr) {
     const double back = directionIn(fan, point, *before);
     const double ahead = directionIn(fan, point, *after);
-    leaveBetween(ahead, back, PathSide::kLeft);
-    leaveBetween(back, ahead, PathSide::kRight);
+    leaveBetween(ahead, back, SideOfPath::kLeft);
+    leaveBetween(back, ahead, SideOfPath::kRight);
     return;
   }
   const double only = directionIn(fan, point, after != nullptr ? *after : *before);
   if (fan.isRound) {
-    leave(only + right, only + fan.total - right, PathSide::kEnd);
+    leave(only + right, only + fan.total - right, SideOfPath::kEnd);
     return;
   }
   // On the boundary both sides are known.
-  leave(only + right, kInfinity, after != nullptr ? PathSide::kLeft : PathSide::kRight);
-  leave(-kInfinity, only - right, after != nullptr ? PathSide::kRight : PathSide::kLeft);
+  leave(only + right, kInfinity, after != nullptr ? SideOfPath::kLeft : SideOfPath::kRight);
+  leave(-kInfinity, only - right, after != nullptr ? SideOfPath::kRight : SideOfPath::kLeft);
 }
 
-void PathDistance::leaveFan(const Fan& fan, double from, double to, double offset, PathSide side) {
+void PathDistance::leaveFan(const Fan& fan, double from, double to, double offset,
+                            SideOfPath side) {
   for (const Corner& corner : fan.corners) {
     for (const int turn : {-1, 0, 1}) {
       if (turn != 0 && !fan.isRound) continue;
@@ -258,7 +259,7 @@ void PathDistance::leaveFan(const Fan& fan, double from, double to, double offse
 
 /// Starts from a point of a face, in the directions between two angles of its frame.
 void PathDistance::leaveCorner(int face, const Vec2& middle, double from, double to, double offset,
-                               PathSide side) {
+                               SideOfPath side) {
   // Each part of a fan is narrower than half a turn.
   const int parts = std::max(1, static_cast<int>(std::ceil((to - from) / (kPi / 2))));
   for (int part = 0; part < parts; ++part) {
@@ -313,7 +314,7 @@ void PathDistance::leaveVertex(int vertex) {
   }
 }
 
-void PathDistance::arrive(int vertex, double distance, double back, PathSide side) {
+void PathDistance::arrive(int vertex, double distance, double back, SideOfPath side) {
   VertexArrival& arrival = arrivals_[vertex];
   if (!(distance < arrival.distance)) return;
   arrival = {distance, back, side, false};
@@ -325,7 +326,7 @@ void PathDistance::arrive(int vertex, double distance, double back, PathSide sid
   queue_.push(waiting);
 }
 
-void PathDistance::addWindow(int h, const Window& given, bool isFront, PathSide side) {
+void PathDistance::addWindow(int h, const Window& given, bool isFront, SideOfPath side) {
   Window window = given;
   const double length = geometry_.edgeLength[h];
   window.begin = std::max(window.begin, 0.0);
@@ -459,7 +460,7 @@ void PathDistance::sortImages() {
 
 PathDistance::Distance PathDistance::at(int face, const Vec2& place) const {
   Distance best;
-  const auto offer = [&](double value, PathSide side) {
+  const auto offer = [&](double value, SideOfPath side) {
     if (value < best.value) best = {value, side};
   };
   for (int k = 0; k < 3; ++k) {
@@ -484,7 +485,7 @@ PathDistance::Distance PathDistance::at(int face, const Vec2& place) const {
       // A point nearest to an end belongs to the fan there.
       if (part < -kGap || part > 1 + kGap) continue;
       offer((way - part * along).norm(),
-            cross(along, way) >= 0 ? PathSide::kLeft : PathSide::kRight);
+            cross(along, way) >= 0 ? SideOfPath::kLeft : SideOfPath::kRight);
     } else if (image.kind == Image::kFront) {
       const Vec2& forward = image.source;
       if (cross(forward, place - image.right) < -gap || cross(forward, place - image.left) > gap) {

@@ -19,7 +19,7 @@
 namespace karcher {
 
 /// The side of a path from which a shortest connection arrives; kEnd around an end of it.
-enum class PathSide : int8_t { kLeft = 1, kRight = -1, kEnd = 0 };
+enum class SideOfPath : int8_t { kLeft = 1, kRight = -1, kEnd = 0 };
 
 class PathDistance {
  public:
@@ -31,7 +31,7 @@ class PathDistance {
 
   struct Distance {
     double value = kInfinity;
-    PathSide side = PathSide::kEnd;
+    SideOfPath side = SideOfPath::kEnd;
   };
 
   /// The distance of a position in the frame of a face.
@@ -49,7 +49,7 @@ class PathDistance {
     enum Kind : int8_t { kPiece, kFront, kFan };
     int face = -1;
     Kind kind = kFan;
-    PathSide side = PathSide::kEnd;
+    SideOfPath side = SideOfPath::kEnd;
     double offset = 0;
     double least = 0;            ///< a lower bound on the distances through it
     Vec2 source = Vec2::Zero();  ///< kPiece: its begin; kFront: its direction, of length 1
@@ -66,7 +66,7 @@ class PathDistance {
     int halfedge = -1;  ///< -1: the vertex `vertex` sends out its fan
     int vertex = -1;
     bool isFront = false;
-    PathSide side = PathSide::kEnd;
+    SideOfPath side = SideOfPath::kEnd;
     Window window;
 
     bool operator<(const Waiting& other) const {
@@ -77,7 +77,7 @@ class PathDistance {
   struct VertexArrival {
     double distance = kInfinity;
     double back = 0;  ///< unscaled direction in which the shortest connection leaves the vertex
-    PathSide side = PathSide::kEnd;
+    SideOfPath side = SideOfPath::kEnd;
     bool isOnPath = false;
   };
 
@@ -98,16 +98,16 @@ class PathDistance {
 
   void leavePath(const SurfacePath& path, int number);
   void leavePiece(int face, const Vec2& from, const Vec2& to);
-  void leaveFront(int face, const Vec2& from, const Vec2& to, PathSide side);
+  void leaveFront(int face, const Vec2& from, const Vec2& to, SideOfPath side);
   void leaveTurn(const SurfacePoint& point, const SurfacePoint* before, const SurfacePoint* after);
   Fan fanOf(const SurfacePoint& point) const;
   double directionIn(const Fan& fan, const SurfacePoint& point, const SurfacePoint& towards) const;
-  void leaveFan(const Fan& fan, double from, double to, double offset, PathSide side);
+  void leaveFan(const Fan& fan, double from, double to, double offset, SideOfPath side);
   void leaveCorner(int face, const Vec2& middle, double from, double to, double offset,
-                   PathSide side);
+                   SideOfPath side);
   void leaveVertex(int vertex);
-  void arrive(int vertex, double distance, double back, PathSide side);
-  void addWindow(int h, const Window& window, bool isFront, PathSide side);
+  void arrive(int vertex, double distance, double back, SideOfPath side);
+  void addWindow(int h, const Window& window, bool isFront, SideOfPath side);
   void carryAcross(const Waiting& waiting);
   void run();
   void sortImages();
