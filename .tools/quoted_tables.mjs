@@ -46,6 +46,11 @@ const steady = 'docs/steady-curves.md';
 
 export const quotedTables = [
   { doc: 'docs/gallery.md', head: '| mesh | triangles | worst', rows: printed('gallery') },
+  {
+    doc: 'docs/convergence.md',
+    head: '| mesh | triangles | `paper`',
+    rows: printed('convergence'),
+  },
   { doc: 'docs/everywhere.md', head: '| mesh | spacing | curves', rows: everywhere },
   { doc: steady, head: '| mesh | spacing | levels of `auto`', rows: steadiness },
   { doc: steady, head: '| mesh | triangles | curve', rows: printed('joints') },

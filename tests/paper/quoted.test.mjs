@@ -168,6 +168,42 @@ describe('the gallery', () => {
   });
 });
 
+test('the orders of convergence, and how near exact centers are, are those of the table', () => {
+  const rows = rowsOf(savedLines('convergence'));
+  const number = (cell) => Number(cell.split(' ')[0]);
+  const families = [...new Set(rows.map(([name]) => name))].filter(
+    (name) => !name.includes('stretched'),
+  );
+  /** A mesh's edges are as the inverse root of its triangles. */
+  const order = (column) => {
+    const orders = families.map((name) => {
+      const of = rows.filter(([one]) => one === name);
+      const [coarse, fine] = [of[0], of.at(-1)];
+      const finer = Math.sqrt(fine[1] / coarse[1]);
+      return 1 + Math.log(number(coarse[column]) / number(fine[column])) / Math.log(finer);
+    });
+    return orders.reduce((a, b) => a + b) / orders.length;
+  };
+  const orders = told(
+    'docs/convergence.md',
+    /on average (\S+) for `paper`, (\S+) for `karcher` with fast and (\S+) with exact distances, and (\S+), (\S+) and (\S+) for/,
+  );
+  for (const [i, text] of orders.entries()) {
+    const rounding = text.length > 3 ? 0.005 : 0.05;
+    assert.ok(Math.abs(order(i + 2) - Number(text)) <= rounding, `${text}: ${order(i + 2)}`);
+  }
+  const [nearer, least, most] = told(
+    'docs/convergence.md',
+    /over \.3 mean edges in all (\d+) rows, and (\S+) to (\S+) times as far as/,
+  ).map(Number);
+  const ratios = rows.map((row) => number(row[4]) / number(row[6]));
+  assert.equal(rows.filter((row) => number(row[4]) < number(row[5])).length, nearer);
+  assert.equal(rows.length, nearer);
+  assert.ok(Math.min(...ratios) > least - 0.05 && Math.max(...ratios) < most + 0.05);
+  const [won] = told('docs/convergence.md', /with exact distances in (\d+) of 24 rows/);
+  assert.equal(rows.filter((row) => number(row[7]) < number(row[4])).length, Number(won));
+});
+
 test('half of the kinks of refined curves at joints are as told', () => {
   const saved = rowsOf(savedLines('joints'));
   const [half, most] = told(
