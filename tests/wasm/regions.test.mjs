@@ -41,6 +41,25 @@ const mesh = karcher.meshFromObj(grid(cells));
 const one = polygon(mesh, cells, rectangle(1.3, 1.2, 4.8, 4.1));
 const other = polygon(mesh, cells, rectangle(3.1, 2.2, 7.3, 6.4));
 
+test('a side of an outline that is inside stays so, however large it is', async () => {
+  const loops = [1.2, 4.7, 8.3].map((size) =>
+    polygon(mesh, cells, rectangle(0.3, 0.4, 0.3 + size, 9.1)),
+  );
+  for (const [i, loop] of loops.entries()) {
+    const area = 8.7 * [1.2, 4.7, 8.3][i];
+    for (const on of [mesh, await remote.meshFromObj(grid(cells))]) {
+      const [left] = await on.regions([{ outlines: [loop], inside: 'left' }]);
+      const [right] = await on.regions([{ outlines: [loop], inside: 'right' }]);
+      near(left.area, area);
+      near(right.area, 100 - area);
+      assert.deepEqual([left.data().isLeft, right.data().isLeft], [true, false]);
+    }
+  }
+  assert.throws(() => mesh.regions([{ outlines: [one], inside: 'above' }]), {
+    code: 'badArgument',
+  });
+});
+
 test('squares on a plane, and their booleans', () => {
   const [a, b] = mesh.regions([one, other]);
   assert.ok(a instanceof Region);
