@@ -170,7 +170,6 @@ void Curve::becomeNext() {
   releaseFields(next_.segments);
   if (segments_.count() * piecesPerSegment() < piecesBefore) {
     fieldSet_->trim();
-    workspace_->spare.clear();
   }
   fieldsMade_ += fieldSet_->made() - madeBefore;
 }
@@ -318,8 +317,6 @@ void Curve::makeSegments(Next& next) {
     Segment& segment = next.segments[j];
     segment.points.clear();
     if (next.levels == 0) segment.points = next.polygon.pieces[j].points;
-    // Of a segment of one piece it is that piece's.
-    if (segment.whole.use_count() > 1) segment.whole.reset();
     segment.pieces.resize(static_cast<size_t>(pieces));
     for (int k = 0; k < pieces; ++k) {
       makePiece(next, j, next.polygon.pieces[j * pieces + k], {k, pieces}, keep);
@@ -405,7 +402,7 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
   const Array<char>& isSubdivided = workspace_->isSubdivided;
   piece.isSubdivided_ = !isSubdivided.empty() && isSubdivided[j * part.count + part.index] != 0;
   piece.table_.reset();
-  std::shared_ptr<PieceWeights> spare = std::move(piece.basisTable_);
+  piece.basisTable_.reset();
   piece.points_.clear();
   piece.pointWeights_.clear();
   for (const int i : layout.points) {
@@ -429,7 +426,6 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
       if (part.index < pieces.count() && isAlike(pieces[part.index])) alike = &pieces[part.index];
     }
     if (alike) {
-      if (piece.traced_.use_count() == 1) workspace_->spare.push_back(std::move(piece.traced_));
       piece = *alike;
       return;
     }
@@ -441,12 +437,10 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
     if (!piece.table_ && source->pointWeights_ == piece.pointWeights_)
       piece.table_ = source->table_;
   }
-  makeTables(next, layout, piece, std::move(spare));
+  makeTables(next, layout, piece);
 }
 
-/// `spare`: a table whose memory may be used again where no other piece has it, or none.
-void Curve::makeTables(const Next& next, const SegmentLayout& layout, Piece& piece,
-                       std::shared_ptr<PieceWeights> spare) {
+void Curve::makeTables(const Next& next, const SegmentLayout& layout, Piece& piece) {
   const CurveOptions& options = next.value.options;
   const SegmentBasis& basis = piece.basis_;
   // Adaptive sampling computes weights as needed, but a caller's basis is checked nevertheless.
@@ -462,9 +456,9 @@ void Curve::makeTables(const Next& next, const SegmentLayout& layout, Piece& pie
   const bool isAdaptive = hasTolerance && !piece.isSubdivided_;
   if (isAdaptive && basis.form != BasisForm::kOwn) return;
   if (!piece.basisTable_) {
-    if (spare.use_count() != 1) spare = std::make_shared<PieceWeights>();
-    tabulatePiece(basis, options.samples, piece.part_, workspace_->bridging.weights, *spare);
-    piece.basisTable_ = std::move(spare);
+    piece.basisTable_ = std::make_shared<PieceWeights>();
+    tabulatePiece(basis, options.samples, piece.part_, workspace_->bridging.weights,
+                  *piece.basisTable_);
   }
   if (piece.table_) return;
   piece.table_ =

@@ -71,9 +71,7 @@ class Curve {
   /// what `checkGivenShape` throws, and what a basis of the caller's throws.
   void set(CurveValue value);
 
-  /// `set` to what a change makes of the curve's value. The value is written where the one before
-  /// the last edit was, so that a step of a drag takes no memory for it. What the change throws
-  /// leaves the curve as it is.
+  /// Sets the curve to its changed value. If the change throws, the curve stays as it is.
   template <class Change>
   void edit(const Change& change) {
     change(startNext());
@@ -135,7 +133,7 @@ class Curve {
   /// avoid.
   int fieldsMade() const { return fieldsMade_; }
 
-  /// The clock that measures the stages of edits from now on.
+  /// Sets the clock that measures the stages of further edits.
   void setClock(std::function<double()> clock) { clock_ = std::move(clock); }
   const StageTimes& times() const { return times_; }
 
@@ -145,8 +143,8 @@ class Curve {
     Array<int> points;  ///< of level 0
     std::shared_ptr<TracedSegment> whole;
   };
-  /// What a value makes of the curve, until it takes the place of what is there. Then it holds
-  /// that, whose memory the edit after it uses: a drag allocates little but its values.
+  /// The curve of another value, until it replaces this one. Then it holds the replaced state,
+  /// whose memory the next edit reuses.
   struct Next {
     CurveValue value;
     int levels = 0;
@@ -176,8 +174,6 @@ class Curve {
     SamplingWorkspace sampling;
     CrossingWorkspace crossings;
     BridgeWorkspace bridging;
-    /// Of pieces that took the place of others, whose memory the next ones that are traced take.
-    Array<std::shared_ptr<TracedPiece>> spare;
     Array<const TracedPiece*> pieces;
   };
 
@@ -202,8 +198,7 @@ class Curve {
   bool seesFaces(const Next& next, const SegmentLayout& piece);
   void makePiece(Next& next, int j, const SegmentLayout& layout, const PartOfSegment& part,
                  bool keep);
-  void makeTables(const Next& next, const SegmentLayout& layout, Piece& piece,
-                  std::shared_ptr<PieceWeights> spare);
+  void makeTables(const Next& next, const SegmentLayout& layout, Piece& piece);
   void makeFields(Next& next);
   void trace(Next& next);
   static BasisWriter basisOf(const Piece& piece);
@@ -215,7 +210,6 @@ class Curve {
   void join(const Next& next, Piece& piece);
   void merge(Next& next);
   SegmentFields& blendFields();
-  std::shared_ptr<TracedPiece> spareTraced();
   static void releaseFields(Array<Segment>& segments);
 
   std::shared_ptr<FieldSets> fieldSets_;

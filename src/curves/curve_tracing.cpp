@@ -45,14 +45,6 @@ SegmentFields& Curve::blendFields() {
   return *blend;
 }
 
-std::shared_ptr<TracedPiece> Curve::spareTraced() {
-  Array<std::shared_ptr<TracedPiece>>& spare = workspace_->spare;
-  if (spare.empty()) return std::make_shared<TracedPiece>();
-  std::shared_ptr<TracedPiece> traced = std::move(spare.back());
-  spare.pop_back();
-  return traced;
-}
-
 /// Traces the pieces that are not traced yet, and joins the segments.
 void Curve::trace(Next& next) {
   double last = clock_ ? clock_() : 0;
@@ -65,8 +57,7 @@ void Curve::trace(Next& next) {
   for (int j = 0; j < next.segments.count(); ++j) {
     for (Piece& piece : next.segments[j].pieces) {
       if (piece.isTraced_) continue;
-      // Curves share what is traced once; only what nobody else has is written anew.
-      if (piece.traced_.use_count() != 1) piece.traced_ = spareTraced();
+      piece.traced_ = std::make_shared<TracedPiece>();
       findSamples(next, piece, j);
       timed(times_.samples);
       layBridges(next, piece);
@@ -213,7 +204,7 @@ void Curve::merge(Next& next) {
     Array<const TracedPiece*>& pieces = workspace_->pieces;
     pieces.clear();
     for (const Piece& piece : segment.pieces) pieces.push_back(piece.traced_.get());
-    if (!segment.whole) segment.whole = std::make_shared<TracedSegment>();
+    segment.whole = std::make_shared<TracedSegment>();
     const bool isEven = options.tolerance == 0 || !isOfCenters(options, next.levels);
     mergePieces(pieces, isEven ? options.samples : 0, *segment.whole);
   }

@@ -39,19 +39,11 @@ void geodesicLine(const Geometry& geometry, const SurfacePoint& from, const Surf
   measure(*geometry.mesh, line);
 }
 
-void makeRoom(size_t points, SurfacePath& path) {
-  if (path.points.capacity() >= points) return;
-  path.points.reserve(points + points / 2);
-  path.lengths.reserve(points + points / 2);
-}
-
 void halve(const TriangleMesh& mesh, const SurfacePath& line, LineHalves& halves) {
   const double half = line.length() / 2;
   const int after = pieceAt(line.lengths, half) + 1;
   const SurfacePoint middle = pointAlong(mesh, line, half);
   auto& [first, second] = halves;
-  makeRoom(line.points.size(), first);
-  makeRoom(line.points.size(), second);
   first.points.assign(line.points.begin(), line.points.begin() + after);
   first.lengths.assign(line.lengths.begin(), line.lengths.begin() + after);
   first.points.push_back(middle);

@@ -19,10 +19,6 @@ struct GeodesicWorkspace {
 void geodesicLine(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                   GeodesicWorkspace& workspace, SurfacePath& line);
 
-/// Makes room for so many points; where there is too little, for half as many more, so that what
-/// grows slowly seldom takes memory.
-void makeRoom(size_t points, SurfacePath& path);
-
 /// A line cut in the middle of its length.
 struct LineHalves {
   SurfacePath first;

@@ -28,18 +28,7 @@ class Array : public std::vector<T> {
   Array(const Array&) = default;
   Array(Array&&) noexcept = default;
   Array& operator=(Array&&) noexcept = default;
-  /// Of numbers and points: grows by half and a few at least, so that copies of what grows slowly
-  /// seldom take memory. Not inline, since modules that are loaded are small.
-  [[gnu::noinline]] Array& operator=(const Array& other) {
-    if constexpr (std::is_trivially_destructible_v<T>) {
-      const size_t room = this->capacity();
-      if (other.size() > room && room > 0) {
-        this->reserve(std::max(other.size(), room + room / 2 + 8));
-      }
-    }
-    std::vector<T>::operator=(other);
-    return *this;
-  }
+  Array& operator=(const Array&) = default;
   T& operator[](std::integral auto i) { return std::vector<T>::operator[](static_cast<size_t>(i)); }
   const T& operator[](std::integral auto i) const {
     return std::vector<T>::operator[](static_cast<size_t>(i));

@@ -1,7 +1,6 @@
 #include "curves/trace/bridge.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "curves/trace/branches.h"
 #include "intrinsic/surface_path.h"
@@ -169,14 +168,6 @@ class BridgeBuilder {
   Array<SurfacePoint>& points_;
 };
 
-/// Appends a bridge, in the memory of one that is spare.
-Bridge& addBridge(Array<Bridge>& spare, Array<Bridge>& bridges) {
-  if (spare.empty()) return bridges.emplace_back();
-  bridges.push_back(std::move(spare.back()));
-  spare.pop_back();
-  return bridges.back();
-}
-
 }  // namespace
 
 SurfacePoint pointAt(const TriangleMesh& mesh, const Bridge& bridge, double t) {
@@ -209,7 +200,6 @@ void bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
                    const Array<double>& pointWeights, const PieceWeights* table, Method method,
                    Array<CurveSample>& samples, BridgeWorkspace& workspace,
                    Array<Bridge>& bridges) {
-  std::move(bridges.begin(), bridges.end(), std::back_inserter(workspace.spare));
   bridges.clear();
   const auto lookForJumps = [&] {
     findJumps(fields.blend, basis, pointWeights, table, method, samples, workspace.weights,
@@ -231,15 +221,13 @@ void bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
   for (const Interval& interval : workspace.intervals) {
     CurveSample& first = samples[interval.first];
     CurveSample& last = samples[interval.last];
-    Bridge& bridge = addBridge(workspace.spare, bridges);
+    Bridge& bridge = bridges.emplace_back();
     bridge.t0 = first.t;
     bridge.t1 = last.t;
     bridge.reason = interval.reason;
     const ParametricLine& line = builder.build(
         bridge.t0, bridge.t1, interval.keepsFirst ? &first.point : nullptr,
         interval.keepsLast ? &last.point : nullptr, interval.last - interval.first == 1);
-    makeRoom(line.t.size(), bridge.line.path);
-    bridge.line.t.reserve(bridge.line.path.points.capacity());
     bridge.line = line;
     for (int i = interval.first; i <= interval.last; ++i) {
       if (i == interval.first && interval.keepsFirst) continue;

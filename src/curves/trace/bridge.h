@@ -50,7 +50,6 @@ struct BridgeWorkspace {
   std::array<Array<double>, 4> bezier;  ///< weights of a cubic's control points
   SurfacePath chord;
   ParametricLine line;  ///< of the current bridge
-  Array<Bridge> spare;  ///< bridges of curves before, whose memory new ones take
 };
 
 /// The bridge's point at t, clamped to [t0, t1].
