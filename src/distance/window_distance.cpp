@@ -14,9 +14,26 @@
 namespace karcher {
 namespace {
 
-/// Width of the queue's buckets in mean edges: wide enough that many windows cross a face together,
-/// narrow enough that few are carried on that a later one beats.
-constexpr double kBucketWidth = 0.5;
+/// Width of the queue's buckets: wide enough that many windows cross a face together, narrow enough
+/// that few are carried on that a later one beats. Half a mean edge; where a few long edges make
+/// the mean halved on, as long as a fourth of the edges are shorter than half a bucket. A sample of
+/// edges tells that.
+double bucketWidth(const Geometry& geometry) {
+  constexpr int kMostEdges = 1024;
+  const int count = geometry.edgeLength.count();
+  // Not the same corner of every face.
+  const int most = (count + kMostEdges - 1) / kMostEdges;
+  const int step = most % 3 == 0 ? most + 1 : most;
+  const auto areShort = [&](double length) {
+    int shorter = 0;
+    for (int h = 0; h < count; h += step) shorter += geometry.edgeLength[h] < length;
+    return 4 * int64_t{step} * shorter > count;
+  };
+  double width = geometry.meanEdge / 2;
+  // Ends, since no edge is shorter than the shortest.
+  while (areShort(width / 2)) width /= 2;
+  return width;
+}
 
 /// How much wider than its wedge a vertex sends out windows, radians: the rounding of directions.
 constexpr double kWedgeMargin = 1e-9;
@@ -97,7 +114,7 @@ WindowDistance::WindowDistance(const Geometry& geometry, double tolerance,
       isThin_(geometry.longestEdge > kThin * geometry.shortestEdge),
       narrowest_(isWide_ ? kNarrowestWideWindow : kNarrowestWindow),
       midpoints_(geometry),
-      queue_(kBucketWidth * geometry.meanEdge),
+      queue_(bucketWidth(geometry)),
       target_(geometry),
       images_(geometry) {
   // Lengths are rounded too.

@@ -21,7 +21,7 @@
 /// (J. Chen, Y. Han, "Shortest paths on a polyhedron", 1990). Those that a vertex of their face
 /// beats are cut down or dropped (S. Xin, G. Wang, "Improving Chen and Han's algorithm on the
 /// discrete geodesic problem", 2009). All windows that wait at an edge are carried across its face
-/// at once, edges in the order of distance up to half a mean edge (after the triangle-oriented
+/// at once, edges in the order of distance up to half an ordinary edge (after the triangle-oriented
 /// propagation of Y. Qin, X. Han, H. Yu, Y. Yu, J. Zhang, "Fast and exact discrete geodesic
 /// computation based on triangle-oriented wavefront propagation", 2016).
 ///
@@ -61,6 +61,10 @@ class WindowDistance final : public DistanceSolver {
   /// meshes take 10 to 100; only a surface whose shape is rounding noise comes near the limit.
   void grow(double radius) override;
   static constexpr int kMostWindowsPerFace = 10'000;
+  /// The work since `setSource`.
+  int64_t windowsCarried() const {
+    return static_cast<int64_t>(kMostWindowsPerFace) * mesh_.faceCount() - windowsLeft_;
+  }
   static constexpr double kWidestRange = 1e12;
   double growTo(int vertex) override { return growInSteps(*this, geometry_, source_, vertex); }
 

@@ -1,21 +1,25 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "bench_support.h"
 #include "curves/curve.h"
+#include "curves/isoline.h"
 #include "distance/window_distance.h"
 #include "generators/gallery.h"
 #include "generators/random.h"
 #include "generators/random_points.h"
 #include "mesh/mesh_import.h"
+#include "mesh/shapes.h"
 #include "rcm/mean.h"
 
-/// The time of single calls that meshes of less than 20,000 triangles make slow: a B-spline round a
-/// vertex of many faces, of needles too, and among spikes, welding where many corners lie at one
-/// place, and the center of mass of many points on a rough surface.
+/// The processor's time that single calls take which meshes of up to 20,000 triangles make slow: a
+/// B-spline and a center of mass round a vertex of many faces, of needles too, and among spikes,
+/// isolines on needles, welding where many corners lie at one place, and centers of mass of many
+/// points.
 ///
-///   slow_study
+///   slow_study [PART_OF_A_NAME]
 namespace karcher {
 namespace {
 
@@ -25,28 +29,79 @@ Array<SurfacePoint> randomPoints(const TriangleMesh& mesh, int count, Random& ra
   return points;
 }
 
-void tell(const std::string& what, double ms) {
-  std::printf("%-60s %8.2f s\n", what.c_str(), ms / 1000);
-  std::fflush(stdout);
+/// The rows, of which those are measured whose names hold the text that was given.
+class Rows {
+ public:
+  explicit Rows(std::string wanted) : wanted_(std::move(wanted)) {
+    std::printf("| call | s |\n| --- | --- |\n");
+  }
+
+  bool wants(const std::string& name) const { return name.find(wanted_) != std::string::npos; }
+
+  template <class Call>
+  void measure(const std::string& name, const Call& call) const {
+    if (!wants(name)) return;
+    const double begun = processorMilliseconds();
+    call();
+    std::printf("| %s | %.2f |\n", name.c_str(), (processorMilliseconds() - begun) / 1000);
+    std::fflush(stdout);
+  }
+
+ private:
+  std::string wanted_;
+};
+
+void drawSpline(Surface& surface, const Array<SurfacePoint>& points, int levels) {
+  CurveOptions options{{CurveKind::kBSpline}, 32, {}};
+  options.levels = levels;
+  Curve(surface, options, points);
 }
 
-void studyFan(int faces) {
+MeanOptions forWeights() {
+  MeanOptions options;
+  options.normalize = true;
+  return options;
+}
+
+void findCenter(Surface& surface, const Array<SurfacePoint>& points, const MeanOptions& options) {
+  centerOfMass(surface, points, Array<double>(points.size(), 1.0), options);
+}
+
+void studyFan(const Rows& rows, int faces) {
   Random random(3);
   TriangleSoup soup = wheel(faces, 0, 0.5);
   for (int i = 1; i <= faces; ++i) soup.positions[i].z() = 0.2 * std::cos(100 * kPi * i / faces);
   Surface surface(importMesh(std::move(soup)).mesh);
   const Array<SurfacePoint> points = randomPoints(surface.mesh(), 4, random);
-  for (const int levels : {0, kAutomaticLevels}) {
-    CurveOptions options{{CurveKind::kBSpline}, 32, {}};
-    options.levels = levels;
-    const double ms = timed([&] { Curve(surface, options, points); });
-    tell(std::to_string(faces) + " faces round a vertex, " +
-             (levels == 0 ? "level 0" : "automatic levels"),
-         ms);
-  }
+  const std::string name = std::to_string(faces) + " faces round a vertex, ";
+  rows.measure(name + "B-spline of 4 points, level 0", [&] { drawSpline(surface, points, 0); });
+  rows.measure(name + "B-spline of 4 points",
+               [&] { drawSpline(surface, points, kAutomaticLevels); });
+  MeanOptions options = forWeights();
+  rows.measure(name + "center of 4 points", [&] { findCenter(surface, points, options); });
+  options.looksForOthers = true;
+  rows.measure(name + "center of 4 points, uniqueness",
+               [&] { findCenter(surface, points, options); });
 }
 
-void studyCluster(int triangles) {
+void studyNeedle(const Rows& rows, int faces) {
+  Random random(5);
+  Surface surface(importMesh(wheel(faces, 0, 1e4)).mesh);
+  const Array<SurfacePoint> points = randomPoints(surface.mesh(), 4, random);
+  const std::string name = std::to_string(faces) + " needles round a vertex, ";
+  rows.measure(name + "B-spline of 4 points",
+               [&] { drawSpline(surface, points, kAutomaticLevels); });
+  rows.measure(name + "exact distances", [&] {
+    WindowDistance exact(surface.geometry());
+    exact.setSource(points[0]);
+    exact.grow(kInfinity);
+  });
+  rows.measure(name + "isolines at a fifth of the diagonal", [&] {
+    exactIsolines(surface.geometry(), points[0], 0.2 * surface.geometry().diagonal);
+  });
+}
+
+void studyCluster(const Rows& rows, int triangles) {
   Random random(4);
   TriangleSoup soup;
   for (int i = 0; i < triangles; ++i) {
@@ -56,11 +111,11 @@ void studyCluster(int triangles) {
     }
     soup.triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
   }
-  tell(std::to_string(triangles) + " triangles at three places, read",
-       timed([&] { importMesh(std::move(soup)); }));
+  rows.measure(std::to_string(triangles) + " triangles at three places, import",
+               [&] { importMesh(std::move(soup)); });
 }
 
-void studyRoughGrid(int n, int count) {
+TriangleSoup roughGrid(int n) {
   Random random(9);
   TriangleSoup soup;
   for (int y = 0; y <= n; ++y) {
@@ -76,34 +131,23 @@ void studyRoughGrid(int n, int count) {
       soup.triangles.emplace_back(a, a + n + 2, a + n + 1);
     }
   }
-  Surface surface(importMesh(std::move(soup)).mesh);
-  const Array<SurfacePoint> points = randomPoints(surface.mesh(), count, random);
-  const Array<double> weights(static_cast<size_t>(count), 1.0);
-  MeanOptions options;
-  options.normalize = true;
-  tell(std::to_string(count) + " points on a rough grid of " + std::to_string(2 * n * n) +
-           " triangles, their center",
-       timed([&] { centerOfMass(surface, points, weights, options); }));
+  return soup;
 }
 
-/// A cone of this height over a circle of radius 1: needles round its tip.
-void studyNeedle(int faces) {
-  Random random(5);
-  Surface surface(importMesh(wheel(faces, 0, 1e4)).mesh);
-  const Array<SurfacePoint> points = randomPoints(surface.mesh(), 4, random);
-  tell(std::to_string(faces) + " needles round a vertex, a B-spline", timed([&] {
-         Curve(surface, {{CurveKind::kBSpline}, 32, {}}, points);
-       }));
-  tell(std::to_string(faces) + " needles round a vertex, exact distances", timed([&] {
-         WindowDistance exact(surface.geometry());
-         exact.setSource(points[0]);
-         exact.grow(kInfinity);
-       }));
+void studyMany(const Rows& rows, const std::string& surfaceName, TriangleMesh mesh, int count) {
+  Random random(10);
+  Surface surface(std::move(mesh));
+  const Array<SurfacePoint> points = randomPoints(surface.mesh(), count, random);
+  MeanOptions options = forWeights();
+  const std::string name = std::to_string(count) + " points on a " + surfaceName + " of " +
+                           std::to_string(surface.mesh().faceCount()) + " triangles, center";
+  rows.measure(name, [&] { findCenter(surface, points, options); });
+  options.field.solver = Solver::kExact;
+  rows.measure(name + ", exact distances", [&] { findCenter(surface, points, options); });
 }
 
 /// A sphere of which three vertices in ten stand out by up to 20 of its radii.
-void studySpikes(int around, int along) {
-  Random random(13);
+TriangleSoup spikedSphere(int around, int along, Random& random) {
   TriangleSoup soup;
   const auto add = [&](double polar, double angle) {
     const double radius = random.uniform(0, 1) < 0.3 ? 1 + random.uniform(0, 20) : 1;
@@ -124,23 +168,35 @@ void studySpikes(int around, int along) {
       soup.triangles.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
     }
   }
-  Surface surface(importMesh(std::move(soup)).mesh);
+  return soup;
+}
+
+void studySpikes(const Rows& rows) {
+  Random random(13);
+  Surface surface(importMesh(spikedSphere(100, 80, random)).mesh);
   const Array<SurfacePoint> points = randomPoints(surface.mesh(), 40, random);
-  tell("a B-spline of 40 points on a spiked sphere of " +
-           std::to_string(surface.mesh().faceCount()) + " triangles",
-       timed([&] {
-         Curve(surface, {{CurveKind::kBSpline}, 16, {}}, points);
-       }));
+  const std::string name =
+      "spiked sphere of " + std::to_string(surface.mesh().faceCount()) + " triangles, ";
+  rows.measure(name + "B-spline of 40 points",
+               [&] { drawSpline(surface, points, kAutomaticLevels); });
+  rows.measure(name + "exact distances", [&] {
+    WindowDistance exact(surface.geometry());
+    exact.setSource(points[0]);
+    exact.grow(kInfinity);
+  });
 }
 
 }  // namespace
 }  // namespace karcher
 
-int main() {
-  karcher::studyCluster(20'000);
-  karcher::studyRoughGrid(95, 200);
-  for (const int faces : {1000, 2000, 5000}) karcher::studyFan(faces);
-  karcher::studySpikes(100, 80);
-  for (const int faces : {300, 1000, 3000}) karcher::studyNeedle(faces);
+int main(int argc, char** argv) {
+  using namespace karcher;
+  const Rows rows(argc > 1 ? argv[1] : "");
+  studyCluster(rows, 20'000);
+  for (const int faces : {1000, 5000, 10'000}) studyFan(rows, faces);
+  for (const int faces : {300, 1000, 3000, 5000}) studyNeedle(rows, faces);
+  studySpikes(rows);
+  studyMany(rows, "rough grid", importMesh(roughGrid(95)).mesh, 200);
+  studyMany(rows, "torus", importMesh(makeShape(Shape::kTorus, 20'000)).mesh, 200);
   return 0;
 }

@@ -451,6 +451,23 @@ TEST(WindowDistance, WindsRoundANeedleOnceAtMost) {
   }
 }
 
+/// The long edges of spikes make the mean edge; windows that cross the short ones between are not
+/// carried again and again.
+TEST(WindowDistance, CarriesFewWindowsInVainAmongSpikes) {
+  Random random(20261127);
+  TriangleSoup soup = makeShape(Shape::kSphere, 4000);
+  for (Vec3& p : soup.positions) {
+    if (random.uniform() < 0.3) p *= 1 + 20 * random.uniform();
+  }
+  const MeasuredMesh spiked(std::move(soup));
+  WindowDistance distance(spiked.geometry);
+  for (int i = 0; i < 4; ++i) {
+    distance.setSource(randomPlace(spiked.mesh, random));
+    distance.grow(kInfinity);
+    EXPECT_LE(distance.windowsCarried(), 20 * spiked.mesh.faceCount());
+  }
+}
+
 TEST(WindowDistance, RefusesATargetAtAVertex) {
   const MeasuredMesh surface(planeGrid(2, 2));
   WindowDistance solver(surface.geometry);

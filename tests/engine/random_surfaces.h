@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+#include "generators/random.h"
+#include "mesh/triangle_soup.h"
+
+/// Small random meshes for tests that know nothing of a surface but what holds on any.
+namespace karcher {
+
+/// The seed of case i: KARCHER_SEED in the environment draws other cases.
+uint64_t seedOf(int first, int i);
+
+/// A sheet of thin triangles, up to 10,000 times as long as wide.
+TriangleSoup slivers(Random& random);
+
+/// A lattice with saddles, a rim with holes, a wheel, slivers, spikes, a cone, or a rough sheet.
+TriangleSoup randomSurface(Random& random);
+
+/// Turned, scaled and moved.
+TriangleSoup carried(TriangleSoup soup, double scale, Random& random);
+
+}  // namespace karcher
