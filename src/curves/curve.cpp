@@ -381,6 +381,11 @@ void Curve::layKnots(const Next& next) {
   Array<double>& gaps = workspace_->gaps;
   gaps.assign(static_cast<size_t>(spans), 1);
   if (shape.centripetal) {
+    const auto distanceBetween = [&](const SurfacePoint& from, const SurfacePoint& to) {
+      // The field is kept until its piece has it.
+      workspace_->ofKnots.push_back(fieldSet_->at(from));
+      return distanceTo(to, *workspace_->ofKnots.back());
+    };
     for (int i = 0; i < spans; ++i) {
       const SurfacePoint& from = points[i];
       const SurfacePoint& to = points[(i + 1) % points.count()];

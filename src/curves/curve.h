@@ -162,9 +162,9 @@ class Curve {
     LevelsWorkspace levels;
     RefinedPolygon control;  ///< the control polygon, by which levels are chosen
     FacesAlongLegs along;
-    Array<char> isSubdivided;                 ///< of the pieces of the refined polygon
-    Array<std::shared_ptr<PointField>> near;  ///< the fields that told that
-    Array<std::shared_ptr<PointField>> far;   ///< those that told of shortest paths
+    Array<char> isSubdivided;                    ///< of the pieces of the refined polygon
+    Array<std::shared_ptr<PointField>> near;     ///< the fields that told that
+    Array<std::shared_ptr<PointField>> ofKnots;  ///< those by which knots are spaced
     /// The last layout of a curve of level 0, of so many points, but for the knots between them.
     Array<SegmentLayout> layout;
     CurveShape layoutShape;
@@ -192,7 +192,7 @@ class Curve {
   void takeControlPolygon(const CurveValue& value, RefinedPolygon& polygon);
   RefinedPolygon& leggedPolygon(const CurveValue& value, const Array<SurfacePath>& legs);
   bool joinsByShortestPaths(const RefinedPolygon& polygon);
-  double distanceBetween(const SurfacePoint& from, const SurfacePoint& to);
+  double distanceTo(const SurfacePoint& place, PointField& field);
   void layKnots(const Next& next);
   void findSubdivided(const Next& next);
   bool seesFaces(const Next& next, const SegmentLayout& piece);

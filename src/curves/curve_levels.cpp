@@ -54,32 +54,38 @@ RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<Surfac
 /// Whether the shortest paths between the points of a segment and its ends are those to which the
 /// legs are pulled tight, by the fields of level 0. Shorter ones go another way, as round a tube,
 /// and centers of mass would jump to these. Where a field tells of longer ones it is wrong: these
-/// are paths.
+/// are paths. What the fields take is given back: the curve may have no others.
 bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
   const Geometry& geometry = surface().geometry();
-  const auto isShortest = [&](const SegmentLayout& segment, int from, int to) {
-    const double tight = tightLength(geometry, polygon, segment, from, to, workspace_->levels);
-    const SurfacePoint& start = polygon.points[segment.points[from]].point;
-    const SurfacePoint& end = polygon.points[segment.points[to]].point;
-    return std::abs(distanceBetween(start, end) - tight) <= kSameLength * tight;
-  };
-  return std::all_of(polygon.pieces.begin(), polygon.pieces.end(),
-                     [&](const SegmentLayout& segment) {
-                       const int last = segment.points.count() - 1;
-                       for (int k = 1; k < last; ++k) {
-                         if (!isShortest(segment, 0, k) || !isShortest(segment, k, last))
-                           return false;
-                       }
-                       return isShortest(segment, 0, last);
-                     });
+  bool areShortest = true;
+  {
+    PointField field(surface(), fieldSet_->options());
+    const auto isShortest = [&](const SegmentLayout& segment, int from, int to) {
+      const double tight = tightLength(geometry, polygon, segment, from, to, workspace_->levels);
+      const SurfacePoint& start = polygon.points[segment.points[from]].point;
+      const SurfacePoint& end = polygon.points[segment.points[to]].point;
+      field.setPointFor(start, end, (1 + kSameLength) * tight);
+      return std::abs(distanceTo(end, field) - tight) <= kSameLength * tight;
+    };
+    areShortest = std::all_of(polygon.pieces.begin(), polygon.pieces.end(),
+                              [&](const SegmentLayout& segment) {
+                                const int last = segment.points.count() - 1;
+                                for (int k = 1; k < last; ++k) {
+                                  if (!isShortest(segment, 0, k) || !isShortest(segment, k, last))
+                                    return false;
+                                }
+                                return isShortest(segment, 0, last);
+                              });
+  }
+  surface().pages()->trim();
+  return areShortest;
 }
 
-/// By the field of the first point, which is kept until the curve has its own.
-double Curve::distanceBetween(const SurfacePoint& from, const SurfacePoint& to) {
-  workspace_->far.push_back(fieldSet_->at(from));
-  workspace_->fields.assign(1, workspace_->far.back().get());
+/// How far a field's point is, by the field.
+double Curve::distanceTo(const SurfacePoint& place, PointField& field) {
+  workspace_->fields.assign(1, &field);
   constexpr double kOne[] = {1};
-  return std::sqrt(std::max(blendFields().blend.energy(to, kOne), 0.0));
+  return std::sqrt(std::max(blendFields().blend.energy(place, kOne), 0.0));
 }
 
 /// The levels of a curve that leaves them to itself; a refined polygon may need more.
@@ -111,7 +117,6 @@ double Curve::deviation() {
   const bool isFar = deviation > kLevelsTolerance * geometry.meanEdge;
   const bool hasOne =
       isSafe(geometry, polygon, workspace) && !(isFar && !joinsByShortestPaths(polygon));
-  workspace_->far.clear();
   return hasOne ? deviation : std::numeric_limits<double>::quiet_NaN();
 }
 

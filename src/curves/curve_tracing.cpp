@@ -30,7 +30,7 @@ void Curve::makeFields(Next& next) {
       if (!piece.fields_[i]) piece.fields_[i] = fieldSet_->at(piece.points_[i], next.levels > 0);
     }
   });
-  workspace_->far.clear();
+  workspace_->ofKnots.clear();
 }
 
 /// Blends the fields that the workspace has.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "intrinsic/geometry.h"
 
@@ -22,6 +23,13 @@ struct PathStep {
   double part = 0;  ///< in [0, 1]
 };
 
+/// What paths are wanted for: those to a ball in space, none longer than `mostLength`.
+struct PathAim {
+  Vec3 center = Vec3::Zero();
+  double radius = 0;
+  double mostLength = kInfinity;
+};
+
 /// Geodesic distances from one point of a surface, and the directions of their paths. The work is
 /// bounded and resumable: it ends at a radius or at a vertex and later goes on from there, and
 /// every final value is the same as in one go.
@@ -31,6 +39,11 @@ class DistanceSolver {
 
   /// Starts anew from a point of a face, an edge or a vertex. Costs what was touched before.
   virtual void setSource(const SurfacePoint& source) = 0;
+
+  /// From the next `setSource` on may leave out what cannot be on a path that is wanted, since the
+  /// straight way on is too long. Lengths that are found to points in the ball are right up to
+  /// `mostLength`; all others are upper bounds, whatever `reached` is.
+  virtual void aimAt(const std::optional<PathAim>&) {}
 
   /// Works until all vertices within `radius` (any number up to kInfinity) are final.
   virtual void grow(double radius) = 0;

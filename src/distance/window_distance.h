@@ -114,16 +114,7 @@ class WindowDistance final : public DistanceSolver {
   void keepImagesIn(Array<int> faces) { images_.keepIn(std::move(faces)); }
   const Array<SourceImage>& images() const { return images_.all(); }
 
-  /// What paths are wanted for: those to a ball in space, none longer than `mostLength`.
-  struct Aim {
-    Vec3 center = Vec3::Zero();
-    double radius = 0;
-    double mostLength = kInfinity;
-  };
-  /// From the next `setSource` on leaves out what cannot be on such a path, since the straight way
-  /// on is too long. Lengths that are found to points in the ball are exact up to `mostLength`;
-  /// all others are upper bounds, whatever `reached` is.
-  void aimAt(const std::optional<Aim>& aim) { aim_ = aim; }
+  void aimAt(const std::optional<PathAim>& aim) override { aim_ = aim; }
 
  private:
   static constexpr int kNotQueued = std::numeric_limits<int>::max();
@@ -178,7 +169,7 @@ class WindowDistance final : public DistanceSolver {
   int reachedCount_ = 0;  ///< vertices that a path has come to
   Array<Window> batch_;
   Array<double> crossings_;  ///< of the lines from the batch's sources to the apex with the edge
-  std::optional<Aim> aim_;
+  std::optional<PathAim> aim_;
   WatchedTarget target_;
   SourceImages images_;
 };

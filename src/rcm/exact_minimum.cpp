@@ -102,7 +102,7 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
     // ends: a further search makes no path longer, and without one the searches are soon as wide as
     // the mesh.
     for (;;) {
-      distance.aimAt(WindowDistance::Aim{middle, radius, most});
+      distance.aimAt(PathAim{middle, radius, most});
       distance.setSource(points_[i]);
       distance.grow(most);
       double longest = 0;

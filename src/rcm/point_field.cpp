@@ -37,6 +37,34 @@ void PointField::setPoint(const SurfacePoint& point, bool isNear) {
   }
 }
 
+void PointField::setPointFor(const SurfacePoint& point, const SurfacePoint& place, double most) {
+  if (options_.method == Method::kPaper) return setPoint(point);
+  point_ = point;
+  isNear_ = false;
+  makeLogField(aimAt(place, most));
+}
+
+/// A ball about a place that holds all vertices which the values at the corners of its face are
+/// estimated from: they have at most two edges between them and the corner.
+PathAim PointField::aimAt(const SurfacePoint& place, double most) const {
+  const TriangleMesh& mesh = surface_.mesh();
+  const Vec3 center = position(mesh, place);
+  const auto forCornersAround = [&](int vertex, const auto& visit) {
+    for (const int h : outgoingHalfedges(mesh, vertex)) {
+      for (int k = 0; k < 3; ++k) visit(mesh.corner(faceOf(h), k));
+    }
+  };
+  double radius = 0;
+  for (int k = 0; k < 3; ++k) {
+    forCornersAround(mesh.corner(place.face, k), [&](int neighbour) {
+      forCornersAround(neighbour, [&](int vertex) {
+        radius = std::max(radius, (mesh.positions[vertex] - center).norm());
+      });
+    });
+  }
+  return {center, radius, most + radius};
+}
+
 void PointField::makePaperField() {
   Array<double> squares =
       distancesFrom(*makeDistanceSolver(surface_, options_), point_, surface_.mesh().vertexCount());
@@ -79,7 +107,7 @@ FieldValue PointField::nearValue(int vertex) {
   return {-2 * logAlong(geometry, path_), distance * distance};
 }
 
-void PointField::makeLogField() {
+void PointField::makeLogField(const std::optional<PathAim>& aim) {
   if (!solver_) {
     estimator_ = estimatorOf(options_.solver);
     solver_ = makeDistanceSolver(surface_, options_);
@@ -90,12 +118,21 @@ void PointField::makeLogField() {
   ControlField::EvaluateMidpoint midpoint;
   if (options_.solver == Solver::kExact && solver_->keepMidpoints())
     midpoint = [this](int h) { return estimateMidpoint(h); };
+  solver_->aimAt(aim);
+  isAimed_ = aim.has_value();
   solver_->setSource(point_);
   field_.reset([this](int v) { return estimate(v); }, std::move(midpoint));
 }
 
 double PointField::distanceAt(int vertex) {
-  const double distance = solver_->growTo(vertex);
+  double distance = solver_->growTo(vertex);
+  if (distance == kInfinity && isAimed_) {
+    // No path is as short as was wanted. The whole field tells how long they are.
+    isAimed_ = false;
+    solver_->aimAt(std::nullopt);
+    solver_->setSource(point_);
+    distance = solver_->growTo(vertex);
+  }
   if (distance == kInfinity) throwUnreachable();
   return distance;
 }

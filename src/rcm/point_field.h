@@ -34,6 +34,10 @@ class PointField {
   /// compared with the shortest one by exact windows, at many times the cost. With graph distances,
   /// and the paper's method, a near field is like any other.
   void setPoint(const SurfacePoint& point, bool isNear = false);
+  /// A field that is read only near a place, and of which only distances up to `most` are wanted:
+  /// with windows it costs the region between the point and the place, not all that is as near as
+  /// the place is. Values of longer distances are upper bounds.
+  void setPointFor(const SurfacePoint& point, const SurfacePoint& place, double most);
   const SurfacePoint& point() const { return point_; }
   bool isNear() const { return isNear_; }
 
@@ -52,13 +56,14 @@ class PointField {
   };
 
   void makePaperField();
-  void makeLogField();
+  void makeLogField(const std::optional<PathAim>& aim = std::nullopt);
   void makeNearField();
   FieldValue nearValue(int vertex);
   FieldValue valueBesideHub(int vertex);
   FieldValue estimate(int vertex);
   Vec2 estimateMidpoint(int halfedge);
   double distanceAt(int vertex);
+  PathAim aimAt(const SurfacePoint& place, double most) const;
   const Vec2& logVectorAt(int vertex);
 
   Surface& surface_;
@@ -75,6 +80,7 @@ class PointField {
   // Of log vectors of other fields. They are made when the first such field is.
   Estimator estimator_ = Estimator::kLinear1;
   std::unique_ptr<DistanceSolver> solver_;
+  bool isAimed_ = false;
   StencilTable* stencils_ = nullptr;
   std::optional<PagedArray<LogEntry, 4>> logVectors_;
 };

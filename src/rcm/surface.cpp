@@ -1,5 +1,6 @@
 #include "rcm/surface.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -11,8 +12,14 @@ namespace karcher {
 Surface::Surface(TriangleMesh mesh) : mesh_(std::move(mesh)), geometry_(buildGeometry(mesh_)) {}
 
 int Surface::component(int vertex) {
-  if (components_.empty()) components_ = componentOfVertices(mesh_);
-  return components_[vertex];
+  if (!componentsAreKnown_) {
+    components_ = componentOfVertices(mesh_);
+    componentsAreKnown_ = true;
+    // Most meshes are of one, and need no number a vertex for that.
+    const auto isFirst = [](int component) { return component == 0; };
+    if (std::all_of(components_.begin(), components_.end(), isFirst)) components_ = {};
+  }
+  return components_.empty() ? 0 : components_[vertex];
 }
 
 bool Surface::isBesideHub(int vertex) {

@@ -45,7 +45,8 @@ class Surface {
  private:
   TriangleMesh mesh_;
   Geometry geometry_;
-  Array<int> components_;
+  bool componentsAreKnown_ = false;
+  Array<int> components_;  ///< empty where there is one
   bool hubsAreKnown_ = false;
   Array<char> isBesideHub_;  ///< see besideHubs
   std::map<int, RingGraph> ringGraphs_;

@@ -5,7 +5,9 @@
 #include "curve_support.h"
 #include "curves/curve.h"
 #include "distance/paged_array.h"
+#include "generators/control_polygons.h"
 #include "measures/allocations.h"
+#include "mesh/shapes.h"
 #include "support.h"
 
 namespace karcher {
@@ -62,6 +64,35 @@ TEST(DragMemory, OfAPlacedPointAreTheLegsOfOthers) {
   ASSERT_EQ(value.legs.count(), 4);
   for (int i = 0; i < 4; ++i) EXPECT_EQ(value.legs[i].points.empty(), i == 0 || i == 3) << i;
   EXPECT_EQ(codeOf([&] { placePoint(value, 4, points[0]); }), ErrorCode::kBadIndex);
+}
+
+/// Default curves ask whether level 0 takes the paths that the legs are pulled tight to. What tells
+/// them, fields from end to end, is given back where they take levels all the same.
+TEST(CurveMemory, OfLevelsThatAreChosenIsThatOfGivenOnes) {
+  const TriangleMesh mesh = meshOf(makeShape(Shape::kTorus, 80000));
+  const auto heldBy = [&](const CurveOptions& options, const Array<SurfacePoint>& polygon,
+                          int& levels) {
+    Surface surface(mesh);
+    const int64_t before = bytesHeld();
+    const Curve curve(surface, options, polygon);
+    levels = curve.levels();
+    return bytesHeld() - before;
+  };
+  const Geometry geometry = buildGeometry(mesh);
+  Random random(5);
+  for (int i = 0; i < 4; ++i) {
+    const Array<SurfacePoint> polygon = randomControlPolygon(geometry, random, {.spacing = 0.2});
+    CurveOptions options;
+    options.shape.kind = CurveKind::kBezier;
+    options.levels = kAutomaticLevels;
+    options.leastLevels = 3;
+    int levels = 0;
+    const int64_t chosen = heldBy(options, polygon, levels);
+    ASSERT_GE(levels, options.leastLevels);
+    options.levels = levels;
+    const int64_t given = heldBy(options, polygon, levels);
+    EXPECT_LE(chosen, given + given / 4) << "polygon " << i;
+  }
 }
 
 TEST(PagedArray, TakesPagesFromAPoolAsNewOnes) {
