@@ -274,8 +274,8 @@ export class Mesh {
   /**
    * The centers of mass of one set of points for many rows of weights, one a point in each: a list of
    * rows, or all of them one after the other. Fields are made once, and each search costs what a curve's
-   * sample does for each of the points, at which it starts in turn. Every row gets the answer that it would
-   * get alone. Throws as `centerOfMass` does, and names the row.
+   * sample does: it starts at the center of equal weights, and then at points near which a lower minimum may
+   * lie. The answer of a row does not depend on the other rows. Throws as `centerOfMass` does, and names the row.
    */
   centersOfMass(
     points: readonly PointLike[],

@@ -9,8 +9,8 @@
 #include "mesh/positions.h"
 #include "rcm/center_search.h"
 #include "rcm/exact_minimum.h"
-#include "rcm/first_start.h"
 #include "rcm/mean_of_many.h"
+#include "rcm/minimum_search.h"
 #include "rcm/paper_method.h"
 #include "rcm/summed_field.h"
 
@@ -47,17 +47,6 @@ void checkWeights(Array<double>& weights, int points, bool normalize) {
   }
 }
 
-/// The index of the largest weight; if several are equal, the first.
-int firstLargest(const Array<double>& weights) {
-  return static_cast<int>(std::max_element(weights.begin(), weights.end()) - weights.begin());
-}
-
-Mean withEnergy(FieldBlend& fields, const Array<double>& weights, const CenterOfMass& center) {
-  return {center.point,           center.status,
-          center.iterations,      fields.energy(center.point, weights),
-          Uniqueness::kNotLooked, {}};
-}
-
 /// Raises a negative energy to 0 if no weight is negative: the fields' estimate of a sum of squares
 /// may lie below 0 near its minimum.
 Mean withSoundEnergy(Mean mean, const Array<double>& weights) {
@@ -80,114 +69,6 @@ int onlyPoint(const Array<SurfacePoint>& points, const Array<double>& weights) {
   }
   return only;
 }
-
-/// Whether a is the better answer: converged answers come first, then lower energies.
-bool better(const Mean& a, const Mean& b) {
-  const bool aConverged = a.status == Status::kConverged;
-  const bool bConverged = b.status == Status::kConverged;
-  return aConverged != bConverged ? aConverged : a.energy < b.energy;
-}
-
-/// Minima nearer to each other than this part of the mean edge count as one, since searches from
-/// both sides of an edge may end that far apart.
-constexpr double kSameMinimum = 0.1;
-constexpr int kSpreadStarts = 32;
-
-bool areApart(const Geometry& geometry, const SurfacePoint& a, const SurfacePoint& b) {
-  const TriangleMesh& mesh = *geometry.mesh;
-  return (position(mesh, a) - position(mesh, b)).norm() > kSameMinimum * geometry.meanEdge;
-}
-
-/// Inserts a minimum in ascending order of energy, after those of equal energy.
-void insertByEnergy(Array<Minimum>& minima, const Minimum& minimum) {
-  int place = minima.count();
-  while (place > 0 && minimum.energy < minima[place - 1].energy) --place;
-  minima.insert(minima.begin() + place, minimum);
-}
-
-/// Sets `otherMinima` to those that are apart from the center and from each other.
-void setOtherMinima(const Geometry& geometry, const Array<Minimum>& minima, Mean& mean) {
-  Array<Minimum> apart;
-  for (const Minimum& minimum : minima) {
-    bool isNew = areApart(geometry, minimum.point, mean.point);
-    for (const Minimum& known : apart) {
-      isNew = isNew && areApart(geometry, minimum.point, known.point);
-    }
-    if (isNew) apart.push_back(minimum);
-  }
-  mean.uniqueness = apart.empty() ? Uniqueness::kNotLooked : Uniqueness::kNotUnique;
-  mean.otherMinima = std::move(apart);
-}
-
-/// The corner of a vertex into which K decreases. If that direction is off the surface, the corner
-/// at the nearer side.
-int cornerDownhill(const Geometry& geometry, int vertex, const Vec2& down) {
-  const double total = geometry.totalAngle[vertex];
-  double direction = std::atan2(down.y(), down.x()) / geometry.angleScale[vertex];
-  if (geometry.mesh->onBoundary[vertex]) {
-    if (direction < 0) direction += 2 * kPi;
-    if (direction > total) direction = direction - total < 2 * kPi - direction ? total : 0;
-  }
-  return cornerOfDirection(geometry, vertex, direction).halfedge;
-}
-
-/// A start on an edge or at a vertex, in the face into which K decreases, which does not depend on
-/// the numbers of faces.
-SurfacePoint facedDownhill(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
-  const Geometry& geometry = fields.geometry();
-  const TriangleMesh& mesh = *geometry.mesh;
-  const PointLocation location = locate(mesh, start);
-  if (location.simplex == Simplex::kVertex) {
-    const Vec2 down = -fields.atVertex(location.vertex, weights);
-    return edgePoint(cornerDownhill(geometry, location.vertex, down), 0);
-  }
-  if (location.simplex == Simplex::kEdge) {
-    const int h = location.halfedge;
-    const int twin = mesh.twin[h];
-    const SurfacePoint here = inFace(mesh, start, faceOf(h));
-    const bool fallsOver = cross(halfedgeInFace(geometry, h), fields.at(here, weights)) > 0;
-    return twin >= 0 && fallsOver ? inFace(mesh, start, faceOf(twin)) : here;
-  }
-  return start;
-}
-
-/// A sequence of searches. The first answer is the center, or the best one if `lowest`.
-class MinimumSearch {
- public:
-  MinimumSearch(FieldBlend& fields, const Array<double>& weights, Method method)
-      : fields_(fields), weights_(weights), method_(method) {}
-
-  void from(const SurfacePoint& start, bool lowest) {
-    const CenterOfMass end = isZero(fields_, weights_, start) ? CenterOfMass{start} : search(start);
-    Mean found = withEnergy(fields_, weights_, end);
-    const bool isFirst = !begun_;
-    begun_ = true;
-    if (isFirst || (lowest && better(found, best_))) std::swap(found, best_);
-    if (isFirst || found.status != Status::kConverged) return;
-    insertByEnergy(others_, {found.point, found.energy});
-  }
-
-  const Mean& best() const { return best_; }
-
-  Mean result() {
-    setOtherMinima(fields_.geometry(), others_, best_);
-    return std::move(best_);
-  }
-
- private:
-  CenterOfMass search(const SurfacePoint& start) {
-    const bool goesDown = goesOnWhereIndefinite(method_);
-    return findCenter(fields_, weights_, goesDown ? facedDownhill(fields_, weights_, start) : start,
-                      method_);
-  }
-
-  FieldBlend& fields_;
-  const Array<double>& weights_;
-  Method method_;
-  bool begun_ = false;
-  Mean best_;
-  Array<Minimum> others_;
-};
 
 /// Upper bounds on a point's distances, from fields at a vertex of its face.
 Array<double> distancesNear(const Geometry& geometry, const Array<ControlField*>& fields,
@@ -289,56 +170,6 @@ double likelyValues(const Surface& surface, const Array<SurfacePoint>& points, b
   return all * std::min(spread * spread, 1.0);
 }
 
-/// Searches start at control points within this many times the distance at which a lower minimum
-/// may be. Four of 810 means of three to eight points on three meshes are higher than with searches
-/// from all control points, and eight, which the average of averages found, are lower.
-constexpr double kSearched = 2;
-
-/// Searches from the average of averages, and from the control points near which a lower minimum
-/// may be; from all of them if `all`, if a weight is negative, or if the first search failed.
-void searchFew(const Surface& surface, const Array<SurfacePoint>& points,
-               const Array<double>& weights, bool all, MinimumSearch& minima) {
-  const TriangleMesh& mesh = surface.mesh();
-  const std::optional<SurfacePoint> start = averageOfAverages(surface.geometry(), points, weights);
-  LowerPlaces lower{Vec3::Zero(), kInfinity};
-  if (start) {
-    minima.from(*start, true);
-    const Mean& found = minima.best();
-    if (!all && found.status == Status::kConverged) {
-      lower = lowerPlaces(mesh, points, weights, found.energy);
-    }
-  }
-  for (const SurfacePoint& point : points) {
-    const double apart = (position(mesh, point) - lower.middle).norm();
-    if (apart <= kSearched * lower.radius) minima.from(point, true);
-  }
-}
-
-Mean search(Surface& surface, FieldBlend& fields, const Array<double>& weights,
-            const Array<SurfacePoint>& points, const Array<double>& ofPoints,
-            const MeanOptions& options) {
-  MinimumSearch minima(fields, weights, options.field.method);
-  const bool lowest = !options.start;
-  const bool goesDown = goesOnWhereIndefinite(options.field.method);
-  if (options.start) {
-    minima.from(*options.start, lowest);
-  } else if (goesDown) {
-    searchFew(surface, points, ofPoints, options.looksForOthers, minima);
-  } else if (!options.looksForOthers) {
-    minima.from(points[firstLargest(ofPoints)], lowest);
-  }
-  if (options.looksForOthers) {
-    const bool hasAll = lowest && goesDown;
-    if (!hasAll) {
-      for (const SurfacePoint& point : points) minima.from(point, lowest);
-    }
-    for (const SurfacePoint& place : spreadPoints(surface, points[0].face, kSpreadStarts)) {
-      minima.from(place, lowest);
-    }
-  }
-  return minima.result();
-}
-
 /// Sets the uniqueness of a mean for which other minima were searched.
 void judgeUniqueness(const Surface& surface, const Array<SurfacePoint>& points,
                      const Array<double>& weights, const std::optional<CurvatureBound>& smooth,
@@ -411,7 +242,7 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
     FieldBlend field(surface.geometry(), {&sum});
     const Array<double> one{1};
     const Array<ControlField*> summed;
-    Mean mean = search(surface, field, one, points, weights, options);
+    Mean mean = findMean(surface, field, one, points, weights, options);
     if (isToBeChecked(mean, options)) {
       mean = checkedMean(mean, {field, one, summed, points, weights}, !options.start);
     }
@@ -421,7 +252,7 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
   Array<ControlField*> pointers;
   for (const auto& field : fields) pointers.push_back(&field->field());
   FieldBlend blend(surface.geometry(), pointers);
-  Mean mean = search(surface, blend, weights, points, weights, options);
+  Mean mean = findMean(surface, blend, weights, points, weights, options);
   if (isToBeChecked(mean, options)) {
     mean = checkedMean(mean, {blend, weights, pointers, points, weights}, !options.start);
   }
@@ -479,6 +310,10 @@ Array<Mean> centersOfMass(FieldSets& sets, const Array<SurfacePoint>& points,
   Array<ControlField*> pointers;
   for (const auto& field : fields) pointers.push_back(&field->field());
   FieldBlend blend(surface.geometry(), pointers);
+  // All rows start at the center of equal weights, since averages of averages would take several
+  // path searches a row.
+  const Array<double> equal(points.size(), 1.0 / width);
+  const SurfacePoint shared = findMean(surface, blend, equal, points, equal, options).point;
   for (int row = 0; row < count; ++row) {
     read(row);
     const int only = onlyPoint(points, weights);
@@ -486,8 +321,8 @@ Array<Mean> centersOfMass(FieldSets& sets, const Array<SurfacePoint>& points,
       means.push_back({points[only], Status::kConverged, 0, 0, Uniqueness::kCertain, {}});
       continue;
     }
-    means.push_back(
-        withSoundEnergy(search(surface, blend, weights, points, weights, options), weights));
+    Mean mean = findMean(surface, blend, weights, points, weights, options, &shared);
+    means.push_back(withSoundEnergy(std::move(mean), weights));
   }
   return means;
 }

@@ -72,10 +72,10 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
 
 /// The centers of mass of one set of points, one for each row of weights, one row after the other:
 /// what `centerOfMass` finds for each, at the cost of a curve's samples, since the points' fields
-/// are computed once. Only options.isChecked checks them by exact distances, each at the cost of a
-/// single center. options.looksForOthers has no effect. Throws as `centerOfMass` does, naming the
-/// row of invalid weights; kBadWeights if `rows` does not have one weight for each point in each
-/// row.
+/// are computed once and the searches start at the center of equal weights. Only options.isChecked
+/// checks them by exact distances, each at the cost of a single center. options.looksForOthers has
+/// no effect. Throws as `centerOfMass` does, naming the row of invalid weights; kBadWeights if
+/// `rows` does not have one weight for each point in each row.
 Array<Mean> centersOfMass(FieldSets& sets, const Array<SurfacePoint>& points,
                           const Array<double>& rows, MeanOptions options,
                           std::shared_ptr<FieldSet>& kept);

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "rcm/mean.h"
+
+/// The searches for the minima of K: where they start, and which of their answers is the mean.
+namespace karcher {
+
+/// The index of the largest weight; if several are equal, the first.
+int firstLargest(const Array<double>& weights);
+
+/// A center as a mean, with the fields' energy there.
+Mean withEnergy(FieldBlend& fields, const Array<double>& weights, const CenterOfMass& center);
+
+/// Inserts a minimum in ascending order of energy, after those of equal energy.
+void insertByEnergy(Array<Minimum>& minima, const Minimum& minimum);
+
+/// Sets `otherMinima` to those that are apart from the center and from each other.
+void setOtherMinima(const Geometry& geometry, const Array<Minimum>& minima, Mean& mean);
+
+/// The mean in a blend of fields, with weights of the fields and of the points: one sum of fields
+/// has one weight, and many points. Without options.start it is the lowest minimum found. The first
+/// search starts at `shared` if given, else at the average of averages (first_start.h).
+Mean findMean(Surface& surface, FieldBlend& fields, const Array<double>& weights,
+              const Array<SurfacePoint>& points, const Array<double>& ofPoints,
+              const MeanOptions& options, const SurfacePoint* shared = nullptr);
+
+}  // namespace karcher
