@@ -96,17 +96,17 @@ export class Opening {
    */
   async files(files: readonly File[]): Promise<void> {
     const { surfaces, drawings, unknown } = sorted(files);
-    const one = surfaces.length <= 1 && drawings.length <= 1;
-    if (!one) {
-      const file = await chooseFile([...surfaces, ...drawings]);
-      if (file) await this.file(await whole(file, files));
-      return;
-    }
     if (unknown.length > 0) {
       const [first] = unknown;
       const more = unknown.length > 1 ? ` and ${formatInteger(unknown.length - 1)} more` : '';
       const are = unknown.length > 1 ? 'are' : 'is';
       showNote(`${first!.name}${more} ${are} no surface or drawing, and ${are} left out.`);
+    }
+    const one = surfaces.length <= 1 && drawings.length <= 1;
+    if (!one) {
+      const file = await chooseFile([...surfaces, ...drawings]);
+      if (file) await this.file(await whole(file, files));
+      return;
     }
     for (const file of [...surfaces, ...drawings]) await this.file(await whole(file, files));
   }
