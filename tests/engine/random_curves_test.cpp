@@ -68,8 +68,8 @@ class RandomCurve {
     return (position(surface_.mesh(), a) - position(surface_.mesh(), b)).norm();
   }
 
-  /// Of polylines: other curves end where the field of one point is zero, which in a face with
-  /// kinks beside it is only near that point.
+  /// Of polylines: other curves end where the field of one point is zero, and estimates from the
+  /// vertices around place that zero only near the point.
   void expectEnds(Curve& curve) const {
     if (curve.shape().kind != CurveKind::kPolyline || curve.segmentCount() == 0) return;
     const SurfacePoint& first = curve.point(0);
