@@ -103,7 +103,7 @@ describe('cuts', () => {
     const said = (await tab.page.evaluate(() => window.said)).join('\n');
     assert.match(said, /Cutting… 0 %/);
     assert.match(said, /Measuring part 2 of 2… 67 %/);
-    await close(tab);
+    await tab.close();
   });
 
   test('parts are saved alone or all, as surfaces or thickened, and say what they are worth for printing', async () => {

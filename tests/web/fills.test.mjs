@@ -202,13 +202,13 @@ describe('fills', () => {
     assert.ok(Math.abs((await filled(tab)) - large) < 1e-3, 'it comes back with the page');
     const other = await Tab.open(browser, link.split('#')[1]);
     assert.ok(Math.abs((await filled(other)) - large) < 1e-3, 'a link has it');
-    await close(other);
+    await other.close();
 
     await tab.page.keyboard.press('Control+d');
     await tab.settled();
     const [one, copy] = (await tab.state()).drawing.objects;
     assert.equal(copy.figure.inside, one.figure.inside);
-    await close(tab);
+    await tab.close();
   });
 
   test('are on the other side by a button, and of a curve that runs the other way where they were', async () => {
@@ -230,7 +230,7 @@ describe('fills', () => {
     await tab.page.keyboard.press('Enter');
     await tab.settled();
     assert.ok(await tab.page.locator('#other-side').isDisabled(), 'where nothing is filled');
-    await close(tab);
+    await tab.close();
   });
 
   test('the menu at a place makes an offset, a cut and booleans of what is selected there', async () => {
@@ -263,7 +263,7 @@ describe('fills', () => {
     await tab.page.getByRole('menuitem', { name: 'Intersection', exact: true }).click();
     await tab.settled();
     assert.equal((await tab.state()).figure.kind, 'intersection');
-    await close(tab);
+    await tab.close();
   });
 
   test('of an open line are none, and that is said', async () => {
