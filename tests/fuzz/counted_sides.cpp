@@ -39,8 +39,7 @@ double distanceTo(const Vec2& a, const Vec2& b, const Vec2& p) {
 
 CountedSides::CountedSides(const Geometry& geometry, std::span<const SurfacePath> paths,
                            Random& random)
-    : geometry_(geometry),
-      mesh_(*geometry.mesh),
+    : mesh_(*geometry.mesh),
       paths_(static_cast<int>(paths.size())),
       pieces_(static_cast<size_t>(mesh_.faceCount())),
       runs_(static_cast<size_t>(mesh_.halfedgeCount())) {

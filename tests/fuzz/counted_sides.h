@@ -45,7 +45,6 @@ class CountedSides {
   /// What changes from a face's point to its neighbor's over the half-edge.
   Array<int> change(int h, Random& random) const;
 
-  const Geometry& geometry_;
   const TriangleMesh& mesh_;
   int paths_;
   Array<Array<Piece>> pieces_;  ///< per face

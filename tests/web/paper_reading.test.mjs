@@ -12,7 +12,7 @@ describe('the Paper page for readers', () => {
   let browser;
   let page;
   before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
+    browser = await openBrowser({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
   });
   after(() => browser.close());
   afterEach(() => page.close());

@@ -185,7 +185,7 @@ describe('parts of a curve without a center', () => {
     const { curve: mean } = await tab.view();
     assert.equal(mean.levels, 0);
     assert.ok(mean.lost.length > 0);
-    assert.match(await tab.page.evaluate(() => location.hash), /levels=0/);
+    await tab.page.waitForFunction(() => location.hash.includes('levels=0'));
     await tab.close();
   });
 
