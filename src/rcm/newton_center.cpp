@@ -189,7 +189,7 @@ CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoin
 CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,
                           NewtonSteps& steps) {
   NewtonSearch search(fields, weights, start);
-  const CenterOfMass center = search.run();
+  CenterOfMass center = search.run();
   steps = search.steps();
   return center;
 }
