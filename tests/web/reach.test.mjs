@@ -277,9 +277,11 @@ async function chooseAll(tab, controls, kind, chosen) {
     const id = await select.getAttribute('id');
     if (chosen.has(id)) continue;
     chosen.add(id);
-    const values = await select.evaluate((one) => [...one.options].map(({ value }) => value));
+    const offered = () => select.evaluate((one) => [...one.options].map(({ value }) => value));
     const first = await select.inputValue();
-    for (const value of [...values.filter((one) => one !== first), first]) {
+    for (const value of [...(await offered()).filter((one) => one !== first), first]) {
+      // What is chosen may take other choices away.
+      if (!(await offered()).includes(value)) continue;
       await select.selectOption(value);
       await tab.settled();
       await controls.look(`${kind}, ${value}`);
