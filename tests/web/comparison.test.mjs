@@ -65,17 +65,20 @@ describe('a comparison', () => {
 
   const said = (tab, id) => tab.page.locator(`#compare-${id}`).textContent();
   /** Mean edges and per cent, as they are told. */
-  const numbers = async (tab, id) => {
-    const told = /^(?:< )?([\d.e-]+) edges · (?:< )?([\d.e-]+) %$/.exec(await said(tab, id));
-    assert.ok(told, await said(tab, id));
-    return told.slice(1).map(Number);
-  };
+  const numbers = (tab, id) =>
+    Promise.all(
+      [id, `${id}-part`].map(async (one) => {
+        const told = /^(?:< )?([\d.]+)$/.exec(await said(tab, one));
+        assert.ok(told, await said(tab, one));
+        return Number(told[1]);
+      }),
+    );
   const answered = async (tab) => {
     await tab.settled();
     await tab.page.waitForFunction(
       () =>
         !document.getElementById('comparison').classList.contains('late') &&
-        /edges/.test(document.getElementById('compare-mean').textContent),
+        /\d/.test(document.getElementById('compare-mean').textContent),
     );
   };
 
@@ -145,6 +148,37 @@ describe('a comparison', () => {
     await page.waitForFunction(() =>
       /no curve to compare/.test(document.getElementById('compare-problem').textContent),
     );
+    await tab.close();
+  });
+
+  test('stays where it is while it fills, by whatever method', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:5000&method=karcher');
+    const { page } = tab;
+    await tab.click([-150, 40], [-60, -90], [60, 100], [150, -30]);
+    const menu = page.locator('#compare');
+    await menu.scrollIntoViewIfNeeded();
+    await menu.selectOption('paper-exact');
+    // The box of each of its parts, in every frame.
+    await page.evaluate(() => {
+      const places = () =>
+        ['compare', 'comparison', 'compare-off', 'compare-numbers', 'knots'].map((id) => {
+          const { x, y, width, height } = document.getElementById(id).getBoundingClientRect();
+          return `${id}: ${[x, y, width, height].map((value) => value.toFixed(1))}`;
+        });
+      window.seenPlaces = new Set();
+      const look = () => {
+        for (const place of places()) window.seenPlaces.add(place);
+        requestAnimationFrame(look);
+      };
+      look();
+    });
+    for (const method of ['karcher-exact', 'paper-graph', 'karcher-fast', 'paper-ring']) {
+      await menu.selectOption(method);
+      await answered(tab);
+      await tab.still();
+    }
+    const seen = await page.evaluate(() => [...window.seenPlaces]);
+    assert.equal(seen.length, 5, seen.join('\n'));
     await tab.close();
   });
 });

@@ -102,4 +102,26 @@ describe('the panel of a new user', () => {
     assert.ok((await left('#object-name')) > (await left('#objects-title')) + 200);
     await tab.close();
   });
+
+  test('writes large counts of mended places like its other numbers', async () => {
+    const tab = await Tab.open(browser);
+    const side = 40;
+    const lines = [];
+    for (let i = 0; i <= side; i++) {
+      for (let j = 0; j <= side; j++) lines.push(`v ${i} ${j} 0`);
+    }
+    const vertex = (i, j) => i * (side + 1) + j + 1;
+    for (let i = 0; i < side; i++) {
+      for (let j = 0; j < side; j++) {
+        const corners = [vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)];
+        lines.push(`f ${corners.join(' ')}`);
+      }
+    }
+    await tab.drop('quads.obj', lines.join('\n'));
+    await tab.page.waitForFunction(() => window.karcherPage.state().mesh.endsWith('quads.obj'));
+    await tab.settled();
+    const notes = await tab.page.locator('#repairs').textContent();
+    assert.match(notes, /^1,600 polygons were cut into triangles/);
+    await tab.close();
+  });
 });

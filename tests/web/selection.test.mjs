@@ -256,4 +256,107 @@ describe('the selection', () => {
     }
     await tab.close();
   });
+
+  const hint = (tab) => tab.page.locator('#hint').textContent();
+  const rows = (tab) => tab.page.locator('#objects li').count();
+  const pointCounts = async (tab) =>
+    (await objectsOf(tab)).map(({ figure }) => figure.points.length);
+  const [besideSurface, some] = [
+    [-300, -330],
+    [
+      [-60, 20],
+      [20, -30],
+    ],
+  ];
+  const ways = {
+    'a click on nothing': (tab) => tab.click(besideSurface),
+    Escape: (tab) => tab.page.keyboard.press('Escape'),
+  };
+  for (const [way, letGo] of Object.entries(ways)) {
+    test(`a curve of too few points is gone once ${way} lets go of it, and comes back by undo`, async () => {
+      const tab = await Tab.open(browser);
+      await tab.page.locator('#tool-curve').click();
+      await tab.click(...some);
+      assert.equal(await hint(tab), '2 more points make a curve');
+      await tab.page.keyboard.press('v');
+      await tab.page.keyboard.press('Escape');
+      assert.equal(await rows(tab), 1);
+      await letGo(tab);
+      await tab.settled();
+      assert.deepEqual(await pointCounts(tab), [0]);
+      assert.equal(await rows(tab), 0);
+      assert.equal(await hint(tab), 'Choose a tool to draw');
+      await tab.page.keyboard.press('Control+z');
+      await tab.settled();
+      assert.deepEqual(await pointCounts(tab), [2]);
+      assert.equal(await handles(tab), 2);
+      await tab.page.keyboard.press('Control+y');
+      await tab.settled();
+      assert.equal(await rows(tab), 0);
+      await tab.close();
+    });
+  }
+
+  test('a curve of too few points is gone once another one is selected or begun', async () => {
+    const tab = await drawn();
+    const { page } = tab;
+    await page.keyboard.press('b');
+    await page.keyboard.press('Enter');
+    await tab.click(...some);
+    assert.deepEqual(await pointCounts(tab), [4, 4, 2]);
+    await page.locator('#objects .object').last().click();
+    await tab.settled();
+    assert.deepEqual(await pointCounts(tab), [4, 4]);
+    assert.equal((await tab.state()).drawing.active, 1);
+    await page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.deepEqual(await pointCounts(tab), [4, 4, 2]);
+    await page.keyboard.press('Enter');
+    await tab.click([0, 0]);
+    await tab.settled();
+    assert.deepEqual(await pointCounts(tab), [4, 4, 1]);
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('Escape');
+    await tab.settled();
+    assert.deepEqual(await pointCounts(tab), [4, 4]);
+    // Nothing is selected: a click begins another one.
+    assert.equal(await hint(tab), 'Click the surface to place a control point');
+    await tab.close();
+  });
+
+  test('points that undo left can be let go of, and are done again', async () => {
+    const tab = await drawn();
+    const { page } = tab;
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+z');
+    assert.deepEqual(await pointCounts(tab), [4, 2]);
+    await tab.click(besideSurface);
+    await tab.settled();
+    assert.deepEqual(await pointCounts(tab), [4]);
+    await page.keyboard.press('Control+y');
+    await tab.settled();
+    assert.deepEqual(await pointCounts(tab), [4, 3]);
+    await page.keyboard.press('Control+y');
+    await tab.settled();
+    assert.deepEqual(await pointCounts(tab), [4, 4]);
+    // What was a curve and lost points stays, though there is no line.
+    await tab.page.locator('#points button').first().click();
+    await page.keyboard.press('Delete');
+    await tab.click(besideSurface);
+    await tab.settled();
+    assert.deepEqual(await pointCounts(tab), [4, 3]);
+    await tab.close();
+  });
+
+  test('an anchor alone is gone once the next path begins', async () => {
+    const tab = await Tab.open(browser);
+    await tab.page.keyboard.press('p');
+    await tab.click([-60, 20]);
+    await tab.settled();
+    await tab.click(besideSurface);
+    await tab.click([20, -30], [60, 30]);
+    await tab.settled();
+    assert.deepEqual(await pointCounts(tab), [2]);
+    await tab.close();
+  });
 });

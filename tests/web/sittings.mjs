@@ -85,10 +85,12 @@ export async function scanSitting(tab, tell = async () => {}) {
   await page.waitForFunction(
     () =>
       !document.getElementById('comparison').classList.contains('late') &&
-      /edges/.test(document.getElementById('compare-largest').textContent),
+      /\d/.test(document.getElementById('compare-largest').textContent),
   );
-  const told = await page.locator('#compare-largest').textContent();
-  const [, edges, part] = /^([\d.]+) edges · ([\d.]+) %$/.exec(told) ?? [];
+  const [edges, part] = await page
+    .locator('#compare-largest, #compare-largest-part')
+    .allTextContents();
+  const told = `${edges} edges, ${part} %`;
   assert.ok(Number(edges) > 0, `another method, another curve: ${told}`);
   assert.ok(Number(part) < 10, `but not another drawing: ${told}`);
   await control(tab, '#comparison');

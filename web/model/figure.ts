@@ -214,6 +214,13 @@ export function pointsNeeded({ kind, settings }: Figure): number {
   return kind === 'bspline' ? settings.degree + 1 : 2;
 }
 
+/** Whether there are points of it already, but too few to show anything of them. */
+export function isUnfinished(figure: Figure): boolean {
+  const { kind, points } = figure;
+  if (isRound(kind) || isDerived(kind)) return false;
+  return points.length > 0 && points.length < pointsNeeded(figure);
+}
+
 /** The number that a kind's points have beside their places. */
 export function parameterOf(kind: Kind): ParameterName | null {
   if (kind === 'barycentric') return 'beta';

@@ -3,7 +3,7 @@ import type { Editor } from '../editor/state/editor';
 import type { State } from '../editor/state/state';
 import type { Gap } from '../model/gap';
 import { isMethod, type MethodId, methods } from '../model/methods';
-import { byId, write } from './elements';
+import { byId, formatInteger, write } from './elements';
 import { sentenceOf } from './messages';
 
 /** Chooses the method that the edited curve is compared with, and tells how far the two are apart. */
@@ -43,8 +43,10 @@ export class ComparisonPanel {
     this.#box.style.setProperty('--own', active?.color ?? 'var(--curve)');
     this.#box.style.setProperty('--other', comparedColor(active?.color ?? null));
     this.#box.classList.toggle('late', told?.late ?? true);
-    write(byId('compare-mean'), wordsOf(told, 'mean'));
-    write(byId('compare-largest'), wordsOf(told, 'largest'));
+    for (const which of ['mean', 'largest'] as const) {
+      write(byId(`compare-${which}`), wordsOf(told?.inEdges, which));
+      write(byId(`compare-${which}-part`), wordsOf(told?.ofLength, which, 100));
+    }
     const problem = told?.problem ? sentenceOf(told.problem) : noCurve(told);
     write(byId('compare-problem'), problem);
     byId('compare-numbers').hidden = problem !== '';
@@ -57,11 +59,15 @@ export const comparedColor = (own: string | null) => (own === '#d9480f' ? '#0e7c
 const noCurve = (told: Compared | null) =>
   told && !told.polyline && !told.late ? 'There is no curve to compare yet.' : '';
 
-const number = (value: number) =>
-  value === 0 ? '0' : value < 1e-4 ? '< 0.0001' : value.toPrecision(2);
+/** Two digits of it, as short as the panel's columns are wide. */
+function short(value: number): string {
+  if (value === 0) return '0';
+  if (value < 1e-4) return '< 0.0001';
+  return value < 100 ? value.toPrecision(2) : formatInteger(Math.round(value));
+}
 
-function wordsOf(told: Compared | null, which: keyof Gap): string {
-  if (!told?.inEdges) return '…';
-  const edges = `${number(told.inEdges[which])} edges`;
-  return told.ofLength ? `${edges} · ${number(100 * told.ofLength[which])} %` : edges;
+/** A gap in a unit; dots while it is measured, nothing where it cannot be told. */
+function wordsOf(gap: Gap | null | undefined, which: keyof Gap, scale = 1): string {
+  if (gap === undefined) return '…';
+  return gap ? short(scale * gap[which]) : '';
 }

@@ -196,7 +196,7 @@ function nameOf(kind: Kind, selection: Selection, more: number): string {
 }
 
 function hintOf(
-  { mesh, figure, tool, chosen, selection }: State,
+  { mesh, figure, tool, chosen, selection, none }: State,
   view: View,
   measured: Measured | null,
   mirroring: string,
@@ -225,10 +225,12 @@ function hintOf(
     return blank ? drawHint : dragHint;
   }
   if (view.center) return centerHint(view.center);
-  if (isRound(kind)) return circle ? '' : 'Click the surface to place the center';
+  // Where nothing is selected a click begins another one.
+  const begins = points.length === 0 || none;
+  if (isRound(kind)) return circle && !none ? '' : 'Click the surface to place the center';
   if (isDerived(kind)) return '';
-  if (points.length === 0 && kind === 'pen') return penWords.begin;
-  if (points.length === 0) {
+  if (begins && kind === 'pen') return penWords.begin;
+  if (begins) {
     return `Click the surface to place a ${kind === 'center' || kind === 'points' ? '' : 'control '}point`;
   }
   const missing = pointsNeeded(figure) - points.length;

@@ -31,6 +31,9 @@ export interface ShownSurface {
   up: UpAxis;
 }
 
+/** The engine's count as the page writes its numbers. */
+const grouped = (count: string) => formatInteger(Number(count));
+
 /** The surface's menu, its details and its facts; also takes files that are dropped on the page. */
 export class SurfacePanel {
   readonly #surface = byId<HTMLSelectElement>('surface');
@@ -126,7 +129,10 @@ export class SurfacePanel {
     const terms = facts.flatMap(([name, value]) => [make('dt', name), make('dd', value)]);
     byId('facts').replaceChildren(...terms);
     const repairs = byId('repairs');
-    const notes = [...notRead, ...info.repairs.map(({ message }) => message)];
+    const notes = [
+      ...notRead,
+      ...info.repairs.map(({ message }) => message.replace(/^\d+/, grouped)),
+    ];
     repairs.hidden = notes.length === 0;
     repairs.replaceChildren(...notes.map((note) => make('li', note)));
   }

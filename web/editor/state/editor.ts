@@ -29,6 +29,7 @@ import {
   isEmpty,
   type Inside,
   isRound,
+  isUnfinished,
   opposite,
   type Kind,
   withLeg,
@@ -65,6 +66,8 @@ export class Editor {
   /** The drawing before the drag that is going on, and the drag as one command. */
   #drag: { base: Drawing; command: Command | null; inside?: Command | null } | null = null;
   #resting: RestingTool = 'insert';
+  /** The edited object, where it was begun and was never more than a few points: once it is let go of it goes. */
+  #begun: number | null = firstState.drawing.active;
 
   /** Called where an edit is refused, with a sentence. */
   onRefusal: (sentence: string) => void = () => {};
@@ -98,6 +101,7 @@ export class Editor {
     const kept = this.#drawings.get(mesh) ?? drawing;
     if (history && !this.#drawings.has(mesh)) this.#histories.set(mesh, history);
     const part = { mesh, drawing: kept, standIn, selection: null, chosen: [] };
+    this.#begun = null;
     this.#change({ ...part, tool: this.#resting }, true);
   }
 
@@ -108,8 +112,9 @@ export class Editor {
   ): void {
     if (!command) return;
     this.cancelDrag();
-    const drawing = apply(this.#state.drawing, command);
-    record(this.#history, command);
+    const whole = this.#withoutBegun(command, this.#state.drawing);
+    const drawing = apply(this.#state.drawing, whole);
+    record(this.#history, whole);
     this.#change({ drawing, ...part, tool: this.#resting }, true);
   }
 
@@ -162,8 +167,8 @@ export class Editor {
     if (!this.#drag) return;
     const { base } = this.#drag;
     const ended = this.#drag.command && this.#ended(this.#drag.command, base);
-    const command = ended && this.#withInside(ended);
-    const isAsShown = ended === this.#drag.command;
+    const command = ended && this.#withoutBegun(this.#withInside(ended), base);
+    const isAsShown = command === this.#drag.command;
     const drawing = isAsShown ? this.#state.drawing : apply(base, command!);
     if (command && base !== drawing) record(this.#history, command);
     this.#drag = null;
@@ -254,7 +259,10 @@ export class Editor {
     this.interrupt();
     if (dragged) return;
     const command = stepBack(this.#history);
-    if (command) this.#step(command);
+    if (!command) return;
+    this.#step(command);
+    // On the way back to where it was begun.
+    if (isUnfinished(this.#state.figure)) this.#begun = this.#state.drawing.active;
   }
 
   redo(): void {
@@ -265,20 +273,44 @@ export class Editor {
 
   setTool(tool: CurveTool): void {
     if (isResting(tool)) this.#resting = tool;
-    if (tool === 'select') this.#dropBegun();
+    if (tool === 'select' && isEmpty(this.#state.figure)) this.#dropBegun();
     if (tool !== this.#state.tool) this.#change({ tool }, false);
   }
 
   /** Who only tried a tool is left with nothing of it, and with nothing selected. */
   #dropBegun(): void {
-    const { drawing, figure } = this.#state;
-    const drawn = drawing.objects.findLast((object) => !isEmpty(object.figure));
-    const command = drawn && isEmpty(figure) ? activation(drawing, drawn.id) : null;
-    if (!command) return;
     this.cancelDrag();
-    recordActivation(this.#history, command);
-    const part = { selection: null, chosen: [], none: true };
-    this.#change({ drawing: apply(drawing, command), ...part }, true);
+    const { drawing } = this.#state;
+    const { active, objects } = drawing;
+    const drawn = objects.findLast(({ id, figure }) => id !== active && !isEmpty(figure));
+    if (this.#begun !== active || (!drawn && isEmpty(this.#state.figure))) return;
+    const command = drawn ? activation(drawing, drawn.id) : deletion(drawing, [active]);
+    if (!command) return;
+    const whole = this.#withoutBegun(command, drawing);
+    const part = { selection: null, chosen: [], none: drawn !== undefined };
+    this.#leave(whole, whole !== command || !drawn);
+    this.#change({ drawing: apply(drawing, whole), ...part }, true);
+  }
+
+  /** The command with what takes away an object that was only begun, where another one is edited then. */
+  #withoutBegun(command: Command, base: Drawing): Command {
+    const begun = this.#begun === null ? undefined : objectOf(base, this.#begun);
+    if (!begun || begun.locked || !isUnfinished(begun.figure)) return command;
+    const after = apply(base, command);
+    const index = after.objects.indexOf(begun);
+    const isUsed = after.objects.some(({ figure }) => figure.derived?.sources.includes(begun.id));
+    if (after.active === begun.id || index < 0 || isUsed) return command;
+    return { type: 'steps', steps: [command, { type: 'delete', index, object: begun }] };
+  }
+
+  /**
+   * Another object is edited. Where points go with that, it is a step, so that they come back alone; but
+   * what was taken back before can still be done again.
+   */
+  #leave(command: Command, drops: boolean): void {
+    const isStep = drops && this.#history.undone.length === 0;
+    if (isStep) record(this.#history, command);
+    else recordActivation(this.#history, command);
   }
 
   /** Ends the tool that cuts, joins or measures. */
@@ -307,8 +339,9 @@ export class Editor {
     const command = edited === undefined ? null : activation(this.#state.drawing, edited);
     if (command) {
       this.cancelDrag();
-      const drawing = apply(this.#state.drawing, command);
-      recordActivation(this.#history, command);
+      const whole = this.#withoutBegun(command, this.#state.drawing);
+      const drawing = apply(this.#state.drawing, whole);
+      this.#leave(whole, whole !== command);
       this.#change({ drawing, selection: null, chosen, tool: this.#resting }, true);
     } else if (`${chosen}` !== `${this.#state.chosen}`) {
       this.#change({ chosen, selection: null, none: false }, false);
@@ -336,9 +369,11 @@ export class Editor {
     else this.letGo();
   }
 
-  /** Selects nothing. */
+  /** Selects nothing; what was only begun goes. */
   letGo(): void {
     const { none, selection, chosen, figure } = this.#state;
+    if (isUnfinished(figure) && !this.active.locked) this.#dropBegun();
+    if (this.#state.figure !== figure) return;
     if (isEmpty(figure)) this.#change({ selection: null, chosen: [] }, false);
     else if (!none || selection !== null || chosen.length > 0) {
       this.#change({ selection: null, chosen: [], none: true }, false);
@@ -549,9 +584,16 @@ export class Editor {
     this.#change({ drawing, selection, chosen }, true);
   }
 
+  #begunNow(): number | null {
+    const { figure, drawing } = this.#state;
+    const goesOn = this.#begun === drawing.active && isUnfinished(figure);
+    return isEmpty(figure) || goesOn ? drawing.active : null;
+  }
+
   #change(part: StateChange, newEpoch: boolean): void {
     const before = this.#state;
     this.#state = changedState(before, part, this.#drag?.base ?? null, newEpoch);
+    if (!this.#drag) this.#begun = this.#begunNow();
     for (const listener of this.#listeners) listener(this.#state, before);
   }
 }
