@@ -118,31 +118,6 @@ Curve::Curve(std::shared_ptr<FieldSets> sets, CurveValue value, std::function<do
 
 void Curve::set(CurveValue value) {
   next_.value = std::move(value);
-  becomeNext();
-}
-
-void Curve::movePoint(int i, const SurfacePoint& point) {
-  CurveValue& value = startNext();
-  placePoint(value, i, point);
-  const auto isShortest = [](const SurfacePath& leg) { return leg.points.empty(); };
-  if (std::all_of(value.legs.begin(), value.legs.end(), isShortest)) value.legs.clear();
-  becomeNext();
-}
-
-void Curve::dragPoint(int i, const SurfacePoint& point) {
-  CurveValue& value = startNext();
-  dragIn(value, i, point, usesLegs(value.options) ? legs() : usedLegs());
-  becomeNext();
-}
-
-/// Returns the next value, initially a copy of this curve's.
-CurveValue& Curve::startNext() {
-  next_.value = value_;
-  return next_.value;
-}
-
-/// Becomes the curve of the next value.
-void Curve::becomeNext() {
   check(next_.value);
   if (!(next_.value.options.field == fieldSet_->options())) {
     // With other field options nothing of this curve can be kept; its fields are released before

@@ -71,17 +71,12 @@ class Curve {
   /// what `checkGivenShape` throws, and what a basis of the caller's throws.
   void set(CurveValue value);
 
-  /// Sets the curve to its changed value. If the change throws, the curve stays as it is.
-  template <class Change>
-  void edit(const Change& change) {
-    change(startNext());
-    becomeNext();
-  }
-
   // Edits: `set` to the value after them.
-  void movePoint(int i, const SurfacePoint& point);
+  void movePoint(int i, const SurfacePoint& point) { set(withPointPlaced(value_, i, point)); }
   /// Moves a point as a drag does: its legs are continued from where they lie.
-  void dragPoint(int i, const SurfacePoint& point);
+  void dragPoint(int i, const SurfacePoint& point) {
+    set(withPointDragged(value_, i, point, usesLegs(options()) ? legs() : usedLegs()));
+  }
   void insertPoint(int i, const SurfacePoint& point) { set(withPointInserted(value_, i, point)); }
   void removePoint(int i) { set(withPointRemoved(value_, i)); }
   void movePointInOrder(int from, int to) { set(withPointMovedInOrder(value_, from, to)); }
@@ -133,8 +128,7 @@ class Curve {
   /// avoid.
   int fieldsMade() const { return fieldsMade_; }
 
-  /// Sets the clock that measures the stages of further edits.
-  void setClock(std::function<double()> clock) { clock_ = std::move(clock); }
+  /// The stages of the last edit, where the curve has a clock.
   const StageTimes& times() const { return times_; }
 
  private:
@@ -177,8 +171,6 @@ class Curve {
     Array<const TracedPiece*> pieces;
   };
 
-  CurveValue& startNext();
-  void becomeNext();
   static bool isOfCenters(const CurveOptions& options, int levels);
   void check(const CurveValue& value) const;
   void continueLegs(CurveValue& value);

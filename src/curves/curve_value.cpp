@@ -46,23 +46,28 @@ void makeShortest(SurfacePath& leg) {
 
 void checkIndex(const CurveValue& value, int i) { checkIndexBelow(value, i, value.points.count()); }
 
-void placePoint(CurveValue& value, int i, const SurfacePoint& point) {
+CurveValue withPointPlaced(CurveValue value, int i, const SurfacePoint& point) {
   checkIndex(value, i);
-  if (isSame(value.points[i], point)) return;
+  if (isSame(value.points[i], point)) return value;
   value.points[i] = point;
   for (const int leg : legsAt(value, i)) {
     if (leg < value.legs.count()) makeShortest(value.legs[leg]);
   }
+  const auto isShortest = [](const SurfacePath& leg) { return leg.points.empty(); };
+  if (std::all_of(value.legs.begin(), value.legs.end(), isShortest)) value.legs.clear();
+  return value;
 }
 
-void dragIn(CurveValue& value, int i, const SurfacePoint& point, const Array<SurfacePath>& legs) {
+CurveValue withPointDragged(CurveValue value, int i, const SurfacePoint& point,
+                            const Array<SurfacePath>& legs) {
   checkIndex(value, i);
-  if (isSame(value.points[i], point)) return;
+  if (isSame(value.points[i], point)) return value;
   value.points[i] = point;
   value.legs.resize(legs.size());
   for (const int leg : legsAt(value, i)) {
     if (leg < legs.count() && value.legs[leg].points.empty()) value.legs[leg] = legs[leg];
   }
+  return value;
 }
 
 CurveValue withPointInserted(CurveValue value, int i, const SurfacePoint& point) {

@@ -60,16 +60,17 @@ void makeShortest(SurfacePath& leg);
 /// Throws Error kBadIndex for a control point that does not exist.
 void checkIndex(const CurveValue& value, int i);
 
-/// Moves a control point of the value in place: the legs that meet at it become the shortest.
-/// Throws Error kBadIndex.
-void placePoint(CurveValue& value, int i, const SurfacePoint& point);
+/// The value with a control point elsewhere: the legs that meet at it become the shortest. Throws
+/// Error kBadIndex.
+CurveValue withPointPlaced(CurveValue value, int i, const SurfacePoint& point);
 
 /// The same for a drag: the legs that meet at the point stay where they lie, so that the curve
 /// continues them. `legs` are the curve's, if it uses them.
-void dragIn(CurveValue& value, int i, const SurfacePoint& point, const Array<SurfacePath>& legs);
+CurveValue withPointDragged(CurveValue value, int i, const SurfacePoint& point,
+                            const Array<SurfacePath>& legs);
 
-// The value after an edit. Weights and betas stay with their points, and those of a new point are
-// 1; a caller's own knots are kept as far as possible (knots.h). A leg is kept if its ends are
+// The value after other edits. Weights and betas stay with their points, and those of a new point
+// are 1; a caller's own knots are kept as far as possible (knots.h). A leg is kept if its ends are
 // still neighbours, in either direction; others are the shortest. Each throws Error kBadIndex for a
 // point that does not exist.
 CurveValue withPointInserted(CurveValue value, int i, const SurfacePoint& point);

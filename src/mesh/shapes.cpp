@@ -120,10 +120,6 @@ Vec3 conformalTorus(const Vec2& x) {
   return {u.x(), u.y(), kTorusMinor * std::sin(angle)};
 }
 
-double conformalTorusScale(double y) {
-  return kTorusMajor + kTorusMinor * std::cos(torusTubeAngle(y));
-}
-
 const char* shapeName(Shape shape) {
   switch (shape) {
     case Shape::kSphere:

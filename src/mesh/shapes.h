@@ -38,7 +38,4 @@ inline constexpr double kTorusMinor = 0.4;
 extern const double kTorusPeriod;
 Vec3 conformalTorus(const Vec2& x);
 
-/// The ratio of lengths on the torus to lengths in the plane of `conformalTorus` at this y.
-double conformalTorusScale(double y);
-
 }  // namespace karcher

@@ -80,7 +80,6 @@ class HeatOperators {
 inline constexpr double kLeastHeat = 1e-290;
 
 inline Vec2 toVec2(const Complex& z) { return {z.real(), z.imag()}; }
-inline Complex toComplex(const Vec2& v) { return {v.x(), v.y()}; }
 
 /// The direction of a vector of heat, a unit vector; zero where the heat has underflowed.
 inline Vec2 heatDirection(const Complex& heat) {

@@ -19,7 +19,8 @@ SurfacePoint neighbour(const SurfacePoint& p) {
 CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int samples,
                      const FieldOptions& field) {
   CurveTimes result;
-  Curve curve(surface, ofLevelZero({CurveKind::kBSpline}, samples, field), points);
+  Curve curve(surface, CurveValue{ofLevelZero({CurveKind::kBSpline}, samples, field), points, {}},
+              milliseconds);
   for (int j = 0; j < curve.segmentCount(); ++j) {
     for (const CurveSample& sample : curve.samples(j)) {
       ++result.samples;
@@ -28,7 +29,6 @@ CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int sa
   }
   const int moved = curve.pointCount() / 2;
   const SurfacePoint places[2] = {neighbour(curve.point(moved)), curve.point(moved)};
-  curve.setClock(milliseconds);
   const auto untilBridged = [&] {
     const StageTimes& times = curve.times();
     return times.polygon + times.fields + times.samples + times.bridges;

@@ -77,9 +77,9 @@ SteadyVariant refined(const std::string& name, int levels) {
     return largestCorner(curve);
   };
   variant.hold = [levels](Surface& surface, const Array<SurfacePoint>& points) {
-    const auto curve = std::make_shared<Curve>(surface, cubicBezier(levels), points);
     // The processor's own clock takes a microsecond to read: too long for stages.
-    curve->setClock(milliseconds);
+    const auto curve =
+        std::make_shared<Curve>(surface, CurveValue{cubicBezier(levels), points, {}}, milliseconds);
     HeldCurve held;
     held.drag = [curve, levels](int i, const SurfacePoint& place) {
       const int64_t allocations = allocationsSoFar();
@@ -89,14 +89,13 @@ SteadyVariant refined(const std::string& name, int levels) {
           curve->movePoint(i, place);
           return;
         }
-        curve->edit([&](CurveValue& value) {
-          dragIn(value, i, place, curve->legs());
-          // As the page does: a drag shows drafts, and keeps the most levels that it ever had.
-          if (levels == kAutomaticLevels) {
-            value.options.leastLevels = curve->levels();
-            value.options.levelsTolerance = kInfinity;
-          }
-        });
+        CurveValue value = withPointDragged(curve->value(), i, place, curve->legs());
+        // As the page does: a drag shows drafts, and keeps the most levels that it ever had.
+        if (levels == kAutomaticLevels) {
+          value.options.leastLevels = curve->levels();
+          value.options.levelsTolerance = kInfinity;
+        }
+        curve->set(std::move(value));
       });
       TracedCurve traced = described(*curve, allocationsSoFar() - allocations);
       traced.ms = ms;

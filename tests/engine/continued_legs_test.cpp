@@ -26,9 +26,11 @@ class ContinuedLegs : public testing::Test {
 
   /// Makes it the curve with points elsewhere, as a hand drags them.
   static void drag(Curve& curve, const Array<int>& dragged, const Array<SurfacePoint>& places) {
-    curve.edit([&](CurveValue& value) {
-      for (int k = 0; k < dragged.count(); ++k) dragIn(value, dragged[k], places[k], curve.legs());
-    });
+    CurveValue value = curve.value();
+    for (int k = 0; k < dragged.count(); ++k) {
+      value = withPointDragged(std::move(value), dragged[k], places[k], curve.legs());
+    }
+    curve.set(std::move(value));
   }
 
   /// The curve whose last point went nearly once around: its last leg is the long way.
@@ -77,10 +79,8 @@ TEST_F(ContinuedLegs, AreThoseOfOnePointWhereOnlyThatMoves) {
 
 TEST_F(ContinuedLegs, AreTheShortestWhereTheOtherEndWasMovedAfterwards) {
   Curve curve = drawnOut();
-  CurveValue value = curve.value();
-  dragIn(value, 3, at(5, 0.9), curve.legs());
-  placePoint(value, 2, at(0.3, 0.9));
-  curve.set(value);
+  const CurveValue value = withPointDragged(curve.value(), 3, at(5, 0.9), curve.legs());
+  curve.set(withPointPlaced(value, 2, at(0.3, 0.9)));
   EXPECT_LT(curve.legs()[2].length(), 1.7);
 }
 

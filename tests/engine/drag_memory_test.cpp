@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <stdexcept>
 
 #include "curve_support.h"
 #include "curves/curve.h"
@@ -32,13 +31,9 @@ TEST(DragMemory, IsNoPartOfTheCurve) {
   const SurfacePoint elsewhere = nearestPoint(surface.mesh(), {4, 5, 0});
   for (int step = 0; step < 3; ++step) {
     const Array<SurfacePoint> line = curve.path(0).line.points;
-    const auto fail = [&](CurveValue& value) {
-      placePoint(value, kDragged, elsewhere);
-      throw std::runtime_error("in the middle of an edit");
-    };
-    EXPECT_THROW(curve.edit(fail), std::runtime_error);
-    EXPECT_EQ(codeOf([&] { curve.edit([](CurveValue& value) { value.options.samples = 1; }); }),
-              ErrorCode::kBadArgument);
+    CurveValue refused = withPointPlaced(curve.value(), kDragged, elsewhere);
+    refused.options.samples = 1;
+    EXPECT_EQ(codeOf([&] { curve.set(refused); }), ErrorCode::kBadArgument);
     const Curve anew(surface, curve.value());
     ASSERT_EQ(curve.path(0).line.points.count(), line.count());
     for (int i = 0; i < line.count(); ++i) {
@@ -58,12 +53,12 @@ TEST(DragMemory, OfAPlacedPointAreTheLegsOfOthers) {
   options.shape.closed = true;
   Curve curve(surface, options, points);
   CurveValue value{options, points, curve.legs()};
-  placePoint(value, 0, points[0]);
+  value = withPointPlaced(value, 0, points[0]);
   for (const SurfacePath& leg : value.legs) EXPECT_FALSE(leg.points.empty());
-  placePoint(value, 0, nearestPoint(surface.mesh(), {1, 2, 0}));
+  value = withPointPlaced(value, 0, nearestPoint(surface.mesh(), {1, 2, 0}));
   ASSERT_EQ(value.legs.count(), 4);
   for (int i = 0; i < 4; ++i) EXPECT_EQ(value.legs[i].points.empty(), i == 0 || i == 3) << i;
-  EXPECT_EQ(codeOf([&] { placePoint(value, 4, points[0]); }), ErrorCode::kBadIndex);
+  EXPECT_EQ(codeOf([&] { withPointPlaced(value, 4, points[0]); }), ErrorCode::kBadIndex);
 }
 
 /// Default curves ask whether level 0 takes the paths that the legs are pulled tight to. What tells

@@ -32,6 +32,7 @@ TEST(VectorHeat, LogMapsAgreeWithAnIndependentLibrary) {
     Array<Vec2> expected;
     for (Vec2 log; words >> log[0] >> log[1];) expected.push_back(log);
     ASSERT_EQ(expected.count(), (mesh.vertexCount() + 2) / 3);
+    const auto toComplex = [](const Vec2& v) { return Complex(v.x(), v.y()); };
     // The library's frame at the source: the rotation that fits best.
     Complex sum = 0;
     for (int i = 0; i < expected.count(); ++i) {

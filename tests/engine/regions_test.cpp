@@ -7,6 +7,7 @@
 #include "generators/random_points.h"
 #include "generators/region_drawings.h"
 #include "generators/torus.h"
+#include "measures/gauss_bonnet.h"
 #include "mesh/shapes.h"
 #include "regions/region.h"
 #include "support.h"

@@ -15,6 +15,7 @@
 #include "generators/sphere.h"
 #include "generators/torus.h"
 #include "intrinsic/straightest.h"
+#include "measures/gauss_bonnet.h"
 #include "mesh/error.h"
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"

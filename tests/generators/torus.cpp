@@ -65,6 +65,9 @@ Array<Triangle> periodicDelaunay(const Unrolled& unrolled, int count) {
   return result;
 }
 
+/// The ratio of lengths on the torus to lengths in the plane: the distance from the axis.
+double scaleAt(double y) { return conformalTorus({0, y}).x(); }
+
 /// Moves each point to the mean of its triangles' centroids, weighted with area on the surface.
 void moveApart(const Rectangle& rectangle, const Unrolled& unrolled,
                const Array<Triangle>& triangles, Array<Vec2>& points) {
@@ -75,7 +78,7 @@ void moveApart(const Rectangle& rectangle, const Unrolled& unrolled,
     const Vec2& b = unrolled.points[t[1]];
     const Vec2& c = unrolled.points[t[2]];
     const Vec2 centroid = (a + b + c) / 3;
-    const double scale = conformalTorusScale(centroid.y());
+    const double scale = scaleAt(centroid.y());
     const double weight = cross(b - a, c - a) * scale * scale;
     for (const int corner : t) {
       const int v = unrolled.original[corner];
@@ -98,7 +101,7 @@ TriangleSoup irregularTorus(int triangles, double stretch, uint64_t seed) {
   while (points.count() < count) {
     const Vec2 p(random.uniform(0, rectangle.width), random.uniform(0, rectangle.height));
     // Kept with a probability proportional to the area that it stands for.
-    const double density = conformalTorusScale(p.y()) / (kTorusMajor + kTorusMinor);
+    const double density = scaleAt(p.y()) / (kTorusMajor + kTorusMinor);
     if (random.uniform() < density * density) points.push_back(p);
   }
   constexpr int kSteps = 8;
