@@ -379,7 +379,9 @@ export async function start(): Promise<void> {
     derivedPanel.show(state);
     cutPanel.show(state, session.view);
     showCut();
-    status.showHint(state, session.view);
+    // Its figures are of what is selected.
+    if (state.none === before.none) status.showHint(state, session.view);
+    else status.show(state, session.view, session.client?.info ?? null);
     showChosen(viewer, state);
   });
   curvePanel.show(editor.state, session.view);

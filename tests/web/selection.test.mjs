@@ -34,6 +34,7 @@ describe('the selection', () => {
   const handles = (tab) => tab.page.locator('.handle').count();
   const objectsOf = async (tab) => (await tab.state()).drawing.objects;
   const swatch = (tab, name) => tab.page.getByRole('button', { name, exact: true });
+  const length = (tab) => tab.page.locator('#status-length').textContent();
   const placeholder = (tab) => tab.page.locator('#object-name').getAttribute('placeholder');
   test('after a drag of another object is undone, one object is shown, colored and named', async () => {
     const tab = await drawn();
@@ -102,6 +103,7 @@ describe('the selection', () => {
       await tab.settled();
       assert.equal(await handles(tab), 0);
       assert.equal(await placeholder(tab), 'Nothing selected');
+      assert.equal(await length(tab), '');
       const before = JSON.stringify(await objectsOf(tab));
       assert.equal(await swatch(tab, 'Orange').isDisabled(), true);
       for (const key of ['Delete', 'c', 'Control+d']) await tab.page.keyboard.press(key);
