@@ -7,6 +7,7 @@ import { mkdirSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { buildNative } from './build.mjs';
 import { layPackage, packageFolder } from './package.mjs';
 import { attempt, run, trials } from './package_trials.mjs';
 import { inRoot, root } from './shell.mjs';
@@ -46,8 +47,9 @@ export async function checkPackages({ short = false, words = [] } = {}) {
 }
 
 /** Projects of C++ users: as a folder, fetched and installed. */
-function checkProjects() {
+async function checkProjects() {
   try {
+    await buildNative('native', 'karcher');
     run(root, process.execPath, '--test', inRoot('tests/tools/cpp_users.test.mjs'));
     return '';
   } catch ({ message }) {
@@ -60,7 +62,10 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   const short = process.argv.includes('--short');
   const { name, bytes, files, rows } = await checkPackages({ short, words });
   if (!short && words.length === 0) {
-    rows.push({ name: 'CMake by folder, FetchContent and find_package', problem: checkProjects() });
+    rows.push({
+      name: 'CMake by folder, FetchContent and find_package',
+      problem: await checkProjects(),
+    });
   }
   console.log(`${name}: ${files.length} files, ${bytes} bytes packed. As a new user:\n`);
   for (const row of rows) console.log(`  ${row.problem ? 'no ' : 'yes'}  ${row.name}`);

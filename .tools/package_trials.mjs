@@ -255,11 +255,11 @@ export const trials = [
     packages: [
       'three',
       '@types/three',
-      'three-mesh-bvh',
       'react',
       '@types/react',
       'react-dom',
       '@react-three/fiber',
+      '@react-three/drei', // most have it, with peers of its own
     ],
     try(folder) {
       try {

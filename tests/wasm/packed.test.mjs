@@ -31,4 +31,12 @@ test('the packed file works for a new user, and has no page and no book in it', 
   assert.doesNotMatch(read('README.md'), /\{(book|editor)\}/);
   const own = JSON.parse(read('package.json'));
   assert.equal(own.private ?? own.scripts ?? own.devDependencies ?? own.workspaces, undefined);
+  // A peer that no file imports would only stand in the way of an installation.
+  const imported = new Set();
+  for (const file of files.filter((one) => one.endsWith('.js'))) {
+    for (const [, , name] of read(file).matchAll(/(from|import) '((?:@[\w-]+\/)?[a-z][\w-]*)/g)) {
+      if (name !== 'node') imported.add(name);
+    }
+  }
+  assert.deepEqual(Object.keys(own.peerDependencies), [...imported].sort());
 });

@@ -4,8 +4,8 @@ import { after, before, describe, test } from 'node:test';
 import { load } from 'karcher';
 import {
   CurveDrag,
-  geometryOf,
   decalGeometry,
+  geometryOf,
   logMapUvs,
   SurfaceCurve,
   surfaceFromGeometry,
@@ -415,9 +415,10 @@ for (const [where, loadEngine] of Object.entries(engines)) {
       object.updateMatrixWorld(true);
       const element = Object.assign(new EventTarget(), {
         getBoundingClientRect: () => ({ left: 0, top: 0, width: 400, height: 400 }),
+        style: { touchAction: '' },
         setPointerCapture: () => {},
       });
-      const seen = surface.position(points[0]).project(camera);
+      const seen = surface.position(points[1]).project(camera);
       const pointer = (type, x, y) =>
         element.dispatchEvent(
           Object.assign(new Event(type), { clientX: x, clientY: y, button: 0, pointerId: 1 }),
@@ -426,18 +427,55 @@ for (const [where, loadEngine] of Object.entries(engines)) {
       await curve.ready;
       const [x, y] = [200 * (1 + seen.x), 200 * (1 - seen.y)];
       pointer('pointermove', x + 3, y);
-      assert.deepEqual(curve.value.points[0], points[0]);
+      assert.deepEqual(curve.value.points[1], points[1]);
       pointer('pointerdown', x + 2, y);
-      assert.equal(drag.dragged, 0);
+      assert.equal(drag.dragged, 1);
       pointer('pointermove', x - 8, y + 5);
       pointer('pointerup', x - 8, y + 5);
       assert.equal(drag.dragged, -1);
-      const now = surface.position(curve.value.points[0]).project(camera);
+      const now = surface.position(curve.value.points[1]).project(camera);
       assert.ok(Math.hypot(200 * (1 + now.x) - (x - 8), 200 * (1 - now.y) - (y + 5)) < 1e-3);
       await curve.set(curve.value);
+      assert.equal(element.style.touchAction, 'none');
       drag.dispose();
+      assert.equal(element.style.touchAction, '');
       pointer('pointerdown', x, y);
       assert.equal(drag.dragged, -1);
+      curve.dispose();
+    });
+
+    test('is dragged by points that are seen, not by those behind the surface', async () => {
+      const object = new THREE.Mesh(new THREE.TorusGeometry(1, 0.4, 16, 48));
+      const own = surfaceFromGeometry(karcher, object.geometry);
+      const at = (x, z) => own.mesh.nearestPoint([x, 0, z]).point;
+      const curve = new SurfaceCurve(own, { kind: 'polyline', points: [at(1, 0.4), at(-1, -0.4)] });
+      object.add(curve);
+      const cameras = [
+        new THREE.PerspectiveCamera(50, 1, 0.1, 10),
+        new THREE.OrthographicCamera(-2, 2, 2, -2, 0.1, 10),
+      ];
+      for (const camera of cameras) {
+        for (const side of [1, -1]) {
+          camera.position.z = 4 * side;
+          camera.lookAt(0, 0, 0);
+          camera.updateMatrixWorld();
+          const element = Object.assign(new EventTarget(), {
+            getBoundingClientRect: () => ({ left: 0, top: 0, width: 400, height: 400 }),
+            style: { touchAction: '' },
+            setPointerCapture: () => {},
+          });
+          const drag = new CurveDrag(curve, object, camera, element);
+          const held = curve.value.points.map((point) => {
+            const seen = own.position(point).project(camera);
+            const [clientX, clientY] = [200 * (1 + seen.x), 200 * (1 - seen.y)];
+            const press = new Event('pointerdown');
+            element.dispatchEvent(Object.assign(press, { clientX, clientY, button: 0 }));
+            return drag.dragged;
+          });
+          assert.deepEqual(held, side > 0 ? [0, -1] : [-1, 1]);
+          drag.dispose();
+        }
+      }
       curve.dispose();
     });
   });

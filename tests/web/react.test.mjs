@@ -94,7 +94,6 @@ describe('hooks of react-three-fiber', () => {
       const { page, complaints } = await open();
       await page.evaluate((value) => window.page.show(value), { ...shown, worker });
       await isDrawn(page);
-      // The torus hides points on its far side from nobody: handles are drawn over it.
       const [x, y] = await page.evaluate(() => window.page.at(1));
       await page.mouse.move(x, y);
       await page.mouse.down();
@@ -113,6 +112,14 @@ describe('hooks of react-three-fiber', () => {
       assert.deepEqual(await pointsOf(page), points);
       assert.equal(await page.evaluate(() => window.page.seen.made.size), made);
       assert.equal(page.workers().length, worker ? 1 : 0);
+      // Another look is the same curve.
+      const thick = { ...closed, look: { width: 7, color: '#0000ff' } };
+      await page.evaluate((value) => window.page.show(value), thick);
+      await page.waitForFunction(() => {
+        const { linewidth, color } = window.page.seen.curve.material;
+        return linewidth === 7 && color.getHexString() === '0000ff';
+      });
+      assert.equal(await page.evaluate(() => window.page.seen.made.size), made);
       // Another geometry is another surface and another curve.
       await page.evaluate((value) => window.page.show(value), { ...closed, segments: 50 });
       await page.waitForFunction((count) => window.page.seen.made.size > count, made);

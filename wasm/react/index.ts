@@ -112,7 +112,7 @@ function release({ mesh }: Surface<AnyMesh>): void {
 export function useSurfaceCurve(
   surface: Surface<AnyMesh> | undefined,
   options: CurveOptions | undefined,
-  { onChange, onError }: CurveHookOptions = {},
+  { onChange, onError, width, color }: CurveHookOptions = {},
 ): SurfaceCurve | undefined {
   const fail = useFailure(onError);
   const told = useNewest(onChange);
@@ -121,11 +121,12 @@ export function useSurfaceCurve(
   if (!isSameValue(given, options)) setGiven(options);
   const hasOptions = given !== undefined;
   const newest = useNewest(given);
+  const look = useNewest({ width, color });
   useEffect(() => {
     if (!surface || !hasOptions) return;
     // The effects of one component run in order: the newest options are known.
     const first = newest.current!;
-    const curve = new SurfaceCurve(surface, first);
+    const curve = new SurfaceCurve(surface, first, look.current);
     curve.addEventListener('change', ({ view }) => told.current?.(curve.value, view));
     curve.ready.catch(fail);
     setMade({ curve, given: first });
@@ -135,12 +136,18 @@ export function useSurfaceCurve(
       curve.dispose();
       material.dispose();
     };
-  }, [surface, hasOptions, fail, newest, told]);
+  }, [surface, hasOptions, fail, newest, look, told]);
   useEffect(() => {
     if (!made || !given || made.given === given) return;
     made.given = given;
     made.curve.set(given).catch(fail);
   }, [made, given, fail]);
+  useEffect(() => {
+    if (!made) return;
+    const { material } = made.curve;
+    if (width !== undefined) material.linewidth = width;
+    if (color !== undefined) material.color.set(color);
+  }, [made, width, color]);
   return made?.curve.surface === surface ? made?.curve : undefined;
 }
 

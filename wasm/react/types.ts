@@ -1,4 +1,5 @@
 import type { Karcher } from '../karcher.js';
+import type { LineLook } from '../three/fat_line.js';
 import type { CurveOptions, MeshOptions } from '../types.js';
 import type { CurveView } from '../view.js';
 import type { RemoteKarcher } from '../worker/index.js';
@@ -23,8 +24,8 @@ export interface FailureOptions {
 
 export interface SurfaceHookOptions extends MeshOptions, EngineHookOptions, FailureOptions {}
 
-/** What a component hears of a curve. */
-export interface CurveHookOptions extends FailureOptions {
+/** How a component's curve looks, and what the component hears of it. */
+export interface CurveHookOptions extends LineLook, FailureOptions {
   /** Called when what is drawn has changed. */
   onChange?: ((value: CurveOptions, view: CurveView) => void) | undefined;
 }

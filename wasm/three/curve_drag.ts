@@ -10,7 +10,20 @@ import {
   type Vector3,
 } from 'three';
 import { KarcherError } from '../errors.js';
+import { liftMaterial } from './fat_line.js';
 import type { SurfaceCurve } from './surface_curve.js';
+
+/**
+ * The part of the way to the camera by which a control point is drawn nearer, and by which the surface may lie in
+ * front of a point that is seen: more than a line's, since a square hides more of a slope.
+ */
+const nearer = 0.01;
+
+function handleMaterial(): PointsMaterial {
+  const material = new PointsMaterial({ color: 0x1a1a1a, size: 9, sizeAttenuation: false });
+  liftMaterial(material, '#include <project_vertex>\n', nearer);
+  return material;
+}
 
 /** How control points are taken hold of. */
 export interface CurveDragOptions {
@@ -20,7 +33,7 @@ export interface CurveDragOptions {
 
 /**
  * Lets the control points of a curve be dragged over its surface: draws them, and hears the pointer on an
- * element. A press that takes hold of a point is heard by nobody else there, so that controls of the camera
+ * element. Points behind the surface are neither drawn nor taken hold of. A press that takes hold of a point is heard by nobody else there, so that controls of the camera
  * leave the view alone.
  */
 export class CurveDrag {
@@ -33,10 +46,8 @@ export class CurveDrag {
   readonly #camera: Camera;
   readonly #element: HTMLElement;
   readonly #reach: number;
-  readonly #handles = new Points(
-    new BufferGeometry(),
-    new PointsMaterial({ color: 0x1a1a1a, size: 9, sizeAttenuation: false, depthTest: false }),
-  );
+  readonly #touchAction: string;
+  readonly #handles = new Points(new BufferGeometry(), handleMaterial());
   readonly #raycaster = new Raycaster();
 
   /** `object` draws the curve's surface. */
@@ -52,6 +63,9 @@ export class CurveDrag {
     this.#camera = camera;
     this.#element = element;
     this.#reach = reach;
+    // A finger would scroll the page as well.
+    this.#touchAction = element.style.touchAction;
+    element.style.touchAction = 'none';
     curve.add(this.#handles);
     curve.addEventListener('change', this.#show);
     this.#show();
@@ -64,6 +78,7 @@ export class CurveDrag {
   /** Hears the pointer no more; the curve stays. */
   dispose(): void {
     const element = this.#element;
+    element.style.touchAction = this.#touchAction;
     element.removeEventListener('pointerdown', this.#press, { capture: true });
     element.removeEventListener('pointermove', this.#move);
     element.removeEventListener('pointerup', this.#release);
@@ -124,22 +139,31 @@ export class CurveDrag {
     return new Vector2((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height);
   }
 
-  /** The control point nearest to the pointer, within reach. */
+  /** The control point nearest to the pointer, of those within reach that are seen. */
   #at(event: PointerEvent): number {
     const { width, height } = this.#element.getBoundingClientRect();
     const pointer = this.#pointer(event);
     let [nearest, distance] = [-1, this.#reach];
     this.#curve.value.points.forEach((point, i) => {
-      const seen: Vector3 = this.#curve.surface.position(point);
-      seen.applyMatrix4(this.#curve.matrixWorld).project(this.#camera);
+      const seen = this.#curve.surface.position(point).applyMatrix4(this.#curve.matrixWorld);
+      const place = seen.clone();
+      seen.project(this.#camera);
       if (Math.abs(seen.z) > 1) return;
       const away = Math.hypot(
         ((seen.x - pointer.x) * width) / 2,
         ((seen.y - pointer.y) * height) / 2,
       );
-      if (away > distance) return;
+      if (away > distance || this.#isHidden(place, seen)) return;
       [nearest, distance] = [i, away];
     });
     return nearest;
+  }
+
+  /** Whether the surface lies in front of a place of the scene, which the camera sees at `seen`. */
+  #isHidden(place: Vector3, seen: Vector3): boolean {
+    this.#raycaster.setFromCamera(new Vector2(seen.x, seen.y), this.#camera);
+    const [hit] = this.#raycaster.intersectObject(this.#object, false);
+    const far = this.#raycaster.ray.origin.distanceTo(place);
+    return hit !== undefined && hit.distance < (1 - nearer) * far;
   }
 }

@@ -3,6 +3,7 @@ import {
   DynamicDrawUsage,
   InstancedInterleavedBuffer,
   InterleavedBufferAttribute,
+  type Material,
 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import type { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
@@ -19,19 +20,24 @@ export interface LineLook {
 /** The part of the way to the camera by which a line is drawn nearer, so that its surface does not cut it. */
 const nearer = 0.003;
 
-/** A material for lines of so many pixels, whose depth is that of a line a little nearer to the camera. */
-export function lineMaterial({ width = 3, color = 0xd03a1e }: LineLook): LineMaterial {
-  const material = new LineMaterial({ color, linewidth: width });
+/**
+ * Gives what a material draws the depth of a place nearer to the camera by a part of the way; `after` is the
+ * shader's line behind which its place is known.
+ */
+export function liftMaterial(material: Material, after: string, part: number): void {
   material.onBeforeCompile = (shader) => {
     // A place taken along its ray stays where it is seen: only the depth changes. In perspective the last entry
     // of the projection's third row is all that it depends on.
-    const lift = `projectionMatrix[3][3] == 0.0 ? projectionMatrix[3][2] * ${nearer / (1 - nearer)} : ${-nearer}`;
-    shader.vertexShader = shader.vertexShader.replace(
-      'gl_Position = clip;',
-      `gl_Position = clip; gl_Position.z += ${lift};`,
-    );
+    const lift = `projectionMatrix[3][3] == 0.0 ? projectionMatrix[3][2] * ${part / (1 - part)} : ${-part}`;
+    shader.vertexShader = shader.vertexShader.replace(after, `${after} gl_Position.z += ${lift};`);
   };
-  material.customProgramCacheKey = () => 'karcher-line';
+  material.customProgramCacheKey = () => `karcher ${part}`;
+}
+
+/** A material for lines of so many pixels, whose depth is that of a line a little nearer to the camera. */
+export function lineMaterial({ width = 3, color = 0xd03a1e }: LineLook): LineMaterial {
+  const material = new LineMaterial({ color, linewidth: width });
+  liftMaterial(material, 'gl_Position = clip;', nearer);
   return material;
 }
 

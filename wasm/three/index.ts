@@ -1,6 +1,7 @@
 /** Karcher with three.js: surfaces of geometries, curves as objects, distances and log maps as attributes. */
 export { KarcherError } from '../errors.js';
 export { CurveDrag, type CurveDragOptions } from './curve_drag.js';
+export type { LineLook } from './fat_line.js';
 export {
   type ColorOptions,
   type DecalOptions,
@@ -19,5 +20,4 @@ export {
   surfaceFromGeometry,
   surfaceFromMesh,
 } from './surface.js';
-export type { LineLook } from './fat_line.js';
 export { SurfaceCurve, type SurfaceCurveEvents } from './surface_curve.js';

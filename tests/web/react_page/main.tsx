@@ -10,6 +10,7 @@ import { type Camera, TorusGeometry, Vector3 } from 'three';
 interface Shown {
   options: CurveOptions;
   worker: boolean;
+  look?: { width: number; color: string };
   /** Segments round the torus: another number is another geometry. */
   segments: number;
 }
@@ -25,11 +26,12 @@ const seen = {
   message: '',
 };
 
-function Model({ options, worker, segments }: Shown) {
+function Model({ options, worker, segments, look }: Shown) {
   const geometry = useMemo(() => new TorusGeometry(1, 0.4, 16, segments), [segments]);
   const karcher = useKarcher({ worker });
   const surface = useSurface(geometry, { worker });
-  const curve = useSurfaceCurve(surface, options, { onChange: () => seen.changes++ });
+  const onChange = () => seen.changes++;
+  const curve = useSurfaceCurve(surface, options, { onChange, ...look });
   useCurveDrag(curve);
   seen.camera = useThree((state) => state.camera);
   seen.curve = curve;
