@@ -26,7 +26,7 @@ function chosen(name, value, names) {
 
 /** Replays one sitting and takes a picture of the window after each step. */
 async function replay({ sitDown }, sitting, viewport, theme, path) {
-  const { browser, tab } = await sitDown(viewport, { colorScheme: theme, pixelRatio: 1 });
+  const { browser, tab } = await sitDown(viewport, { colorScheme: theme, asUsers: true });
   let count = 0;
   try {
     await sitting(tab, async (step) => {
@@ -42,7 +42,7 @@ async function replay({ sitDown }, sitting, viewport, theme, path) {
 
 /** The drawing that the page opens with, without the page about it. */
 async function savePicture({ sitDown }) {
-  const { browser, tab } = await sitDown({ width: 1180, height: 700 }, { pixelRatio: 1 });
+  const { browser, tab } = await sitDown({ width: 1180, height: 700 }, { asUsers: true });
   const path = inRoot('docs/drawing.jpg');
   try {
     const { page } = tab;

@@ -346,6 +346,7 @@ TEST(CurveLevels, OfTheirOwnDependOnNoTrianglesWhereTheSurfaceUnrolls) {
 }
 
 TEST(CurveLevels, OfTheirOwnNeverRelyOnFieldsThatAreWrong) {
+  SKIP_WHERE_SANITIZED();
   // Paths on the inside of a ring tube turn round many vertices.
   Random random(4);
   int zeros = 0;

@@ -100,7 +100,7 @@ test('every link of the editor to the book leads there', () => {
 });
 
 describe('in a browser the book', () => {
-  const browser = browserOfSuite({ pixelRatio: 1 });
+  const browser = browserOfSuite({ asUsers: true });
 
   const open = async (path) => {
     const page = await browser.context.newPage();

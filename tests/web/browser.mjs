@@ -40,6 +40,8 @@ const flags = [
     ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup'],
   ]}`,
 ];
+/** The module's code is compiled once, and not a second time into quicker code. */
+const quickFlags = ['--js-flags=--liftoff-only'];
 export const launching = { executablePath: chromiumPath(), args: flags };
 /** Generous: software graphics on a busy machine start slowly. */
 const patience = 60_000;
@@ -80,35 +82,18 @@ export function isComplaint(message) {
   return !(/GL Driver Message .*GPU stall due to ReadPixels/.test(text) || text.includes(blocked));
 }
 
-/** Put into a page before its scripts: three.js draws few pixels, and of each mesh and line one triangle. */
-function drawLess(pixelRatio) {
+/** Put into a page before its scripts: three.js clears a small picture and draws no triangle into it. */
+function drawNothing() {
   // Only three.js asks for it; the page is laid out as ever.
-  Object.defineProperty(window, 'devicePixelRatio', { value: pixelRatio });
-  // Without a graphics card the processor has to transform every triangle of each frame, and each piece of a line
-  // is an instance, a draw of its own.
+  Object.defineProperty(window, 'devicePixelRatio', { value: 0.25 });
+  // Without a graphics card the processor has to compile every shader that draws, and to transform every
+  // triangle of each frame.
   const { prototype } = WebGL2RenderingContext;
-  const fewer = {
-    drawElements: (mode, count, ...rest) => [mode, Math.min(count, 3), ...rest],
-    drawArrays: (mode, first, count) => [mode, first, Math.min(count, 3)],
-    drawElementsInstanced: (mode, count, type, offset, instances) => [
-      mode,
-      count,
-      type,
-      offset,
-      Math.min(instances, 1),
-    ],
-    drawArraysInstanced: (mode, first, count, instances) => [
-      mode,
-      first,
-      count,
-      Math.min(instances, 1),
-    ],
-  };
-  for (const [name, less] of Object.entries(fewer)) {
-    const draw = prototype[name];
-    prototype[name] = function (...given) {
-      draw.apply(this, less(...given));
-    };
+  for (const name of [
+    ...['drawElements', 'drawArrays'],
+    ...['drawElementsInstanced', 'drawArraysInstanced'],
+  ]) {
+    prototype[name] = () => {};
   }
 }
 
@@ -123,25 +108,26 @@ function unfold() {
 
 /**
  * Serves the page and opens a browser with a storage of its own, in memory, or with `profile` on disk;
- * without a service worker, which would answer in place of what a test serves. Drawing without a
- * graphics card takes a third of the time of most tests, and more where lines are long: who looks at the
- * picture, or measures the time that it takes, asks for all of it, `pixelRatio: 1`. What is folded for a
- * new user is open, but with `unfolded: false`.
+ * without a service worker, which would answer in place of what a test serves. Tests that look at the
+ * picture, compute much or measure times ask for a browser `asUsers` have it. To others nothing is drawn and
+ * no module's code is optimized: drawing without a graphics card and compiling took a fifth of the
+ * processor's time. What is folded for a new user is open, but with `unfolded: false`.
  */
 export async function openBrowser({
   profile = false,
-  pixelRatio = 0.25,
+  asUsers = false,
   unfolded = true,
   ...options
 } = {}) {
   const server = await servePage();
   const settings = { viewport: { width: 900, height: 640 }, serviceWorkers: 'block', ...options };
   const folder = profile ? mkdtempSync(join(tmpdir(), 'karcher-page-')) : null;
+  const started = asUsers ? launching : { ...launching, args: [...flags, ...quickFlags] };
   const context = folder
-    ? await chromium.launchPersistentContext(folder, { ...launching, ...settings })
-    : await (await chromium.launch(launching)).newContext(settings);
+    ? await chromium.launchPersistentContext(folder, { ...started, ...settings })
+    : await (await chromium.launch(started)).newContext(settings);
   context.setDefaultTimeout(patience);
-  if (pixelRatio !== 1) await context.addInitScript(drawLess, pixelRatio);
+  if (!asUsers) await context.addInitScript(drawNothing);
   if (unfolded) await context.addInitScript(unfold);
   const address = `http://127.0.0.1:${server.address().port}/`;
   return {

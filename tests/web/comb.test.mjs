@@ -87,7 +87,7 @@ describe('a curvature comb', () => {
 });
 
 describe('the comb on the page', () => {
-  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, asUsers: true });
 
   test('is off, has the numbers of a circle, a scale, and goes by one click', async () => {
     // A circle of 0.6 radii about a point of the sphere.

@@ -61,7 +61,7 @@ describe('the distance of two polylines', () => {
 });
 
 describe('a comparison', () => {
-  const browser = browserOfSuite({ viewport: { width: 1280, height: 900 }, pixelRatio: 1 });
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 900 }, asUsers: true });
 
   const said = (tab, id) => tab.page.locator(`#compare-${id}`).textContent();
   /** Mean edges and per cent, as they are told. */

@@ -100,7 +100,7 @@ describe('lines of equal value', () => {
 
 describe('distances on the page', () => {
   const link = 'mesh=sphere:20000&kind=bspline&method=karcher-fast';
-  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, asUsers: true });
 
   const shown = (tab) => tab.page.locator('#distance-legend[aria-busy="false"]').waitFor();
   const traced = (tab) => tab.page.evaluate(() => window.karcherPage.distances());

@@ -23,7 +23,7 @@ const cone = {
 };
 
 describe('files of surfaces', () => {
-  const browser = browserOfSuite({ pixelRatio: 1 });
+  const browser = browserOfSuite({ asUsers: true });
 
   const opened = (tab, name) =>
     tab.page.waitForFunction((ending) => window.karcherPage?.state().mesh.endsWith(ending), name);

@@ -53,7 +53,7 @@ describe('fills', () => {
   }
 
   test('are painted, follow a drag and undo, and are as large as their triangles together', async (t) => {
-    const whole = await openBrowser({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
+    const whole = await openBrowser({ viewport: { width: 1280, height: 800 }, asUsers: true });
     t.after(() => whole.close());
     const tab = await Tab.open(whole, 'mesh=sphere:1500&kind=polyline');
     await tab.click(...square);

@@ -22,7 +22,7 @@ f 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n`,
 };
 
 describe('nothing that was made is lost', () => {
-  const browser = browserOfSuite({ profile: true, pixelRatio: 1 });
+  const browser = browserOfSuite({ profile: true, asUsers: true });
 
   test('a bad file is a sentence, and the curve stays', async () => {
     const tab = await Tab.open(browser);

@@ -154,7 +154,7 @@ async function dragged(tab, { x, y }) {
 }
 
 async function ofSurface(surface) {
-  const browser = await openBrowser({ profile: true, pixelRatio: 1 });
+  const browser = await openBrowser({ profile: true, asUsers: true });
   try {
     await browser.context.addInitScript(watch);
     const tab = await openSurface(browser, surface);
@@ -182,7 +182,7 @@ async function ofSurface(surface) {
 
 /** The longest task while a file of so many triangles is read and shown. */
 async function ofLoading(triangles) {
-  const browser = await openBrowser({ profile: true, pixelRatio: 1 });
+  const browser = await openBrowser({ profile: true, asUsers: true });
   const folder = mkdtempSync(join(tmpdir(), 'karcher-large-'));
   try {
     await browser.context.addInitScript(watch);

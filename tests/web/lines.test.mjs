@@ -14,7 +14,7 @@ const lower = [
 ];
 
 describe('lines', () => {
-  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, asUsers: true });
 
   /** Colors of the stage, red, green and blue each, of a column of pixels through a place of the window. */
   async function column(tab, { x, y }, reach = 16) {

@@ -107,7 +107,7 @@ describe('hollows', () => {
 });
 
 describe('looks', () => {
-  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, asUsers: true });
 
   /** How bright the stage is at offsets from its middle. */
   async function brightness(tab, offsets) {

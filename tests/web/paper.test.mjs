@@ -20,7 +20,7 @@ describe('the Paper page', () => {
   let page;
   const logged = [];
   before(async () => {
-    browser = await openBrowser({ viewport: { width: 1000, height: 760 }, pixelRatio: 1 });
+    browser = await openBrowser({ viewport: { width: 1000, height: 760 }, asUsers: true });
     page = await browser.context.newPage();
     page.on('console', (message) => {
       if (isComplaint(message)) logged.push(message.text());

@@ -9,7 +9,7 @@ describe('the paper, judged', () => {
   let page;
   const logged = [];
   before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
+    browser = await openBrowser({ viewport: { width: 1280, height: 800 }, asUsers: true });
     page = await browser.context.newPage();
     page.on('console', (message) => {
       if (isComplaint(message)) logged.push(message.text());

@@ -12,7 +12,7 @@ describe('the Paper page for readers', () => {
   let browser;
   let page;
   before(async () => {
-    browser = await openBrowser({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
+    browser = await openBrowser({ viewport: { width: 1280, height: 800 }, asUsers: true });
   });
   after(() => browser.close());
   afterEach(() => page.close());

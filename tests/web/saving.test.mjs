@@ -16,7 +16,7 @@ const octahedron = `v 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 0 -1
 f 1 2 3\nf 2 4 3\nf 4 5 3\nf 5 1 3\nf 2 1 6\nf 4 2 6\nf 5 4 6\nf 1 5 6\n`;
 
 describe('saving', () => {
-  const browser = browserOfSuite({ pixelRatio: 1 });
+  const browser = browserOfSuite({ asUsers: true });
 
   test('an OBJ file holds the polyline that is drawn', async () => {
     const tab = await Tab.open(browser);

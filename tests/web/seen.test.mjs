@@ -4,7 +4,7 @@ import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
 
 describe('the picture on the stage', () => {
-  const browser = browserOfSuite({ pixelRatio: 1 });
+  const browser = browserOfSuite({ asUsers: true });
 
   /** How much bluer than red the window is, at most, within a few pixels of a place: 0 to 255. */
   async function bluest(tab, { x, y }) {

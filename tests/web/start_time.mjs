@@ -27,7 +27,7 @@ for (let i = 0; i < repeats; i++) {
   const browser = await openBrowser({
     viewport: { width: 1280, height: 800 },
     profile: true,
-    pixelRatio: 1,
+    asUsers: true,
   });
   try {
     times.first.push(await startTime(browser.context, browser.address));

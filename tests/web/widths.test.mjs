@@ -4,7 +4,7 @@ import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
 
 describe('looks of lines', () => {
-  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, pixelRatio: 1 });
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, asUsers: true });
 
   async function type(tab, id, text) {
     await tab.page.locator(id).fill(text);
