@@ -3,7 +3,8 @@ import { type BufferGeometry, Color, Group, Mesh, type ShaderMaterial, Vector3 }
 import type { FillStyle } from '../model/drawing';
 import { isInTriangle } from '../model/parts';
 import type { Region } from '../model/traced';
-import { paint, type Surface } from './surface';
+import { paint } from './clay';
+import type { Surface } from './surface';
 import type { Vantage } from './vantage';
 
 /** A region of an object as it is painted. */

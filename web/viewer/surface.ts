@@ -1,19 +1,13 @@
 import type { SurfacePoint } from 'karcher';
 import {
-  BackSide,
   type Box3,
   BufferAttribute,
   BufferGeometry,
-  Color,
   DoubleSide,
-  FrontSide,
   Group,
   Mesh,
-  MeshBasicMaterial,
-  type PerspectiveCamera,
   Quaternion,
   type Ray,
-  ShaderMaterial,
   Sphere,
   Vector3,
 } from 'three';
@@ -22,7 +16,7 @@ import { surfacePoint, type Vector } from '../model/figure';
 import type { MeshBlobs } from '../model/mesh_blobs';
 import type { SurfacePart } from '../model/parts';
 import type { Region } from '../model/traced';
-import { rampForShader } from './color_ramp';
+import { clayMesh, edgeMaterial, paint, showClay, showTint, showValues } from './clay';
 import type { DrawnGeometry } from './drawn_geometry';
 import {
   directionFromScene,
@@ -32,8 +26,10 @@ import {
   placeInScene,
   placesInScene,
 } from './frame';
-import { hollowRadii, hollowWidths } from './hollows';
+import { hollowWidths } from './hollows';
 import { SurfaceParts } from './surface_parts';
+
+export { colorSurface, fitSurface } from './clay';
 
 /** The number of decimals in the weights of a picked point, few so that links are short. */
 const shortened = (weight: number) => Math.floor(weight * 1e9) / 1e9;
@@ -44,200 +40,11 @@ export interface Pick {
   position: Vector3;
 }
 
-export interface SurfaceColors {
-  front: string;
-  back: string;
-  sky: string;
-  ground: string;
-  edges: string;
-}
-
-/** The part of the light that a hollow loses at most. */
-const reliefShown = 0.55;
-
-/** How much lighter a ridge is, as a part of how much darker a hollow is. */
-const litRidges = 0.25;
-
-/** The light, which is the surface's and that of what is painted on it. */
-const light = {
-  sky: { value: new Color() },
-  ground: { value: new Color() },
-  key: { value: new Vector3(-0.45, 0.7, 0.75) },
-  relief: { value: reliefShown },
-};
-
-/**
- * By how much of its distance the surface lies back, for each unit of its slope: at a slope it rises beside a
- * line, and would hide half of the line's width. Steeper slopes are not told apart.
- */
-const sunk = { value: 0 };
-const steepest = 4;
-
-/** The size of a CSS pixel at a distance of 1. */
-const pixel = { value: 1 };
-/** Neighborhoods of so many pixels are what relief is seen of, and less and less those four times as wide or narrow. */
-const reliefPixels = 16;
-
-/** Lines that reach so many CSS pixels to both sides are to be seen whole, on a stage of that height. */
-export function fitSurface(pixels: number, camera: PerspectiveCamera, height: number): void {
-  pixel.value = (2 * Math.tan((camera.fov * Math.PI) / 360)) / height;
-  sunk.value = pixels * pixel.value;
-}
-
-/** Clay lit by a soft sky and a key light that goes with the camera. */
-const clay = {
-  uniforms: {
-    front: { value: new Color() },
-    back: { value: new Color() },
-    ...light,
-    sunk,
-    pixel,
-    leastSlope: { value: 0 },
-    frontIsOutside: { value: true },
-    ramp: { value: rampForShader() },
-    most: { value: 0 },
-    colored: { value: false },
-    opacity: { value: 1 },
-  },
-  vertexShader: `
-    attribute float value;
-    attribute vec3 tint;
-    attribute vec4 hollow;
-    uniform float sunk;
-    uniform float pixel;
-    uniform float leastSlope;
-    varying vec3 vNormal;
-    varying vec3 vEye;
-    varying float vValue;
-    varying vec3 vTint;
-    varying float vHollow;
-    void main() {
-      vValue = value;
-      // Files have sRGB, and the shader computes with linear light.
-      vTint = mix(tint / 12.92, pow((tint + 0.055) / 1.055, vec3(2.4)), step(0.04045, tint));
-      vec4 eye = modelViewMatrix * vec4(position, 1.0);
-      vEye = -eye.xyz;
-      vNormal = normalMatrix * normal;
-      vec4 octaves = log2(vec4(${hollowRadii.join(', ')}) / (${reliefPixels.toFixed(1)} * pixel * max(-eye.z, 1e-6))) / 2.0;
-      vHollow = dot(hollow, exp(-octaves * octaves)) / ${Math.sqrt(Math.PI)};
-      float facing = abs(dot(normalize(vNormal), normalize(vEye)));
-      float slope = sqrt(1.0 - facing * facing) / max(facing, 0.01);
-      slope = clamp(slope, leastSlope, ${steepest.toFixed(1)});
-      // The surface moves back along the ray, so that it is seen where it is.
-      gl_Position = projectionMatrix * vec4(eye.xyz * (1.0 + sunk * slope), 1.0);
-    }`,
-  fragmentShader: `
-    uniform vec3 front;
-    uniform vec3 back;
-    uniform vec3 sky;
-    uniform vec3 ground;
-    uniform vec3 key;
-    uniform float relief;
-    uniform bool frontIsOutside;
-    uniform vec3 ramp[5];
-    uniform float most;
-    uniform bool colored;
-    uniform float opacity;
-    varying vec3 vNormal;
-    varying vec3 vEye;
-    varying float vValue;
-    varying vec3 vTint;
-    varying float vHollow;
-    void main() {
-      vec3 eye = normalize(vEye);
-      vec3 normal = normalize(vNormal);
-      if (!gl_FrontFacing) normal = -normal;
-      float up = 0.5 + 0.5 * normal.y;
-      vec3 from = normalize(key);
-      float lit = max(0.0, (dot(normal, from) + 0.2) / 1.2);
-      float gloss = pow(max(0.0, dot(normal, normalize(from + eye))), 24.0);
-      float rim = pow(1.0 - abs(dot(normal, eye)), 3.0);
-      vec3 clay = gl_FrontFacing == frontIsOutside ? front : back;
-      if (colored) clay = vTint;
-      if (most > 0.0 && vValue > -0.5 * most) {
-        float at = 4.0 * clamp(vValue / most, 0.0, 1.0);
-        clay = ramp[0];
-        for (int i = 0; i < 4; i++) clay = mix(clay, ramp[i + 1], clamp(at - float(i), 0.0, 1.0));
-      }
-      vec3 light = mix(ground, sky, up) * 0.64 + vec3(0.56) * lit * lit;
-      // A hollow of one side is a ridge of the other.
-      float sunken = gl_FrontFacing ? vHollow : -vHollow;
-      // Ridges are lit as they are: much lighter ones would be white.
-      light *= 1.0 - relief * (sunken > 0.0 ? sunken : ${litRidges} * sunken);
-      gl_FragColor = vec4(clay * light + sky * (0.05 * gloss + 0.1 * rim), opacity);
-      #include <colorspace_fragment>
-    }`,
-};
-const material = new ShaderMaterial(clay);
-/**
- * The inner sides where both are seen. They lie back the most, wherever they face: else at the rim some of
- * them would come out before the outer sides, and be specks.
- */
-const inner = new ShaderMaterial({
-  ...clay,
-  uniforms: { ...clay.uniforms, leastSlope: { value: steepest } },
-  side: BackSide,
-});
-const materials = [material, inner];
-
-/** A mesh of the surface's clay, on both sides. */
-function clayMesh(geometry: BufferGeometry): Mesh {
-  geometry.clearGroups();
-  for (const i of materials.keys()) geometry.addGroup(0, Number.POSITIVE_INFINITY, i);
-  return new Mesh(geometry, materials);
-}
-
-/** The same clay of another color, over the surface that it lies on. */
-export function paint(color: Color, opacity: number): ShaderMaterial {
-  return new ShaderMaterial({
-    ...clay,
-    uniforms: {
-      ...clay.uniforms,
-      ...{ front: { value: color }, back: { value: color } },
-      ...{ most: { value: 0 }, colored: { value: false }, opacity: { value: opacity } },
-    },
-    side: inner.visible ? DoubleSide : material.side,
-    // Opaque ones, too: else they would be drawn before all that are not.
-    transparent: true,
-    depthWrite: false,
-    polygonOffset: true,
-    polygonOffsetFactor: -1,
-    polygonOffsetUnits: -4,
-  });
-}
-
 const unitWeights = [
   [1, 0, 0],
   [0, 1, 0],
   [0, 0, 1],
 ] as const;
-
-/** The sides that are drawn: hidden ones would show as specks at the silhouette. */
-const sides = { front: FrontSide, back: BackSide, both: FrontSide };
-
-const edgeMaterial = new MeshBasicMaterial({
-  wireframe: true,
-  transparent: true,
-  opacity: 0.16,
-  depthWrite: false,
-});
-
-/** Turns the light round the line of sight, by an angle in radians; it goes with the camera. */
-export function turnLight(angle: number): void {
-  light.key.value.applyAxisAngle(new Vector3(0, 0, 1), angle);
-}
-
-/** Whether hollows are darker. */
-export function showRelief(shown: boolean): void {
-  light.relief.value = shown ? reliefShown : 0;
-}
-
-export function colorSurface(colors: SurfaceColors): void {
-  for (const name of ['front', 'back', 'sky', 'ground'] as const) {
-    material.uniforms[name]!.value.set(colors[name]);
-  }
-  edgeMaterial.color.set(colors.edges);
-}
 
 /** A surface in the scene: its triangles as drawn, and as hit by rays. */
 export class Surface {
@@ -280,11 +87,7 @@ export class Surface {
     this.#geometry.setIndex(new BufferAttribute(drawn.triangles, 1));
     // Of the frame's box; three.js would look at all vertices.
     this.#geometry.boundingSphere = new Sphere(new Vector3(), 1);
-    material.side = sides[drawn.outside];
-    inner.visible = drawn.outside === 'both';
-    material.uniforms.frontIsOutside!.value = drawn.outside !== 'back';
-    material.uniforms.most!.value = 0;
-    material.needsUpdate = true;
+    showClay(drawn.outside);
     this.#tree = MeshBVH.deserialize(drawn.tree, this.#geometry, { setIndex: false });
     this.#edges = new Mesh(this.#geometry, edgeMaterial);
     this.#edges.visible = false;
@@ -308,7 +111,7 @@ export class Surface {
 
   /** Whether it is seen in its own colors, if it has some. */
   set colored(shown: boolean) {
-    material.uniforms.colored!.value = shown && this.hasColors;
+    showTint(shown && this.hasColors);
   }
 
   /**
@@ -316,7 +119,7 @@ export class Surface {
    * where they are minus that, and everywhere without any.
    */
   colorBy(colored: { values: Float32Array; most: number } | null): void {
-    material.uniforms.most!.value = colored?.most ?? 0;
+    showValues(colored?.most ?? 0);
     if (colored) this.#geometry.setAttribute('value', new BufferAttribute(colored.values, 1));
     else this.#geometry.deleteAttribute('value');
   }

@@ -3,6 +3,7 @@ import { Box3, Color, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from '
 import { defaultStyle, type LineStyle, styleOf } from '../model/drawing';
 import type { ViewPlace } from '../model/view_place';
 import { AidLines } from './aid_lines';
+import { colorSurface, fitSurface, showRelief, turnLight } from './clay';
 import { litSurface, type ViewerColors } from './colors';
 import { outliveContextLoss } from './context_loss';
 import type { DrawnGeometry } from './drawn_geometry';
@@ -15,7 +16,7 @@ import { OrbitView } from './orbit_view';
 import { requestOutline } from './outline_request';
 import { pictureOf } from './picture';
 import { type PaintedRegion, Regions } from './regions';
-import { colorSurface, fitSurface, type Pick, Surface, showRelief, turnLight } from './surface';
+import { type Pick, Surface } from './surface';
 import { type SeenLine, Vantage } from './vantage';
 
 /** The view of a surface with a curve on it. Draws only when something changed. */
