@@ -9,6 +9,7 @@
 #include "distance/window_distance.h"
 #include "intrinsic/straightest.h"
 #include "mesh/error.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
@@ -86,9 +87,8 @@ class Center {
   double total_ = 2 * kPi;
 };
 
-/// Below this part of the longest edge at its center a circle's points come near the tolerances of
-/// walks, and below this many roundings of its center's coordinates their distances are noise.
-constexpr double kLeastOfEdge = 1e-9;
+/// Below this many roundings of its center's coordinates the distances of a circle's points are
+/// noise.
 constexpr double kLeastRoundings = 1e6;
 
 /// Throws Error kBadArgument for a radius that doubles cannot resolve at the center.
@@ -107,7 +107,8 @@ void checkRadiusIsTold(const Geometry& geometry, const SurfacePoint& center, dou
   }
   const double rounding =
       std::numeric_limits<double>::epsilon() * position(mesh, center).cwiseAbs().maxCoeff();
-  const double least = std::max(kLeastOfEdge * longest, kLeastRoundings * rounding);
+  // Walks do not resolve a smaller part of an edge.
+  const double least = std::max(kChainRounding * longest, kLeastRoundings * rounding);
   if (radius >= least) return;
   throw Error(ErrorCode::kBadArgument, "the radius " + inSentence(radius) +
                                            " is too small to be told from rounding: around this "

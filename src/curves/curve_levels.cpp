@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -84,8 +85,8 @@ bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
 /// How far a field's point is, by the field.
 double Curve::distanceTo(const SurfacePoint& place, PointField& field) {
   workspace_->fields.assign(1, &field);
-  constexpr double kOne[] = {1};
-  return std::sqrt(std::max(blendFields().blend.energy(place, kOne), 0.0));
+  const std::array weights = {1.0};
+  return std::sqrt(std::max(blendFields().blend.energy(place, weights), 0.0));
 }
 
 /// The levels of a curve that leaves them to itself; a refined polygon may need more.

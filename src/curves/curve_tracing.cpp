@@ -1,3 +1,5 @@
+#include <array>
+
 #include "curves/curve.h"
 #include "curves/trace/joined_path.h"
 #include "curves/trace/polyline.h"
@@ -111,8 +113,8 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
 SurfacePoint Curve::centerOf(const SurfacePoint& point) {
   const std::shared_ptr<PointField> field = fieldSet_->at(point, true);
   workspace_->fields.assign(1, field.get());
-  constexpr double kOne[] = {1};
-  const CenterOfMass center = walkToCenter(blendFields().blend, kOne, point);
+  const std::array weights = {1.0};
+  const CenterOfMass center = walkToCenter(blendFields().blend, weights, point);
   return center.status == Status::kConverged ? center.point : point;
 }
 

@@ -4,6 +4,7 @@
 #include "curves/isoline.h"
 #include "distance/window_distance.h"
 #include "mesh/error.h"
+#include "mesh/rounding.h"
 #include "mesh/sorted_numbers.h"
 
 /// In a face, the points nearer than the radius are the union of the parts of disks that images
@@ -14,12 +15,9 @@
 namespace karcher {
 namespace {
 
-/// Lengths below this part of a mean edge are rounding.
-constexpr double kLeastLength = 1e-9;
 /// Ends of arcs this near to each other, in mean edges, may be one point: if an arc grazes an edge
 /// or a ray, its end moves by the square root of the rounding. The nearest ends are joined first.
 constexpr double kMeet = 1e-3;
-constexpr double kOnEdge = 1e-9;
 
 struct Arc {
   int face = -1;
@@ -35,7 +33,7 @@ struct Arc {
 class FaceArcs {
  public:
   FaceArcs(const Geometry& geometry, double distance)
-      : geometry_(geometry), distance_(distance), rounding_(kLeastLength * geometry.meanEdge) {}
+      : geometry_(geometry), distance_(distance), rounding_(kChainRounding * geometry.meanEdge) {}
 
   /// Appends the arcs of one face by its images.
   void append(const SourceImage* begin, const SourceImage* end, Array<Arc>& arcs) {
@@ -242,7 +240,7 @@ class ArcChains {
   SurfacePoint pointOf(const Arc& arc, double angle) const {
     Vec3 bary = barycentric(geometry_, arc.face, arc.at(angle));
     for (int k = 0; k < 3; ++k) {
-      if (bary[k] < kOnEdge) bary[k] = 0;
+      if (bary[k] < kChainRounding) bary[k] = 0;
     }
     return clampedPoint(arc.face, bary / bary.sum());
   }

@@ -4,12 +4,10 @@
 #include <utility>
 
 #include "mesh/error.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
-
-/// A line shorter than this part of the edges it crosses is dropped.
-constexpr double kShortestLine = 1e-9;
 
 /// Traces one isoline after another by walking from face to face.
 class LinearIsolines {
@@ -75,7 +73,7 @@ class LinearIsolines {
       h = mesh_.twin[exit];
     }
     // Shorter lines go around a vertex whose value is the level up to rounding.
-    if (line.length > kShortestLine * longestEdge) isolines_.push_back(std::move(line));
+    if (line.length > kChainRounding * longestEdge) isolines_.push_back(std::move(line));
   }
 
   const TriangleMesh& mesh_;

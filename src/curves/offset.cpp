@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "distance/path_distance.h"
 #include "mesh/error.h"
+#include "mesh/rounding.h"
+#include "mesh/sign_change.h"
 
 namespace karcher {
 namespace {
@@ -26,9 +29,6 @@ constexpr int kExtremumSteps = 14;
 
 /// The field extends a little beyond the line, so that chords outside of it are measured, too.
 constexpr double kBeyond = 1.1;
-
-/// The halvings of an interval, down to the rounding of doubles.
-constexpr int kHalvings = 52;
 
 /// The most halvings of a chord that deviates from the distance.
 constexpr int kMostChordHalvings = 14;
@@ -111,7 +111,7 @@ class OffsetTracer {
   LinePoint changeBetween(const LinePoint& a, const LinePoint& b) const {
     LinePoint near = a;
     LinePoint far = b;
-    for (int i = 0; i < kHalvings; ++i) {
+    for (int i = 0; i < std::numeric_limits<double>::digits; ++i) {
       const SurfacePoint middle = pointBetween(mesh_, near.point, far.point, 0.5);
       const SideOfPath side = field_.at(middle).side;
       (side == a.side ? near : far) = {middle, side};
@@ -245,22 +245,22 @@ class OffsetTracer {
                          std::min(b.distance, kBeyond * distance_) - 2 * distance_;
     if (std::abs(known) > length) return false;
     const Side side = sideBetween(face, a, b);
-    constexpr double kGolden = 0.6180339887498949;
+    const double golden = std::numbers::phi - 1;
     double low = side.from;
     double high = side.to;
-    double left = high - kGolden * (high - low);
-    double right = low + kGolden * (high - low);
+    double left = high - golden * (high - low);
+    double right = low + golden * (high - low);
     double atLeft = valueOn(side, left);
     double atRight = valueOn(side, right);
     for (int i = 0; i < kExtremumSteps; ++i) {
       if (isNearer(atLeft) != nearer || isNearer(atRight) != nearer) return true;
       if (nearer ? atLeft > atRight : atLeft < atRight) {
         high = std::exchange(right, left);
-        left = high - kGolden * (high - low);
+        left = high - golden * (high - low);
         atRight = std::exchange(atLeft, valueOn(side, left));
       } else {
         low = std::exchange(left, right);
-        right = low + kGolden * (high - low);
+        right = low + golden * (high - low);
         atLeft = std::exchange(atRight, valueOn(side, right));
       }
     }
@@ -272,38 +272,17 @@ class OffsetTracer {
     const Side side = sideBetween(face, a, b);
     const auto [entry, isNew] = numbers_.try_emplace(side.key, crossings_.count());
     if (!isNew) return entry->second;
-    const double t =
-        cut(side.from, side.to, side.atFrom, side.atTo, [&](double s) { return valueOn(side, s); });
+    // Distances are not finite beyond the field.
+    const auto beyond = [&](double value) {
+      return std::abs(value - distance_) <= kLocalRounding * distance_ ? 0 : value - distance_;
+    };
+    const double t = signChange(side.from, side.to, beyond(side.atFrom), beyond(side.atTo),
+                                kStepRounding * (side.from + side.to),
+                                [&](double s) { return beyond(valueOn(side, s)); });
     crossings_.push_back(
         side.halfedge < 0 ? pointAt(face, side.start + t * side.way)
                           : LinePoint{edgePoint(side.halfedge, t), atEdge(side.halfedge, t).side});
     return crossings_.count() - 1;
-  }
-
-  /// The place between two numbers at which values pass the distance, by the Illinois method, and
-  /// by bisection if a value is not known.
-  double cut(double from, double to, double atFrom, double atTo,
-             const std::function<double(double)>& value) const {
-    double low = atFrom - distance_;
-    double high = atTo - distance_;
-    const double rounding = 1e-15 * (std::abs(from) + std::abs(to));
-    for (int i = 0; i < kHalvings && std::abs(to - from) > rounding; ++i) {
-      const bool isKnown = std::abs(low) < kInfinity && std::abs(high) < kInfinity && i < 40;
-      double middle = isKnown ? from - low * (to - from) / (high - low) : (from + to) / 2;
-      if (!(std::min(from, to) < middle && middle < std::max(from, to))) middle = (from + to) / 2;
-      const double there = value(middle) - distance_;
-      if (std::abs(there) <= 1e-14 * distance_) return middle;
-      if ((there < 0) == (low < 0)) {
-        from = middle;
-        low = there;
-        high /= 2;
-      } else {
-        to = middle;
-        high = there;
-        low /= 2;
-      }
-    }
-    return (from + to) / 2;
   }
 
   LinePoint pointAt(int face, const Vec2& place) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/rounding.h"
 #include "mesh/types.h"
 
 /// Ends of exact shortest paths, and comparisons of paths up to rounding.
@@ -15,9 +16,9 @@ struct Arrival {
 /// A line that misses its window by at most this part of the edge counts as passing through it.
 inline constexpr double kSeenTolerance = 1e-10;
 
-/// A path with a slight bend at the end of a window counts as longer by this part, so that the
-/// straight path wins, whose direction is exact.
-inline constexpr double kBentPenalty = 1e-12;
+/// The length of a path with a slight bend at the end of a window, as it is compared: a straight
+/// path of the same length wins, whose direction is exact.
+inline double bentLength(double length) { return length * (1 + kLocalRounding); }
 
 /// Whether two lengths differ only by rounding. The mesh's numbering then decides between the
 /// paths, so that a moved mesh has the same path unless its coordinates are rounded more coarsely.

@@ -27,9 +27,9 @@ MidpointArrival EdgeMidpoints::arrival(int h, const SurfacePoint& source, double
     best = {record.distance, side == h ? toSource : Vec2(-toSource)};
   }
   // The path may also run along the edge, from a vertex at which paths turn.
-  const double overTail = (tailDistance + middle) * (1 + kBentPenalty);
+  const double overTail = bentLength(tailDistance + middle);
   if (isShorter(overTail)) best = {overTail, Vec2(-1, 0)};
-  const double overHead = (headDistance + middle) * (1 + kBentPenalty);
+  const double overHead = bentLength(headDistance + middle);
   if (isShorter(overHead)) best = {overHead, Vec2(1, 0)};
   return best;
 }

@@ -5,6 +5,7 @@
 
 #include "distance/shortest_path.h"
 #include "intrinsic/straighten.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
@@ -17,12 +18,6 @@ constexpr double kGreedyWeight = 1.2;
 
 /// The length of the pieces in which such paths are searched again, in mean edges.
 constexpr double kPiece = 24;
-
-/// Paths whose lengths differ by less than this part are equal up to rounding.
-constexpr double kSameLength = 1e-12;
-
-/// Weights and angles that differ by less are equal up to rounding.
-constexpr double kSame = 1e-9;
 
 /// An order of a path's ends that depends neither on its direction nor on the surface's position in
 /// space: by the weights of the points, then by the angles at the first of their nearest vertices.
@@ -37,7 +32,7 @@ bool isBefore(const Geometry& geometry, const SurfacePoint& a, const SurfacePoin
   const auto [vertexOfA, ofA] = told(a);
   const auto [vertexOfB, ofB] = told(b);
   for (int k = 0; k < 3; ++k) {
-    if (std::abs(ofA[k] - ofB[k]) > kSame) return ofA[k] < ofB[k];
+    if (std::abs(ofA[k] - ofB[k]) > kChainRounding) return ofA[k] < ofB[k];
   }
   return std::pair(vertexOfA, a.face) < std::pair(vertexOfB, b.face);
 }
@@ -81,7 +76,7 @@ class PathFinder {
     points.clear();
     points.push_back(from);
     const double length = appendShorterStripPath(geometry_, from, to, workspace_.strip, points);
-    if (!(length < length_ * (1 - kSameLength))) return;
+    if (!(length < length_ * (1 - kLocalRounding))) return;
     length_ = length;
     if (reversed) std::reverse(points.begin(), points.end());
     path_.points.assign(points.begin(), points.end());
@@ -104,7 +99,7 @@ class PathFinder {
       at = to;
     }
     straighten(geometry_, pieces, workspace_.strip);
-    if (pieces.length() < path_.length() * (1 - kSameLength)) std::swap(pieces, path_);
+    if (pieces.length() < path_.length() * (1 - kLocalRounding)) std::swap(pieces, path_);
   }
 
   /// Appends the part of the path between two lengths, or a shorter one that a search finds.
@@ -118,7 +113,7 @@ class PathFinder {
         searchStrip(mesh_, start, end, {.maxFaces = mesh_.faceCount()}, workspace_.strip.search,
                     workspace_.strip.strip) &&
         appendShorterStripPath(geometry_, start, end, workspace_.strip, piece) <
-            (to - from) * (1 - kSameLength)) {
+            (to - from) * (1 - kLocalRounding)) {
       for (const SurfacePoint& point : piece) appendPoint(mesh_, point, out);
     } else {
       appendPart(mesh_, path_, from, to, out);
@@ -149,7 +144,7 @@ bool findPath(const Geometry& geometry, const SurfacePoint& from, const SurfaceP
   if (!PathFinder(geometry, workspace, out).run(first, last)) return false;
   if (options.certified) {
     const SurfacePath shortest = shortestPath(geometry, first, last);
-    if (shortest.length() < out.length() * (1 - kSameLength)) {
+    if (shortest.length() < out.length() * (1 - kLocalRounding)) {
       out.points = shortest.points;
     }
   }

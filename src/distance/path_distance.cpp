@@ -7,17 +7,11 @@
 #include "distance/window_distance.h"
 #include "intrinsic/strip_path.h"
 #include "mesh/error.h"
+#include "mesh/rounding.h"
 #include "mesh/sorted_numbers.h"
 
 namespace karcher {
 namespace {
-
-/// The rounding between adjacent windows of one front, in radians or parts of an edge. The windows
-/// beside such a gap find paths through it, with an error of second order.
-constexpr double kGap = 1e-9;
-
-/// Lengths below this part of a mean edge count as 0.
-constexpr double kNoLength = 1e-12;
 
 /// Heights over an edge below this part of the face's height count as 0.
 constexpr double kNoHeight = 1e-13;
@@ -39,11 +33,11 @@ Vec2 wayThrough(const Window& window, bool isFront, double x) {
 /// left.
 bool trimFront(Window& window, double tailDistance, double headDistance, double length) {
   const double slope = window.sourceX;
-  const double tail = tailDistance * (1 + kBeats);
+  const double tail = beatingLength(tailDistance);
   if (window.offset > tail && slope < 1) {
     window.begin = std::max(window.begin, (window.offset - tail) / (1 - slope));
   }
-  const double head = headDistance * (1 + kBeats) + length;
+  const double head = beatingLength(headDistance) + length;
   if (window.offset + slope * length > head - length && slope > -1) {
     window.end = std::min(window.end, (head - window.offset) / (1 + slope));
   }
@@ -82,7 +76,7 @@ void PathDistance::leavePath(const SurfacePath& path, int number) {
       refusePath("has points " + std::to_string(i - 1) + " and " + std::to_string(i) +
                  " that have no face in common");
     }
-    const double least = kNoLength * geometry_.meanEdge;
+    const double least = kLocalRounding * geometry_.meanEdge;
     if (points.empty() ||
         (position(mesh_, points.back()) - position(mesh_, point)).norm() > least ||
         commonFace(mesh_, points.back(), point) < 0) {
@@ -131,7 +125,7 @@ void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, SideOf
   const double width = (to - from).norm();
   const Vec2 along = (to - from) / width;
   const Vec2 way = (side == SideOfPath::kLeft ? 1.0 : -1.0) * leftOf(along);
-  const double noHeight = kNoLength * geometry_.meanEdge;
+  const double noHeight = kLocalRounding * geometry_.meanEdge;
   for (int k = 0; k < 3; ++k) {
     const int h = 3 * face + k;
     const double length = geometry_.edgeLength[h];
@@ -139,7 +133,8 @@ void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, SideOf
     const Vec2 edge = halfedgeInFace(geometry_, h) / length;
     const double tailHeight = way.dot(tail - from);
     const double foot = along.dot(tail - from);
-    if (tailHeight > noHeight && foot >= -kGap * width && foot <= (1 + kGap) * width) {
+    if (tailHeight > noHeight && foot >= -kChainRounding * width &&
+        foot <= (1 + kChainRounding) * width) {
       arrive(mesh_.tail(h), tailHeight, directionAtTail(geometry_, h, -way), side);
     }
     // The part of the edge over the piece.
@@ -212,8 +207,10 @@ void PathDistance::leaveTurn(const SurfacePoint& point, const SurfacePoint* befo
                              const SurfacePoint* after) {
   const Fan fan = fanOf(point);
   const double right = kPi / 2;
+  // Adjacent windows of one front are off each other by rounding. The windows beside such a gap
+  // find paths through it, with an error of second order.
   const auto leave = [&](double from, double to, SideOfPath side) {
-    if (to - from > kGap) leaveFan(fan, from, to, 0, side);
+    if (to - from > kChainRounding) leaveFan(fan, from, to, 0, side);
   };
   // Counterclockwise from one direction to another, on the surface.
   const auto leaveBetween = [&](double from, double to, SideOfPath side) {
@@ -278,12 +275,12 @@ void PathDistance::leaveCorner(int face, const Vec2& middle, double from, double
       const int h = 3 * face + k;
       const double length = geometry_.edgeLength[h];
       const Vec2 toTail = cornerInFace(geometry_, face, k) - middle;
-      if (!(toTail.norm() > kNoLength * length)) continue;
+      if (!(toTail.norm() > kLocalRounding * length)) continue;
       const Vec2 edge = halfedgeInFace(geometry_, h) / length;
       const double width = angleFromTo(toTail, toTail + length * edge);
       const double near = (begin + end) / 2;
       const double tailAngle = near + std::remainder(angleOf(toTail) - near, 2 * kPi);
-      if (tailAngle >= begin - kGap && tailAngle <= end + kGap) {
+      if (tailAngle >= begin - kChainRounding && tailAngle <= end + kChainRounding) {
         arrive(mesh_.tail(h), offset + toTail.norm(), directionAtTail(geometry_, h, -toTail), side);
       }
       const double height = cross(toTail, edge);
@@ -305,12 +302,13 @@ void PathDistance::leaveCorner(int face, const Vec2& middle, double from, double
 void PathDistance::leaveVertex(int vertex) {
   const VertexArrival arrival = arrivals_[vertex];
   const Fan fan = fanOf(vertexPoint(mesh_, vertex));
-  const double from = arrival.back + kPi - kGap;
+  const double from = arrival.back + kPi - kChainRounding;
   if (fan.isRound) {
-    leaveFan(fan, from, arrival.back + fan.total - kPi + kGap, arrival.distance, arrival.side);
+    leaveFan(fan, from, arrival.back + fan.total - kPi + kChainRounding, arrival.distance,
+             arrival.side);
   } else {
     leaveFan(fan, from, kInfinity, arrival.distance, arrival.side);
-    leaveFan(fan, -kInfinity, arrival.back - kPi + kGap, arrival.distance, arrival.side);
+    leaveFan(fan, -kInfinity, arrival.back - kPi + kChainRounding, arrival.distance, arrival.side);
   }
 }
 
@@ -379,7 +377,8 @@ void PathDistance::carryAcross(const Waiting& waiting) {
   const Vec2 apex = oppositeOverHalfedge(geometry_, h);
   const double crossing = waiting.isFront ? apex.x() - apex.y() * window.sourceX / window.depth
                                           : crossingTowards(window, apex);
-  if (crossing >= window.begin - kGap * length && crossing <= window.end + kGap * length) {
+  if (crossing >= window.begin - kChainRounding * length &&
+      crossing <= window.end + kChainRounding * length) {
     const Vec2 way = waiting.isFront ? source : Vec2(apex - source);
     const double leg = waiting.isFront ? source.dot(apex) : way.norm();
     const double back = geometry_.cumulatedAngle[previous(h)] + angleFromTo(-apex, -way);
@@ -418,7 +417,7 @@ void PathDistance::carryAcross(const Waiting& waiting) {
     const Vec2 farPlace = isHead ? Vec2(0, 0) : Vec2(length, 0);
     const double farEnd = isHead ? carried.end : carried.begin;
     const Vec2 farHit = from + farEnd * axis;
-    if (far * (1 + kBeats) + (farHit - farPlace).norm() <
+    if (beatingLength(far) + (farHit - farPlace).norm() <
         distanceThrough(carried, waiting.isFront, farEnd)) {
       continue;
     }
@@ -471,7 +470,7 @@ PathDistance::Distance PathDistance::at(int face, const Vec2& place) const {
   const auto found = std::lower_bound(faces_.begin(), faces_.end(), face);
   if (found == faces_.end() || *found != face) return best;
   const auto number = static_cast<int>(found - faces_.begin());
-  const double gap = kGap * geometry_.meanEdge;
+  const double gap = kChainRounding * geometry_.meanEdge;
   for (int i = firstOfFace_[number]; i < firstOfFace_[number + 1]; ++i) {
     const Image& image = images_[i];
     const Vec2 way = place - image.source;
@@ -483,7 +482,7 @@ PathDistance::Distance PathDistance::at(int face, const Vec2& place) const {
       const Vec2 along = image.end - image.source;
       const double part = way.dot(along) / along.squaredNorm();
       // A point nearest to an end belongs to the fan there.
-      if (part < -kGap || part > 1 + kGap) continue;
+      if (part < -kChainRounding || part > 1 + kChainRounding) continue;
       offer((way - part * along).norm(),
             cross(along, way) >= 0 ? SideOfPath::kLeft : SideOfPath::kRight);
     } else if (image.kind == Image::kFront) {
@@ -494,7 +493,7 @@ PathDistance::Distance PathDistance::at(int face, const Vec2& place) const {
       offerBeyond(image.offset + forward.dot(place));
     } else {
       const double leg = way.norm();
-      const double slack = kGap * leg;
+      const double slack = kChainRounding * leg;
       if (cross(image.right, way) < -slack || cross(way, image.left) < -slack ||
           (image.right + image.left).dot(way) < -slack) {
         continue;

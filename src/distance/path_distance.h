@@ -27,7 +27,6 @@ class PathDistance {
   /// object. Throws Error kBadArgument if a path has no length, if consecutive points have no face
   /// in common, or if more than kMostWindowsPerFace windows a face are needed.
   PathDistance(const Geometry& geometry, std::span<const SurfacePath> paths, double limit);
-  static constexpr int kMostWindowsPerFace = 10'000;
 
   struct Distance {
     double value = kInfinity;

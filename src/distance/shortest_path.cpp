@@ -8,16 +8,10 @@
 #include "intrinsic/local_path.h"
 #include "intrinsic/straightest.h"
 #include "mesh/error.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
-
-/// Points of a path nearer to each other than this part of a mean edge are merged.
-constexpr double kRepeatedPoint = 1e-13;
-
-/// A straight piece that passes a vertex within this part of an edge may go through it; this is ten
-/// times what windows see past their ends.
-constexpr double kThrough = 10 * kSeenTolerance;
 
 /// A path through a vertex that is longer than the shortest by less than this part differs only by
 /// rounding.
@@ -26,10 +20,11 @@ constexpr double kSameLength = 1e-11;
 /// The length of a path's points equals its distance up to this part.
 [[maybe_unused]] constexpr double kSameMeasure = 1e-6;
 
-/// The vertex within kThrough of a walk's point; -1 if there is none.
+/// The vertex that a straight piece may go through at a walk's point; -1 if there is none. It may
+/// pass at ten times kSeenTolerance, which windows see past their ends.
 int vertexAt(const Geometry& geometry, const SurfacePoint& point) {
   int corner = 0;
-  if (point.bary.maxCoeff(&corner) < 1 - kThrough) return -1;
+  if (point.bary.maxCoeff(&corner) < 1 - kChainRounding) return -1;
   return geometry.mesh->corner(point.face, corner);
 }
 
@@ -87,7 +82,7 @@ SurfacePath cleaned(const Geometry& geometry, const Array<SurfacePoint>& walked,
     const SurfacePoint& last = path.points.back();
     const SurfacePoint& point = walked[i];
     const bool repeated =
-        (position(mesh, point) - position(mesh, last)).norm() <= kRepeatedPoint * geometry.meanEdge;
+        (position(mesh, point) - position(mesh, last)).norm() <= kLocalRounding * geometry.meanEdge;
     if (repeated && i > 0) continue;
     if (repeated && path.points.count() > 1) path.points.pop_back();
     const SurfacePoint from = path.points.back();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "distance/window.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
@@ -21,9 +22,6 @@ constexpr double kAside = 0.7;  ///< radians
 /// curvature, may not be the shortest and is refused.
 constexpr double kMostDetour = 1.4;
 constexpr double kSharp = 0.25;  ///< radians
-
-/// Smaller angles, in radians, are rounding.
-constexpr double kFlat = 1e-9;
 
 /// The strip of faces between a source and a vertex, unfolded in the frame of the source's face
 /// with the source at the origin, and the path in it.
@@ -187,7 +185,7 @@ class SightLine {
       const Vec2 after = partEnd(k + 1) - bendAt(k);
       const double angle = std::atan2(std::abs(cross(before, after)), before.dot(after));
       const int vertex = sides_[bends_[k]].vertex;
-      if (angle > kFlat - curvature(vertex) && !mesh_.onBoundary[vertex]) return bends_[k];
+      if (angle > kChainRounding - curvature(vertex) && !mesh_.onBoundary[vertex]) return bends_[k];
     }
     for (int k = 0; k <= bendCount_; ++k) {
       const int passed = passedTooNear(partStart(k), partEnd(k));
@@ -208,8 +206,9 @@ class SightLine {
       const double before = off.dot(way);
       if (before <= 0 || before >= squared) continue;
       const double bend = curvature(side.vertex);
-      if (bend <= kFlat || mesh_.onBoundary[side.vertex]) continue;
-      const double least = (1 - side.sign * kFlat) * bend / 2 * before * (squared - before);
+      if (bend <= kChainRounding || mesh_.onBoundary[side.vertex]) continue;
+      const double least =
+          (1 - side.sign * kChainRounding) * bend / 2 * before * (squared - before);
       if (std::abs(cross(off, way)) * squared < least) return i;
     }
     return -1;

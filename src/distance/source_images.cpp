@@ -2,16 +2,18 @@
 
 #include <algorithm>
 
+#include "mesh/rounding.h"
+
 namespace karcher {
 
 double lengthFrom(const SourceImage& image, const Vec2& point) {
-  constexpr double kTolerance = 1e-9;  // radians: the rounding of a sector's sides
   const Vec2 toPoint = point - image.source;
   const double leg = toPoint.norm();
+  // The sides of the sector are rounded directions.
   const bool isSeen =
-      image.isFull || (cross(image.right, toPoint) >= -kTolerance * leg &&
-                       cross(toPoint, image.left) >= -kTolerance * leg &&
-                       (image.right + image.left).dot(toPoint) >= -kTolerance * leg);
+      image.isFull || (cross(image.right, toPoint) >= -kChainRounding * leg &&
+                       cross(toPoint, image.left) >= -kChainRounding * leg &&
+                       (image.right + image.left).dot(toPoint) >= -kChainRounding * leg);
   return isSeen ? image.offset + leg : kInfinity;
 }
 

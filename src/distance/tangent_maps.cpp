@@ -6,15 +6,14 @@
 
 #include "intrinsic/surface_path.h"
 #include "mesh/error.h"
+#include "mesh/rounding.h"
+#include "mesh/sign_change.h"
 
 namespace karcher {
 namespace {
 
 /// The number of parts of a line between which its nearest point is searched.
 constexpr int kParts = 12;
-constexpr int kMostSteps = 80;
-/// The precision of the foot, as a part of the line's length.
-constexpr double kPrecision = 1e-15;
 
 /// A point of a line, and the path to it from the point that is mirrored.
 struct LinePoint {
@@ -61,29 +60,21 @@ LinePoint footOn(const Geometry& geometry, const SurfacePath& line, const Surfac
     LinePoint candidate = at(whole * i / kParts);
     if (candidate.path.length() < best.path.length()) best = std::move(candidate);
   }
-  // The slope changes its sign between these two; the Illinois variant of the secant method finds
-  // its zero.
-  double low = best.slope < 0 ? best.length : std::max(0.0, best.length - whole / kParts);
-  double high = best.slope < 0 ? std::min(whole, best.length + whole / kParts) : best.length;
+  // The slope changes its sign between these two.
+  const double low = best.slope < 0 ? best.length : std::max(0.0, best.length - whole / kParts);
+  const double high = best.slope < 0 ? std::min(whole, best.length + whole / kParts) : best.length;
   if (low >= high) throwNoFoot();
-  double lowSlope = best.slope < 0 ? best.slope : at(low).slope;
-  double highSlope = best.slope < 0 ? at(high).slope : best.slope;
+  const double lowSlope = best.slope < 0 ? best.slope : at(low).slope;
+  const double highSlope = best.slope < 0 ? at(high).slope : best.slope;
   if ((low == 0 && lowSlope > 0) || (high == whole && highSlope < 0)) throwNoFoot();
-  for (int step = 0; step < kMostSteps && high - low > kPrecision * whole; ++step) {
-    const bool brackets = lowSlope < 0 && highSlope > 0;
-    double middle = (low + high) / 2;
-    if (brackets && step % 3 != 2) {
-      middle = (low * highSlope - high * lowSlope) / (highSlope - lowSlope);
-    }
-    LinePoint candidate = at(middle);
+  signChange(low, high, lowSlope, highSlope, kStepRounding * whole, [&](double length) {
+    LinePoint candidate = at(length);
     const double slope = candidate.slope;
     // Near the foot, lengths differ only by rounding.
-    const bool isNearer = candidate.path.length() < (1 - 1e-12) * best.path.length();
+    const bool isNearer = candidate.path.length() < (1 - kLocalRounding) * best.path.length();
     if (isNearer || std::abs(slope) < std::abs(best.slope)) best = std::move(candidate);
-    if (slope == 0) break;
-    (slope < 0 ? low : high) = middle;
-    (slope < 0 ? lowSlope : highSlope) = slope;
-  }
+    return slope;
+  });
   return best;
 }
 

@@ -43,7 +43,7 @@ void WatchedTarget::arriveThrough(int h, const Window& window) {
     arrive(h, arrival, toSource);
   } else {
     const Vec2 toBend = Vec2(nearest, 0) - point;
-    arrival.distance = (distanceAt(window, nearest) + toBend.norm()) * (1 + kBentPenalty);
+    arrival.distance = bentLength(distanceAt(window, nearest) + toBend.norm());
     arrive(h, arrival, toBend);
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mesh/rounding.h"
 #include "mesh/types.h"
 
 /// Windows on half-edges: see window_distance.h. In the frame of a half-edge its tail is the
@@ -18,21 +19,16 @@ struct Window {
   int pseudoSource = -1;  ///< that vertex, or -1
 };
 
+/// The most windows that solvers carry on, for each face. Ordinary meshes take 10 to 100; only a
+/// surface whose shape is rounding noise comes near the limit.
+inline constexpr int kMostWindowsPerFace = 10'000;
+
 /// A window, or its rest, that is narrower than this part of its edge is dropped. The region behind
 /// it is found from its neighbours, with an error of second order in this number.
 inline constexpr double kNarrowestWindow = 1e-11;
-/// Positions on an edge, and of sources beside it, are known to this part of its length. Ends of
-/// windows within this part of an end of the edge, or of the line to the apex, are moved there: a
-/// source much nearer than the edge is long would miss everything behind such a gap.
-inline constexpr double kPlaceRounding = 1e-15;
 
-/// The narrowest window where edges are so short that wider ones may be all that passes between
-/// their ends: just above rounding.
-inline constexpr double kNarrowestWideWindow = kPlaceRounding;
-
-/// A path beats another only if it is shorter by this part of its whole length, which exceeds the
-/// rounding of equal paths.
-inline constexpr double kBeats = 1e-12;
+/// The length with which a path beats others: they must be longer by more than rounding.
+inline double beatingLength(double length) { return length * (1 + kLocalRounding); }
 
 inline double square(double x) { return x * x; }
 
@@ -68,7 +64,7 @@ inline Window mirrored(const Window& w, double length) {
 /// Trims the interval that the path over the half-edge's tail and along the edge beats, up to where
 /// both are equal. Returns false if nothing is left.
 inline bool trimByTail(Window& w, double tailDistance) {
-  const double lead = tailDistance * (1 + kBeats) - w.offset;
+  const double lead = beatingLength(tailDistance) - w.offset;
   const double leg = square(w.sourceX) + square(w.depth);
   if (lead >= 0 && square(lead) >= leg) return true;
   // Solves |x - source| = lead + x, whose difference falls with x. If this is ill-conditioned, the
@@ -82,7 +78,7 @@ inline bool trimByTail(Window& w, double tailDistance) {
 
 /// The same for the path over the head.
 inline bool trimByHead(Window& w, double headDistance, double length) {
-  const double lead = headDistance * (1 + kBeats) - w.offset;
+  const double lead = beatingLength(headDistance) - w.offset;
   const double toSource = length - w.sourceX;
   const double leg = square(toSource) + square(w.depth);
   if (lead >= 0 && square(lead) >= leg) return true;
@@ -100,7 +96,10 @@ inline bool isTooNarrow(const Window& w, double width) { return !(w.end - w.begi
 /// edge.
 inline Window carriedToTailEdge(const Window& w, const Vec2& along, double from, double length,
                                 double apexCrossing) {
-  const double rounding = kPlaceRounding * from;
+  // Positions on an edge, and of sources beside it, are known to a part of its length. Ends of
+  // windows this near to an end of the edge, or to the line to the apex, are moved there: a source
+  // much nearer than the edge is long would miss everything behind such a gap.
+  const double rounding = kStepRounding * from;
   const auto hit = [&](double x) {
     const double across = along.x() * w.depth - along.y() * (x - w.sourceX);
     return across > 0 ? std::min(x * w.depth / across, length) : length;
@@ -118,7 +117,7 @@ inline Window carriedToTailEdge(const Window& w, const Vec2& along, double from,
 /// end of the window at `farEnd`.
 inline bool isBeatenFrom(const Window& w, double vertexDistance, double x, double depth,
                          double farEnd) {
-  const double lead = vertexDistance * (1 + kBeats) - w.offset;
+  const double lead = beatingLength(vertexDistance) - w.offset;
   return lead + std::sqrt(square(farEnd - x) + square(depth)) < std::sqrt(squaredLegTo(w, farEnd));
 }
 

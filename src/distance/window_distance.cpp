@@ -10,6 +10,7 @@
 
 #include "distance/joined_windows.h"
 #include "mesh/error.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
@@ -35,11 +36,8 @@ double bucketWidth(const Geometry& geometry) {
   return width;
 }
 
-/// How much wider than its wedge a vertex sends out windows, radians: the rounding of directions.
-constexpr double kWedgeMargin = 1e-9;
-
-/// A corner of a smaller angle, radians, may lie in the shadow of a vertex that is flat to
-/// kWedgeMargin, all of it.
+/// A corner of a smaller angle, radians, may lie in the shadow of a vertex that is flat up to
+/// kChainRounding, all of it.
 constexpr double kSliver = 1e-8;
 
 /// From this ratio of lengths on, windows are carried by both sides of a face, so that short ones
@@ -96,7 +94,7 @@ inline bool isWorthKeeping(const SideEdge& side, double narrowest, Window& windo
 bool spreadsPaths(const Geometry& geometry, int vertex) {
   const double flat = geometry.mesh->onBoundary[vertex] ? kPi : 2 * kPi;
   const double excess = geometry.totalAngle[vertex] - flat;
-  if (std::abs(excess) > kWedgeMargin) return excess > 0;
+  if (std::abs(excess) > kChainRounding) return excess > 0;
   for (const int h : outgoingHalfedges(*geometry.mesh, vertex)) {
     if (geometry.cornerAngle[h] < kSliver) return true;
   }
@@ -112,14 +110,14 @@ WindowDistance::WindowDistance(const Geometry& geometry, double tolerance,
       faces_(mesh_.faceCount(), pages),
       isWide_(geometry.longestEdge > kWide * geometry.shortestEdge),
       isThin_(geometry.longestEdge > kThin * geometry.shortestEdge),
-      narrowest_(isWide_ ? kNarrowestWideWindow : kNarrowestWindow),
+      // Where edges are so short, wider ones may be all that passes between their ends.
+      narrowest_(isWide_ ? kStepRounding : kNarrowestWindow),
       midpoints_(geometry),
       queue_(bucketWidth(geometry)),
       target_(geometry),
       images_(geometry) {
-  // Lengths are rounded too.
-  constexpr double kSlack = 1 + 1e-9;
-  if (geometry.longestEdge > kSlack * kWidestRange * geometry.shortestEdge) {
+  // Lengths are rounded, too.
+  if (geometry.longestEdge > (1 + kChainRounding) * kWidestRange * geometry.shortestEdge) {
     throw Error(ErrorCode::kBadArgument,
                 "edge lengths from " + inSentence(geometry.shortestEdge) + " to " +
                     inSentence(geometry.longestEdge) +
@@ -217,15 +215,15 @@ void WindowDistance::leaveVertex(int vertex) {
   const double total = geometry_.totalAngle[vertex];
   const bool isSource = vertices_.touch(vertex).via < 0;
   const double back = isSource ? 0 : direction(vertex);
-  const double ahead = back + kPi - kWedgeMargin;
-  const double width = total - 2 * kPi + 2 * kWedgeMargin;
+  const double ahead = back + kPi - kChainRounding;
+  const double width = total - 2 * kPi + 2 * kChainRounding;
   for (const int h : outgoingHalfedges(mesh_, vertex)) {
     const double right = geometry_.cumulatedAngle[h];
     if (isSource) {
       leaveThroughCorner(vertex, h, 0, geometry_.cornerAngle[h]);
     } else if (mesh_.onBoundary[vertex]) {
       leaveThroughCorner(vertex, h, ahead - right, kInfinity);
-      leaveThroughCorner(vertex, h, -kInfinity, back - kPi + kWedgeMargin - right);
+      leaveThroughCorner(vertex, h, -kInfinity, back - kPi + kChainRounding - right);
     } else {
       leaveThroughCorner(vertex, h, ahead - right, ahead + width - right);
       leaveThroughCorner(vertex, h, ahead - right - total, ahead + width - right - total);
@@ -395,8 +393,7 @@ void WindowDistance::arriveBent(int vertex, VertexRecord& record, int via, const
   if (lead <= 0 || square(lead) <= squaredLeg(window, apex)) return;
   const double bend = std::min(std::max(crossing, window.begin), window.end);
   const double length = distanceAt(window, bend) + (apex - Vec2(bend, 0)).norm();
-  arrive(vertex, record, {length * (1 + kBentPenalty), window.offset, window.pseudoSource}, via,
-         bend);
+  arrive(vertex, record, {bentLength(length), window.offset, window.pseudoSource}, via, bend);
 }
 
 void WindowDistance::arrive(int vertex, VertexRecord& record, const Arrival& arrival, int via,
@@ -466,7 +463,6 @@ void WindowDistance::reachAlongEdges() {
 
 /// Whether all of the window is farther from its source than through one that came before.
 bool WindowDistance::isBehindAnother(int h, const Window& window) {
-  constexpr double kRounding = 1e-9;
   constexpr double kAtTip = 1e-6;
   const auto [entry, isNew] = widest_.try_emplace(h, window);
   if (isNew) return false;
@@ -478,7 +474,8 @@ bool WindowDistance::isBehindAnother(int h, const Window& window) {
     const double atEnd = squaredLegTo(other, window.end) / squaredLegTo(window, window.end);
     const double most = std::max(atBegin, atEnd);
     const double least = std::min(atBegin, atEnd);
-    if (least < 1 - kRounding && most <= 1 + kRounding && most - 1 <= kAtTip * (1 - least)) {
+    if (least < 1 - kChainRounding && most <= 1 + kChainRounding &&
+        most - 1 <= kAtTip * (1 - least)) {
       return true;
     }
   }

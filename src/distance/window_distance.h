@@ -57,10 +57,8 @@ class WindowDistance final : public DistanceSolver {
 
   /// Carries windows on. Steps are taken in one fixed order, and none changes a vertex nearer than
   /// its least key.
-  /// Throws Error kBadArgument if that takes more than kMostWindowsPerFace windows a face. Ordinary
-  /// meshes take 10 to 100; only a surface whose shape is rounding noise comes near the limit.
+  /// Throws Error kBadArgument if that takes more than kMostWindowsPerFace windows a face.
   void grow(double radius) override;
-  static constexpr int kMostWindowsPerFace = 10'000;
   /// The work since `setSource`.
   int64_t windowsCarried() const {
     return static_cast<int64_t>(kMostWindowsPerFace) * mesh_.faceCount() - windowsLeft_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mesh/positions.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
@@ -139,9 +140,8 @@ EdgeDirection directionOfEdge(const Geometry& geometry, int h) {
 CornerDirection cornerOfDirection(const Geometry& geometry, int vertex, double direction) {
   const TriangleMesh& mesh = *geometry.mesh;
   const double total = geometry.totalAngle[vertex];
-  constexpr double kTolerance = 1e-9;
   if (mesh.onBoundary[vertex]) {
-    const auto isOn = [&](double d) { return d >= -kTolerance && d <= total + kTolerance; };
+    const auto isOn = [&](double d) { return d >= -kChainRounding && d <= total + kChainRounding; };
     for (const double turn : {0.0, 2 * kPi, -2 * kPi}) {
       if (!isOn(direction + turn)) continue;
       direction += turn;

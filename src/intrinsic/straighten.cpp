@@ -4,12 +4,10 @@
 #include <string>
 
 #include "mesh/error.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
-
-/// Angles around a vertex that differ by less count as equal.
-constexpr double kSameAngle = 1e-9;
 
 /// The half-edge that leaves a vertex in a face that holds it.
 int leaving(const TriangleMesh& mesh, int face, int vertex) {
@@ -116,8 +114,8 @@ class ChainStrip {
     double left = outgoing - incoming;
     if (left < 0) left += total;
     // The path turns straight back along an edge, from the face on one side to that on the other.
-    if (std::min(left, total - left) < kSameAngle) return there == mesh_.twin[previous(here)];
-    if (std::abs(2 * left - total) > kSameAngle) return 2 * left < total;
+    if (std::min(left, total - left) < kChainRounding) return there == mesh_.twin[previous(here)];
+    if (std::abs(2 * left - total) > kChainRounding) return 2 * left < total;
     return leastNeighbor(vertex, target, true) < leastNeighbor(vertex, target, false);
   }
 

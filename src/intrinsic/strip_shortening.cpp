@@ -1,12 +1,10 @@
 #include <algorithm>
 
 #include "intrinsic/tightening.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
-
-/// Paths are not led over a vertex to gain less than this part of their length.
-constexpr double kLeastGain = 1e-9;
 
 /// How many of the vertices beside a leg are tried, those with the greatest gains.
 constexpr int kPassages = 4;
@@ -56,7 +54,7 @@ bool Tightening::shortenLeg(int leg) {
         std::sqrt(std::max(0.0, back.squaredNorm() + on.squaredNorm() -
                                     2 * back.norm() * on.norm() * std::cos(total - inside)));
     const double gain = straight - across;
-    if (gain > kLeastGain * straight) passages.push_back({portal, onLeft, gain});
+    if (gain > kChainRounding * straight) passages.push_back({portal, onLeft, gain});
   };
   for (int i = first; i <= last; ++i) {
     const bool leftIsNew = i == first || crossing(i) == next(mesh_.twin[crossing(i - 1)]);
@@ -85,7 +83,7 @@ bool Tightening::passOver(const Passage& passage, int leg) {
   workspace_.keptBends.assign(bends_.begin(), bends_.end());
   turnRound({.portal = passage.portal, .onLeft = passage.onLeft}, leg - 1, leg);
   turnSharpBends();
-  if (length() < before * (1 - kLeastGain)) return true;
+  if (length() < before * (1 - kChainRounding)) return true;
   strip_.face = workspace_.keptStrip.face;
   strip_.crossings.swap(workspace_.keptStrip.crossings);
   bends_.swap(workspace_.keptBends);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "intrinsic/strip_path.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
@@ -12,9 +13,6 @@ using TautEntry = TautSearchWorkspace::QueueEntry;
 
 /// Lengths are measured to points of edges that keep at least this part of the edge from its ends.
 constexpr double kOffVertices = 0.01;
-
-/// Rays that rise less than this part of an edge run along it.
-constexpr double kAlongEdge = 1e-12;
 
 bool isLater(const TautEntry& a, const TautEntry& b) { return a.key > b.key; }
 
@@ -158,7 +156,7 @@ class TautSearch {
     // The places where the rays through the sides of the view meet the edge.
     const auto meet = [&](const Vec2& side, double otherwise) {
       const double rise = side.y() - view.source.y();
-      if (rise <= kAlongEdge * edge) return otherwise;
+      if (rise <= kLocalRounding * edge) return otherwise;
       return view.source.x() - (side.x() - view.source.x()) * view.source.y() / rise;
     };
     const double low = std::clamp(meet(view.left, 0), 0.0, edge);

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
+#include "mesh/rounding.h"
+
 namespace karcher {
 namespace {
-
-/// A vertex with less angle than this on one side of the path allows shortening it.
-constexpr double kStraight = kPi - 1e-9;
 
 /// Whether the point lies on the edge of half-edge h.
 bool liesOnEdge(const TriangleMesh& mesh, const PointLocation& point, int h) {
@@ -224,7 +223,7 @@ void Tightening::pullBetween(int before, int after) {
 
 /// The bend with the least outside angle among those that allow shortening; -1 if there is none.
 int Tightening::sharpestBend() const {
-  double sharpest = kStraight;
+  double sharpest = kPi - kChainRounding;
   int found = -1;
   for (int i = 0; i < bends_.count(); ++i) {
     if (bends_[i].outside < sharpest && !mesh_.onBoundary[vertexOf(bends_[i])]) {

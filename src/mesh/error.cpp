@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 namespace karcher {
 
@@ -52,8 +53,8 @@ std::string inSentence(double value, int digits) {
 
 std::string inFull(double value) {
   int digits = 6;
-  constexpr int kEnough = 17;
-  while (digits < kEnough && std::strtod(inSentence(value, digits).c_str(), nullptr) != value) {
+  constexpr int enough = std::numeric_limits<double>::max_digits10;
+  while (digits < enough && std::strtod(inSentence(value, digits).c_str(), nullptr) != value) {
     ++digits;
   }
   return inSentence(value, digits);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "mesh/split_triangles.h"
@@ -42,24 +43,24 @@ Implicit threeTori(const Vec3& p) {
   return {-kBlend * std::log(sum), gradient / sum};
 }
 
-/// Newton's method along the gradient, which stops early at the surface.
-Vec3 onSurface(Vec3 p, int steps) {
+/// A step of Newton's method along the gradient; none at the surface.
+Vec3 nearerToSurface(const Vec3& p) {
   constexpr double kArrived = 1e-14;
-  for (int step = 0; step < steps; ++step) {
-    const Implicit f = threeTori(p);
-    if (std::abs(f.value) < kArrived) break;
-    p -= f.value / std::max(f.gradient.squaredNorm(), 0.1) * f.gradient;
-  }
-  return p;
+  const Implicit f = threeTori(p);
+  if (std::abs(f.value) < kArrived) return p;
+  return p - f.value / std::max(f.gradient.squaredNorm(), 0.1) * f.gradient;
 }
 
-/// The outside of 7 x 3 unit cubes less three, scaled to the rings.
+/// The outside of unit cubes in this plan, scaled to the rings.
 TriangleMesh slab() {
-  constexpr int kColumns = 7;
-  constexpr int kRows = 3;
-  const auto filled = [](int i, int j, int k) {
-    if (i < 0 || i >= kColumns || j < 0 || j >= kRows || k != 0) return false;
-    return j != 1 || i % 2 == 0;
+  const std::array<std::string_view, 3> plan = {"#######",  //
+                                                "# # # #",  //
+                                                "#######"};
+  const int rows = static_cast<int>(plan.size());
+  const int columns = static_cast<int>(plan[0].size());
+  const auto filled = [&](int i, int j, int k) {
+    if (i < 0 || i >= columns || j < 0 || j >= rows || k != 0) return false;
+    return plan[static_cast<size_t>(j)][static_cast<size_t>(i)] == '#';
   };
   std::map<std::array<int, 3>, int> numbers;
   Array<Vec3> positions;
@@ -71,8 +72,8 @@ TriangleMesh slab() {
     return entry->second;
   };
   Array<Triangle> faces;
-  for (int i = 0; i < kColumns; ++i) {
-    for (int j = 0; j < kRows; ++j) {
+  for (int i = 0; i < columns; ++i) {
+    for (int j = 0; j < rows; ++j) {
       if (!filled(i, j, 0)) continue;
       for (size_t axis = 0; axis < 3; ++axis) {
         for (const int side : {0, 1}) {
@@ -106,7 +107,6 @@ TriangleMesh slab() {
 
 /// Moves every vertex towards the mean of its neighbours, and back onto the surface.
 void spread(TriangleMesh& mesh, int steps) {
-  constexpr int kRoughly = 1;
   for (int step = 0; step < steps; ++step) {
     Array<Vec3> sum(mesh.positions.size(), Vec3::Zero());
     Array<int> valence(mesh.positions.size(), 0);
@@ -115,7 +115,7 @@ void spread(TriangleMesh& mesh, int steps) {
       ++valence[mesh.tail(h)];
     }
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-      mesh.positions[v] = onSurface((mesh.positions[v] + sum[v] / valence[v]) / 2, kRoughly);
+      mesh.positions[v] = nearerToSurface((mesh.positions[v] + sum[v] / valence[v]) / 2);
     }
   }
 }
@@ -141,8 +141,10 @@ TriangleSoup genusThree(int triangles) {
     mesh = splitMesh(mesh, 2);
     spread(mesh, kLaterSteps);
   }
-  constexpr int kExactly = 5;
-  for (Vec3& p : mesh.positions) p = onSurface(p, kExactly);
+  constexpr int kNewtonSteps = 5;
+  for (int step = 0; step < kNewtonSteps; ++step) {
+    for (Vec3& p : mesh.positions) p = nearerToSurface(p);
+  }
   return {std::move(mesh.positions), std::move(mesh.faces)};
 }
 

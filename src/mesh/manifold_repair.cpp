@@ -7,6 +7,7 @@
 #include "mesh/disjoint_sets.h"
 #include "mesh/edges.h"
 #include "mesh/error.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
@@ -144,10 +145,8 @@ class ManifoldRepair {
       away.push_back(awayFromEdge(sides[i], along));
     }
     while (true) {
-      // If angles are equal, faces that other edges connect stay together.
-      constexpr double kEqual = 1e-6;
-      // Among angles that differ by rounding, the file's first is taken.
-      constexpr double kRounding = 1e-9;
+      // If angles are equal in the file, faces that other edges connect stay together. Among
+      // angles that differ by rounding, the file's first is taken.
       double best = kInfinity;
       int first = -1;
       int second = -1;
@@ -156,8 +155,8 @@ class ManifoldRepair {
           if (mesh_.twin[sides[i]] >= 0 || mesh_.twin[sides[j]] >= 0) continue;
           if (sameDirection(sides[i], sides[j])) continue;
           const bool connected = part_[faceOf(sides[i])] == part_[faceOf(sides[j])];
-          const double cosine = away[i].dot(away[j]) - (connected ? kEqual : 0);
-          if (cosine >= best - kRounding) continue;
+          const double cosine = away[i].dot(away[j]) - (connected ? kFloatRounding : 0);
+          if (cosine >= best - kChainRounding) continue;
           best = cosine;
           first = i;
           second = j;

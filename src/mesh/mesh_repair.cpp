@@ -9,15 +9,15 @@
 #include "mesh/manifold_repair.h"
 #include "mesh/morton.h"
 #include "mesh/positions.h"
+#include "mesh/rounding.h"
 #include "mesh/seams.h"
 
 namespace karcher {
 namespace {
 
-/// The longest edges that count as having no length, relative to the diagonal and to the longest
-/// edge of their face.
+/// Edges up to this part of the diagonal count as having no length, and so do edges up to
+/// kLocalRounding of their face's longest.
 constexpr double kShortOfDiagonal = 1e-14;
-constexpr double kShortOfLongest = 1e-12;
 
 /// The vertices that faces use, in their order.
 Array<int> usedVertices(const TriangleSoup& soup) {
@@ -104,7 +104,7 @@ class MeshRepair {
             (soup_.positions[t[(k + 1) % 3]] - soup_.positions[t[k]]).norm();
       }
       const double longest = std::max({length[0], length[1], length[2]});
-      const double limit = std::max(kShortOfDiagonal * diagonal, kShortOfLongest * longest);
+      const double limit = std::max(kShortOfDiagonal * diagonal, kLocalRounding * longest);
       for (int k = 0; k < 3; ++k) {
         if (length[static_cast<size_t>(k)] > limit) continue;
         contracted += target_.unite(t[k], t[(k + 1) % 3]) ? 1 : 0;

@@ -6,8 +6,6 @@
 namespace karcher {
 namespace {
 
-constexpr int kBits = 21;
-
 /// Moves bit i of a 21-bit number to bit 3 i.
 uint64_t spread(uint64_t x) {
   x = (x | x << 32) & 0x001f00000000ffffULL;
@@ -35,7 +33,7 @@ Array<int> mortonOrder(const Array<Vec3>& positions, Array<int> vertices) {
   }
   // Halves, since the difference of two finite numbers may overflow.
   const double halfWidth = (high / 2 - low / 2).maxCoeff();
-  constexpr double kCells = (1 << kBits) - 1;
+  constexpr double kCells = (1 << 21) - 1;  // of numbers of 21 bits
   const double scale = halfWidth > 0 ? kCells / halfWidth : 0;
   Array<Entry> entries;
   entries.reserve(vertices.size());

@@ -6,6 +6,7 @@
 
 #include "mesh/error.h"
 #include "mesh/nearest_in_triangle.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
@@ -66,9 +67,9 @@ SurfacePoint nearestBeside(const TriangleMesh& mesh, const FaceImage& image, con
     return true;
   };
   for (const int f : image.beside) consider(f);
-  constexpr int kMostSteps = 10'000;
   bool nearer = nearest > 0;
-  for (int step = 0; nearer && step < kMostSteps; ++step) {
+  // Each step leads to a nearer face, so that none comes twice.
+  for (int step = 0; nearer && step < mesh.faceCount(); ++step) {
     nearer = false;
     const Triangle corners = mesh.faces[best.face];
     for (const int v : corners) {
@@ -110,10 +111,9 @@ SurfacePoint toEngine(const Numbering& numbering, const TriangleMesh& mesh, int 
   const Vec3 place = placeIn(image, point.bary);
   if (!image.beside.empty()) return nearestBeside(mesh, image, place);
   // Uses the triangle's own vertices first, since others may be at the same place.
-  constexpr double kNear = 1e-6;
   SurfacePoint nearest = nearestPoint(mesh, place);
   const double distance = (position(mesh, nearest) - place).norm();
-  if (distance <= kNear * boundingBoxDiagonal(mesh)) return nearest;
+  if (distance <= kFloatRounding * boundingBoxDiagonal(mesh)) return nearest;
   throw Error(ErrorCode::kBadIndex, "face " + std::to_string(inputFace) +
                                         " was left out, as it has no area, and touches no other");
 }

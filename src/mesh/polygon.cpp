@@ -4,11 +4,10 @@
 #include <cmath>
 #include <cstdint>
 
+#include "mesh/rounding.h"
+
 namespace karcher {
 namespace {
-
-/// Corners whose sine is below this lie on a line, up to rounding.
-constexpr double kFlat = 1e-12;
 
 /// A corner beyond an ear's box by more than this part of the box is not in the ear, whatever the
 /// rounding.
@@ -131,7 +130,8 @@ class EarClipping {
     const Vec2& a = plane_[at(i - 1)];
     const Vec2& b = plane_[at(i)];
     const Vec2& c = plane_[at(i + 1)];
-    const double flat = kFlat * ((b - a).squaredNorm() + (c - b).squaredNorm());
+    // Corners whose sine is below this lie on a line.
+    const double flat = kLocalRounding * ((b - a).squaredNorm() + (c - b).squaredNorm());
     // Written so that it is also taken for coordinates that are NaN, as without a normal.
     if (!(cross(b - a, c - b) > flat)) return kInfinity;
     const int own[3] = {at(i - 1), at(i), at(i + 1)};

@@ -8,10 +8,9 @@
 namespace karcher {
 namespace {
 
-/// In this range lengths fit floats, which order the queue of distances, and products of several
-/// lengths fit doubles.
+/// From the inverse of this on to this lengths fit floats, which order the queue of distances, and
+/// products of several lengths fit doubles.
 constexpr double kLargestCoordinate = 1e30;
-constexpr double kSmallestExtent = 1e-30;
 
 class Check {
  public:
@@ -32,9 +31,9 @@ class Check {
   /// The diagonal of the box around all checked positions.
   double diagonal() const {
     const double extent = (high_ - low_).maxCoeff();
-    if (extent > 0 && extent < kSmallestExtent) {
+    if (extent > 0 && extent < 1 / kLargestCoordinate) {
       refuse("the mesh is only " + inSentence(extent) + " wide; it must be at least " +
-             inSentence(kSmallestExtent) + ": scale the mesh first");
+             inSentence(1 / kLargestCoordinate) + ": scale the mesh first");
     }
     return (high_ - low_).norm();
   }

@@ -1,16 +1,18 @@
 #include "mesh/seams.h"
 
+#include <limits>
 #include <utility>
 
 #include "mesh/edges.h"
 #include "mesh/near_points.h"
+#include "mesh/rounding.h"
 #include "mesh/sorted_numbers.h"
 
 namespace karcher {
 namespace {
 
-/// The default tolerance, relative to the diagonal and to the shortest edge.
-constexpr double kNear = 1e-6;
+/// The default tolerance relative to the shortest edge; relative to the diagonal it is
+/// kFloatRounding.
 constexpr double kNearPartOfEdge = 0.01;
 /// The largest tolerance relative to the shortest edge, whatever the caller wants, so that
 /// triangles keep their shape.
@@ -177,7 +179,7 @@ class Seams {
     for (int v = 0; v < reach.count(); ++v) {
       if (reach[v] == kInfinity) continue;
       reach[v] = options_.tolerance < 0
-                     ? std::min(kNear * options_.diagonal, kNearPartOfEdge * reach[v])
+                     ? std::min(kFloatRounding * options_.diagonal, kNearPartOfEdge * reach[v])
                      : std::min(options_.tolerance, kMostPartOfEdge * reach[v]);
       most = std::max(most, reach[v]);
       points.push_back(v);
@@ -245,19 +247,18 @@ class Seams {
   };
 
   /// The heaps of cubes whose points are no farther from each other than `width`. If the cubes
-  /// would be too many to number, each point is a heap.
+  /// would be too many to number exactly, each point is a heap.
   Heaps heapsOf(const Array<int>& points, double width) const {
     Heaps heaps;
     heaps.points = points;
     const double side = width / 2;  // smaller than width / sqrt(3)
-    constexpr double kMostCubes = 1e15;
     Array<Vec3> cubes;
     double farthest = 0;
     for (const int p : points) {
       cubes.push_back((positions_[p] / side).array().floor());
       farthest = std::max(farthest, cubes.back().cwiseAbs().maxCoeff());
     }
-    const bool hasCubes = side > 0 && farthest < kMostCubes;
+    const bool hasCubes = side > 0 && farthest < 1 / std::numeric_limits<double>::epsilon();
     if (hasCubes) {
       const auto isBefore = [&](int i, int j) {
         const Vec3& a = cubes[i];

@@ -4,16 +4,9 @@
 
 #include "mesh/error.h"
 #include "mesh/nearest_in_triangle.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
-namespace {
-
-/// How far outside its triangle a caller's point may lie, to allow for raycasts in floats and
-/// weights of nine digits.
-constexpr double kOutsideTolerance = 1e-6;
-
-}  // namespace
-
 SurfacePoint checkedPoint(int faceCount, int face, const Vec3& bary) {
   if (face < 0 || face >= faceCount) {
     throw Error(ErrorCode::kBadIndex, "there is no face " + std::to_string(face) +
@@ -25,7 +18,8 @@ SurfacePoint checkedPoint(int faceCount, int face, const Vec3& bary) {
   if (!bary.allFinite()) {
     throw Error(ErrorCode::kNotFinite, name + " has a weight that is not a finite number");
   }
-  if (bary.minCoeff() < -kOutsideTolerance || std::abs(bary.sum() - 1) > kOutsideTolerance) {
+  // Raycasts in floats and weights of nine digits are allowed for.
+  if (bary.minCoeff() < -kFloatRounding || std::abs(bary.sum() - 1) > kFloatRounding) {
     throw Error(ErrorCode::kBadPoint,
                 name + " lies outside it: the weights must be at least 0 and sum to 1");
   }

@@ -7,11 +7,10 @@
 #include "mesh/edges.h"
 #include "mesh/error.h"
 #include "mesh/positions.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
-
-constexpr double kDegenerateHeight = 1e-12;
 
 /// Throws for an edge that is not manifold.
 [[noreturn]] void throwEdge(const TriangleMesh& mesh, std::span<const EdgeSide> sides,
@@ -66,7 +65,7 @@ bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a;
   const Vec3 v = c - a;
   const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
-  return !(u.cross(v).norm() > kDegenerateHeight * longest);
+  return !(u.cross(v).norm() > kLocalRounding * longest);
 }
 
 void checkCorners(int vertexCount, const Array<Triangle>& triangles) {

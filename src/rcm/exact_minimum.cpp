@@ -6,6 +6,7 @@
 
 #include "distance/window_distance.h"
 #include "intrinsic/straightest.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
@@ -112,8 +113,7 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
       }
       if (longest <= most || most == kInfinity) break;
       constexpr double kFurther = 1.5;
-      constexpr double kRounding = 1 + 1e-9;
-      most = longest < kInfinity            ? kRounding * longest
+      most = longest < kInfinity            ? (1 + kChainRounding) * longest
              : most < 10 * geometry_.extent ? kFurther * std::max(most, geometry_.meanEdge)
                                             : kInfinity;
     }

@@ -4,6 +4,7 @@
 
 #include "distance/edge_dijkstra.h"
 #include "intrinsic/straightest.h"
+#include "mesh/rounding.h"
 #include "mesh/sorted_numbers.h"
 #include "rcm/one_source_energy.h"
 
@@ -152,8 +153,7 @@ Array<SurfacePoint> lowestStarts(const Geometry& geometry, const WeightedPoints&
   Array<double> lowest(wanted, kInfinity);  // ascending
   for (const int i :
        sortedNumbers(starts.count(), [&](int a, int b) { return bounds[a] < bounds[b]; })) {
-    constexpr double kRounding = 1e-12;
-    if (bounds[i] * (1 - kRounding) > lowest.back()) break;
+    if (bounds[i] * (1 - kLocalRounding) > lowest.back()) break;
     const Array<double> distances = edgeDijkstra(geometry, nearestCorner(mesh, starts[i]));
     energies[i] = energyBy([&](int v) { return distances[v]; });
     lowest.back() = std::min(lowest.back(), energies[i]);

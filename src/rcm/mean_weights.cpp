@@ -4,6 +4,7 @@
 #include <string>
 
 #include "mesh/error.h"
+#include "mesh/rounding.h"
 #include "rcm/center_of_mass.h"
 #include "rcm/exact_minimum.h"
 #include "rcm/field_blend.h"
@@ -13,12 +14,8 @@ namespace {
 
 using Column = Eigen::Vector3d;
 
-/// Constraints are met up to this, with vectors scaled so that the longest has length 1.
-constexpr double kMet = 1e-9;
 /// A constraint depends on the others if less than this part of it (squared) is orthogonal to them.
 constexpr double kRank = 1e-13;
-/// Multipliers above this negative number are 0 up to rounding.
-constexpr double kOptimal = 1e-12;
 
 /// The projection of given weights onto those that sum to 1 and balance the vectors: columns
 /// (1, x, y) with sum_i w_i column_i = (1, 0, 0).
@@ -32,7 +29,7 @@ class Balance {
     Array<double> weights = given_;
     Array<char> free(given_.size(), 1);
     project(free, weights);
-    if (!(missedBy(weights) <= kMet)) {
+    if (!(missedBy(weights) <= kChainRounding)) {
       throw Error(ErrorCode::kBadArgument,
                   "no weights make this point the center: seen from it, the others lie on one line "
                   "that misses it");
@@ -121,7 +118,7 @@ class Balance {
   /// The held weight that the objective pulls most strongly above 0; -1 if there is none.
   int mostPulled(const Array<char>& free, const Column& multiplier) const {
     int most = -1;
-    double pull = kOptimal;
+    double pull = kLocalRounding;
     for (int i = 0; i < columns_.count(); ++i) {
       if (free[i]) continue;
       const double wanted = given_[i] + columns_[i].dot(multiplier);
@@ -140,7 +137,8 @@ class Balance {
     Array<double> weights = given_;
     Array<char> free(weights.size(), 1);
     project(free, weights);
-    if (missedBy(weights) <= kMet && *std::min_element(weights.begin(), weights.end()) >= 0) {
+    if (missedBy(weights) <= kChainRounding &&
+        *std::min_element(weights.begin(), weights.end()) >= 0) {
       return weights;
     }
     // One vector at 0 suffices, else two opposite ones, else the triangle of any vector and the two
@@ -149,7 +147,7 @@ class Balance {
     const auto vector = [&](int i) { return Vec2(columns_[i][1], columns_[i][2]); };
     int longest = 0;
     for (int i = 0; i < count; ++i) {
-      if (vector(i).norm() <= kMet) {
+      if (vector(i).norm() <= kChainRounding) {
         weights[i] = 1;
         return weights;
       }
@@ -173,7 +171,7 @@ class Balance {
     if (right >= 0) free[right] = 1;
     project(free, weights);
     const double least = *std::min_element(weights.begin(), weights.end());
-    if (!(missedBy(weights) <= kMet) || !(least >= -kMet)) {
+    if (!(missedBy(weights) <= kChainRounding) || !(least >= -kChainRounding)) {
       throw Error(ErrorCode::kBadArgument,
                   "there are no such weights that are not negative: the point lies outside of the "
                   "convex hull of the others as they are seen from it");

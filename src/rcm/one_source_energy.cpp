@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mesh/rounding.h"
 #include "mesh/sorted_numbers.h"
 
 namespace karcher {
@@ -13,13 +14,11 @@ bool isBefore(const SurfacePoint& a, const SurfacePoint& b) {
                                       b.bary.data() + 3);
 }
 
-/// Log vectors start inside a face. A place on its boundary is moved inwards by this part of the
-/// face.
-constexpr double kInwards = 1e-9;
-
+/// Log vectors start inside a face. A place on its boundary is moved inwards, farther than by
+/// rounding.
 SurfacePoint movedInside(const SurfacePoint& place) {
-  if (place.bary.minCoeff() > kInwards) return place;
-  return {place.face, (1 - 3 * kInwards) * place.bary + Vec3::Constant(kInwards)};
+  if (place.bary.minCoeff() > kChainRounding) return place;
+  return {place.face, (1 - 3 * kChainRounding) * place.bary + Vec3::Constant(kChainRounding)};
 }
 
 /// The log of a point, interpolated from its face's corners: exact if these lie in one plane.

@@ -9,6 +9,7 @@
 #include "distance/shortest_path.h"
 #include "distance/tangent_maps.h"
 #include "mesh/error.h"
+#include "mesh/rounding.h"
 #include "rcm/mean.h"
 
 namespace karcher {
@@ -16,8 +17,6 @@ namespace {
 
 /// Differences are taken over this part of an edge, so that paths seldom change in between.
 constexpr double kStep = 1e-3;
-/// A place lies on an edge if its least weight is not above this.
-constexpr double kInside = 1e-9;
 
 /// The influence of a point by its distance.
 struct Rule {
@@ -117,7 +116,7 @@ RobustMean search(FieldSets& sets, const Array<SurfacePoint>& points, const Arra
 
 /// The radius of the largest disk around a place inside a face that stays in the face.
 double reachInside(const Geometry& geometry, const SurfacePoint& place) {
-  if (place.bary.minCoeff() <= kInside) {
+  if (place.bary.minCoeff() <= kChainRounding) {
     throw Error(ErrorCode::kBadArgument, "the energy has derivatives inside faces only");
   }
   double reach = kInfinity;

@@ -5,11 +5,10 @@
 
 #include "distance/shortest_path.h"
 #include "mesh/nearest_in_triangle.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
-
-constexpr double kFlatTolerance = 1e-9;
 
 /// A shortest path between two points in a ball about the center stays within twice its radius. A
 /// path from such a point to a place at twice the radius, where the energy is larger than at the
@@ -57,7 +56,7 @@ FaceSet facesWithin(const TriangleMesh& mesh, const SurfacePoint& center, double
 
 bool isPositivelyCurved(const Geometry& geometry, int vertex) {
   return geometry.mesh->onBoundary[vertex] == 0 &&
-         geometry.totalAngle[vertex] < 2 * kPi - kFlatTolerance;
+         geometry.totalAngle[vertex] < 2 * kPi - kChainRounding;
 }
 
 /// Whether faces connected through edges form a disk in which no vertex has positive curvature.

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "intrinsic/straightest.h"
+#include "mesh/rounding.h"
 #include "rcm/center_of_mass.h"
 #include "rcm/deepest_zero.h"
 
@@ -210,11 +211,10 @@ CenterOfMass centerBetween(FieldBlend& fields, Weights weights, int h) {
 
 bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point) {
   // The rounding of the fields, for weights that may be far larger than their sum.
-  constexpr double kRounding = 1e-12;
   double sum = 0;
   for (const double weight : weights) sum += std::abs(weight);
   const Vec2 gradient = fields.at(point, weights);
-  if (!(gradient.norm() <= kRounding * sum * fields.geometry().diagonal)) return false;
+  if (!(gradient.norm() <= kLocalRounding * sum * fields.geometry().diagonal)) return false;
   return zeroOfCell(fields, weights, fields.cells().at(point).cell).has_value();
 }
 

@@ -337,9 +337,9 @@ int pieceHolding(const TriangleMesh& mesh, const Arrangement& arrangement,
   const int f = point.face;
   const int first = arrangement.firstOfFace[f];
   const int end = arrangement.firstOfFace[f + 1];
-  // Points on the sides of the face are moved inwards by this.
-  constexpr double kInwards = 0x1p-34;
-  const Vec3 bary = (1 - kInwards) * point.bary + Vec3::Constant(kInwards / 3);
+  // Points on the sides of the face are moved inwards.
+  constexpr double inwards = kTogether / 4;
+  const Vec3 bary = (1 - inwards) * point.bary + Vec3::Constant(inwards / 3);
   const Vec2 place(onGrid(bary[1]), onGrid(bary[2]));
   Array<int> crossed;
   for (int h = first; h < end; ++h) {

@@ -5,6 +5,7 @@
 
 #include "mesh/disjoint_sets.h"
 #include "mesh/error.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
@@ -143,8 +144,7 @@ class FaceTriangles {
       const Vec2 v = frame_[b] - frame_[apex];
       return std::atan2(std::abs(cross(u, v)), u.dot(v));
     };
-    constexpr double kRounding = 1e-9;
-    return angle(c) + angle(d) > kPi + kRounding;
+    return angle(c) + angle(d) > kPi + kChainRounding;
   }
 
   void flip(int a, int b, int c, int d) {

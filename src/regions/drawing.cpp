@@ -226,23 +226,23 @@ class Drawer {
   /// Cuts lines at the vertices that they pass.
   static void cutAtVertices(const Array<Line>& lines, const Array<PlacedVertex>& vertices,
                             Array<LineCut>& cuts) {
-    constexpr double kNear = kTogether / 2;
+    constexpr double near = kTogether / 2;
     for (int i = 0; i < lines.count(); ++i) {
       const Line& line = lines[i];
-      const double low = std::min(line.from.y(), line.to.y()) - kNear;
-      const double high = std::max(line.from.y(), line.to.y()) + kNear;
+      const double low = std::min(line.from.y(), line.to.y()) - near;
+      const double high = std::max(line.from.y(), line.to.y()) + near;
       const Vec2 way = line.to - line.from;
       const double squared = way.squaredNorm();
-      auto it = std::lower_bound(vertices.begin(), vertices.end(), line.left - kNear,
+      auto it = std::lower_bound(vertices.begin(), vertices.end(), line.left - near,
                                  [](const PlacedVertex& v, double x) { return v.place.x() < x; });
-      for (; it != vertices.end() && it->place.x() <= line.right + kNear; ++it) {
+      for (; it != vertices.end() && it->place.x() <= line.right + near; ++it) {
         if (it->place.y() < low || it->place.y() > high) continue;
         if (it->vertex == line.a || it->vertex == line.b) continue;
         const Vec2 there = it->place - line.from;
         const double along = there.dot(way);
         if (along <= 0 || along >= squared) continue;
         const double across = exactCross(way, there);
-        if (across * across <= kNear * kNear * squared) {
+        if (across * across <= near * near * squared) {
           cuts.push_back({i, along / squared, it->vertex});
         }
       }

@@ -5,6 +5,7 @@
 
 #include "mesh/disjoint_sets.h"
 #include "mesh/error.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
@@ -94,11 +95,10 @@ void chooseSide(const Arrangement& all, const Array<int>& cells, const Array<int
     areas.back().area += all.cellArea[cell];
   }
   // Among areas that are equal up to rounding, the first is taken, which is right of the curves.
-  constexpr double kSameArea = 1e-9;
   const LabelArea* outside = nullptr;
   for (const LabelArea& one : areas) {
     if (inside && one.label == labels[*inside]) continue;
-    if (outside == nullptr || one.area > outside->area * (1 + kSameArea)) outside = &one;
+    if (outside == nullptr || one.area > outside->area * (1 + kChainRounding)) outside = &one;
   }
   // There is none if the point's side is everything, as beyond the boundary.
   for (const int cell : cells) {

@@ -5,12 +5,10 @@
 
 #include "curves/spec/knots.h"
 #include "intrinsic/straighten.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
-
-/// Weights of parents below this are rounding.
-constexpr double kNegligible = 1e-12;
 
 /// The row of a knot insertion for the new control point whose knots are new_[j + 1], ...,
 /// new_[j + p]: its weights of the p + 1 old points of span `span`, as the blossom of that span's
@@ -36,7 +34,7 @@ Array<double> insertionRow(const Old& old, const Refined& refined, int degree, i
   Array<double>& row = d[degree];
   double sum = 0;
   for (double& weight : row) {
-    if (weight < kNegligible) weight = 0;
+    if (weight < kLocalRounding) weight = 0;
     sum += weight;
   }
   for (double& weight : row) weight /= sum;

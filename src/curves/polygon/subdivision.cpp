@@ -3,14 +3,13 @@
 #include <utility>
 
 #include "intrinsic/strip_path.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
 
 /// Parts of a curve shorter than this, in mean edges, are not divided further.
 constexpr double kShortest = 0.25;
-/// Weights below this are ignored: those of a long Bezier curve's points far from the parameter.
-constexpr double kNegligible = 1e-9;
 
 /// The average of two points, with the sum of their weights.
 WeightedPoint merged(const Geometry& geometry, const WeightedPoint& a, const WeightedPoint& b,
@@ -137,9 +136,10 @@ SurfacePoint repeatedAverage(const Geometry& geometry, const Array<SurfacePoint>
   Array<WeightedPoint>& negative = workspace.negative;
   positive.clear();
   negative.clear();
+  // A long Bézier curve weighs points far from the parameter by next to nothing.
   for (int i = 0; i < points.count(); ++i) {
-    if (weights[i] > kNegligible) positive.push_back({points[i], weights[i]});
-    if (weights[i] < -kNegligible) negative.push_back({points[i], -weights[i]});
+    if (weights[i] > kChainRounding) positive.push_back({points[i], weights[i]});
+    if (weights[i] < -kChainRounding) negative.push_back({points[i], -weights[i]});
   }
   const WeightedPoint average = foldedFromEnds(geometry, positive, workspace);
   if (negative.empty()) return average.point;

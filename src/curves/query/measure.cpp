@@ -5,6 +5,7 @@
 
 #include "intrinsic/surface_path.h"
 #include "mesh/error.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
@@ -91,8 +92,7 @@ CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double lengt
     inside = length - whole * std::floor(length / whole);
   }
   // The sum of the segments' own lengths may differ by rounding.
-  constexpr double kRounding = 1e-9;
-  if (!(inside >= 0 && inside <= (1 + kRounding) * whole)) {
+  if (!(inside >= 0 && inside <= (1 + kChainRounding) * whole)) {
     throw Error(ErrorCode::kBadArgument, "the curve has no point at the length " + inFull(length) +
                                              ": it is " + inFull(whole) + " long");
   }

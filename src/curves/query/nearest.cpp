@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numbers>
 
 #include "curves/query/measure.h"
 #include "intrinsic/surface_path.h"
@@ -114,7 +115,7 @@ class NearestSearch {
   }
 
   void goldenSections(double from, double to) {
-    const double golden = (std::sqrt(5.0) - 1) / 2;
+    const double golden = std::numbers::phi - 1;
     double left = to - golden * (to - from);
     double right = from + golden * (to - from);
     double atLeft = evaluate(left).distance;

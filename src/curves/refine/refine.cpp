@@ -8,6 +8,7 @@
 #include "curves/spec/knots.h"
 #include "intrinsic/straighten.h"
 #include "mesh/error.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
@@ -247,8 +248,7 @@ PolygonWithLegs joinedPolygons(const Geometry& geometry, const PolygonWithLegs& 
       (position(*geometry.mesh, from.point) - position(*geometry.mesh, to.point)).norm();
   result.knots.pop_back();
   double start = first.knots.back();
-  constexpr double kMeeting = 1e-9;
-  const bool meet = gap <= kMeeting * geometry.diagonal;
+  const bool meet = gap <= kChainRounding * geometry.diagonal;
   if (!meet) {
     for (int k = 1; k < p; ++k) {
       result.points.push_back(average(geometry, from, to, static_cast<double>(k) / p));
@@ -403,7 +403,7 @@ CurveParts joined(const Curve& first, const Curve& second) {
   const double gap =
       (position(*geometry.mesh, parts.points.back()) - position(*geometry.mesh, more.front()))
           .norm();
-  const int from = gap <= 1e-9 * geometry.diagonal ? 1 : 0;
+  const int from = gap <= kChainRounding * geometry.diagonal ? 1 : 0;
   const auto given = [](const Curve& curve) {
     return followsLegs(curve) ? curve.value().legs : Array<SurfacePath>();
   };

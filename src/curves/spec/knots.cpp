@@ -8,9 +8,8 @@
 namespace karcher {
 namespace {
 
-/// Knots divided by a span must stay finite.
+/// Knots go up to this, and spans down to its inverse, so that quotients stay finite.
 constexpr double kMostKnot = 1e100;
-constexpr double kLeastSpan = 1e-100;
 
 /// k modulo n, from 0 to n - 1.
 int wrapped(int k, int n) { return ((k % n) + n) % n; }
@@ -91,7 +90,7 @@ void checkKnots(const Array<double>& knots, int points, int degree, bool closed)
       refuse("knot " + std::to_string(k) + " is " + inFull(knots[k]) + ", less than knot " +
              std::to_string(k - 1) + ", which is " + inFull(knots[k - 1]));
     }
-    if (knots[k] > knots[k - 1] && knots[k] - knots[k - 1] < kLeastSpan) {
+    if (knots[k] > knots[k - 1] && knots[k] - knots[k - 1] < 1 / kMostKnot) {
       refuse("knot " + std::to_string(k) + " lies " + inSentence(knots[k] - knots[k - 1]) +
              " after knot " + std::to_string(k - 1) + "; knots are equal or at least 1e-100 apart");
     }

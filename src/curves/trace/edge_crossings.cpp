@@ -1,5 +1,8 @@
 #include "curves/trace/edge_crossings.h"
 
+#include "mesh/rounding.h"
+#include "mesh/sign_change.h"
+
 namespace karcher {
 namespace {
 
@@ -89,31 +92,16 @@ bool EdgeCrossings::appendCrossing(int h, int half, double t0, double t1, bool o
     return workspace_.field.at(workspace_.weights);
   };
   const auto across = [](const EdgeValues& v) { return cross(v.tail, v.head); };
-  double before = across(valueAt(t0));
-  double after = across(valueAt(t1));
+  const double before = across(valueAt(t0));
+  const double after = across(valueAt(t1));
   const bool passes = (before < 0) != (after < 0);
   if (!passes && !orNearest) return false;
   // The sample is so near the edge that the faces' own fields place it on this side, and the edge's
   // field on the other.
   double t = std::abs(before) < std::abs(after) ? t0 : t1;
   if (passes) {
-    // Regula falsi, which halves the value of an end that stays (the Illinois rule).
-    constexpr int kMostSteps = 100;
-    constexpr double kSmallest = 1e-15;
-    for (int step = 0; step < kMostSteps && t1 - t0 > kSmallest; ++step) {
-      t = (before * t1 - after * t0) / (before - after);
-      const double value = across(valueAt(t));
-      if (value == 0) break;
-      if ((value < 0) == (after < 0)) {
-        t1 = t;
-        after = value;
-        before /= 2;
-      } else {
-        t0 = t;
-        before = value;
-        after /= 2;
-      }
-    }
+    t = signChange(t0, t1, before, after, kStepRounding,
+                   [&](double place) { return across(valueAt(place)); });
   }
   const EdgeValues values = valueAt(t);
   double s = values.tail.x() / (values.tail.x() - values.head.x());

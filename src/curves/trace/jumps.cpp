@@ -10,9 +10,6 @@ namespace {
 
 /// The most divisions of a step, enough for one across a whole large surface.
 constexpr int kMostDivisions = 200'000;
-/// The most waiting steps: each division leaves one, and the finest is 2^-30.
-constexpr int kMostWaiting = 32;
-static_assert(kFinestDivision * (1 << (kMostWaiting - 2)) > 1);
 /// A step in a face that comes nearer to an edge than this part of its length may bend across it.
 constexpr double kEdgeMargin = 0.25;
 
@@ -50,11 +47,10 @@ class JumpSearch {
   /// inconclusive, or none.
   std::optional<SampleStatus> follow(const CurveSample& from, const CurveSample& to, Weights middle,
                                      Direction direction, bool* differ = nullptr) {
-    Step waiting[kMostWaiting];
-    waiting[0] = {{from.t, from.point}, {to.t, to.point}};
-    int steps = 1;
-    for (int count = 0; steps > 0 && count < kMostDivisions; ++count) {
-      const Step step = waiting[--steps];
+    waiting_.assign(1, {{from.t, from.point}, {to.t, to.point}});
+    for (int count = 0; !waiting_.empty() && count < kMostDivisions; ++count) {
+      const Step step = waiting_.back();
+      waiting_.pop_back();
       const Vec3 a = position(mesh_, step.from.point);
       const Vec3 b = position(mesh_, step.to.point);
       const double length = (b - a).norm();
@@ -83,10 +79,10 @@ class JumpSearch {
         }
       }
       if (center.status != Status::kConverged) return sampleStatus(center.status);
-      waiting[steps++] = {step.from, {t, center.point}};
-      waiting[steps++] = {{t, center.point}, step.to};
+      waiting_.push_back({step.from, {t, center.point}});
+      waiting_.push_back({{t, center.point}, step.to});
     }
-    return steps == 0 ? std::nullopt : std::optional<SampleStatus>(SampleStatus::kJump);
+    return waiting_.empty() ? std::nullopt : std::optional<SampleStatus>(SampleStatus::kJump);
   }
 
   struct Place {
@@ -237,6 +233,7 @@ class JumpSearch {
   Method method_;
   double longest_;
   Array<double>& weights_;
+  Array<Step> waiting_;
 };
 
 }  // namespace

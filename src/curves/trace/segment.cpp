@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "mesh/rounding.h"
+
 namespace karcher {
 
 int heaviest(Weights weights) {
-  // Weights that differ by less are equal up to rounding.
-  constexpr double kEqual = 1e-9;
   const double most = *std::max_element(weights.begin(), weights.end());
   int i = 0;
-  while (weights.data()[i] < most - kEqual) ++i;
+  while (weights.data()[i] < most - kChainRounding) ++i;
   return i;
 }
 

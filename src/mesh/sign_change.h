@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cmath>
+
+namespace karcher {
+
+/// The place between `from` and `to` at which a function changes its sign, up to `rounding`: by
+/// regula falsi, which halves the value of an end that stays (the Illinois rule), and by bisection
+/// where a value is not finite or that does not end. Of values at the ends that have the same sign,
+/// the first is taken to be the negative one.
+template <class Function>
+double signChange(double from, double to, double atFrom, double atTo, double rounding,
+                  const Function& valueAt) {
+  if (atFrom == 0) return from;
+  if (atTo == 0) return to;
+  // After half of the steps bisection goes down to the rounding of doubles.
+  constexpr int kMostSteps = 100;
+  const bool falls = atFrom > 0 && atTo < 0;
+  double at = from;
+  for (int step = 0; step < kMostSteps && to - from > rounding; ++step) {
+    at = (from + to) / 2;
+    if (std::isfinite(atFrom) && std::isfinite(atTo) && (atFrom < 0) != (atTo < 0) &&
+        step < kMostSteps / 2) {
+      const double secant = from - atFrom * (to - from) / (atTo - atFrom);
+      if (secant > from && secant < to) at = secant;
+    }
+    const double value = valueAt(at);
+    if (value == 0) break;
+    if ((value < 0) != falls) {
+      from = at;
+      atFrom = value;
+      atTo /= 2;
+    } else {
+      to = at;
+      atTo = value;
+      atFrom /= 2;
+    }
+  }
+  return at;
+}
+
+}  // namespace karcher
