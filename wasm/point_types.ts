@@ -1,0 +1,131 @@
+/** The types of points, and of how their distances and means are found. */
+
+/** A point of the surface: a face and the weights of its corners 0, 1, 2 (at least 0, sum 1). */
+export interface SurfacePoint {
+  /** The number of the face. */
+  face: number;
+  /** The barycentric weights of the three corners, which sum to 1. */
+  bary: [number, number, number];
+}
+
+/** A point as an argument: a surface point, or a vertex by its number. */
+export type PointLike =
+  | { readonly face: number; readonly bary: readonly [number, number, number] }
+  | { readonly vertex: number };
+
+/** Points as flat arrays: a face each, and three weights each, as `CurvePoints` and `CentersOfMass` have them. */
+export interface PointArrays {
+  /** The face of each point. */
+  face: ArrayLike<number>;
+  /** Three barycentric weights for each point. */
+  bary: ArrayLike<number>;
+}
+
+/** The point of the surface that is nearest to a place. */
+export interface NearestPoint {
+  /** The nearest point of the surface. */
+  point: SurfacePoint;
+  /** The place of that point in space. */
+  position: [number, number, number];
+  /** In space. */
+  distance: number;
+}
+
+/** A place or a direction in space as an argument: three numbers, or an object with x, y and z. */
+export type VectorLike = ArrayLike<number> | { x: number; y: number; z: number };
+
+/**
+ * Vectors as an argument: numbers one after the other, three each, or a list of `VectorLike`; one alone may
+ * be an object with x, y and z.
+ */
+export type VectorsLike = VectorLike | readonly VectorLike[];
+
+/** The format of the coordinates x, y, z of a line's vertices. */
+export interface PolylineOptions {
+  /** 32 bits a number, as graphics take them (the default), or 64. */
+  bits?: 32 | 64 | undefined;
+}
+
+/**
+ * How geodesic distances are found.
+ *
+ * - `fast`: in the mean within .1 % of the exact distances on all meshes that were tried, and within 1 % but
+ *   for single vertices; exact on a plane;
+ * - `exact`: by windows on the edges, exact on every mesh;
+ * - `graph`: along the edges of a graph that joins each vertex to those of its k-ring that it sees in a
+ *   straight line across the faces. The graph of the paper's authors also has edges that turn round
+ *   saddles: their curves lie .02 to .08 mean edges from these, and their fields take half the time.
+ */
+export type Solver = 'fast' | 'exact' | 'graph';
+
+/**
+ * How a control point's field is made, and how centers of mass are found.
+ *
+ * - `karcher`: by the log vectors that the solver yields, read only where the search goes. Exact on
+ *   every triangulation of a plane;
+ * - `paper`: by gradients of squared distances at all vertices, and Newton's method along geodesics
+ *   (Mancinelli, Puppo, Algorithm 1). It takes the solvers `exact` and `graph`.
+ */
+export type Method = 'karcher' | 'paper';
+
+/**
+ * Of the method `paper`: the faces whose gradients its Eq. 3 averages at a vertex.
+ *
+ * - `wide`, the default: those around the vertex and those across their outer edges, as the program of
+ *   the paper's authors has it, whose curves and figures these are;
+ * - `ring`: those around the vertex, the 1-ring, as the paper prints it. On fine smooth meshes curves of
+ *   the two lie a few hundredths of a mean edge apart; on coarse and uneven ones farther, and either may
+ *   be the nearer one to the truth.
+ */
+export type Star = 'wide' | 'ring';
+
+/**
+ * How the search for a center of mass ended. Only `converged` means that the point is one; otherwise
+ * the point is where the search stopped.
+ *
+ * - `converged`: of `centerOfMass`, with the method `karcher` and the solvers `fast` and `exact`, a
+ *   local minimum of the energy by exact distances: no point on a circle of 0.3 mean edges about it
+ *   has a lower energy by more than a thousandth of a square mean edge. Of samples of curves, of
+ *   other solvers and of the method `paper`: the gradient of the energy, as the fields estimate it,
+ *   vanishes there, and its Hessian is positive definite;
+ * - `indefinite`: the Hessian is not positive definite; the points lie too far apart;
+ * - `boundary`: the minimum lies on the boundary, where the gradient does not vanish;
+ * - `noProgress`: no point along the Newton step has a smaller gradient;
+ * - `limit`: the bound on iterations was reached;
+ * - `lowerNearby`, only of `centerOfMass`: the estimated gradient vanishes, but points near by have a
+ *   lower energy by exact distances, and a search from there found no minimum, as on a surface that
+ *   is rough or creased where the center lies;
+ * - `jump`, only as the reason of a bridge: the curve would jump from one local minimum to another;
+ * - `bridged`: the sample of a curve lies on a bridge, see `BridgedInterval`;
+ * - `subdivided`: the sample lies on a piece of a refined curve that is its own subdivision, as it crosses
+ *   faces larger than itself that are out of sight of its points (slivers of CAD parts). The curve is as
+ *   good there; it is also the reason of the interval.
+ */
+export type Status =
+  | 'converged'
+  | 'indefinite'
+  | 'boundary'
+  | 'noProgress'
+  | 'limit'
+  | 'lowerNearby'
+  | 'jump'
+  | 'bridged'
+  | 'subdivided';
+
+/**
+ * How fields are made. The default method is `karcher`. The default solver is `fast`, with the method
+ * `paper` it is `exact`.
+ */
+export interface FieldOptions {
+  /** How log vectors are estimated from distances; `karcher` by default. */
+  method?: Method | undefined;
+  /** How distances are found; `fast` by default, of the method `paper` `exact`. */
+  solver?: Solver | undefined;
+  /** The k of the solver `graph` (see `Solver`, also for the authors' graph), 1 to 10; 6 by default. */
+  rings?: number | undefined;
+  /** Of the method `paper`: Eq. 3 as its authors' program has it (`wide`, the default) or as printed. */
+  star?: Star | undefined;
+}
+
+/** How distances are found. */
+export type DistanceOptions = Pick<FieldOptions, 'solver' | 'rings'>;
