@@ -139,24 +139,38 @@ SurfacePath shortestPath(const Geometry& geometry, const SurfacePoint& from,
   if (haveCommonFace(mesh, from, to)) return {{from, to}, {0, chord}};
 
   WindowDistance distance(geometry);
-  distance.setSource(from);
   if (end.simplex == Simplex::kVertex) {
+    distance.setSource(from);
     return shortestPathToVertex(geometry, distance, end.vertex);
   }
-  distance.setTarget(to);
+  Array<int> faces = {to.face};
+  if (end.simplex == Simplex::kEdge && mesh.twin[end.halfedge] >= 0) {
+    faces.push_back(faceOf(mesh.twin[end.halfedge]));
+  }
+  distance.keepImagesIn(faces);
+  distance.setSource(from);
+  const auto arrivalSoFar = [&] {
+    PointArrival best;
+    for (const int face : faces) {
+      const PointArrival through = distance.arrivalAt(inFace(mesh, to, face));
+      if (isShorter(through, best)) best = through;
+    }
+    return best;
+  };
   growUntil(geometry, distance, 1.05 * chord, [&] {
-    return distance.targetArrival().arrival.distance <= distance.reached() &&
-           distance.targetArrival().arrival.distance != kInfinity;
+    const double length = arrivalSoFar().arrival.distance;
+    return length <= distance.reached() && length != kInfinity;
   });
-  const TargetArrival& target = distance.targetArrival();
+  const PointArrival target = arrivalSoFar();
   if (target.arrival.distance == kInfinity) throwUnreachable();
 
   Array<SurfacePoint> points{to};
   const double length = target.arrival.distance - target.arrival.pseudoSourceDistance;
-  followBack(
-      geometry, distance,
-      traceStraightest(geometry, inFace(mesh, to, target.face), length * target.direction).path,
-      target.arrival, points);
+  followBack(geometry, distance,
+             traceStraightest(geometry, inFace(mesh, to, target.face),
+                              length * target.toSource.normalized())
+                 .path,
+             target.arrival, points);
   return cleaned(geometry, points, target.arrival.distance);
 }
 
