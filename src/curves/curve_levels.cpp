@@ -10,13 +10,13 @@
 namespace karcher {
 namespace {
 
-/// By how large a part a field's distance may differ from the length of the same path: twice the
-/// most that fast fields are mostly off.
+/// The part by which a field's distance may differ from the length of the same path: twice the
+/// usual largest error of fast fields.
 constexpr double kSameLength = 0.02;
 
 }  // namespace
 
-/// The control polygon itself, whose pieces are the segments, but for its legs.
+/// The control polygon itself, without legs. Its pieces are the segments.
 void Curve::takeControlPolygon(const CurveValue& value, RefinedPolygon& polygon) {
   const CurveShape& shape = value.options.shape;
   const int count = value.points.count();
@@ -42,7 +42,7 @@ RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<Surfac
   takeControlPolygon(value, polygon);
   polygon.legs = legs;
   if (shape.kind == CurveKind::kCatmullRom) {
-    // By the legs, which are there, and not by the distances of fields.
+    // The legs, which are known, space the knots, and not the distances of fields.
     Array<double>& gaps = workspace_->gaps;
     gaps.clear();
     for (const SurfacePath& leg : legs) gaps.push_back(leg.length());
@@ -53,9 +53,9 @@ RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<Surfac
 }
 
 /// Whether the shortest paths between the points of a segment and its ends are those to which the
-/// legs are pulled tight, by the fields of level 0. Shorter ones go another way, as round a tube,
-/// and centers of mass would jump to these. Where a field tells of longer ones it is wrong: these
-/// are paths. What the fields take is given back: the curve may have no others.
+/// legs are pulled tight, by the fields of level 0. Shorter ones go another way, for instance round
+/// a tube, and centers of mass would jump to these. Longer ones are errors of the field, since
+/// these are paths. The fields' memory is given back, since the curve may need no others.
 bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
   const Geometry& geometry = surface().geometry();
   bool areShortest = true;
@@ -82,14 +82,14 @@ bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
   return areShortest;
 }
 
-/// How far a field's point is, by the field.
+/// The distance of a place from a field's point, by the field.
 double Curve::distanceTo(const SurfacePoint& place, PointField& field) {
   workspace_->fields.assign(1, &field);
   const std::array weights = {1.0};
   return std::sqrt(std::max(blendFields().blend.energy(place, weights), 0.0));
 }
 
-/// The levels of a curve that leaves them to itself; a refined polygon may need more.
+/// The levels of a curve with automatic levels. Its refined polygon may need more.
 int Curve::levelsOf(const Next& next) {
   const CurveOptions& options = next.value.options;
   const Geometry& geometry = surface().geometry();
@@ -151,7 +151,7 @@ void Curve::makePolygon(Next& next) {
   next.polygon.legs.clear();
 }
 
-/// Whether a curve that leaves its levels to itself has none, and bridges.
+/// Whether a curve with automatic levels has none, and has bridges.
 bool Curve::jumpsAtLevelZero(const Next& next) const {
   if (next.levels > 0 || !mayHaveLevels(next.value.options)) return false;
   if (next.value.options.levels != kAutomaticLevels) return false;

@@ -272,17 +272,22 @@ class OffsetTracer {
     const Side side = sideBetween(face, a, b);
     const auto [entry, isNew] = numbers_.try_emplace(side.key, crossings_.count());
     if (!isNew) return entry->second;
-    // Distances are not finite beyond the field.
-    const auto beyond = [&](double value) {
-      return std::abs(value - distance_) <= kLocalRounding * distance_ ? 0 : value - distance_;
-    };
-    const double t = signChange(side.from, side.to, beyond(side.atFrom), beyond(side.atTo),
-                                kStepRounding * (side.from + side.to),
-                                [&](double s) { return beyond(valueOn(side, s)); });
+    const double t =
+        cut(side.from, side.to, side.atFrom, side.atTo, [&](double s) { return valueOn(side, s); });
     crossings_.push_back(
         side.halfedge < 0 ? pointAt(face, side.start + t * side.way)
                           : LinePoint{edgePoint(side.halfedge, t), atEdge(side.halfedge, t).side});
     return crossings_.count() - 1;
+  }
+
+  /// The place between two numbers at which values pass the distance.
+  template <class Value>
+  double cut(double from, double to, double atFrom, double atTo, const Value& valueAt) const {
+    const auto beyond = [&](double value) {
+      return std::abs(value - distance_) <= kLocalRounding * distance_ ? 0 : value - distance_;
+    };
+    return signChange(from, to, beyond(atFrom), beyond(atTo), kStepRounding * (from + to),
+                      [&](double s) { return beyond(valueAt(s)); });
   }
 
   LinePoint pointAt(int face, const Vec2& place) const {

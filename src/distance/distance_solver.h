@@ -37,12 +37,12 @@ class DistanceSolver {
  public:
   virtual ~DistanceSolver() = default;
 
-  /// Starts anew from a point of a face, an edge or a vertex. Costs what was touched before.
+  /// Starts anew from a point of a face, an edge or a vertex. The time grows with what was touched.
   virtual void setSource(const SurfacePoint& source) = 0;
 
-  /// From the next `setSource` on may leave out what cannot be on a path that is wanted, since the
-  /// straight way on is too long. Lengths that are found to points in the ball are right up to
-  /// `mostLength`; all others are upper bounds, whatever `reached` is.
+  /// From the next `setSource` on the solver may leave out places from which the straight way to
+  /// the ball is too long. Distances of points in the ball are then right up to `mostLength`; all
+  /// others are upper bounds, whatever `reached` is.
   virtual void aimAt(const std::optional<PathAim>&) {}
 
   /// Works until all vertices within `radius` (any number up to kInfinity) are final.
@@ -92,8 +92,8 @@ inline Vec2 logVectorAlong(const Geometry& geometry, int vertex, double distance
   return -2 * distance * unitVector(geometry.angleScale[vertex] * direction);
 }
 
-/// `growTo` of a solver that only knows how to grow to a radius: to the straight distance, then in
-/// steps so small that little is done in excess.
+/// `growTo` for a solver that grows by radius only: first to the straight distance, then in steps
+/// so small that little is done in excess.
 template <class Solver>
 double growInSteps(Solver& solver, const Geometry& geometry, const SurfacePoint& source,
                    int vertex) {

@@ -15,10 +15,9 @@
 namespace karcher {
 namespace {
 
-/// Width of the queue's buckets: wide enough that many windows cross a face together, narrow enough
-/// that few are carried on that a later one beats. Half a mean edge; where a few long edges make
-/// the mean halved on, as long as a fourth of the edges are shorter than half a bucket. A sample of
-/// edges tells that.
+/// The width of the queue's buckets: wide enough that many windows cross a face together, narrow
+/// enough that few are carried on in vain. It is half a mean edge. Where a few long edges make the
+/// mean, it is halved as long as a fourth of a sample of the edges are shorter than half a bucket.
 double bucketWidth(const Geometry& geometry) {
   constexpr int kMostEdges = 1024;
   const int count = geometry.edgeLength.count();
@@ -31,25 +30,26 @@ double bucketWidth(const Geometry& geometry) {
     return 4 * int64_t{step} * shorter > count;
   };
   double width = geometry.meanEdge / 2;
-  // Ends, since no edge is shorter than the shortest.
+  // This ends, since no edge is shorter than the shortest.
   while (areShort(width / 2)) width /= 2;
   return width;
 }
 
-/// A corner of a smaller angle, radians, may lie in the shadow of a vertex that is flat up to
-/// kChainRounding, all of it.
+/// A corner of a smaller angle (radians) may lie as a whole in the shadow of a vertex that is flat
+/// up to kChainRounding.
 constexpr double kSliver = 1e-8;
 
-/// From this ratio of lengths on, windows are carried by both sides of a face, so that short ones
-/// are no differences of long ones. (From vertices and sources they are always sent out so.)
+/// If lengths differ by more than this factor, windows are carried by both sides of a face, so that
+/// short lengths are not computed as differences of long ones. Windows that leave vertices and
+/// sources always are.
 constexpr double kWide = 1e6;
 
-/// From this ratio on a window may come to the same edges again and again, no nearer to a vertex
-/// that would beat it.
+/// If lengths differ by more than this factor, a window may circle over the same edges and come no
+/// nearer to a vertex that would beat it.
 constexpr double kThin = 1e3;
 
-/// The two sides of a face above half-edge h, as vectors from its tail and from its head: each to
-/// the rounding of its own length.
+/// The two sides of a face above half-edge h, as vectors from its tail and from its head. Each is
+/// as exact as its own length allows.
 struct FaceSides {
   Vec2 fromTail;
   Vec2 fromHead;
@@ -74,13 +74,14 @@ struct SideEdge {
   double farDistance;  ///< of the other end of the edge they leave
 };
 
-/// Distance from the window's source to a point above the half-edge, without the offset, squared.
+/// The squared distance from the window's source to a point above the half-edge, without the
+/// offset.
 inline double squaredLeg(const Window& w, const Vec2& point) {
   return square(point.x() - w.sourceX) + square(point.y() + w.depth);
 }
 
-/// Trims a window that was carried to a side by the three corners of the face; false if nothing
-/// worth keeping is left.
+/// Trims a window that was carried to a side, by the distances of the face's three corners. Returns
+/// false if nothing worth keeping is left.
 inline bool isWorthKeeping(const SideEdge& side, double narrowest, Window& window) {
   return trimByTail(window, side.nearDistance) &&
          trimByHead(window, side.apexDistance, side.length) &&
@@ -110,7 +111,7 @@ WindowDistance::WindowDistance(const Geometry& geometry, double tolerance,
       faces_(mesh_.faceCount(), pages),
       isWide_(geometry.longestEdge > kWide * geometry.shortestEdge),
       isThin_(geometry.longestEdge > kThin * geometry.shortestEdge),
-      // Where edges are so short, wider ones may be all that passes between their ends.
+      // Between the ends of very short edges even windows just above rounding matter.
       narrowest_(isWide_ ? kStepRounding : kNarrowestWindow),
       midpoints_(geometry),
       queue_(bucketWidth(geometry)),
@@ -186,7 +187,8 @@ double WindowDistance::direction(int vertex) const {
   return angle < 0 ? angle + total : angle >= total ? angle - total : angle;
 }
 
-/// From a point of a face to its corners, and through its edges but the one the point lies on.
+/// Sends out paths from a point of a face to its corners and windows through its edges, except the
+/// edge on which it lies.
 void WindowDistance::leaveSourceFace(int face, const SurfacePoint& source, int ownEdge) {
   if (images_.areKept()) images_.addSource(face, source);
   for (int k = 0; k < 3; ++k) {
@@ -208,7 +210,7 @@ void WindowDistance::leaveSourceFace(int face, const SurfacePoint& source, int o
   }
 }
 
-/// Sends out windows from a vertex: all around from the source, else into the wedge behind it.
+/// Sends out windows from a vertex: all around if it is the source, else into the wedge behind it.
 void WindowDistance::leaveVertex(int vertex) {
   const double total = geometry_.totalAngle[vertex];
   const bool isSource = vertices_.touch(vertex).via < 0;
@@ -229,7 +231,8 @@ void WindowDistance::leaveVertex(int vertex) {
   }
 }
 
-/// The part of a vertex's wedge in the corner of half-edge h; angles are measured from h.
+/// Sends out the part of a vertex's wedge that lies in the corner of half-edge h. Angles are
+/// measured from h.
 void WindowDistance::leaveThroughCorner(int vertex, int h, double from, double to) {
   const double angle = geometry_.cornerAngle[h];
   if (!(from <= angle && to >= 0)) return;
@@ -289,8 +292,8 @@ void WindowDistance::takeWaiting(int h) {
   waiting = {};
 }
 
-/// Carries the windows that wait at half-edge h across its face: first to the apex, so that then
-/// all are held against its best distance, then to the edges on its sides.
+/// Carries the windows that wait at half-edge h across its face: first to the apex, whose best
+/// distance then trims them all, then to the edges on its sides.
 void WindowDistance::carryAcross(int h) {
   const double length = geometry_.edgeLength[h];
   const int left = previous(h);
@@ -378,8 +381,8 @@ void WindowDistance::carryAcross(int h) {
   }
 }
 
-/// The way through a window that does not see the apex, with the slightest bend at its end: an
-/// upper bound, and the path itself where rounding left a gap between two windows.
+/// Takes the path to the apex that bends slightly at the end of a window that does not see it. Its
+/// length is an upper bound, and exact where rounding left a gap between two windows.
 void WindowDistance::arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex,
                                 const Window& window, double crossing) {
   // Where the straight way is too long, so is the bent one.
@@ -414,8 +417,8 @@ void WindowDistance::arrive(int vertex, VertexRecord& record, const Arrival& arr
   }
 }
 
-/// From the vertices that were reached to those that were not, as far as edges lead: E. Dijkstra's
-/// algorithm.
+/// Goes on along edges, from the vertices that were reached to all others (E. Dijkstra's
+/// algorithm).
 void WindowDistance::reachAlongEdges() {
   using Item = std::pair<double, int>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> waiting;
@@ -455,7 +458,7 @@ void WindowDistance::reachAlongEdges() {
   }
 }
 
-/// Whether all of the window is farther from its source than through one that came before.
+/// Whether every point of the window has a shorter path through a window that came before.
 bool WindowDistance::isBehindAnother(int h, const Window& window) {
   constexpr double kAtTip = 1e-6;
   const auto [entry, isNew] = widest_.try_emplace(h, window);
@@ -492,7 +495,7 @@ PointArrival WindowDistance::arrivalAt(const SurfacePoint& point) const {
   return best;
 }
 
-/// Whether no path through the window comes to where it is wanted in time.
+/// Whether every path through the window is too long when it comes to the ball that is aimed at.
 bool WindowDistance::leadsAway(int h, const Window& window) const {
   const Vec3 middle = (mesh_.positions[mesh_.tail(h)] + mesh_.positions[mesh_.head(h)]) / 2;
   const double left = (middle - aim_->center).norm() - geometry_.edgeLength[h] / 2 - aim_->radius;

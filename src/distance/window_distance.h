@@ -68,7 +68,7 @@ class WindowDistance final : public DistanceSolver {
   double reached() const override { return queue_.empty() ? kInfinity : queue_.leastKey(); }
   bool isFinal(int vertex) const override { return distance(vertex) <= reached(); }
 
-  /// Before it is final an upper bound.
+  /// The distance found so far, an upper bound until it is final.
   double distance(int vertex) const override {
     const VertexRecord* record = vertices_.find(vertex);
     return record == nullptr ? kInfinity : record->arrival.distance;
@@ -100,7 +100,7 @@ class WindowDistance final : public DistanceSolver {
   /// From the next `setSource` on keeps the images whose paths pass points at this distance: once
   /// all within it is grown, the least of their lengths to such a point is its distance.
   void keepImages(double distance) { images_.keep(distance); }
-  /// The same for all points of these faces.
+  /// From the next `setSource` on keeps all images in these faces.
   void keepImagesIn(Array<int> faces) { images_.keepIn(std::move(faces)); }
   const Array<SourceImage>& images() const { return images_.all(); }
   /// The end of the shortest path to a point of a face whose images are kept, through that face.
@@ -152,16 +152,16 @@ class WindowDistance final : public DistanceSolver {
   PagedArray<FaceRecord, 7> faces_;
   bool isWide_;                             ///< edges of very different lengths meet
   bool isThin_;                             ///< paths may wind round a tip
-  double narrowest_;                        ///< a window may be, as a part of its edge
+  double narrowest_;                        ///< the least width of a window, as a part of its edge
   std::unordered_map<int, Window> widest_;  ///< by half-edge the widest window so far, if isThin_
   bool keepsMidpoints_ = false;
   EdgeMidpoints midpoints_;
   BucketQueue queue_;
   WindowPool pool_;
   int64_t windowsLeft_ = 0;
-  int reachedCount_ = 0;  ///< vertices that a path has come to
+  int reachedCount_ = 0;  ///< the number of vertices reached
   Array<Window> batch_;
-  Array<double> crossings_;  ///< of the lines from the batch's sources to the apex with the edge
+  Array<double> crossings_;  ///< where lines from the batch's sources to the apex cross
   std::optional<PathAim> aim_;
   SourceImages images_;
 };

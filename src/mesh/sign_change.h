@@ -5,9 +5,9 @@
 namespace karcher {
 
 /// The place between `from` and `to` at which a function changes its sign, up to `rounding`: by
-/// regula falsi, which halves the value of an end that stays (the Illinois rule), and by bisection
-/// where a value is not finite or that does not end. Of values at the ends that have the same sign,
-/// the first is taken to be the negative one.
+/// regula falsi, which halves the value of an end that stays twice (the Illinois rule), and by
+/// bisection where a value is not finite or that does not end. Of values at the ends that have the
+/// same sign, the first is taken to be the negative one.
 template <class Function>
 double signChange(double from, double to, double atFrom, double atTo, double rounding,
                   const Function& valueAt) {
@@ -17,6 +17,7 @@ double signChange(double from, double to, double atFrom, double atTo, double rou
   constexpr int kMostSteps = 100;
   const bool falls = atFrom > 0 && atTo < 0;
   double at = from;
+  double* stayed = nullptr;  // the value of the end that stayed in the last step
   for (int step = 0; step < kMostSteps && to - from > rounding; ++step) {
     at = (from + to) / 2;
     if (std::isfinite(atFrom) && std::isfinite(atTo) && (atFrom < 0) != (atTo < 0) &&
@@ -26,15 +27,12 @@ double signChange(double from, double to, double atFrom, double atTo, double rou
     }
     const double value = valueAt(at);
     if (value == 0) break;
-    if ((value < 0) != falls) {
-      from = at;
-      atFrom = value;
-      atTo /= 2;
-    } else {
-      to = at;
-      atTo = value;
-      atFrom /= 2;
-    }
+    const bool isBefore = (value < 0) != falls;
+    (isBefore ? from : to) = at;
+    (isBefore ? atFrom : atTo) = value;
+    double* const stays = isBefore ? &atTo : &atFrom;
+    if (stays == stayed) *stays /= 2;
+    stayed = stays;
   }
   return at;
 }

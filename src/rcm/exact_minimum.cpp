@@ -28,9 +28,6 @@ constexpr double kMovedFor = kLowerBy / 4;
 /// noise.
 constexpr int kMostMoves = 24;
 
-/// Straightest paths of a fraction of a mean edge cross more edges than this only among needles.
-constexpr int kMostCrossings = 1000;
-
 /// The direction, in the frame of a face, from a point of it to the farthest corner.
 double farthestCorner(const Geometry& geometry, const SurfacePoint& point) {
   const Vec2 from = pointInFace(geometry, point);
@@ -117,7 +114,7 @@ double circleStart(const Geometry& geometry, const SurfacePoint& center) {
 StraightestPath circleRadius(const Geometry& geometry, const SurfacePoint& center, double radius,
                              double part) {
   const PointLocation location = locate(*geometry.mesh, center);
-  const StraightestOptions options{.maxCrossings = kMostCrossings};
+  const StraightestOptions options{.maxCrossings = mostCrossingsOfSearch(*geometry.mesh)};
   const bool isVertex = location.simplex == Simplex::kVertex;
   const double all = isVertex ? geometry.totalAngle[location.vertex] : 2 * kPi;
   const double direction = std::fmod(circleStart(geometry, center) + all * part, all);
@@ -266,7 +263,9 @@ ExactMinimum exactMinimumNear(const Geometry& geometry, ExactOneSourceEnergy& en
   const EnergyAt here = energy.at(start);
   const Vec2 way = here.step * std::min(1.0, geometry.meanEdge / here.step.norm());
   const SurfacePoint there =
-      traceStraightest(geometry, start, way, {.maxCrossings = kMostCrossings}).path.end();
+      traceStraightest(geometry, start, way,
+                       {.maxCrossings = mostCrossingsOfSearch(*geometry.mesh)})
+          .path.end();
   const double energyThere = energy.energyAt(there);
   const bool isLower = energyThere < here.energy;
   const ExactMinimum first =
