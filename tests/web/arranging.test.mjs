@@ -42,6 +42,79 @@ describe('the order of objects, and the menu at a place', () => {
     await tab.close();
   });
 
+  test('a group has a row, which selects, folds, renames, hides, locks and moves its members', async () => {
+    const tab = await Tab.open(browser, fragment);
+    const { page } = tab;
+    const row = page.locator('#objects .group-row');
+    const names = page.locator('#objects .object');
+    const objects = async () => (await tab.state()).drawing.objects;
+    const groups = async () => (await objects()).map(({ group }) => group);
+    const middle = async (locator) => {
+      const box = await locator.boundingBox();
+      return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+    };
+    await names.nth(1).click();
+    await names.nth(2).click({ modifiers: ['Shift'] });
+    await page.keyboard.press('Control+g');
+    assert.deepEqual(await groups(), ['Group 1', 'Group 1', null]);
+    assert.equal(await row.count(), 1);
+    assert.equal(await row.locator('.group-name').textContent(), 'Group 12');
+    await names.first().click();
+    assert.deepEqual((await tab.state()).chosen, [3]);
+    await row.locator('.group-name').click();
+    assert.deepEqual((await tab.state()).chosen.toSorted(), [1, 2]);
+    assert.equal(await row.locator('.group-name').getAttribute('aria-pressed'), 'true');
+    assert.equal(await names.count(), 3);
+    await row.locator('.fold').click();
+    assert.equal(await names.count(), 1);
+    assert.equal(await row.locator('.fold').getAttribute('aria-expanded'), 'false');
+    await row.locator('.fold').press('Enter');
+    assert.equal(await names.count(), 3);
+
+    await row.locator('.group-name').dblclick();
+    await page.keyboard.type('Petals');
+    await page.keyboard.press('Enter');
+    assert.deepEqual(await groups(), ['Petals', 'Petals', null]);
+    assert.equal(await page.locator('#object-name').inputValue(), 'Petals');
+    for (const [button, property] of [
+      ['.eye', 'visible'],
+      ['.lock', 'locked'],
+    ]) {
+      const told = async () => (await objects()).map((object) => object[property]);
+      const before = await told();
+      await row.locator(button).click();
+      assert.deepEqual(await told(), [!before[0], !before[1], before[2]]);
+      await row.locator(button).click();
+      assert.deepEqual(await told(), before);
+    }
+
+    // By keys the whole of it goes past the object above, and what is no member past all of it.
+    await row.locator('.group-name').press('Alt+ArrowUp');
+    assert.deepEqual(await namesOf(tab), ['Third', 'First', 'Second']);
+    await page.keyboard.press('Alt+ArrowDown');
+    assert.deepEqual(await namesOf(tab), ['First', 'Second', 'Third']);
+    await names.first().press('Alt+ArrowDown');
+    assert.deepEqual(await namesOf(tab), ['Third', 'First', 'Second']);
+    await page.keyboard.press('Alt+ArrowUp');
+    assert.deepEqual(await namesOf(tab), ['First', 'Second', 'Third']);
+
+    // A drag of its row takes the members along.
+    await tab.drag(await middle(row.locator('.group-name')), await middle(names.first()));
+    assert.deepEqual(await namesOf(tab), ['Third', 'First', 'Second']);
+    assert.deepEqual(await groups(), [null, 'Petals', 'Petals']);
+    assert.equal(await names.count(), 3);
+    // Dropped among the members an object joins them, and elsewhere it leaves them.
+    await tab.drag(await middle(names.nth(2)), await middle(names.nth(1)));
+    assert.deepEqual(await namesOf(tab), ['First', 'Third', 'Second']);
+    assert.deepEqual(await groups(), ['Petals', 'Petals', 'Petals']);
+    await page.keyboard.press('Control+z');
+    assert.deepEqual(await groups(), [null, 'Petals', 'Petals']);
+    await tab.drag(await middle(names.nth(0)), await middle(names.nth(2)));
+    assert.deepEqual(await namesOf(tab), ['Second', 'Third', 'First']);
+    assert.deepEqual(await groups(), [null, null, 'Petals']);
+    await tab.close();
+  });
+
   test('the other button opens a menu on what lies there, and a drag with it turns nothing on', async () => {
     const tab = await Tab.open(browser, fragment);
     const { page } = tab;

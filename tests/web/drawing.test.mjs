@@ -405,4 +405,60 @@ describe('a drawing', () => {
     editor.clear();
     assert.notEqual(json(editor), before);
   });
+
+  test(`keeps the members of a group together, however objects are moved, KARCHER_SEED=${seed}`, () => {
+    const { activeObject, apply, arranging, emptyDrawing, newObject, reordering } = page;
+    const { figure } = activeObject(emptyDrawing);
+    const random = randoms(seed);
+    const below = (count) => Math.floor(random.next().value * count);
+    /** How often the group changes from each object to the next one, without what is in none. */
+    const runs = ({ objects }) =>
+      objects.filter(({ group }, i) => group !== null && group !== objects[i - 1]?.group).length;
+    let moves = 0;
+    for (let round = 0; round < (long ? 2000 : 100); round++) {
+      const names = ['A', null, 'B', null, 'B', 'C'];
+      const objects = names.flatMap((group) =>
+        Array.from({ length: below(4) }, () => ({ ...newObject(0, figure), group })),
+      );
+      let drawing = {
+        objects: objects.map((object, i) => ({ ...object, id: i + 1 })),
+        active: 1,
+      };
+      if (objects.length < 2) continue;
+      const before = runs(drawing);
+      for (let step = 0; step < 20; step++) {
+        const { id } = drawing.objects[below(objects.length)];
+        const command = reordering(drawing, id, below(2 * objects.length) - objects.length);
+        if (command) drawing = apply(drawing, command);
+        assert.ok(runs(drawing) <= before, drawing.objects.map(({ group }) => group).join());
+      }
+      // Rows, some of them folded, that are dragged to others.
+      for (let step = 0; step < 20; step++) {
+        const isFolded = new Set(['A', 'B', 'C'].filter(() => below(2) === 0));
+        const rowsNow = () => page.rowsOf(drawing.objects.toReversed(), isFolded);
+        const from = below(rowsNow().length);
+        // A group is dragged folded; one that an older drawing has in several places stays where it is.
+        const { group: carried } = rowsNow()[from];
+        if (rowsNow().filter(({ group }) => carried && group === carried).length === 1) {
+          isFolded.add(carried);
+        }
+        const rows = rowsNow();
+        const { ids, moved, group } = page.rowsAfter(rows, from, below(rows.length));
+        const wanted = arranging(drawing, ids.toReversed(), { id: moved, group });
+        const count = runs(drawing);
+        if (wanted) drawing = apply(drawing, wanted);
+        moves += wanted ? 1 : 0;
+        assert.deepEqual(
+          drawing.objects.map(({ id }) => id),
+          ids.toReversed(),
+        );
+        assert.deepEqual(
+          drawing.objects.map(({ id }) => id).toSorted((a, b) => a - b),
+          objects.map((_, i) => i + 1),
+        );
+        assert.ok(runs(drawing) <= count, drawing.objects.map((one) => one.group).join());
+      }
+    }
+    assert.ok(moves > 100);
+  });
 });

@@ -361,4 +361,25 @@ describe('the selection', () => {
     assert.deepEqual(await pointCounts(tab), [2]);
     await tab.close();
   });
+
+  test('tells no length once nothing is selected, whatever was undone before', async () => {
+    const tab = await drawn();
+    const { page } = tab;
+    const told = () => page.locator('#status-length').textContent();
+    assert.match(await told(), /length/);
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('Escape');
+    assert.equal((await tab.state()).none, true);
+    assert.equal(await told(), '');
+    await page.locator('#objects .object').first().click();
+    assert.match(await told(), /length/);
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+y');
+    await tab.settled();
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('Escape');
+    assert.equal((await tab.state()).none, true);
+    assert.equal(await told(), '');
+    await tab.close();
+  });
 });

@@ -77,7 +77,7 @@ const said = () => {
   const selected = none ? [] : chosen.length > 0 ? chosen : [drawing.active];
   const objects = drawing.objects.filter(({ id }) => selected.includes(id));
   const active = drawing.objects.find(({ id }) => id === drawing.active);
-  const rows = [...document.querySelectorAll('#objects li')];
+  const rows = [...document.querySelectorAll('#objects li[data-id]')];
   const isMarked = (row) =>
     row.querySelector('.object[aria-pressed="true"], .object[aria-current]');
   const marked = rows.filter(isMarked).map((row) => Number(row.dataset.id));

@@ -242,11 +242,62 @@ export function restyling(
   return together(steps);
 }
 
-/** Moves an object so many places up in the order; a place lower where the steps are negative. */
+/**
+ * Moves an object so many places up in the order; a place lower where the steps are negative. Members of
+ * a group stay with each other: one moves among them only, and what is none goes past all of them.
+ */
 export function reordering(drawing: Drawing, id: number, steps: number): Command | null {
   const from = indexOf(drawing, id);
-  const to = Math.min(Math.max(from + steps, 0), drawing.objects.length - 1);
-  return from < 0 || to === from ? null : { type: 'order', from, to };
+  if (from < 0 || steps === 0) return null;
+  const { group } = drawing.objects[from]!;
+  const left = drawing.objects.toSpliced(from, 1);
+  const groupAt = (place: number) => left[place]?.group ?? null;
+  const mayLie = (place: number) => {
+    const [below, above] = [groupAt(place - 1), groupAt(place)];
+    const isAlone = left.every((other) => other.group !== group);
+    if (group !== null && !isAlone) return below === group || above === group;
+    return below === null || below !== above;
+  };
+  const toward = Math.sign(steps);
+  let to = Math.min(Math.max(from + steps, 0), left.length);
+  if (group !== null) while (to !== from && !mayLie(to)) to -= toward;
+  else while (to > 0 && to < left.length && !mayLie(to)) to += toward;
+  return to === from ? null : { type: 'order', from, to };
+}
+
+/** Puts the objects of these ids into this order, from the lowest; others lie on top of them. */
+export function ordering(drawing: Drawing, ids: readonly number[]): Command | null {
+  const steps: Command[] = [];
+  let { objects } = drawing;
+  for (const [to, id] of ids.entries()) {
+    const from = objects.findIndex((object) => object.id === id);
+    if (from < 0 || from === to) continue;
+    steps.push({ type: 'order', from, to });
+    objects = objects.toSpliced(from, 1).toSpliced(to, 0, objects[from]!);
+  }
+  return together(steps);
+}
+
+/** Puts objects into an order, and one of them into a group or out of its own. */
+export function arranging(
+  drawing: Drawing,
+  ids: readonly number[],
+  { id, group }: { id: number; group: string | null },
+): Command | null {
+  const moved = ordering(drawing, ids);
+  const joined = restyling(drawing, [id], { group });
+  return together([moved, joined].filter((step) => step !== null));
+}
+
+/** Gives a group another name, which no other group has. */
+export function groupNaming(drawing: Drawing, from: string, name: string): Command | null {
+  const members = drawing.objects.filter(({ group }) => group === from);
+  const others = new Set(drawing.objects.map(({ group }) => group));
+  others.delete(from);
+  const wanted = shortened(name.trim(), longestName);
+  if (!wanted) return null;
+  const ids = members.map(({ id }) => id);
+  return restyling(drawing, ids, { group: freeName(wanted, others) });
 }
 
 /** Makes one group of objects, above all others of them in the order. */

@@ -7,7 +7,7 @@ import type { Surface } from '../viewer/surface';
 import type { Viewer } from '../viewer/viewer';
 import { formatCount, make, write } from './elements';
 import { Legend } from './legend';
-import { nameOf } from './object_panel';
+import { nameOf } from './object_rows';
 
 /** The curvature comb of the edited curve, with its scale and its greatest number; off at first. */
 export class CombLegend {

@@ -22,7 +22,7 @@ import type { Unit } from '../model/units';
 import { byId, make, write } from './elements';
 import { kindNames, kindNotes } from './kind_names';
 import { NumberField } from './number_field';
-import { nameOf } from './object_panel';
+import { nameOf } from './object_rows';
 
 /** A first distance as a part of the surface's diagonal. */
 const firstDistance = 0.02;

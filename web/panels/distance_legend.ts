@@ -5,7 +5,7 @@ import { methodOptions } from '../model/methods';
 import { rampAsCss } from '../viewer/color_ramp';
 import { make } from './elements';
 import { Legend } from './legend';
-import { nameOf } from './object_panel';
+import { nameOf } from './object_rows';
 
 /** How many numbers stand below the ramp, beside 0. */
 const mostTicks = 4;

@@ -11,16 +11,25 @@ interface Dragged {
   moves: boolean;
 }
 
+export interface ListMoves {
+  /** A row begins to move. */
+  began(row: HTMLElement): void;
+  /** The row was let go of at another place; both are counted from the top. */
+  moved(from: number, to: number): void;
+  /** Nothing moves any more. */
+  ended(): void;
+}
+
 /**
  * Drags rows of a list to other places: with a mouse anywhere on a row, with a finger by its grip, as a
- * finger elsewhere scrolls. `moved` is told the places from the top, once the row is let go.
+ * finger elsewhere scrolls.
  */
 export class ListDrag {
   #dragged: Dragged | null = null;
 
   constructor(
     private readonly list: HTMLElement,
-    private readonly moved: (from: number, to: number) => void,
+    private readonly moves: ListMoves,
   ) {
     list.addEventListener('pointerdown', (event) => this.#down(event));
     list.addEventListener('pointermove', (event) => this.#move(event));
@@ -30,6 +39,7 @@ export class ListDrag {
       if (event.key !== 'Escape' || !this.#dragged?.moves) return;
       event.stopPropagation();
       this.#let();
+      this.moves.ended();
     });
   }
 
@@ -41,7 +51,7 @@ export class ListDrag {
     const target = event.target as Element;
     const row = target.closest<HTMLElement>('li');
     const byGrip = target.closest('.row-grip') !== null;
-    const onButton = target.closest('.eye, .lock') !== null;
+    const onButton = target.closest('.eye, .lock, .fold') !== null;
     if (!row || event.button !== 0 || onButton || this.#dragged) return;
     if (event.pointerType === 'touch' && !byGrip) return;
     const from = this.#rows.indexOf(row);
@@ -64,6 +74,7 @@ export class ListDrag {
       dragged.moves = true;
       this.list.setPointerCapture(pointerId);
       dragged.row.classList.add('dragged');
+      this.moves.began(dragged.row);
     }
     const rows = this.#rows;
     const height = dragged.row.offsetHeight;
@@ -86,7 +97,8 @@ export class ListDrag {
     const stop = (event: Event) => event.stopPropagation();
     this.list.addEventListener('click', stop, { capture: true, once: true });
     setTimeout(() => this.list.removeEventListener('click', stop, { capture: true }));
-    if (done && to !== from) this.moved(from, to);
+    if (done && to !== from) this.moves.moved(from, to);
+    this.moves.ended();
   }
 
   #let(): void {

@@ -7,6 +7,7 @@ import {
   type FillStyle,
   type LineStyle,
   leastOpacity,
+  objectOf,
   type Properties,
   surfaceWidths,
   widthRange,
@@ -17,9 +18,8 @@ import { longestName } from '../model/names';
 import type { Unit } from '../model/units';
 import { EditedField } from './edited_field';
 import { byId, make, write } from './elements';
-import { kindNames } from './kind_names';
-import { ListDrag } from './list_drag';
 import { NumberField, positiveNumber, wholeNumbers } from './number_field';
+import { nameOf, ObjectRows } from './object_rows';
 import { showShared } from './shared_settings';
 import { onTheme, sceneColors } from './theme';
 
@@ -43,15 +43,6 @@ const selectedFills = (state: State) => {
   return state.drawing.objects.filter(({ id }) => ids.includes(id)).map(({ fill }) => fill);
 };
 
-export const eye =
-  '<svg viewBox="0 0 20 20" aria-hidden="true"><path d="M2.500 10S5.200 5 10 5s7.500 5 7.500 5-2.700 5-7.500 5-7.500-5-7.500-5z" /><circle cx="10" cy="10" r="2.200" /><path class="off" d="m4 16 12-12" /></svg>';
-const lock =
-  '<svg viewBox="0 0 20 20" aria-hidden="true"><rect x="5" y="9" width="10" height="7" rx="1.500" /><path class="on" d="M7 9V7a3 3 0 0 1 6 0v2" /><path class="off" d="M7 9V6a3 3 0 0 1 5.600-1.500" /></svg>';
-
-/** What the page calls an object that has no name of its own. */
-export const nameOf = ({ id, name, figure }: DrawnObject) =>
-  name || `${kindNames[figure.kind]} ${id}`;
-
 /** A number that the selected objects share; left open where they have several. */
 function showNumber(field: NumberField, shared: number | undefined): void {
   if (shared === undefined) field.showOpen();
@@ -65,6 +56,18 @@ const hexOf = (color: string) =>
     .map((value) => Number(value).toString(16).padStart(2, '0'))
     .join('')}`;
 
+/** The group that these objects are all of; else null. */
+function wholeGroup(objects: readonly DrawnObject[], { drawing }: State): string | null {
+  const { group } = objects[0]!;
+  const members = drawing.objects.filter((object) => object.group === group);
+  const isWhole = objects.every((object) => object.group === group);
+  return isWhole && members.length === objects.length ? group : null;
+}
+
+/** The group whose name a field has, which tells it by the negative id of a member. */
+const groupNamed = (id: number | null, { drawing }: State) =>
+  id !== null && id < 0 ? (objectOf(drawing, -id)?.group ?? null) : null;
+
 const percentOf = (part: number | undefined) =>
   part === undefined ? undefined : Math.round(100 * part);
 
@@ -73,7 +76,7 @@ export const hasOtherSide = ({ fill, figure }: DrawnObject) => fill > 0 && !isDe
 
 /** The list of objects, what can be done with those that are selected, and their style. */
 export class ObjectPanel {
-  readonly #list = byId('objects');
+  readonly #rows: ObjectRows;
   readonly #name = byId<HTMLInputElement>('object-name');
   readonly #named: EditedField<string>;
   readonly #dash = byId<HTMLSelectElement>('dash');
@@ -97,17 +100,17 @@ export class ObjectPanel {
     reachOf: (object: DrawnObject) => number,
   ) {
     byId('new-object').addEventListener('click', () => editor.begin());
-    new ListDrag(this.#list, (from, to) => {
-      const id = Number((this.#list.children[from] as HTMLElement).dataset.id);
-      editor.raise(id, from - to);
-    });
+    this.#rows = new ObjectRows(editor, () => this.#name.select());
     onTheme(() => {
       this.#themeColor = hexOf(sceneColors().curve);
     });
     const set = (to: Partial<Properties>) => editor.setProperties(this.#targets, to);
     this.#name.maxLength = longestName;
-    const rename = (name: string, id: number | null) =>
-      id !== null && editor.setProperties([id], { name });
+    const rename = (name: string, id: number | null) => {
+      const group = groupNamed(id, editor.state);
+      if (group !== null) editor.renameGroup(group, name);
+      else if (id !== null) editor.setProperties([id], { name });
+    };
     this.#named = new EditedField(this.#name, rename, {
       read: (text) => text,
       write: (name) => name,
@@ -211,7 +214,7 @@ export class ObjectPanel {
       before.chosen === state.chosen &&
       before.none === state.none;
     if (before && same) return;
-    this.#showRows(state);
+    this.#rows.show(state);
     const active = activeObject(state.drawing);
     const ids = selectedObjects(state);
     const selected = state.drawing.objects.filter(({ id }) => ids.includes(id));
@@ -236,93 +239,22 @@ export class ObjectPanel {
     return selectedObjects(this.editor.state);
   }
 
-  #showRows(state: State): void {
-    const { drawing, chosen } = state;
-    // What was only begun is in no list: a tool that is tried leaves nothing.
-    const objects = drawing.objects.filter(({ figure }) => !isEmpty(figure));
-    const active = state.none ? null : drawing.active;
-    while (this.#list.childElementCount > objects.length) this.#list.lastElementChild!.remove();
-    for (const [i, object] of objects.toReversed().entries()) {
-      const row = this.#list.children[i] ?? this.#list.appendChild(this.#makeRow());
-      this.#showRow(row as HTMLElement, object, object.id === active, chosen.includes(object.id));
-    }
-  }
-
-  #showRow(row: HTMLElement, object: DrawnObject, isActive: boolean, isChosen: boolean): void {
-    const { id, visible, locked, color, group } = object;
-    const [main, see, hold] = [...row.children] as HTMLButtonElement[];
-    const name = nameOf(object);
-    row.dataset.id = `${id}`;
-    row.classList.toggle('hidden-object', !visible);
-    row.classList.toggle('grouped', group !== null);
-    main!.setAttribute('aria-pressed', `${isChosen}`);
-    if (isActive) main!.setAttribute('aria-current', 'true');
-    else main!.removeAttribute('aria-current');
-    const [dot, words, tag] = [...main!.children] as HTMLElement[];
-    dot!.style.background = color ?? '';
-    write(words!, name);
-    write(tag!, group ?? '');
-    see!.setAttribute('aria-pressed', `${visible}`);
-    see!.setAttribute('aria-label', `Show ${name}`);
-    hold!.setAttribute('aria-pressed', `${locked}`);
-    hold!.setAttribute('aria-label', `Lock ${name}`);
-  }
-
-  #makeRow(): HTMLLIElement {
-    const row = make('li');
-    const id = () => Number(row.dataset.id);
-    const main = make('button', '', { type: 'button', className: 'object' });
-    main.append(make('i'), make('span'), make('small'));
-    main.title = 'Drag, or press Alt ↑ or ↓, to move it in the order';
-    main.addEventListener('keydown', (event) => this.#key(event, id()));
-    main.addEventListener('click', ({ shiftKey, ctrlKey, metaKey }) => {
-      if (shiftKey || ctrlKey || metaKey) this.editor.toggle(id());
-      else this.editor.activate(id());
-    });
-    main.addEventListener('dblclick', () => this.#name.select());
-    const toggle = (className: string, title: string, icon: string, name: 'visible' | 'locked') => {
-      const button = make('button', '', { type: 'button', className, title });
-      button.innerHTML = icon;
-      button.addEventListener('click', () => {
-        const object = this.editor.state.drawing.objects.find((one) => one.id === id());
-        if (object) this.editor.setProperties([object.id], { [name]: !object[name] });
-      });
-      return button;
-    };
-    const grip = make('span', '', { className: 'row-grip' });
-    row.append(
-      main,
-      toggle('eye', 'Show or hide', eye, 'visible'),
-      toggle('lock', 'Lock or unlock', lock, 'locked'),
-      grip,
-    );
-    return row;
-  }
-
-  /** Moves an object in the order; the keys stay with it. */
-  #key(event: KeyboardEvent, id: number): void {
-    const step = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-    if (!event.altKey || !step) return;
-    event.preventDefault();
-    event.stopPropagation();
-    this.editor.raise(id, step);
-    this.#list.querySelector<HTMLElement>(`[data-id="${id}"] .object`)?.focus();
-  }
-
   /** What the selected objects have in common; what they have not is left open. */
   #showStyle(objects: readonly DrawnObject[], selected: number): void {
     const last = objects.at(-1)!;
     const common = <Key extends keyof (LineStyle & FillStyle)>(key: Key) =>
       objects.every((object) => object[key] === last[key]) ? last[key] : undefined;
     const { id, name } = last;
-    this.#named.show(selected === 1 ? name : '', selected === 1 ? id : null);
+    const group = selected > 1 ? wholeGroup(objects, this.editor.state) : null;
+    if (group !== null) this.#named.show(group, -id);
+    else this.#named.show(selected === 1 ? name : '', selected === 1 ? id : null);
     this.#name.placeholder =
       selected > 1
         ? `${selected} objects`
         : selected === 0
           ? 'Nothing selected'
           : nameOf({ ...last, name: '' });
-    this.#name.disabled = selected !== 1;
+    this.#name.disabled = selected !== 1 && group === null;
     const onSurface = common('onSurface');
     const widthUnit = onSurface ? 'surface' : 'pixels';
     showShared(this.#widthUnit, onSurface === undefined ? undefined : widthUnit);

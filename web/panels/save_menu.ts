@@ -22,7 +22,7 @@ import { download } from './download';
 import { byId, formatBytes } from './elements';
 import { Menu } from './menu';
 import { sentenceOf, showError, showNote } from './messages';
-import { nameOf } from './object_panel';
+import { nameOf } from './object_rows';
 import { showProgress } from './progress';
 import { sceneColors } from './theme';
 

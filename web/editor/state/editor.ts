@@ -1,9 +1,11 @@
 import {
   activation,
   addition,
+  arranging,
   beginning,
   deletion,
   duplication,
+  groupNaming,
   grouping,
   ofKind,
   reordering,
@@ -477,6 +479,17 @@ export class Editor {
   raise(id: number, steps: number): void {
     this.interrupt();
     this.perform(reordering(this.#state.drawing, id, steps));
+  }
+
+  /** Puts objects into an order, from the lowest, and one of them into a group or out of its own. */
+  arrange(ids: readonly number[], joins: { id: number; group: string | null }): void {
+    this.interrupt();
+    this.perform(arranging(this.#state.drawing, ids, joins));
+  }
+
+  renameGroup(group: string, name: string): void {
+    this.interrupt();
+    this.perform(groupNaming(this.#state.drawing, group, name));
   }
 
   /** Gives settings to the selected curves. */
