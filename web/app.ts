@@ -154,7 +154,7 @@ export async function start(): Promise<void> {
   });
   editor.onInterrupt = () => gestures.letGo();
   const remove = () => {
-    if (editor.state.selection === null) editor.deleteObjects();
+    if (editor.state.selection === null) editor.objects.delete();
     else void gestures.keepFocus(() => edits.removeSelected());
   };
   const lostPanel = new LostPanel(({ position }) => gestures.showPlace(position));

@@ -75,14 +75,14 @@ describe('a drawing', () => {
       activate: () => editor.activate(one(ids())),
       choose: () => editor.choose(some()),
       toggle: () => editor.toggle(one(ids())),
-      duplicate: () => ids().length < 30 && editor.duplicate(),
-      delete: () => editor.deleteObjects(some().slice(0, 2)),
-      group: () => editor.group(some()),
-      ungroup: () => editor.ungroup(some()),
-      raise: () => editor.raise(one(ids()), below(9) - 4),
-      name: () => editor.setProperties([one(ids())], { name: `curve ${below(99)}` }),
+      duplicate: () => ids().length < 30 && editor.objects.duplicate(),
+      delete: () => editor.objects.delete(some().slice(0, 2)),
+      group: () => editor.objects.group(some()),
+      ungroup: () => editor.objects.ungroup(some()),
+      raise: () => editor.objects.raise(one(ids()), below(9) - 4),
+      name: () => editor.objects.setProperties([one(ids())], { name: `curve ${below(99)}` }),
       style: () =>
-        editor.setProperties(some(), {
+        editor.objects.setProperties(some(), {
           color: random() < 0.3 ? null : '#0b8457',
           width: 1 + below(9),
           dash: one(['solid', 'dashed', 'dotted']),
@@ -91,9 +91,9 @@ describe('a drawing', () => {
           fill: one([0, 0.3, 1]),
           fillColor: random() < 0.5 ? null : '#d9480f',
         }),
-      turn: () => editor.turnInside(some()),
-      show: () => editor.setProperties(some(), { visible: random() < 0.7 }),
-      lock: () => editor.setProperties(some(), { locked: random() < 0.2 }),
+      turn: () => editor.objects.turnInside(some()),
+      show: () => editor.objects.setProperties(some(), { visible: random() < 0.7 }),
+      lock: () => editor.objects.setProperties(some(), { locked: random() < 0.2 }),
       clear: () => random() < 0.3 && editor.clear(),
     };
   }
@@ -189,7 +189,7 @@ describe('a drawing', () => {
     const editor = editorOfMany(() => numbers.next().value);
     const ids = editor.state.drawing.objects.map(({ id }) => id);
     const [first, second] = ids.filter((id) => id !== editor.state.drawing.active);
-    editor.setProperties([first], { color: '#123456' });
+    editor.objects.setProperties([first], { color: '#123456' });
     const colored = json(editor);
     editor.undo();
     const whole = json(editor);
@@ -212,7 +212,7 @@ describe('a drawing', () => {
       one.undo();
       assert.equal(json(one), whole);
       one.activate(first);
-      one.setProperties([first], { color: '#654321' });
+      one.objects.setProperties([first], { color: '#654321' });
       assert.equal(one.history.done.length, steps + 1);
       assert.ok(!one.canRedo);
       one.activate(second);
@@ -306,11 +306,11 @@ describe('a drawing', () => {
   test('takes objects that were copied, as new ones, on the same surface only', () => {
     const numbers = randoms(seed);
     const editor = editorOfMany(() => numbers.next().value);
-    editor.group(editor.state.drawing.objects.slice(0, 3).map(({ id }) => id));
+    editor.objects.group(editor.state.drawing.objects.slice(0, 3).map(({ id }) => id));
     const { objects } = editor.state.drawing;
     const grouped = objects.filter(({ group }) => group !== null);
     const text = page.copiedText('sphere:5000', grouped);
-    editor.addObjects(page.pastedObjects(text, 'sphere:5000', triangles));
+    editor.objects.add(page.pastedObjects(text, 'sphere:5000', triangles));
     const added = editor.state.drawing.objects.slice(20);
     assert.deepEqual(
       added.map(({ figure }) => figure),
@@ -339,9 +339,9 @@ describe('a drawing', () => {
       ['', ''],
       [long, `${'x'.repeat(196)}😀 2`],
     ]) {
-      editor.setProperties([id], { name });
+      editor.objects.setProperties([id], { name });
       editor.choose([id]);
-      for (let copy = 0; copy < 40; copy++) editor.duplicate();
+      for (let copy = 0; copy < 40; copy++) editor.objects.duplicate();
       const names = editor.state.drawing.objects.slice(-40).map((object) => object.name);
       assert.equal(names[0], next);
       assert.equal(new Set(names).size, name ? 40 : 1);
@@ -355,7 +355,7 @@ describe('a drawing', () => {
       drawing.objects.map(({ name }) => name).sort(),
     );
     // Half a letter, which a text field's bound leaves, is no text that a link can tell.
-    editor.setProperties([id], { name: 'half \ud83d' });
+    editor.objects.setProperties([id], { name: 'half \ud83d' });
     const told = page.formatLink(mesh, method, editor.state.drawing);
     assert.ok(page.parseLink(told).drawing.objects.some(({ name }) => name === 'half '));
   });
@@ -391,17 +391,17 @@ describe('a drawing', () => {
     editor.onRefusal = (sentence) => said.push(sentence);
     const { id } = editor.state.drawing.objects[1];
     editor.activate(id);
-    editor.setProperties([id], { locked: true });
+    editor.objects.setProperties([id], { locked: true });
     const before = json(editor);
     const [point] = editor.state.figure.points;
     editor.run({ type: 'remove', index: 0, point });
     editor.preview({ type: 'change', index: 0, from: point, to: { ...point, face: 1 } });
     editor.clear();
-    editor.deleteObjects([id]);
+    editor.objects.delete([id]);
     assert.equal(json(editor), before);
     assert.equal(said.length, 4);
     assert.ok(said.every((sentence) => /locked/.test(sentence)));
-    editor.setProperties([id], { locked: false });
+    editor.objects.setProperties([id], { locked: false });
     editor.clear();
     assert.notEqual(json(editor), before);
   });

@@ -93,7 +93,7 @@ describe('legs that are drawn out', () => {
     const late = {
       'other settings': () => page.editor.setSettings({ samples: 50 }),
       'another name of the object': () =>
-        page.editor.setProperties([page.editor.active.id], { name: 'Around' }),
+        page.editor.objects.setProperties([page.editor.active.id], { name: 'Around' }),
       'one more point': () => page.edits.append(along(2.6)),
       'a weight of the dragged point': () => {
         const from = figure().points[1];

@@ -120,9 +120,9 @@ describe('sequences of edits', () => {
       begin: () => othersOf(editor.state.drawing).length < 3 && editor.begin(),
       duplicate: () => {
         const { drawing } = editor.state;
-        return othersOf(drawing).length < 2 && editor.duplicate([drawing.active]);
+        return othersOf(drawing).length < 2 && editor.objects.duplicate([drawing.active]);
       },
-      delete: () => random() < 0.2 && editor.deleteObjects([editor.state.drawing.active]),
+      delete: () => random() < 0.2 && editor.objects.delete([editor.state.drawing.active]),
     };
   }
 

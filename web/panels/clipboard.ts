@@ -18,7 +18,7 @@ export class Clipboard {
     document.addEventListener('cut', (event) => {
       // What is dragged is cut as it was before.
       editor.interrupt();
-      if (this.#copy(event)) editor.deleteObjects(this.#ids);
+      if (this.#copy(event)) editor.objects.delete(this.#ids);
     });
     document.addEventListener('paste', (event) => this.#paste(event));
   }
@@ -43,7 +43,7 @@ export class Clipboard {
   async cut(): Promise<void> {
     this.editor.interrupt();
     const ids = this.#ids;
-    if (await this.copy()) this.editor.deleteObjects(ids);
+    if (await this.copy()) this.editor.objects.delete(ids);
   }
 
   /** Pastes what was copied, from a menu. */
@@ -84,7 +84,7 @@ export class Clipboard {
   #add(text: string): boolean {
     try {
       const objects = pastedObjects(text, this.editor.state.mesh, this.triangles());
-      if (objects) this.editor.addObjects(objects);
+      if (objects) this.editor.objects.add(objects);
       return objects !== null;
     } catch (error) {
       showNote(

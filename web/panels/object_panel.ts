@@ -104,12 +104,12 @@ export class ObjectPanel {
     onTheme(() => {
       this.#themeColor = hexOf(sceneColors().curve);
     });
-    const set = (to: Partial<Properties>) => editor.setProperties(this.#targets, to);
+    const set = (to: Partial<Properties>) => editor.objects.setProperties(this.#targets, to);
     this.#name.maxLength = longestName;
     const rename = (name: string, id: number | null) => {
       const group = groupNamed(id, editor.state);
-      if (group !== null) editor.renameGroup(group, name);
-      else if (id !== null) editor.setProperties([id], { name });
+      if (group !== null) editor.objects.renameGroup(group, name);
+      else if (id !== null) editor.objects.setProperties([id], { name });
     };
     this.#named = new EditedField(this.#name, rename, {
       read: (text) => text,
@@ -131,7 +131,7 @@ export class ObjectPanel {
       // A color of what is not painted asks for it.
       set(none ? { fillColor, fill: firstFill } : { fillColor });
     });
-    this.#otherSide.addEventListener('click', () => editor.turnInside(this.#targets));
+    this.#otherSide.addEventListener('click', () => editor.objects.turnInside(this.#targets));
     this.#width = new NumberField(
       byId<HTMLInputElement>('width'),
       (width) => set({ width, onSurface: this.#isOnSurface }),
@@ -157,7 +157,7 @@ export class ObjectPanel {
       const { least, most } = onSurface ? surfaceWidths : widthRange;
       set({ onSurface, width: Math.min(most, Math.max(least, width)) });
     });
-    this.#look.addEventListener('click', () => editor.toggleLook());
+    this.#look.addEventListener('click', () => editor.objects.toggleLook());
     this.#opacity = new NumberField(
       byId<HTMLInputElement>('opacity'),
       (percent) => set({ opacity: percent / 100 }),
@@ -178,26 +178,26 @@ export class ObjectPanel {
       return [button, isPossible];
     };
     this.#actions = [
-      action('duplicate', () => editor.duplicate(this.#targets), some),
-      action('delete-object', () => editor.deleteObjects(this.#targets), some),
+      action('duplicate', () => editor.objects.duplicate(this.#targets), some),
+      action('delete-object', () => editor.objects.delete(this.#targets), some),
       action(
         'raise',
-        () => editor.raise(editor.state.drawing.active, 1),
+        () => editor.objects.raise(editor.state.drawing.active, 1),
         (state) => lone(state) && place(state) < state.drawing.objects.length - 1,
       ),
       action(
         'lower',
-        () => editor.raise(editor.state.drawing.active, -1),
+        () => editor.objects.raise(editor.state.drawing.active, -1),
         (state) => lone(state) && place(state) > 0,
       ),
       action(
         'group',
-        () => editor.group(),
+        () => editor.objects.group(),
         ({ chosen }) => chosen.length > 1,
       ),
       action(
         'ungroup',
-        () => editor.ungroup(this.#targets),
+        () => editor.objects.ungroup(this.#targets),
         ({ chosen, drawing }) =>
           drawing.objects.some(({ id, group }) => group !== null && chosen.includes(id)),
       ),
@@ -285,7 +285,9 @@ export class ObjectPanel {
     swatch.setAttribute('aria-label', title);
     swatch.dataset.color = color ?? '';
     swatch.style.backgroundColor = color ?? '';
-    swatch.addEventListener('click', () => this.editor.setProperties(this.#targets, { color }));
+    swatch.addEventListener('click', () =>
+      this.editor.objects.setProperties(this.#targets, { color }),
+    );
     byId('swatches').append(swatch);
     return swatch;
   }

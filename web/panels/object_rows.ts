@@ -148,7 +148,7 @@ export class ObjectRows {
       button.innerHTML = icon;
       button.addEventListener('click', () => {
         const to = button.getAttribute('aria-pressed') !== 'true';
-        this.editor.setProperties(ids(), { [name]: to });
+        this.editor.objects.setProperties(ids(), { [name]: to });
       });
       return button;
     };
@@ -180,14 +180,14 @@ export class ObjectRows {
 
   #moved(from: number, to: number): void {
     const { ids, moved, group } = rowsAfter(this.#rows, from, to);
-    this.editor.arrange(ids.toReversed(), { id: moved, group });
+    this.editor.objects.arrange(ids.toReversed(), { id: moved, group });
   }
 
   /** Moves an object in the order; the keys stay with it. */
   #key(event: KeyboardEvent, id: number): void {
     const step = stepOf(event);
     if (!step) return;
-    this.editor.raise(id, step);
+    this.editor.objects.raise(id, step);
     this.#list.querySelector<HTMLElement>(`[data-id="${id}"] .object`)?.focus();
   }
 
@@ -202,7 +202,7 @@ export class ObjectRows {
     const [unit] = units.splice(from, 1);
     units.splice(to, 0, unit!);
     const ids = units.flatMap((one) => one.ids);
-    this.editor.arrange(ids.toReversed(), { id: unit!.ids[0]!, group });
+    this.editor.objects.arrange(ids.toReversed(), { id: unit!.ids[0]!, group });
     const rows = [...this.#list.querySelectorAll<HTMLElement>('[data-group]')];
     rows
       .find((row) => row.dataset.group === group)

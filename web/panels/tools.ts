@@ -133,9 +133,9 @@ export class Tools {
       else if (key === 's') this.events.saveJson();
       else if (typing) return;
       else if (key === 'a') this.editor.chooseAll();
-      else if (key === 'd') this.editor.duplicate();
-      else if (key === 'g' && event.shiftKey) this.editor.ungroup();
-      else if (key === 'g') this.editor.group();
+      else if (key === 'd') this.editor.objects.duplicate();
+      else if (key === 'g' && event.shiftKey) this.editor.objects.ungroup();
+      else if (key === 'g') this.editor.objects.group();
       else return;
       event.preventDefault();
       return;
@@ -178,7 +178,7 @@ export class Tools {
     j: () => this.edits.chooseJoin(),
     k: () => toggleTransform(this.editor),
     i: () => toggleMirror(this.editor),
-    l: () => this.editor.toggleLook(),
+    l: () => this.editor.objects.toggleLook(),
     '?': () => this.#help.showModal(),
   };
 }

@@ -227,7 +227,7 @@ export class CurveEdits {
   /** What a click on another object does. */
   async atOther(tool: CurveTool, id: number): Promise<void> {
     if (tool === 'join') await this.join(id);
-    else if (tool === 'look') this.editor.takeLook(id);
+    else if (tool === 'look') this.editor.objects.takeLook(id);
     else this.editor.activate(id);
   }
 

@@ -150,7 +150,7 @@ export class MirrorTool {
       if (!figures) this.problem('The mirror image would leave the surface.');
       else if (surface && (await isTorn(client, surface, objects, figures))) this.problem(torn);
       else if (editor.state.drawing !== drawing) return;
-      else if (this.copies) editor.addObjects(copiesOf(objects, figures));
+      else if (this.copies) editor.objects.add(copiesOf(objects, figures));
       else editor.perform(replacing(objects, figures));
     } catch (error) {
       this.problem(`There is no mirror image: ${error instanceof Error ? error.message : error}.`);

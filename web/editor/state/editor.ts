@@ -1,26 +1,11 @@
-import {
-  activation,
-  addition,
-  arranging,
-  beginning,
-  deletion,
-  duplication,
-  groupNaming,
-  grouping,
-  ofKind,
-  reordering,
-  restyling,
-  withGroups,
-} from '../../model/arranging';
-import { apply, type Command, joined } from '../../model/commands';
+import { activation, beginning, deletion, ofKind, withGroups } from '../../model/arranging';
+import { apply, type Command } from '../../model/commands';
 import {
   activeObject,
   type Drawing,
   type DrawnObject,
   indexOf,
-  lookOf,
   objectOf,
-  type Properties,
 } from '../../model/drawing';
 import {
   type CircleForm,
@@ -32,7 +17,6 @@ import {
   type Inside,
   isRound,
   isUnfinished,
-  opposite,
   type Kind,
   withLeg,
 } from '../../model/figure';
@@ -46,6 +30,7 @@ import {
   stepForth,
 } from '../../model/history';
 import type { MethodId } from '../../model/methods';
+import { ObjectEdits, type PartOfStep } from './object_edits';
 import {
   changedState,
   firstState,
@@ -61,6 +46,8 @@ import { type CurveTool, isResting, type RestingTool } from './tool';
 /** The page's one state, and the only way to change it. */
 export class Editor {
   #state: State = firstState;
+  /** What is done to whole objects. */
+  readonly objects = new ObjectEdits(this);
   readonly #listeners: ((state: State, before: State) => void)[] = [];
   /** The surfaces that were shown: what was done there, and the drawing it led to. */
   readonly #histories = new Map<string, History>();
@@ -108,10 +95,7 @@ export class Editor {
   }
 
   /** Changes the whole drawing, as one step of the history. */
-  perform(
-    command: Command | null,
-    part: { selection?: Selection; chosen?: readonly number[]; none?: boolean } = {},
-  ): void {
+  perform(command: Command | null, part: PartOfStep = {}): void {
     if (!command) return;
     this.cancelDrag();
     const whole = this.#withoutBegun(command, this.#state.drawing);
@@ -187,19 +171,6 @@ export class Editor {
   #withInside(command: Command): Command {
     const { inside } = this.#drag!;
     return inside ? { type: 'steps', steps: [command, inside] } : command;
-  }
-
-  /** What closed lines of these objects enclose becomes what lies on their other side. */
-  turnInside(ids: readonly number[]): void {
-    this.interrupt();
-    const { objects } = this.#state.drawing;
-    const steps = objects.flatMap(({ id, figure, locked }): Command[] => {
-      const from = figure.inside;
-      const now = ids.includes(id) && !locked ? this.insideOf(figure) : null;
-      if (!now) return [];
-      return [{ type: 'figure', id, edit: { type: 'inside', from, to: opposite(now) } }];
-    });
-    if (steps.length > 0) this.perform(joined(steps));
   }
 
   /** A drag's command once it ends, with what it made of the figure beside what the hand did. */
@@ -417,79 +388,6 @@ export class Editor {
     if (!command) return;
     if (command.type === 'figure') this.run(command.edit, null);
     else this.perform(command, { selection: null, chosen: [] });
-  }
-
-  /** Deletes objects; the edited one only where there is something of it. */
-  deleteObjects(wanted: readonly number[] = selectedObjects(this.#state)): void {
-    this.interrupt();
-    const { objects } = this.#state.drawing;
-    const ids = wanted.filter((id) => {
-      const object = objectOf(this.#state.drawing, id);
-      return object && !isEmpty(object.figure);
-    });
-    const free = ids.filter((id) => objects.some((one) => one.id === id && !one.locked));
-    if (free.length < ids.length) this.onRefusal('What is locked is not deleted. Unlock it first.');
-    this.perform(deletion(this.#state.drawing, free), { selection: null, chosen: [] });
-  }
-
-  duplicate(ids: readonly number[] = selectedObjects(this.#state)): void {
-    this.interrupt();
-    this.#add(duplication(this.#state.drawing, ids));
-  }
-
-  /** Adds copies of objects; their ids become others. */
-  addObjects(objects: readonly DrawnObject[]): void {
-    this.interrupt();
-    this.#add(addition(this.#state.drawing, objects));
-  }
-
-  #add(made: ReturnType<typeof addition>): void {
-    if (made) this.perform(made.command, { selection: null, chosen: made.ids });
-  }
-
-  group(ids: readonly number[] = this.#state.chosen): void {
-    this.interrupt();
-    this.perform(grouping(this.#state.drawing, ids));
-  }
-
-  ungroup(ids: readonly number[] = selectedObjects(this.#state)): void {
-    this.setProperties(ids, { group: null });
-  }
-
-  setProperties(ids: readonly number[], to: Partial<Properties>): void {
-    this.interrupt();
-    const { none } = this.#state;
-    this.perform(restyling(this.#state.drawing, ids, to), { none });
-  }
-
-  /** Makes ready for a click on an object whose look those that are selected take, or for none. */
-  toggleLook(): void {
-    if (this.#state.tool === 'look') this.rest();
-    else if (selectedObjects(this.#state).length > 0) this.setTool('look');
-  }
-
-  /** The selected objects are drawn and painted as another one is. */
-  takeLook(id: number): void {
-    const object = objectOf(this.#state.drawing, id);
-    if (object) this.setProperties(selectedObjects(this.#state), lookOf(object));
-    this.rest();
-  }
-
-  /** Moves an object so many places up in the order. */
-  raise(id: number, steps: number): void {
-    this.interrupt();
-    this.perform(reordering(this.#state.drawing, id, steps));
-  }
-
-  /** Puts objects into an order, from the lowest, and one of them into a group or out of its own. */
-  arrange(ids: readonly number[], joins: { id: number; group: string | null }): void {
-    this.interrupt();
-    this.perform(arranging(this.#state.drawing, ids, joins));
-  }
-
-  renameGroup(group: string, name: string): void {
-    this.interrupt();
-    this.perform(groupNaming(this.#state.drawing, group, name));
   }
 
   /** Gives settings to the selected curves. */

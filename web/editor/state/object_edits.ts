@@ -1,0 +1,132 @@
+import {
+  addition,
+  arranging,
+  deletion,
+  duplication,
+  groupNaming,
+  grouping,
+  reordering,
+  restyling,
+} from '../../model/arranging';
+import { type Command, joined } from '../../model/commands';
+import { type DrawnObject, lookOf, objectOf, type Properties } from '../../model/drawing';
+import { type Inside, isEmpty, opposite, type Figure } from '../../model/figure';
+import { type Selection, type State, selectedObjects } from './state';
+import type { CurveTool } from './tool';
+
+/** What edits of whole objects ask of the editor. */
+interface Editing {
+  readonly state: State;
+  perform(command: Command | null, part?: PartOfStep): void;
+  interrupt(): void;
+  setTool(tool: CurveTool): void;
+  rest(): void;
+  onRefusal(sentence: string): void;
+  insideOf(figure: Figure): Inside | null;
+}
+
+/** What is selected after a step. */
+export interface PartOfStep {
+  selection?: Selection;
+  chosen?: readonly number[];
+  none?: boolean;
+}
+
+/** Edits of whole objects, each one step of the history; of those that are selected where none are named. */
+export class ObjectEdits {
+  readonly #editor: Editing;
+
+  constructor(editor: Editing) {
+    this.#editor = editor;
+  }
+
+  /** Deletes objects; the edited one only where there is something of it. */
+  delete(wanted: readonly number[] = selectedObjects(this.#editor.state)): void {
+    this.#editor.interrupt();
+    const { objects } = this.#editor.state.drawing;
+    const ids = wanted.filter((id) => {
+      const object = objectOf(this.#editor.state.drawing, id);
+      return object && !isEmpty(object.figure);
+    });
+    const free = ids.filter((id) => objects.some((one) => one.id === id && !one.locked));
+    if (free.length < ids.length)
+      this.#editor.onRefusal('What is locked is not deleted. Unlock it first.');
+    this.#editor.perform(deletion(this.#editor.state.drawing, free), {
+      selection: null,
+      chosen: [],
+    });
+  }
+
+  duplicate(ids: readonly number[] = selectedObjects(this.#editor.state)): void {
+    this.#editor.interrupt();
+    this.#perform(duplication(this.#editor.state.drawing, ids));
+  }
+
+  /** Adds copies of objects; their ids become others. */
+  add(objects: readonly DrawnObject[]): void {
+    this.#editor.interrupt();
+    this.#perform(addition(this.#editor.state.drawing, objects));
+  }
+
+  #perform(made: ReturnType<typeof addition>): void {
+    if (made) this.#editor.perform(made.command, { selection: null, chosen: made.ids });
+  }
+
+  group(ids: readonly number[] = this.#editor.state.chosen): void {
+    this.#editor.interrupt();
+    this.#editor.perform(grouping(this.#editor.state.drawing, ids));
+  }
+
+  ungroup(ids: readonly number[] = selectedObjects(this.#editor.state)): void {
+    this.setProperties(ids, { group: null });
+  }
+
+  setProperties(ids: readonly number[], to: Partial<Properties>): void {
+    this.#editor.interrupt();
+    const { none } = this.#editor.state;
+    this.#editor.perform(restyling(this.#editor.state.drawing, ids, to), { none });
+  }
+
+  /** Makes ready for a click on an object whose look those that are selected take, or for none. */
+  toggleLook(): void {
+    if (this.#editor.state.tool === 'look') this.#editor.rest();
+    else if (selectedObjects(this.#editor.state).length > 0) this.#editor.setTool('look');
+  }
+
+  /** The selected objects are drawn and painted as another one is. */
+  takeLook(id: number): void {
+    const object = objectOf(this.#editor.state.drawing, id);
+    if (object) this.setProperties(selectedObjects(this.#editor.state), lookOf(object));
+    this.#editor.rest();
+  }
+
+  /** Moves an object so many places up in the order. */
+  raise(id: number, steps: number): void {
+    this.#editor.interrupt();
+    this.#editor.perform(reordering(this.#editor.state.drawing, id, steps));
+  }
+
+  /** Puts objects into an order, from the lowest, and one of them into a group or out of its own. */
+  arrange(ids: readonly number[], joins: { id: number; group: string | null }): void {
+    this.#editor.interrupt();
+    this.#editor.perform(arranging(this.#editor.state.drawing, ids, joins));
+  }
+
+  renameGroup(group: string, name: string): void {
+    this.#editor.interrupt();
+    this.#editor.perform(groupNaming(this.#editor.state.drawing, group, name));
+  }
+
+  /** What closed lines of these objects enclose becomes what lies on their other side. */
+  turnInside(ids: readonly number[]): void {
+    this.#editor.interrupt();
+    const { objects } = this.#editor.state.drawing;
+    const steps = objects.flatMap(({ id, figure, locked }): Command[] => {
+      const from = figure.inside;
+      const now = ids.includes(id) && !locked ? this.#editor.insideOf(figure) : null;
+      if (!now) return [];
+      return [{ type: 'figure', id, edit: { type: 'inside', from, to: opposite(now) } }];
+    });
+    if (steps.length > 0) this.#editor.perform(joined(steps));
+  }
+}
