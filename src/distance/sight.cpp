@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "distance/window.h"
+#include "intrinsic/angles.h"
 #include "mesh/rounding.h"
 
 namespace karcher {
@@ -183,7 +184,7 @@ class SightLine {
     for (int k = 0; k < bendCount_; ++k) {
       const Vec2 before = bendAt(k) - partStart(k);
       const Vec2 after = partEnd(k + 1) - bendAt(k);
-      const double angle = std::atan2(std::abs(cross(before, after)), before.dot(after));
+      const double angle = angleBetween(before, after);
       const int vertex = sides_[bends_[k]].vertex;
       if (angle > kChainRounding - curvature(vertex) && !mesh_.onBoundary[vertex]) return bends_[k];
     }
@@ -232,7 +233,7 @@ class SightLine {
   Sight sight() const {
     const Vec2 back = partStart(bendCount_) - at_;
     const double distance = length();
-    const double inCorner = std::atan2(cross(edge_, back), edge_.dot(back));
+    const double inCorner = angleFromTo(edge_, back);
     return {distance, logVectorAlong(geometry_, vertex_, distance,
                                      geometry_.cumulatedAngle[leaving_] + inCorner)};
   }

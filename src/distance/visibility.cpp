@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "intrinsic/angles.h"
+
 namespace karcher {
 namespace {
 
@@ -137,7 +139,7 @@ void Visibility::carryAcross(int h, const Window& window) {
   const double tolerance = kNarrowestWindow * length;
   if (crossing >= window.begin - tolerance && crossing <= window.end + tolerance) {
     const Vec2 back = Vec2(window.sourceX, -window.depth) - apex;
-    const double angle = std::atan2(cross(-apex, back), (-apex).dot(back));
+    const double angle = angleFromTo(-apex, back);
     see(mesh_.opposite(h), back.norm(), geometry_.cumulatedAngle[left] + angle);
   }
   if (crossing > window.begin && mesh_.twin[left] >= 0) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "distance/joined_windows.h"
+#include "intrinsic/angles.h"
 #include "mesh/error.h"
 #include "mesh/rounding.h"
 
@@ -180,8 +181,8 @@ double WindowDistance::direction(int vertex) const {
   const Vec2 apex = oppositeOverHalfedge(geometry_, record.via);
   const Vec2 toTail = -apex;
   const Vec2 toCrossing = Vec2(record.crossing, 0) - apex;
-  const double angle = geometry_.cumulatedAngle[previous(record.via)] +
-                       std::atan2(cross(toTail, toCrossing), toTail.dot(toCrossing));
+  const double angle =
+      geometry_.cumulatedAngle[previous(record.via)] + angleFromTo(toTail, toCrossing);
   const double total = geometry_.totalAngle[vertex];
   if (mesh_.onBoundary[vertex]) return std::clamp(angle, 0.0, total);
   return angle < 0 ? angle + total : angle >= total ? angle - total : angle;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "intrinsic/angles.h"
 #include "mesh/positions.h"
 #include "mesh/rounding.h"
 
@@ -69,7 +70,7 @@ void connectFrames(const TriangleMesh& mesh, Geometry& geometry) {
       const int h = 3 * f + k;
       const Vec2 edge = corners[k == 2 ? 0 : k + 1] - corners[k];
       const Vec2 toCentroid = centroid - corners[k];
-      const double inCorner = std::atan2(cross(edge, toCentroid), edge.dot(toCentroid));
+      const double inCorner = angleFromTo(edge, toCentroid);
       const double inVertex =
           geometry.angleScale[mesh.tail(h)] * (geometry.cumulatedAngle[h] + inCorner);
       geometry.vertexToFace[h] = rotateBack(unitVector(inVertex), toCentroid.normalized());
@@ -127,7 +128,7 @@ Vec2 toFace(const Geometry& geometry, int f, const Vec3& vector) {
 
 double directionAtTail(const Geometry& geometry, int h, const Vec2& vector) {
   const Vec2 edge = halfedgeInFace(geometry, h);
-  return geometry.cumulatedAngle[h] + std::atan2(cross(edge, vector), edge.dot(vector));
+  return geometry.cumulatedAngle[h] + angleFromTo(edge, vector);
 }
 
 EdgeDirection directionOfEdge(const Geometry& geometry, int h) {

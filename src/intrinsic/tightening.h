@@ -1,5 +1,6 @@
 #pragma once
 
+#include "intrinsic/angles.h"
 #include "intrinsic/strip_path.h"
 
 /// Internal: the algorithm of strip_path.h, in two files.
@@ -7,11 +8,6 @@ namespace karcher {
 
 inline bool touches(const TriangleMesh& mesh, int h, int vertex) {
   return mesh.tail(h) == vertex || mesh.head(h) == vertex;
-}
-
-/// The angle between two vectors, radians.
-inline double angleBetween(const Vec2& a, const Vec2& b) {
-  return std::atan2(std::abs(cross(a, b)), a.dot(b));
 }
 
 /// Pulls one strip between two points tight.

@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "intrinsic/angles.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/error.h"
 #include "mesh/rounding.h"
@@ -140,9 +141,7 @@ class FaceTriangles {
   /// Whether the angles opposite to (a, b) sum to more than pi.
   bool isThin(int a, int b, int c, int d) const {
     const auto angle = [&](int apex) {
-      const Vec2 u = frame_[a] - frame_[apex];
-      const Vec2 v = frame_[b] - frame_[apex];
-      return std::atan2(std::abs(cross(u, v)), u.dot(v));
+      return angleBetween(frame_[a] - frame_[apex], frame_[b] - frame_[apex]);
     };
     return angle(c) + angle(d) > kPi + kChainRounding;
   }

@@ -2,16 +2,10 @@
 
 #include <cmath>
 
+#include "intrinsic/angles.h"
 #include "mesh/disjoint_sets.h"
 
 namespace karcher {
-namespace {
-
-double angleBetween(const Vec2& u, const Vec2& v) {
-  return std::atan2(std::abs(cross(u, v)), u.dot(v));
-}
-
-}  // namespace
 
 GaussBonnet gaussBonnet(const Geometry& geometry, const Arrangement& all, const Region& region) {
   const TriangleMesh& mesh = *geometry.mesh;

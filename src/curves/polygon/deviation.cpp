@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "curves/polygon/convexity.h"
+#include "intrinsic/angles.h"
 #include "intrinsic/tangent.h"
 
 namespace karcher {
@@ -32,7 +33,7 @@ double turningBetween(const Geometry& geometry, const SurfacePath& before,
   if (before.length() == 0 || after.length() == 0) return 0;
   const Vec2 on = -logBack(geometry, before);
   const Vec2 next = logAlong(geometry, after);
-  return std::atan2(cross(on, next), on.dot(next));
+  return angleFromTo(on, next);
 }
 
 void unroll(const Geometry& geometry, const Array<SurfacePath>& legs, const SegmentLayout& segment,
