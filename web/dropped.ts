@@ -1,5 +1,7 @@
 /** Which of the files that are dropped or chosen together is opened, and what belongs to it. */
 
+import { formatInteger } from './panels/elements';
+
 /** What lies beside surfaces, and is not opened by itself: materials, buffers and pictures. */
 const companions = /\.(mtl|bin|png|jpe?g|webp|ktx2|basis|tga|bmp|gif|tiff?|dds|hdr|exr)$/i;
 const openable = /\.(obj|ply|stl|off|glb|gltf|json)$/i;
@@ -23,6 +25,13 @@ export function sorted(files: readonly File[]): Dropped {
   if (known.length === 0)
     return { surfaces: others.slice(0, 1), drawings, unknown: others.slice(1) };
   return { surfaces, drawings, unknown: others.filter(({ name }) => !companions.test(name)) };
+}
+
+/** Says that files are neither opened nor belong to what is. */
+export function sentenceOfUnknown([first, second, ...more]: readonly File[]): string {
+  if (!second) return `${first!.name} is no surface or drawing, and is left out.`;
+  const others = more.length > 0 ? `${formatInteger(1 + more.length)} more` : second.name;
+  return `${first!.name} and ${others} are no surfaces or drawings, and are left out.`;
 }
 
 const lastPart = (path: string) => path.replace(/^.*[\\/]/, '').toLowerCase();

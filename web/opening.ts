@@ -1,4 +1,4 @@
-import { sorted, whole } from './dropped';
+import { sentenceOfUnknown, sorted, whole } from './dropped';
 import type { Editor } from './editor/state/editor';
 import type { Session } from './editor/engine/session';
 import { readJson } from './export/curve_file';
@@ -96,12 +96,7 @@ export class Opening {
    */
   async files(files: readonly File[]): Promise<void> {
     const { surfaces, drawings, unknown } = sorted(files);
-    if (unknown.length > 0) {
-      const [first] = unknown;
-      const more = unknown.length > 1 ? ` and ${formatInteger(unknown.length - 1)} more` : '';
-      const are = unknown.length > 1 ? 'are' : 'is';
-      showNote(`${first!.name}${more} ${are} no surface or drawing, and ${are} left out.`);
-    }
+    if (unknown.length > 0) showNote(sentenceOfUnknown(unknown));
     const one = surfaces.length <= 1 && drawings.length <= 1;
     if (!one) {
       const file = await chooseFile([...surfaces, ...drawings]);

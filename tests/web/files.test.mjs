@@ -156,6 +156,48 @@ describe('files of surfaces', () => {
     await tab.close();
   });
 
+  test('of files that came together those are named that are neither opened nor belong to what is', async () => {
+    const tab = await Tab.open(browser);
+    const notes = ['notes.txt', encode('hello')];
+    const scene = ['scene.blend', encode('hello')];
+    const log = ['log', encode('hello')];
+    const surface = ['cut box.obj', objFile(cutBox)];
+    const material = ['cut box.mtl', encode('newmtl red')];
+    for (const [files, words] of [
+      [[notes, surface, material], 'notes.txt is no surface or drawing, and is left out.'],
+      [
+        [notes, material, surface, scene],
+        'notes.txt and scene.blend are no surfaces or drawings, and are left out.',
+      ],
+      [
+        [scene, surface, notes, log],
+        'scene.blend and 2 more are no surfaces or drawings, and are left out.',
+      ],
+    ]) {
+      await tab.dropFiles(files);
+      await tab.page.getByText(words, { exact: true }).waitFor();
+      await opened(tab, 'cut box.obj');
+      await tab.settled();
+    }
+    // Those of which one is chosen are said to be left out, too, and both names are read whole.
+    const long = 'the relic as it was scanned, cleaned and decimated, version';
+    const two = [1, 2].map((version) => [`${long} ${version}.obj`, objFile(cutBox)]);
+    await tab.dropFiles([...two, notes]);
+    const buttons = tab.page.getByRole('dialog').locator('li button');
+    await buttons.first().waitFor();
+    for (const button of await buttons.all()) {
+      const hidden = await button.evaluate((one) => [
+        one.scrollWidth - one.clientWidth,
+        one.scrollHeight - one.clientHeight,
+      ]);
+      assert.deepEqual(hidden, [0, 0]);
+    }
+    await buttons.last().click();
+    await opened(tab, `${long} 2.obj`);
+    await tab.settled();
+    await tab.close();
+  });
+
   test('what is no surface says what it is, and what was shown stays', async () => {
     const tab = await Tab.open(browser);
     await tab.dropBytes('photo.ply', Uint8Array.of(0x89, 0x50, 0x4e, 0x47));
