@@ -1,7 +1,23 @@
 import type { DrawnLeg } from 'karcher';
-import type { Figure } from '../../model/figure';
+import { type Figure, isCurve, isRound } from '../../model/figure';
 import { type ToldLegs, withTold } from '../../model/legs';
+import type { TracedCurve } from '../../model/traced';
 import type { State } from '../state/state';
+import type { Shown } from './compute';
+
+/**
+ * Steps of a drag for which the engine takes longer, in milliseconds, are followed by drafts without
+ * fields: of a frame's 16 as much is left for the page.
+ */
+const longestDraft = 8;
+/** So many steps in a row have to be slow: the first one also makes what later ones keep. */
+const slowSteps = 2;
+
+/** Whether a curve by tolerance has more samples than it would have by their number. */
+function moreThanFixed({ settings }: Figure, { samples }: TracedCurve): boolean {
+  const segments = (samples.segment.at(-1) ?? 0) + 1;
+  return settings.tolerance !== null && samples.count > settings.samples * segments;
+}
 
 /** A drag of control points: the legs that meet there go on from where its last step drew them. */
 export class Drag {
@@ -27,5 +43,76 @@ export class Drag {
   ended(figure: Figure): Figure {
     const isOther = this.legs === null && figure.points.length !== this.base.points.length;
     return isOther ? figure : withTold(figure, this.points, this.told);
+  }
+}
+
+/** How a figure is traced for the time of its drag, so that each step is quick and the curve does not leap. */
+export class HeldTracing {
+  /** Of a curve by tolerance, whether a fixed number of samples were fewer. */
+  #manySamples = false;
+  /** Of a curve whose levels are automatic: how many it has between drags, in a drag the most so far. */
+  #levels: number | 'limit' = 0;
+  /** Whether a curve of no levels is dragged as a draft, which takes some: its own steps were slow. */
+  #draft = false;
+  /** How many steps of the drag, one after the other, were slow. */
+  #slow = 0;
+
+  /** Another object is edited. */
+  forget(): void {
+    this.#manySamples = false;
+    this.#levels = 0;
+  }
+
+  /** Takes what was traced of the figure as it is: a drag keeps to that. */
+  rested(figure: Figure, { curve }: Shown): void {
+    this.#manySamples = curve !== null && isCurve(figure.kind) && moreThanFixed(figure, curve);
+    this.#levels = curve?.levels ?? 0;
+    this.#draft = false;
+  }
+
+  /** Takes what was traced: levels that a drag needed stay while it lasts, and slow steps make it quicker. */
+  stepped(dragging: boolean, { kind }: Figure, { curve }: Shown): void {
+    if (dragging && this.#levels !== 'limit' && curve) {
+      this.#levels = Math.max(this.#levels, curve.levels);
+    }
+    const slow = dragging && (curve?.milliseconds ?? 0) > longestDraft;
+    this.#slow = slow ? this.#slow + 1 : 0;
+    if (this.#slow >= slowSteps && !isRound(kind)) this.#makeQuicker();
+  }
+
+  /**
+   * Makes the curve a draft, whose points lie near each other, so that their means are quick; where that is
+   * slow too, averages alone make it, which need no fields.
+   */
+  #makeQuicker(): void {
+    if (this.#levels === 0 && !this.#draft) {
+      this.#draft = true;
+      this.#slow = 0;
+    } else {
+      this.#levels = 'limit';
+    }
+  }
+
+  /**
+   * While something is dragged, fewer samples than a tolerance takes will do, and a curve keeps the
+   * most levels that it has had: on release both are asked for again.
+   */
+  traced({ figure, dragging }: State): { figure: Figure; coarse: boolean } {
+    const { settings } = figure;
+    const fewer = dragging && this.#manySamples && settings.tolerance !== null;
+    // Circles have no choice of levels.
+    const isAutomatic = settings.levels === 'auto' || isRound(figure.kind);
+    const keeps = dragging && (this.#levels !== 0 || this.#draft) && isAutomatic;
+    if (!fewer && !keeps) return { figure, coarse: false };
+    const levels =
+      this.#levels === 'limit'
+        ? { levels: this.#levels }
+        : { leastLevels: this.#levels, draft: this.#draft };
+    const held = {
+      ...settings,
+      ...(fewer && { tolerance: null }),
+      ...(keeps && levels),
+    };
+    return { figure: { ...figure, settings: held }, coarse: true };
   }
 }

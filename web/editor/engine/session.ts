@@ -14,7 +14,7 @@ import type { DrawnBefore } from '../../model/legs';
 import { methodOptions, type Quality, refinedOptions } from '../../model/methods';
 import { legsOfAnchors } from '../../model/pen_legs';
 import { curveOptions, splineFrom, splineOf, usesLegs } from '../../model/splines';
-import type { Measured, TracedCurve } from '../../model/traced';
+import type { Measured } from '../../model/traced';
 import { type EngineClient, Stopped } from '../../worker/client';
 import type { Edit } from '../../worker/edits';
 import { asksFill, BesideObjects } from './beside';
@@ -29,7 +29,7 @@ import {
   shiftOf,
   withUniqueness,
 } from './compute';
-import { Drag } from './drag';
+import { Drag, HeldTracing } from './drag';
 import { shorterLegs } from './shorter_legs';
 import type { State } from '../state/state';
 import { type Ends, endsOf, Legs } from './legs';
@@ -37,22 +37,8 @@ import { Newest } from './newest';
 import { Refinement } from './refinement';
 import { emptyView, type View } from './view';
 
-/**
- * Steps of a drag for which the engine takes longer, in milliseconds, are followed by drafts without
- * fields: of a frame's 16 as much is left for the page.
- */
-const longestDraft = 8;
-/** So many in a row: the first step also makes what later ones keep. */
-const slowSteps = 2;
-
 /** A shorter way is shown where it is shorter by more than this part. */
 const leastGain = 0.02;
-
-/** Whether a curve by tolerance has more samples than it would have by their number. */
-function moreThanFixed({ settings }: Figure, { samples }: TracedCurve): boolean {
-  const segments = (samples.segment.at(-1) ?? 0) + 1;
-  return settings.tolerance !== null && samples.count > settings.samples * segments;
-}
 
 /** What is said in place of a curve whose computation was stopped. */
 const stoppedHint = 'it was stopped; an edit or another method computes it again';
@@ -76,14 +62,7 @@ export class Session {
   #view: View = emptyView;
   /** The newest state that was given to the engine. */
   #asked: State | null = null;
-  /** Of a curve by tolerance, whether a fixed number of samples were fewer. */
-  #manySamples = false;
-  /** Of a curve whose levels are automatic: how many it has between drags, in a drag the most so far. */
-  #levels: number | 'limit' = 0;
-  /** Whether a curve of no levels is dragged as a draft, which takes some: its own steps were slow. */
-  #draft = false;
-  /** How many steps of the drag, one after the other, were slow. */
-  #slow = 0;
+  readonly #held = new HeldTracing();
   #drag: Drag | null = null;
   /** The legs of figures' curves as they were drawn. */
   #drawn = new WeakMap<Figure, readonly DrawnLeg[]>();
@@ -169,8 +148,7 @@ export class Session {
     const resolved = resolvedFigure(given.drawing, activeObject(given.drawing));
     const state = resolved === given.figure ? given : { ...given, figure: resolved };
     if (state.drawing.active !== this.#state?.drawing.active) {
-      this.#manySamples = false;
-      this.#levels = 0;
+      this.#held.forget();
     }
     const drag = this.#state?.dragging ? this.#drag : null;
     this.#state = state;
@@ -271,11 +249,11 @@ export class Session {
       const known = state.dragging ? null : this.#others.known(state.figure, method, fill);
       if (known) {
         this.#coarse = false;
-        this.#took(state.figure, known.shown);
+        this.#held.rested(state.figure, known.shown);
         this.#showTraced(state, known.shown, known.quality);
         return;
       }
-      const { figure, coarse } = this.#asTraced(state);
+      const { figure, coarse } = this.#held.traced(state);
       let stopped = false;
       this.#coarse = coarse;
       const computed = async () => {
@@ -303,14 +281,11 @@ export class Session {
       });
       if (!this.#current(client, state)) return;
       const quality = qualityShown(shown, method);
-      if (!coarse) this.#took(figure, shown);
+      if (!coarse) this.#held.rested(figure, shown);
       if (!coarse && !state.dragging && !stopped) {
         this.#others.keep(figure, { method, shown, quality }, state.drawing);
       }
-      if (state.dragging) this.#keepLevels(shown);
-      const slow = state.dragging && (shown.curve?.milliseconds ?? 0) > longestDraft;
-      this.#slow = slow ? this.#slow + 1 : 0;
-      if (this.#slow >= slowSteps && !isRound(figure.kind)) this.#makeQuicker();
+      this.#held.stepped(state.dragging, figure, shown);
       this.#showTraced(state, shown, quality);
       if (drag && shown.curve) {
         const told = await client.toldLegs(state.drawing.active);
@@ -319,28 +294,6 @@ export class Session {
     } catch {
       // The engine has stopped; what it owed is asked of the next one.
     }
-  }
-
-  /** What a drag of the figure keeps to. */
-  #took(figure: Figure, { curve }: Shown): void {
-    this.#manySamples = curve !== null && isCurve(figure.kind) && moreThanFixed(figure, curve);
-    this.#levels = curve?.levels ?? 0;
-    this.#draft = false;
-  }
-
-  /** Far points' means are slow, those of near points are not, and averages alone need no fields. */
-  #makeQuicker(): void {
-    if (this.#levels === 0 && !this.#draft) {
-      this.#draft = true;
-      this.#slow = 0;
-    } else {
-      this.#levels = 'limit';
-    }
-  }
-
-  /** Levels that a drag needed stay while it lasts. */
-  #keepLevels({ curve }: Shown): void {
-    if (this.#levels !== 'limit' && curve) this.#levels = Math.max(this.#levels, curve.levels);
   }
 
   #showTraced(state: State, traced: Shown, quality: Quality | null): void {
@@ -363,7 +316,7 @@ export class Session {
     const { base, points } = drag;
     drag.legs ??= this.#drawn.get(base) ?? null;
     if (!drag.legs) {
-      const { figure } = this.#asTraced({ ...state, figure: base, dragging: true });
+      const { figure } = this.#held.traced({ ...state, figure: base, dragging: true });
       const value = await curveValueOf(client, figure, methodOptions(state.method));
       const object = state.drawing.active;
       const curve = value && (await client.curve(value, { object }).catch(unlessStopped));
@@ -387,29 +340,6 @@ export class Session {
     const shorter = found?.filter(({ part }) => part < 1 - leastGain) ?? [];
     if (shorter.length > 0 || this.#view.shorter.length > 0) this.#show({ shorter });
     return true;
-  }
-
-  /**
-   * While something is dragged, fewer samples than a tolerance takes will do, and a curve keeps the
-   * most levels that it has had: on release both are asked for again.
-   */
-  #asTraced({ figure, dragging }: State): { figure: Figure; coarse: boolean } {
-    const { settings } = figure;
-    const fewer = dragging && this.#manySamples && settings.tolerance !== null;
-    // Circles have no choice of levels.
-    const isAutomatic = settings.levels === 'auto' || isRound(figure.kind);
-    const keeps = dragging && (this.#levels !== 0 || this.#draft) && isAutomatic;
-    if (!fewer && !keeps) return { figure, coarse: false };
-    const levels =
-      this.#levels === 'limit'
-        ? { levels: this.#levels }
-        : { leastLevels: this.#levels, draft: this.#draft };
-    const held = {
-      ...settings,
-      ...(fewer && { tolerance: null }),
-      ...(keeps && levels),
-    };
-    return { figure: { ...figure, settings: held }, coarse: true };
   }
 
   /** Asks for the exact form of what is shown, where it is a draft and nothing is dragged. */
