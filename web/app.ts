@@ -43,7 +43,7 @@ import { SaveMenu } from './panels/save_menu';
 import { Sheet } from './panels/sheet';
 import { SnapToggle } from './panels/snap_toggle';
 import { Status } from './panels/status';
-import { SurfacePanel } from './panels/surface_panel';
+import { partActions, SurfacePanel } from './panels/surface_panel';
 import { drawingTools, ToolRail } from './panels/tool_list';
 import { Tools } from './panels/tools';
 import { Tour } from './panels/tour';
@@ -345,7 +345,11 @@ export async function start(): Promise<void> {
     );
   };
   const makers = () => derivedPanel.possible;
-  new ContextMenu(editor, viewer, stage, letGo, clipboard, alignChosen, makers);
+  const ofSurface = (face: number | null) =>
+    partActions(editor.state.mesh, session.client?.file ?? null, face, (key) => {
+      void opening.reread(key);
+    });
+  new ContextMenu(editor, viewer, stage, letGo, clipboard, alignChosen, makers, ofSurface);
   const snap = new SnapToggle((on) => {
     gestures.snapping.on = on;
   });

@@ -371,6 +371,38 @@ describe('files of surfaces', () => {
     await tab.close();
   });
 
+  test('the menu at a place shows only the piece there, and all of them again', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    const square = (x) => [`v ${x} 0 0`, `v ${x + 4} 0 0`, `v ${x + 4} 4 0`, `v ${x} 4 0`];
+    // The second has a face more, so it is piece 1.
+    const faces = ['f 1 2 3', 'f 1 3 4', 'f 5 6 7', 'f 5 7 9', 'f 9 7 8'];
+    const text = [...square(0), ...square(5), 'v 6 3 0', ...faces].join('\n');
+    await tab.drop('squares.obj', text);
+    await page.waitForFunction(() => window.karcherPage.triangles === 5);
+    await tab.settled();
+    await tab.still();
+    const { x, y } = await tab.middle();
+    const menu = page.locator('#context-menu');
+    const item = (name) => menu.getByRole('menuitem', { name });
+    await page.mouse.click(x - 60, y, { button: 'right' });
+    await item('Show only Piece 2').click();
+    await page.waitForFunction(() => window.karcherPage.triangles === 2);
+    await tab.settled();
+    await tab.still();
+    assert.equal(await page.locator('#part').inputValue(), '1');
+    await page.locator('#stage').press('Shift+F10');
+    await item('Show all 2 parts').click();
+    await page.waitForFunction(() => window.karcherPage.triangles === 5);
+    await tab.settled();
+    await page.mouse.click(x - 60, y, { button: 'right' });
+    await item('Show only Piece 2').waitFor();
+    await page.keyboard.press('Escape');
+    await page.locator('#stage').press('Shift+F10');
+    assert.equal(await item('Show').count(), 0, 'nothing is pointed at');
+    await tab.close();
+  });
+
   test('the check-up tells what the surface is like, and shows where', async () => {
     const tab = await Tab.open(browser);
     await tab.dropBytes('cone.ply', everyFile(cone)['little.ply']);

@@ -30,6 +30,8 @@ export class ContextMenu {
     private readonly clipboard: Clipboard,
     private readonly align: (how: Alignment) => void,
     private readonly makers: () => readonly Action[],
+    /** Of the surface, at a face of it or at none. */
+    private readonly ofSurface: (face: number | null) => readonly Action[],
   ) {
     // By itself the browser would close it as soon as the finger that opened it is lifted.
     window.addEventListener('pointerdown', ({ target }) => this.#close(target), { capture: true });
@@ -63,7 +65,7 @@ export class ContextMenu {
       if (!asked) return;
       event.preventDefault();
       const { left, top, width, height } = viewer.box;
-      this.#show(left + width / 2, top + height / 2);
+      this.#show(left + width / 2, top + height / 2, null);
     });
   }
 
@@ -108,12 +110,13 @@ export class ContextMenu {
       const isOfPoints = target.id === drawing.active && more.length > 0;
       if (!isOfPoints) editor.activate(target.id);
     }
-    this.#show(place.x, place.y);
+    const pick = target ? null : this.viewer.pick(place.x, place.y);
+    this.#show(place.x, place.y, pick && 'face' in pick.point ? pick.point.face : null);
   }
 
-  #show(x: number, y: number): void {
+  #show(x: number, y: number, face: number | null): void {
     const { element } = this.#menu;
-    element.replaceChildren(...this.#actions().map((action) => this.#item(action)));
+    element.replaceChildren(...this.#actions(face).map((action) => this.#item(action)));
     element.showPopover();
     const { offsetWidth, offsetHeight } = element;
     element.style.left = `${Math.max(8, Math.min(x, innerWidth - offsetWidth - 8))}px`;
@@ -131,7 +134,7 @@ export class ContextMenu {
     return item;
   }
 
-  #actions(): Action[] {
+  #actions(face: number | null): Action[] {
     const { editor } = this;
     const { state } = editor;
     const ids = targetsOf(state);
@@ -159,6 +162,7 @@ export class ContextMenu {
       [ids.length > 0, 'Lock', () => editor.objects.setProperties(ids, { locked: true })],
       [ids.length > 0, 'Delete', () => editor.objects.delete(ids)],
       [true, 'Select all', () => editor.chooseAll()],
+      ...this.ofSurface(face).map(([name, act]): [boolean, string, () => void] => [true, name, act]),
       [true, 'Whole surface', () => this.viewer.resetView({ animated: true })],
     ];
     return actions.filter(([isPossible]) => isPossible).map(([, name, act]) => [name, act]);

@@ -34,6 +34,26 @@ export interface ShownSurface {
 /** The engine's count as the page writes its numbers. */
 const grouped = (count: string) => formatInteger(Number(count));
 
+/**
+ * What can be done with a file of several parts where the surface is pointed at, by its face, as the menu
+ * of parts can: only that part is shown, or all are again.
+ */
+export function partActions(
+  key: string,
+  file: FileInfo | null,
+  face: number | null,
+  reread: (key: string) => void,
+): readonly [name: string, act: () => void][] {
+  const reading = readingOf(key);
+  if (!file || !reading || file.parts.length < 2) return [];
+  const show = (parts: readonly number[] | null) => () =>
+    reread(readAs(key, { parts, weld: null }));
+  if (reading.parts) return [[`Show all ${formatInteger(file.parts.length)} parts`, show(null)]];
+  const part = face === null ? undefined : file.partOf?.[face];
+  const name = part === undefined ? undefined : file.parts[part]?.name;
+  return part === undefined || name === undefined ? [] : [[`Show only ${name}`, show([part])]];
+}
+
 /** The surface's menu, its details and its facts; also takes files that are dropped on the page. */
 export class SurfacePanel {
   readonly #surface = byId<HTMLSelectElement>('surface');
