@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-
 #include "curve_support.h"
 #include "curves/curve.h"
 #include "distance/paged_array.h"

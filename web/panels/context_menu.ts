@@ -162,7 +162,11 @@ export class ContextMenu {
       [ids.length > 0, 'Lock', () => editor.objects.setProperties(ids, { locked: true })],
       [ids.length > 0, 'Delete', () => editor.objects.delete(ids)],
       [true, 'Select all', () => editor.chooseAll()],
-      ...this.ofSurface(face).map(([name, act]): [boolean, string, () => void] => [true, name, act]),
+      ...this.ofSurface(face).map(([name, act]): [boolean, string, () => void] => [
+        true,
+        name,
+        act,
+      ]),
       [true, 'Whole surface', () => this.viewer.resetView({ animated: true })],
     ];
     return actions.filter(([isPossible]) => isPossible).map(([, name, act]) => [name, act]);

@@ -56,9 +56,11 @@ export class PointRows {
     const row = make('li');
     const button = make('button', '', { type: 'button' });
     button.append(make('b'), make('span'));
-    button.addEventListener('click', () => {
+    button.addEventListener('click', ({ shiftKey, ctrlKey, metaKey }) => {
       const which = button.dataset.which!;
-      this.editor.select(isCircleHandle(which) ? which : Number(which));
+      if (isCircleHandle(which)) this.editor.select(which);
+      else if (shiftKey || ctrlKey || metaKey) this.#toggle(Number(which));
+      else this.editor.select(Number(which));
     });
     row.append(
       button,
@@ -67,6 +69,14 @@ export class PointRows {
       this.#makeMove(index, 1),
     );
     return row;
+  }
+
+  /** Selects a point beside others, or takes it out of the selection. */
+  #toggle(index: number): void {
+    const { selection, more } = this.editor.state;
+    const selected = typeof selection === 'number' ? [...more, selection] : [];
+    const others = selected.filter((one) => one !== index);
+    this.editor.selectPoints(selected.includes(index) ? others : [...others, index]);
   }
 
   /** A button that makes a point the one before or after. */

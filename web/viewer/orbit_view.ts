@@ -180,6 +180,23 @@ export class OrbitView {
     this.#controls.update();
   }
 
+  /** Moves the view by so many CSS pixels of what lies in its middle. */
+  pan(x: number, y: number): void {
+    const { left, top, width, height } = this.stage.getBoundingClientRect();
+    this.#turnTo(left + width / 2, top + height / 2);
+    this.#whole = null;
+    const { camera } = this;
+    const { target } = this.#controls;
+    const seen =
+      2 * Math.tan(MathUtils.degToRad(camera.fov) / 2) * camera.position.distanceTo(target);
+    const by = new Vector3(x, -y, 0)
+      .multiplyScalar(seen / height)
+      .applyQuaternion(camera.quaternion);
+    camera.position.add(by);
+    target.add(by);
+    this.#controls.update();
+  }
+
   /** The whole scene, from the front; at once where motion is not wanted. */
   reset({ animated }: { animated: boolean }): void {
     this.#whole = startDirection;

@@ -402,6 +402,10 @@ export class Viewer {
     this.#view.zoom(factor);
   }
 
+  pan(x: number, y: number): void {
+    this.#view.pan(x, y);
+  }
+
   /** While it is set the pointer moves the view, whatever else it would do. */
   set movesView(moves: boolean) {
     this.#view.moves = moves;

@@ -9,7 +9,7 @@ import type { Editor } from '../state/editor';
 import type { Selection } from '../state/state';
 import { selectionOf, tangentOf, underHandle } from './handle_list';
 import type { HeldKeys, PenGestures } from './pen_gestures';
-import { selectPressed, takenAlong } from './several_points';
+import { selectFocused, selectPressed, takenAlong } from './several_points';
 import type { Snapped, Snapping } from './snapping';
 import { arrows } from './stage_keys';
 import { clickSlop } from './stage_pointer';
@@ -65,7 +65,7 @@ export class HandleDrags {
       release: (_, cancelled) => this.#release(cancelled),
       focus: (id) => {
         // A press has selected what it means, perhaps several.
-        if (!this.#grabbed) editor.select(selectionOf(id));
+        if (!this.#grabbed) selectFocused(editor, id);
       },
       key: (id, event) => this.#nudge(id, event),
     });

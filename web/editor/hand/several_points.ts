@@ -24,6 +24,15 @@ export function selectPressed(editor: Editor, id: string, shift: boolean): numbe
   return isIn ? others : [...others, selection];
 }
 
+/** The keys go to a point's handle: others that are selected with it stay so. */
+export function selectFocused(editor: Editor, id: string): void {
+  const { selection, more } = editor.state;
+  const focused = selectionOf(id);
+  const isIn = typeof focused === 'number' && [...more, selection].includes(focused);
+  if (!isIn || more.length === 0 || tangentOf(id)) editor.select(focused);
+  else selectPressed(editor, id, false);
+}
+
 /** Points of which one was moved, and others with it: `moved` says where, or null where it stays. */
 export function takenAlong(
   points: readonly ControlPoint[],

@@ -4,6 +4,9 @@ import type { MoveGestures } from './move_gestures';
 
 /** How far an arrow moves what is selected, in CSS pixels; with Shift ten times. */
 const nudgePixels = 4;
+/** How far an arrow moves the view, in CSS pixels, and turns it, in radians. */
+const panPixels = 40;
+const turnAngle = 0.12;
 /** Where the arrows point on the screen. */
 export const arrows: Record<string, [number, number]> = {
   ArrowLeft: [-1, 0],
@@ -55,14 +58,22 @@ export class StageKeys {
 
   #down(event: KeyboardEvent): void {
     const { stage, viewer } = this;
-    if (event.target !== stage || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.target !== stage || event.altKey) return;
     const arrow = arrows[event.key];
+    if (event.ctrlKey || event.metaKey) {
+      // The view's, whatever is selected.
+      if (!arrow) return;
+      if (event.shiftKey) viewer.pan(panPixels * arrow[0], panPixels * arrow[1]);
+      else this.#turn(arrow);
+      event.preventDefault();
+      return;
+    }
     const { left, top, width, height } = viewer.box;
     const middle = { x: left + width / 2, y: top + height / 2 };
     const nudge = event.shiftKey ? 10 * nudgePixels : nudgePixels;
     if (arrow && this.editor.state.chosen.length > 0) {
       this.moves.nudge(nudge * arrow[0], nudge * arrow[1]);
-    } else if (arrow) viewer.orbit(0.12 * arrow[0], 0.12 * arrow[1]);
+    } else if (arrow) this.#turn(arrow);
     else if (event.key === '+' || event.key === '=') viewer.zoom(1 / 1.15);
     else if (event.key === '-') viewer.zoom(1.15);
     else if (event.key === 'Enter') {
@@ -73,5 +84,9 @@ export class StageKeys {
     event.preventDefault();
     stage.classList.remove('pointed');
     this.events.aimed(middle);
+  }
+
+  #turn([aside, up]: [number, number]): void {
+    this.viewer.orbit(turnAngle * aside, turnAngle * up);
   }
 }
