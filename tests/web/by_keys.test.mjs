@@ -46,7 +46,12 @@ describe('without a mouse', () => {
       assert.equal((await figure()).points.length, points);
       const before = JSON.stringify((await figure()).points[0]);
       await tabTo(page, '#handles .handle');
-      await keys('ArrowLeft', 'ArrowUp');
+      for (const key of ['ArrowLeft', 'ArrowUp']) {
+        const { revision } = await tab.state();
+        await keys(key);
+        await page.waitForFunction((seen) => window.karcherPage.state().revision > seen, revision);
+        await page.waitForFunction(() => !window.karcherPage.state().dragging);
+      }
       assert.notEqual(JSON.stringify((await figure()).points[0]), before);
       await keys('Delete');
       assert.equal((await figure()).points.length, points - 1);
@@ -84,8 +89,12 @@ describe('without a mouse', () => {
     }
     assert.ok(seen.size >= 4, [...seen].join('\n'));
     assert.equal(JSON.stringify(await objects()), before);
+    // Arrows alone move what is selected.
     await keys('ArrowLeft');
-    assert.notEqual(JSON.stringify(await objects()), before, 'arrows alone move what is selected');
+    await tab.page.waitForFunction(
+      (were) => JSON.stringify(window.karcherPage.state().drawing.objects) !== were,
+      before,
+    );
     await tab.close();
   });
 
@@ -105,6 +114,9 @@ describe('without a mouse', () => {
     const before = (await figure()).points.map((point) => JSON.stringify(point));
     await page.locator('#handles .handle[aria-pressed="true"]').last().focus();
     await keys('ArrowDown', 'ArrowDown');
+    const isMoved = ([i, was]) =>
+      JSON.stringify(window.karcherPage.state().figure.points[i]) !== was;
+    for (const i of [1, 3]) await page.waitForFunction(isMoved, [i, before[i]]);
     const after = (await figure()).points.map((point) => JSON.stringify(point));
     assert.deepEqual(
       [...after.keys()].filter((i) => after[i] !== before[i]),

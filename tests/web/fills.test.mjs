@@ -226,10 +226,17 @@ describe('fills', () => {
     for (let step = 0; step < 2; step++) await tab.page.keyboard.press('Control+z');
     await tab.settled();
     assert.equal(await filled(tab), before);
+    const otherSide = tab.page.locator('#other-side');
+    await tab.page.locator('#tool-select').click();
+    await tab.page.locator('#stage').press('Escape');
+    await tab.page.locator('#stage').press('Escape');
+    assert.ok(await otherSide.isDisabled(), 'where nothing is selected');
+    await tab.page.locator('#objects .object').first().click();
+    assert.ok(await otherSide.isEnabled());
     await tab.page.locator('#fill').fill('0');
     await tab.page.keyboard.press('Enter');
     await tab.settled();
-    assert.ok(await tab.page.locator('#other-side').isDisabled(), 'where nothing is filled');
+    assert.ok(await otherSide.isDisabled(), 'where nothing is filled');
     await tab.close();
   });
 

@@ -277,7 +277,7 @@ export class ObjectPanel {
     this.#look.setAttribute('aria-pressed', `${this.editor.state.tool === 'look'}`);
     const controls = [...this.#swatches, this.#custom, this.#look, ...lists, ...inputs];
     for (const control of controls) control.disabled = selected === 0;
-    this.#otherSide.disabled = !objects.some(hasOtherSide);
+    this.#otherSide.disabled = selected === 0 || !objects.some(hasOtherSide);
   }
 
   #makeSwatch(color: string | null, title: string): HTMLButtonElement {
