@@ -9,7 +9,7 @@ import { showProgress } from './progress';
 export interface CheckedSurface {
   readonly info: Readonly<MeshInfo>;
   readonly arrays: MeshBlobs;
-  /** Null where the surface comes from no file. */
+  /** The file that the surface comes from; null where there is none. */
   readonly file: object | null;
 }
 
@@ -37,7 +37,7 @@ export class CheckUpPanel {
     });
   }
 
-  /** Another surface is shown, or the same in another way. */
+  /** Forgets what was found: another surface is shown, or the same one in another way. */
   show(client: CheckedSurface): void {
     this.#client = client;
     this.#toggle(null, []);
@@ -141,7 +141,7 @@ function parts(lines: Float32Array | Float64Array, length: number): Float32Array
   );
 }
 
-/** A line so short is a dot. */
+/** Lines at these places, so short that they are seen as dots. */
 function dots(places: Float64Array, diagonal: number): Float32Array[] {
   const count = Math.min(mostPlaces, places.length / 3);
   return Array.from({ length: count }, (_, i) => {

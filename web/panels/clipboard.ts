@@ -5,7 +5,7 @@ import { withSources } from '../model/sources';
 import { isEmpty } from '../model/figure';
 import { sentenceOf, showNote } from './messages';
 
-/** What is typed there is copied and pasted by the browser. */
+/** Fields in which the browser itself copies and pastes. */
 const typing = 'input[type="text"], textarea';
 
 /** Copies, cuts and pastes objects as text on the system's clipboard, so between tabs too. */
@@ -16,7 +16,7 @@ export class Clipboard {
   ) {
     document.addEventListener('copy', (event) => this.#copy(event));
     document.addEventListener('cut', (event) => {
-      // What is dragged is cut as it was before.
+      // A drag ends first: objects are cut as they were before it.
       editor.interrupt();
       if (this.#copy(event)) editor.objects.delete(this.#ids);
     });
@@ -57,7 +57,7 @@ export class Clipboard {
   /** What is selected, as text; null where that is nothing. */
   get #text(): string | null {
     const { mesh, drawing } = this.editor.state;
-    // With what they are made of: elsewhere nothing else is.
+    // Objects are copied with what they are made of, which is not there elsewhere.
     const ids = withSources(drawing, this.#ids);
     const objects = drawing.objects.filter(
       ({ id, figure }) => ids.includes(id) && !isEmpty(figure),

@@ -18,7 +18,7 @@ export class CombLegend {
   });
   readonly #factor = make('output', '', { id: 'comb-factor' });
   #on = false;
-  /** What is combed: neither anew, nor with another scale. */
+  /** What the comb that is shown was made of: for the same no other comb is made, and the scale stays. */
   #shown: { lines: readonly Float32Array[]; object: number; surface: Surface | null } | null = null;
 
   constructor(

@@ -33,10 +33,10 @@ export class ContextMenu {
     /** Of the surface, at a face of it or at none. */
     private readonly ofSurface: (face: number | null) => readonly Action[],
   ) {
-    // By itself the browser would close it as soon as the finger that opened it is lifted.
+    // The menu is closed by hand: the browser would close it when the finger that opened it is lifted.
     window.addEventListener('pointerdown', ({ target }) => this.#close(target), { capture: true });
     window.addEventListener('blur', () => this.#close(null));
-    // Of the window: the menu has the keys a moment after it is seen.
+    // The window listens, because the menu has the keys only a moment after it is seen.
     const byKey = (event: KeyboardEvent) => {
       if (event.key !== 'Escape' && event.key !== 'Tab') return;
       if (!this.#menu.element.matches(':popover-open')) return;

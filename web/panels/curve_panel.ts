@@ -63,7 +63,7 @@ export class CurvePanel {
 
   show(state: State, view: View): void {
     const { kind } = state.figure;
-    // Of a stroke there is a tolerance.
+    // A stroke has a tolerance.
     this.#kindGroup.hidden = state.none && state.tool !== 'freehand';
     this.#pointsGroup.hidden = state.none || isDerived(kind);
     const group = kindGroups.find(({ kinds }) => kinds.includes(kind))!;
@@ -82,7 +82,7 @@ export class CurvePanel {
     // Curves of the pen are edited by their anchors.
     for (const button of [this.#split, this.#reverse]) {
       button.hidden = !isSpline(kind);
-      // It stays where it is, so that nothing jumps while the first points are set.
+      // The panel stays where it is, so that nothing jumps while the first points are set.
       button.disabled = !view.curve;
     }
     this.#split.setAttribute('aria-pressed', `${tool === 'split'}`);

@@ -17,7 +17,7 @@ const partColors = ['#2f9e8f', '#d9480f', '#8a3ffc', '#c81e5b', '#0b8457', '#b58
 
 export const partColor = (index: number) => partColors[index % partColors.length]!;
 
-/** So many parts are listed. */
+/** The number of parts that are listed at most. */
 const mostListed = 50;
 
 const bin =
@@ -156,7 +156,7 @@ export class CutPanel {
     if (!editor.refuses()) editor.perform(remaking(editor.state.drawing, part));
   }
 
-  /** Those that are not deleted. */
+  /** The parts that are not deleted. */
   get #saved(): { part: ShownPart; name: string }[] {
     return this.#parts.flatMap((part, i) =>
       part.state === 'deleted' ? [] : { part, name: `Part ${i + 1}` },

@@ -77,7 +77,7 @@ export class DerivedPanel {
     if (byId('makers-group').hidden) return [];
     return this.#actions.flatMap(([name, act], i) => {
       const { hidden, disabled } = this.#makers[i]!;
-      // In a menu, beside that of the clipboard.
+      // In a menu 'Cut' alone would mean the clipboard's.
       return hidden || disabled ? [] : [[name === 'Cut' ? 'Cut the surface' : name, act]];
     });
   }
@@ -98,7 +98,7 @@ export class DerivedPanel {
     const { drawing, figure, none, dragging } = state;
     if (dragging) return;
     const count = combinable(drawing, selectedObjects(state)).length;
-    // It is there from the first point, so that nothing jumps while others are set.
+    // The panel is there from the first point, so that nothing jumps while others are set.
     byId('makers-group').hidden = !willCombine(drawing, selectedObjects(state));
     for (const [i, button] of this.#makers.entries()) {
       button.hidden = count < 2 && i >= 2;

@@ -50,7 +50,7 @@ export class EditedField<Value> {
     if (!this.#began || value === null) this.#restore();
   }
 
-  /** Left open, as several objects have several values; what is typed is for all of them. */
+  /** Leaves the field open, where several objects have several values; what is typed is for all of them. */
   showOpen(): void {
     this.#shown = '';
     this.#of = null;

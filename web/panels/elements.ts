@@ -31,7 +31,7 @@ export function formatBytes(bytes: number): string {
   return `${Number((bytes / 1000 ** power).toPrecision(2))} ${['', 'kB', 'MB', 'GB'][power]}`;
 }
 
-/** Says something in an element: the page is laid out again only where it is something else. */
+/** Writes a text into an element, if it has another one: each writing would lay out the page again. */
 export function write(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }

@@ -89,7 +89,7 @@ export class FineSettings {
 
   #showLevels(levels: CurveLevels | undefined): void {
     const isOffered = [...this.#levels.options].some(({ value }) => value === `${levels}`);
-    // A link may ask for any number.
+    // A link may ask for a number that is no choice of the menu.
     if (!isOffered && levels !== undefined) {
       this.#levels.append(new Option(`${levels} levels`, `${levels}`));
     }

@@ -49,7 +49,7 @@ export class Legend {
     this.#element.hidden = !shown;
   }
 
-  /** What it tells is not yet so. */
+  /** Whether what the legend tells is still to come. */
   set busy(busy: boolean) {
     this.#element.setAttribute('aria-busy', `${busy}`);
   }

@@ -16,7 +16,7 @@ export interface ListMoves {
   began(row: HTMLElement): void;
   /** The row was let go of at another place; both are counted from the top. */
   moved(from: number, to: number): void;
-  /** Nothing moves any more. */
+  /** The drag has ended, by a drop or without one. */
   ended(): void;
 }
 
@@ -93,7 +93,7 @@ export class ListDrag {
     const { from, to, moves } = dragged;
     this.#let();
     if (!moves) return;
-    // The click that follows is the drag's.
+    // The click that follows the drag is no click on a row.
     const stop = (event: Event) => event.stopPropagation();
     this.list.addEventListener('click', stop, { capture: true, once: true });
     setTimeout(() => this.list.removeEventListener('click', stop, { capture: true }));

@@ -18,7 +18,7 @@ const positive: NumberFormat = {
   write: (value) => `${Number(value.toPrecision(4))}`,
 };
 
-/** Whole numbers; those beyond the range become its nearest. */
+/** Options of a field for whole numbers; a number beyond the range becomes the nearest in it. */
 export function wholeNumbers({ least, most }: { least: number; most: number }): NumberFormat {
   return {
     read: (text) => {
@@ -29,7 +29,7 @@ export function wholeNumbers({ least, most }: { least: number; most: number }): 
   };
 }
 
-/** Also with a decimal comma. */
+/** A decimal comma is read as a point. */
 export function positiveNumber(text: string): number | null {
   const value = Number(text.trim().replace(',', '.'));
   return text.trim() !== '' && Number.isFinite(value) && value > 0 ? value : null;

@@ -49,7 +49,7 @@ function showNumber(field: NumberField, shared: number | undefined): void {
   else field.show(shared);
 }
 
-/** Of `rgb(…)`. */
+/** A color that is written as `rgb(…)`, in hexadecimal digits. */
 const hexOf = (color: string) =>
   `#${(color.match(/\d+/g) ?? [])
     .slice(0, 3)
@@ -90,7 +90,7 @@ export class ObjectPanel {
   readonly #fillColor = byId<HTMLInputElement>('fill-color');
   readonly #otherSide = byId<HTMLButtonElement>('other-side');
   readonly #actions: readonly [HTMLButtonElement, (state: State) => boolean][];
-  /** The default line's, as fields of colors have it. */
+  /** The theme's color of lines, written as fields of colors need it. */
   #themeColor = '#000000';
   #shown: State | null = null;
 
@@ -151,7 +151,7 @@ export class ObjectPanel {
         set({ onSurface, width: active.width });
         return;
       }
-      // As wide as it is seen.
+      // The width becomes one in the other unit that looks the same.
       const reach = reachOf(active);
       const width = Number((active.width * (onSurface ? reach : 1 / reach)).toPrecision(2));
       const { least, most } = onSurface ? surfaceWidths : widthRange;
@@ -207,7 +207,7 @@ export class ObjectPanel {
   show(state: State): void {
     const before = this.#shown;
     this.#shown = state;
-    // A drag changes none of it.
+    // A drag changes nothing that the panel shows.
     if (before?.dragging && state.dragging) return;
     const same =
       before?.drawing === state.drawing &&
@@ -234,7 +234,7 @@ export class ObjectPanel {
     return this.#widthUnit.value === 'surface';
   }
 
-  /** What the panel changes. */
+  /** The objects that the panel changes. */
   get #targets(): readonly number[] {
     return selectedObjects(this.editor.state);
   }

@@ -95,7 +95,7 @@ export class PointRows {
     button.addEventListener('click', () => {
       this.editor.select(index);
       this.editor.moveInOrder(step);
-      // The keys stay with the point.
+      // The focus goes along with the point.
       const row = this.#list.children[index + step];
       row?.querySelector<HTMLButtonElement>(`.move:nth-of-type(${step < 0 ? 2 : 3})`)?.focus();
     });
@@ -189,7 +189,7 @@ function rowsOf({ kind, points, circle }: Figure, view: View): Row[] {
   }));
 }
 
-/** What is said of a point beside its number. */
+/** The words about a point beside its number. */
 function numbersOf(kind: Kind, point: ControlPoint, total: number): string {
   const name = parameterOf(kind);
   if (name) return numberOf(point, name, kind === 'center' ? total : null);

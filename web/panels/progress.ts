@@ -11,7 +11,7 @@ const cancel = byId<HTMLButtonElement>('cancel');
 let shown: object | null = null;
 
 export interface ShownProgress {
-  /** A part of 1, or null while it is not known. */
+  /** How much of the work is done, from 0 to 1; null while that is not known. */
   set(done: number | null, stage: string): void;
   hide(): void;
 }

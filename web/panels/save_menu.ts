@@ -108,7 +108,7 @@ export class SaveMenu {
 
   /** Saves what is seen, with the surface's outline, as lines. */
   async #saveOutline(): Promise<void> {
-    // As it is now: the view may turn while the outline is drawn.
+    // The view is taken as it is now: it may turn while the outline is drawn.
     const drawing = this.#drawing();
     const [title, color] = [this.#title, sceneColors().marks];
     const controller = new AbortController();
@@ -176,7 +176,7 @@ export class SaveMenu {
     const { state } = this.editor;
     const drawn = state.drawing.objects.filter(({ figure }) => !isEmpty(figure));
     const selected = selectedObjects(state);
-    // Where that makes a difference.
+    // The choice is offered where it makes a difference.
     const ofDrawn = drawn.filter(({ id }) => selected.includes(id)).length;
     this.#only.disabled = ofDrawn === 0 || ofDrawn === drawn.length;
     byId('save-none').hidden = this.#has('json');

@@ -30,7 +30,7 @@ export class SettingsPanel {
     this.#clamped.addEventListener('change', () =>
       this.#set({ clamped: this.#clamped.checked, knots: null }),
     );
-    // Knots of one's own are for one degree.
+    // A user's own knots fit one degree only.
     this.#degree.addEventListener('change', () =>
       this.#set({ degree: Number(this.#degree.value), knots: null }),
     );

@@ -34,7 +34,7 @@ export class Sheet {
     this.#rest('half');
   }
 
-  /** Draws it up, where it is down. */
+  /** Draws the panel up, where it is down. */
   show(): void {
     if (this.#stop === 'collapsed') this.#rest('half');
   }

@@ -25,7 +25,7 @@ import { countLost, reasons } from './lost_panel';
 import { sentenceOf } from './messages';
 import { makeSlider, showOnSlider } from './point_rows';
 
-/** Work this short goes without saying, and without a button that stops it. */
+/** Work shorter than this, in milliseconds, shows neither words nor a button that stops it. */
 const patienceMilliseconds = { saying: 300, stopping: 1000 };
 
 export interface StatusEvents {
@@ -64,7 +64,7 @@ export class Status {
   show(state: State, view: View, info: MeshInfo | null): void {
     write(byId('status-triangles'), info ? formatCount(info.triangles, 'triangle') : '');
     const { curve, isolines, center } = view;
-    // Of what is selected; what was edited last is in the view still.
+    // Figures of what is selected only: the view still has what was edited last.
     write(byId('status-samples'), state.none ? '' : countOf(view));
     write(byId('status-length'), state.none ? '' : measureOf(view, this.#unit));
     const time = (curve ?? isolines ?? center)?.milliseconds;
@@ -139,7 +139,7 @@ export class Status {
     this.showHint(state, view);
   }
 
-  /** The unit of lengths from now on. */
+  /** Sets the unit in which lengths are told. */
   showUnit(unit: Unit, state: State, view: View): void {
     this.#unit = unit;
     write(byId('status-length'), state.none ? '' : measureOf(view, unit));
@@ -165,7 +165,7 @@ export class Status {
   }
 
   showHint(state: State, view: View): void {
-    // What is measured has the room.
+    // The place of the hint belongs to what is measured.
     const selection = state.tool === 'measure' ? null : state.selection;
     const hint =
       this.#ruling(state) ||
@@ -235,7 +235,7 @@ function hintOf(
   }
   const missing = pointsNeeded(figure) - points.length;
   if (missing <= 0) return shorterHint(figure, view);
-  // It has ended: a click begins another one.
+  // The curve has ended: a click begins another one.
   if (kind === 'pen' && tool === 'insert' && selection === null) return penWords.begin;
   return formatCount(missing, 'more point makes a curve', 'more points make a curve');
 }
@@ -243,7 +243,7 @@ function hintOf(
 const dragHint = 'Drag a line or a point, or pick a tool';
 const drawHint = 'Choose a tool to draw';
 
-/** Of legs that were drawn out by a drag. */
+/** Words about legs that were drawn out by a drag. */
 function shorterHint({ kind }: Figure, { shorter }: View): string {
   const [first] = shorter;
   if (!first) return '';
@@ -281,7 +281,7 @@ function centerHint({ status, uniqueness, otherMinima }: ShownCenter): string {
   return `Not the only center: ${are}, of energy ${shown}${more}`;
 }
 
-/** So many energies of other minima are told. */
+/** The number of other minima whose energies are told. */
 const mostEnergies = 3;
 
 /** Whether the center is the only one. */
@@ -304,7 +304,7 @@ function measureOf({ curve, isolines, center, fill }: View, unit: Unit): string 
   if (center) {
     const { status, certificate, uniqueness } = center;
     const only = status === 'converged' ? uniquenessWords[uniqueness] : '';
-    // By exact shortest paths, once the refined answer is there.
+    // Energy and residual are those by exact shortest paths, once the refined answer is there.
     const exact = certificate ? ` · residual ${certificate.residual.toPrecision(2)}` : '';
     const { energy } = certificate ?? center;
     return `energy ${formatLength(energy)}${exact}${only}`;
@@ -314,7 +314,7 @@ function measureOf({ curve, isolines, center, fill }: View, unit: Unit): string 
   return drawn ? `length ${formatLength(drawn.length, unit)}${area}` : '';
 }
 
-/** The mathematics of it only for who asks for it. */
+/** The mathematics is told only to a user who has opened it. */
 function measuredText(
   { parameter, length, wholeLength, tangent }: Measured,
   unit: Unit,

@@ -19,13 +19,13 @@ export interface SurfaceEvents {
   reread(key: string): void;
 }
 
-/** A longer menu is of no use. */
+/** The most parts that a menu lists: a longer one is of no use. */
 const mostParts = 1000;
 
 /** What is shown of a surface. */
 export interface ShownSurface {
   info: MeshInfo;
-  /** Of a surface from a file. */
+  /** What is known of the file that the surface comes from; null where there is none. */
   file: FileInfo | null;
   /** The axis that seems to point up. */
   up: UpAxis;

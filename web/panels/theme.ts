@@ -20,7 +20,7 @@ export function applyTheme(): void {
   for (const listener of listeners) listener(theme);
 }
 
-/** Choosing what the system has anyway is no choice: the page then follows the system again. */
+/** A choice of what the system has anyway makes the page follow the system again. */
 export function toggleTheme(): void {
   const theme = document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark';
   remember('theme', theme === systemTheme() ? '' : theme);

@@ -8,15 +8,15 @@ import { kindGroups } from './kind_names';
 
 /** A button of the rail beside the surface: what the pointer does next. */
 export interface DrawingTool {
-  /** Of its button, behind `tool-`. */
+  /** The part of the button's id behind `tool-`. */
   id: string;
   name: string;
-  /** A letter. */
+  /** The letter of its key. */
   key: string;
-  /** Of a picture of 20 by 20. */
+  /** The content of its icon, an SVG of 20 by 20. */
   icon: string;
   isActive(state: State): boolean;
-  /** By default always. */
+  /** Whether the tool can be taken; always, where this is not given. */
   isPossible?(state: State, view: View): boolean;
   choose(): void;
 }

@@ -121,7 +121,7 @@ export class Tools {
       return;
     }
     const key = event.key.toLowerCase();
-    // What is typed and not yet taken is the field's, its own undo included.
+    // Keys go to a field that holds what is typed and not yet taken, those of its undo included.
     if (element?.matches('[data-edited]')) return;
     const typing =
       element?.closest('select, input[type="text"], textarea') ??
@@ -141,13 +141,13 @@ export class Tools {
       return;
     }
     if (typing) return;
-    // On a button or a row it presses that.
+    // On a button or a row the key presses that.
     if (key === 'enter' && !element?.closest('button, a, summary, input')) {
       event.preventDefault();
       this.editor.begin();
       return;
     }
-    // The digit's key, whatever it types with Shift.
+    // The key of the digit counts, whatever it types with Shift.
     if (event.shiftKey && (event.code === 'Digit1' || event.code === 'Digit2')) {
       event.preventDefault();
       if (event.code === 'Digit1') this.viewer.resetView({ animated: true });

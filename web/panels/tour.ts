@@ -2,11 +2,11 @@ import { recall, remember } from '../model/storage';
 import { byId, write } from './elements';
 
 interface Step {
-  /** What is spoken of: a selector. */
+  /** The selector of the element that the step speaks of. */
   about: string;
   title: string;
   text: string;
-  /** Only said where something is drawn. */
+  /** Whether the step is shown only where something is drawn. */
   isOfDrawing?: boolean;
 }
 
@@ -55,7 +55,7 @@ export class Tour {
   ) {
     this.#next.addEventListener('click', () => this.#show(this.#at + 1));
     byId('tour-skip').addEventListener('click', () => this.#end());
-    // While the help is open nothing else takes the focus.
+    // The tour waits while the help is open, which keeps the focus.
     const help = byId<HTMLDialogElement>('help-dialog');
     help.addEventListener('close', () => {
       if (help.returnValue !== 'tour') return;

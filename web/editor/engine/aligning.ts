@@ -11,13 +11,15 @@ import { type State, selectedObjects } from '../state/state';
 import { Move, movableObjects, replacing } from './moving';
 import type { Session } from './session';
 
-/** Onto the line where it is nearest, or at even distances along it. */
+/**
+ * The ways to align: each thing goes to the nearest place of the line, or all lie at even distances along it.
+ */
 export type Alignment = 'nearest' | 'even';
 
 /** What is moved as a whole: an object, the objects of a group, or a point as a figure of its own. */
 type Part = readonly DrawnObject[];
 
-/** Fewer are on a line anyway. */
+/** The fewest things that can be aligned: two are on a line anyway. */
 const fewest = 3;
 
 /** The selected points or objects, where they can be aligned; an empty list where not. */
@@ -43,7 +45,7 @@ function pointParts(state: State): Part[] {
   });
 }
 
-/** Each group is one. */
+/** A group counts as one thing. */
 function wholes(objects: readonly DrawnObject[]): Part[] {
   const parts = new Map<string | number, DrawnObject[]>();
   for (const object of objects) {

@@ -24,7 +24,7 @@ export interface Beside {
   id: number;
   style: LineStyle;
   locked: boolean;
-  /** None while it is not traced. */
+  /** Its lines; there are none until it is traced. */
   lines: readonly Float32Array[];
   /** The points that are drawn as dots. */
   points: readonly SurfacePoint[];
@@ -32,7 +32,7 @@ export interface Beside {
   center: SurfacePoint | null;
   /** What its lines enclose, where that is painted. */
   region: Region | null;
-  /** Of a cut. */
+  /** The parts into which a cut divides the surface. */
   cut: ShownCut | null;
 }
 
@@ -41,11 +41,11 @@ interface Traced {
   method: MethodId;
   shown: Shown;
   quality: Quality | null;
-  /** Of a figure that is made of others: the lines that it was made of. */
+  /** The lines that a figure was made of, where it is made of others. */
   from?: readonly (readonly Path[] | null)[];
 }
 
-/** What slow objects follow of a drag: after each of them as many times as long nothing does. */
+/** A drag's followers rest after each slow object for as many times as long as that took. */
 const restPart = 2;
 
 /** How many figures are remembered beyond those of the drawing: of steps that are taken back. */
@@ -214,7 +214,7 @@ export class BesideObjects {
   }
 }
 
-/** Also of what another object is made of: a drag of it keeps to its side. */
+/** Sources are asked for their fill too: a drag of a source keeps to its side. */
 export const asksFill = (drawing: State['drawing'], { id, fill, figure }: DrawnObject) =>
   fill > 0 || (!figure.inside && isSource(drawing, id));
 

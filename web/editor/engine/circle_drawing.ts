@@ -1,4 +1,4 @@
-/** What the engine makes of a circle or an ellipse: where its handles are, and its lines. */
+/** What the engine makes of a circle or an ellipse: its lines, and the places of its handles. */
 import type { FieldOptions, SurfacePoint } from 'karcher';
 import { acrossDirection, defaultAcross, reachAlong } from '../../model/circle';
 import type { Across, CircleForm, CircleShape, Vector } from '../../model/figure';
@@ -74,7 +74,7 @@ async function acrossRadius(
   if ('radius' in across) return across.radius;
   const to = await radiusTo(client, center, across);
   const least = leastAcross * client.info.diagonal;
-  // A mirror image has the point on the other side.
+  // In a mirror image the point lies on the other side.
   return Math.max(least, Math.abs(reachAlong(to.radius, to.direction, direction)));
 }
 

@@ -13,10 +13,10 @@ export interface Compared {
   method: MethodId;
   /** Null while there is none, or none can be made. */
   polyline: Float32Array | null;
-  /** In mean edges, and as a part of the shown curve's length. */
+  /** How far the two are apart, in mean edges and as a part of the shown curve's length. */
   inEdges: Gap | null;
   ofLength: Gap | null;
-  /** Whether it is of what was edited before. */
+  /** Whether it belongs to what was edited before. */
   late: boolean;
   /** Why there is no second curve, as a sentence. */
   problem: string | null;
@@ -70,7 +70,7 @@ export class Comparison {
     this.#asked = null;
     this.#shown = null;
     this.#engine.drop();
-    // The engine is for one who compares.
+    // An engine is made only for a user who compares.
     if (!method) {
       this.#engine.use(null);
       this.#client = null;
@@ -79,7 +79,7 @@ export class Comparison {
     this.update(state, this.session.view);
   }
 
-  /** What is shown may have changed. */
+  /** Compares anew where what is shown has changed. */
   update(state: State, view: View): void {
     const { client } = this.session;
     const method = this.#method;

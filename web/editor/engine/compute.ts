@@ -18,11 +18,11 @@ import { type Shift, shiftBetween } from './shift';
 export interface Shown {
   curve: TracedCurve | null;
   isolines: ShownIsolines | null;
-  /** Of a cut, the parts of the surface. */
+  /** The parts of the surface, where the figure is a cut. */
   cut: ShownCut | null;
   circle: ShownCircle | null;
   center: ShownCenter | null;
-  /** Of a curve of the pen, the handles of its anchors. */
+  /** The handles of the anchors, where the figure is a curve of the pen. */
   tangents: readonly DrawnTangents[] | null;
   /** Why there is less than was asked for, as a sentence. */
   problem: string | null;
@@ -57,7 +57,9 @@ export interface Computation {
   object: number;
   /** Whether a better answer is to follow, by other options. */
   draft?: boolean;
-  /** Of a drag, its points, or anchors, and the legs as its last step drew them: they go on from there. */
+  /**
+   * The points or anchors that a drag moves, and the legs as its last step drew them, from which they go on.
+   */
   before?: DrawnBefore | undefined;
   /** Whether to look for other minima than a center of mass, where that is quickly done. */
   uniqueness?: boolean;
@@ -65,7 +67,7 @@ export interface Computation {
   certificate?: boolean;
   /** Whether what its lines enclose is asked for, on the figure's own side. */
   fill?: boolean;
-  /** True where the paths of its lines are wanted as well. */
+  /** Whether the paths of its lines are wanted as well. */
   outlines?: boolean;
   /** The lines of the figures that this one is made of. */
   outlinesOf?: OutlinesOf;
@@ -75,7 +77,7 @@ export interface Computation {
 export const outlinesShown = ({ curve, isolines }: Shown): readonly Path[] | null =>
   curve || isolines ? (curve ?? isolines)!.outlines : [];
 
-/** What encloses nothing, as a center does. */
+/** The fill of what encloses nothing, such as a center. */
 export const noFill: Fill = { region: null, problem: null };
 
 /** Other minima are looked for where fields have no more values than these: some 60 ms. */
@@ -154,7 +156,7 @@ async function computePen(
   const tangents = await drawnTangents(client, figure);
   const problem = missingHandle(figure, tangents);
   const few = figure.points.length < pointsNeeded(figure);
-  // The handles stay, so that they can be taken back.
+  // The handles stay, so that the user can drag them back.
   if (few || problem) return { ...nothing, tangents, problem };
   try {
     const { marks } = figure.settings;
@@ -243,7 +245,7 @@ export function shiftOf(from: Shown, to: Shown, unit: number): Shift | null {
   return shiftBetween(from.curve.samples.position, to.curve.samples.position, unit);
 }
 
-/** Failures that the engine tells by the numbers of points or arcs, which it counts from 0. */
+/** Failures in which the engine names points or arcs by numbers, which it counts from 0. */
 const withoutNumbers: Partial<Record<ErrorCode, string>> = {
   unreachable: 'the points lie on different components of the surface; no path joins them all',
   boundary: 'a geodesic from the center to its arc meets the surface’s boundary',

@@ -24,7 +24,7 @@ import { withoutAnchor } from './pen_removal';
 import type { Session } from './session';
 import type { CurveTool } from '../state/tool';
 
-/** How often an edit is begun anew because another one, as a drag, overtook it. */
+/** How often an edit is begun anew because another one, such as a drag, overtook it. */
 const mostAttempts = 20;
 
 /** A command, and what is selected after it. */
@@ -48,8 +48,8 @@ function editOf(command: FigureCommand): Edit | null {
 }
 
 /**
- * Edits that the engine works out, some or all: each is one step of the history. They are made one
- * after the other, however fast they are asked for.
+ * Edits that need the engine, some always and some at times. Each is one step of the history, and one ends
+ * before the next begins, however fast they are asked for.
  */
 export class CurveEdits {
   /** While edits are under way, the end of the last one. */
@@ -104,7 +104,7 @@ export class CurveEdits {
     return this.removeAnchors([index]);
   }
 
-  /** The same of several, the last one first. */
+  /** Removes several anchors, the last one first. */
   removeAnchors(numbers: readonly number[]): Promise<void> {
     const index = numbers.at(-1)!;
     this.editor.interrupt();
@@ -121,7 +121,8 @@ export class CurveEdits {
           this.editor.replace(to, left === 0 ? null : Math.min(index, left - 1));
           return;
         }
-        // The legs that a drag drew may have come; where it is another curve, the anchor is, too.
+        // The same anchors may have legs now that a drag drew; of another curve the anchor is another one,
+        // too.
         from = state.figure;
         const isSame = from.points.length === figure.points.length;
         if (!isSame || state.drawing.active !== drawing.active) return;
@@ -142,7 +143,7 @@ export class CurveEdits {
     });
   }
 
-  /** Gives a B-spline knots; resolves with the engine's sentence where these can be none of its. */
+  /** Gives a B-spline knots; resolves with the engine's sentence where it cannot have these. */
   async setKnots(knots: readonly number[]): Promise<string | null> {
     let problem: string | null = null;
     await this.#inOrder(async () => {
@@ -165,8 +166,8 @@ export class CurveEdits {
   }
 
   /**
-   * What a click on the edited curve does, at a place in the surface's coordinates; a knot within
-   * that distance is meant itself.
+   * Does what a click on the edited curve asks for, at a place in the surface's coordinates; a click within
+   * that distance of a knot means the knot.
    */
   atCurve(tool: CurveTool, near: Vector, within = 0): Promise<void> {
     return this.#inOrder(() => this.#atCurve(tool, near, within));
@@ -224,7 +225,7 @@ export class CurveEdits {
     this.editor.perform({ type: 'steps', steps }, { selection: null });
   }
 
-  /** What a click on another object does. */
+  /** Does what a click on another object asks for. */
   async atOther(tool: CurveTool, id: number): Promise<void> {
     if (tool === 'join') await this.join(id);
     else if (tool === 'look') this.editor.objects.takeLook(id);
@@ -286,7 +287,7 @@ export class CurveEdits {
         const asks = before?.kind === 'bspline' && after && !knotsFit(to);
         const edit = asks && editOf(step.command);
         const knots = edit ? await this.session.knotsAfter(before, edit) : null;
-        // Something else was done in the meantime: the step comes after it.
+        // Where something else was done in the meantime, the step comes after that.
         const late = this.editor.state.revision !== revision;
         if (late && attempt < mostAttempts) continue;
         if (knots && !late)

@@ -22,7 +22,7 @@ interface Made {
   parts: readonly SurfacePart[];
 }
 
-/** The last that was made, by workers: what is done with parts cuts nothing anew. */
+/** The last cut that each worker made: what is done with its parts needs no other cut. */
 const lastOf = new WeakMap<EngineClient, Made>();
 
 /** Throws a sentence where there is nothing to cut along. */

@@ -23,7 +23,7 @@ export async function drawDerived(
 ): Promise<ShownIsolines> {
   if (operands.length === 0) throw new Error('what it was made of is gone');
   const shapes: OutlinedShape[] = [];
-  // One after the other: the worker has one curve at a time in hand.
+  // Operands are traced one after the other: the worker has one curve at a time in hand.
   for (const operand of operands) {
     const { inside } = operand.figure;
     shapes.push({ outlines: await outlinesOf(operand), ...(inside && { inside }) });

@@ -20,7 +20,7 @@ export interface ShownDistances {
   traced: TracedDistances;
   origin: Origin;
   from: SurfacePoint;
-  /** Whether they are those of where the point is now. */
+  /** Whether the distances are told from where the point is now. */
   current: boolean;
 }
 
@@ -38,7 +38,7 @@ interface Job {
 export class Distances {
   #origin: Origin | null = null;
   #shown: ShownDistances | null = null;
-  /** What was asked for last. */
+  /** The request that came last. */
   #asked: Job | null = null;
   /** Ends the trace that is under way. */
   #running = new AbortController();
@@ -108,7 +108,7 @@ export class Distances {
       asked.state.method === state.method;
     if (same) {
       if (sameOrigin(asked.origin, origin)) return;
-      // Another point there: only its name is another.
+      // Another point lies at the same place: only the name changes.
       this.#asked = { ...asked, origin };
       if (this.#shown) this.#show({ ...this.#shown, origin });
       return;

@@ -25,7 +25,7 @@ export class Drag {
   readonly points: readonly number[];
   /** The legs as its last step drew them; null before the first. */
   legs: readonly DrawnLeg[] | null = null;
-  /** The points that tell them. */
+  /** The points from which the engine finds these legs again. */
   told: ToldLegs;
 
   constructor({ base, dragged }: State) {
@@ -39,7 +39,7 @@ export class Drag {
     return this.base === base && `${this.points}` === `${dragged}`;
   }
 
-  /** The figure that it led to, with its legs. */
+  /** The figure that the drag led to, with its legs. */
   ended(figure: Figure): Figure {
     const isOther = this.legs === null && figure.points.length !== this.base.points.length;
     return isOther ? figure : withTold(figure, this.points, this.told);
@@ -48,9 +48,9 @@ export class Drag {
 
 /** How a figure is traced for the time of its drag, so that each step is quick and the curve does not leap. */
 export class HeldTracing {
-  /** Of a curve by tolerance, whether a fixed number of samples were fewer. */
+  /** Whether a curve by tolerance has more samples than a fixed number would give it. */
   #manySamples = false;
-  /** Of a curve whose levels are automatic: how many it has between drags, in a drag the most so far. */
+  /** How many levels a curve of automatic levels has between drags, and in a drag the most that it has had. */
   #levels: number | 'limit' = 0;
   /** Whether a curve of no levels is dragged as a draft, which takes some: its own steps were slow. */
   #draft = false;

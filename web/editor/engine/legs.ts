@@ -21,9 +21,9 @@ const fewestKept = 64;
 
 /** Shortest paths that were traced once, by their ends. */
 export class Legs {
-  /** Null where there is none. */
+  /** The path; null where there is none. */
   readonly #known = new Map<string, Float32Array | null>();
-  /** What is shown, by its place, for while a drag outruns the paths. */
+  /** The paths that are shown in each place, which stay there while a drag outruns new ones. */
   #shown: { epoch: number; legs: (Float32Array | null)[] } = { epoch: -1, legs: [] };
 
   clear(): void {

@@ -12,7 +12,7 @@ import { directionsOf } from './moving';
  * longer one comes back to where it began, and may end near what is mirrored.
  */
 const beyond = 0.8;
-/** The same length where the geodesic would be too short to pass beside all that is mirrored. */
+/** Its length where it would else be too short to pass beside all that is mirrored. */
 const farther = 1.5;
 
 /** The locally shortest path between two points, gone on with at both ends; ends at the boundary. */
@@ -72,7 +72,7 @@ export async function mirroredFigures(
   const most = 1e-9 * client.info.diagonal;
   if (mapped.remaining.some((left) => left > most)) return null;
   const moved = movedFigures(figures, carried, mapped, 1);
-  // Round ones run round their centers, whichever way they are mirrored.
+  // The inside of circles and ellipses stays: they run round their centers, whichever way they are mirrored.
   return moved.map((figure) => {
     const { inside, kind } = figure;
     return inside && !isRound(kind) ? withInside(figure, opposite(inside)) : figure;

@@ -24,7 +24,7 @@ export interface Placement {
 /** What a placement leads to. */
 export interface Placed {
   command: Command;
-  /** Of the objects, in their order. */
+  /** The figures of the objects, in their order. */
   figures: readonly Figure[];
   /** What was carried along beside the objects: where it went, and its directions there. */
   beside: CarriedTo;
@@ -38,15 +38,15 @@ const tears =
 const samePoint = (a: SurfacePoint, b: SurfacePoint) =>
   a.face === b.face && `${a.bary}` === `${b.bary}`;
 
-/** x, y, z of the directions of what is carried; 0 where it is a place. */
+/** The directions of what is carried, x, y, z each; 0 for what is a place alone. */
 export const directionsOf = (carried: readonly Carried[]): Float64Array =>
   Float64Array.from(carried.flatMap(({ direction }) => direction ?? [0, 0, 0]));
 
-/** Those of the objects of a drawing that may be moved. */
+/** The objects of a drawing that may be moved, among these. */
 export const movableObjects = (drawing: Drawing, ids: readonly number[]): DrawnObject[] =>
   withSources(drawing, ids)
     .map((id) => objectOf(drawing, id)!)
-    // What is made of other objects goes with those, seen or not.
+    // What is made of other objects is moved by moving its sources, whether these are seen or not.
     .filter(({ id, visible }) => visible || !ids.includes(id))
     .filter(({ locked, figure }) => !locked && !isEmpty(figure) && !isDerived(figure.kind));
 
@@ -121,7 +121,7 @@ export class Move {
     return typeof placed === 'string' ? placed : placed.command;
   }
 
-  /** A sentence where it cannot be. */
+  /** What the move leads to; a sentence where it cannot be made. */
   async placed({ point = this.pivot, angle = 0, scale = 1 }: Placement): Promise<Placed | string> {
     const { client, pivot, carried, objects } = this;
     const stays = samePoint(point, pivot);

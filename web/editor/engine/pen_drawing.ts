@@ -7,7 +7,10 @@ import { throughOf } from '../../model/pen_legs';
 import type { EngineClient } from '../../worker/client';
 import { directionOf } from './circle_drawing';
 
-/** By the engine that found them: anchors are values, so only those that changed are looked for. */
+/**
+ * The handles that each engine found, by their anchors: these are values, so only those that changed are
+ * looked for.
+ */
 const found = new WeakMap<EngineClient, WeakMap<ControlPoint, DrawnTangents>>();
 
 /** The handles of each anchor of a figure. */
@@ -51,7 +54,10 @@ export function missingHandle({ points }: Figure, drawn: readonly DrawnTangents[
   return null;
 }
 
-/** A handle where it is told; nothing where no way leads there: the others are found without it. */
+/**
+ * The place of a handle that is told; nothing where no way leads there, so that the others are found all the
+ * same.
+ */
 async function tangentOf(
   client: EngineClient,
   anchor: SurfacePoint,

@@ -62,7 +62,10 @@ class LogPlane {
   }
 }
 
-/** The figure without an anchor. Where two segments met there, one is as near to them as it can be. */
+/**
+ * The figure without an anchor. One segment takes the place of two that met there, as near to them as it can
+ * be.
+ */
 export async function withoutAnchor(
   client: EngineClient,
   figure: Figure,
@@ -71,7 +74,7 @@ export async function withoutAnchor(
   const { points, settings } = figure;
   const count = points.length;
   const [before, after] = [(index + count - 1) % count, (index + 1) % count];
-  // The leg that led to it goes, too.
+  // The leg that led to the anchor goes with it.
   const without = (changed: readonly ControlPoint[]): Figure => ({
     ...figure,
     points: changed.with(before, withLeg(changed[before]!, null)).toSpliced(index, 1),
@@ -105,7 +108,7 @@ export async function withoutAnchor(
     withHandle(plane, points[after]!, drawn[after]!, 'before', merged),
   ]);
   if (before !== after) return without(points.with(before, changed[0]).with(after, changed[1]));
-  // Of a closed curve of two anchors one is left, which both handles are of.
+  // A closed curve of two anchors keeps one, which has both handles then.
   return without(points.with(before, changed[0]));
 }
 
@@ -114,7 +117,10 @@ const unit = ([x, y]: Planar): Planar => {
   return [x / length, y / length];
 };
 
-/** An anchor with its handle as an end of the curve has it: as long, or where there was none, there. */
+/**
+ * The anchor with the handle that the curve's end asks for: its own one made as long as that, or a new one
+ * where it has none.
+ */
 async function withHandle(
   plane: LogPlane,
   anchor: ControlPoint,

@@ -13,7 +13,10 @@ import {
 import { nearestPlaceOf, samplesOf } from '../../viewer/section';
 import type { Surface } from '../../viewer/surface';
 
-/** How far mirror images may lie from the surface, as a part of its diagonal: there it is no mirror image of itself. */
+/**
+ * How far mirror images may lie from the surface, as a part of its diagonal. Where they lie farther, the
+ * surface is no mirror image of itself.
+ */
 const besideAtMost = 0.05;
 /** A surface whose sides differ by more than that part of its diagonal is not symmetric. */
 const apartAtMost = 0.02;

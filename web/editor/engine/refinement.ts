@@ -44,13 +44,13 @@ export class Refinement<Result> {
     this.#newest.push(job);
   }
 
-  /** Nothing is wanted any more: an edit goes on. */
+  /** Drops what was asked for, because an edit goes on. */
   drop(): void {
     this.#wanted = -1;
     this.#newest.drop();
   }
 
-  /** The engine, once it was needed. */
+  /** The engine; null until it is needed. */
   get client(): EngineClient | null {
     return this.#client;
   }

@@ -43,10 +43,10 @@ const leastGain = 0.02;
 /** What is said in place of a curve whose computation was stopped. */
 const stoppedHint = 'it was stopped; an edit or another method computes it again';
 
-/** Legs are shown again after so many times as long as it took to show them. */
+/** Legs rest for so many times as long as it took to show them, before they are shown again. */
 const restPart = 5;
 
-/** Nothing in place of an answer that failed, but for one that was stopped. */
+/** Null in place of an answer that failed; an error that says that it was stopped is thrown again. */
 function unlessStopped(error: unknown): null {
   if (error instanceof Stopped) throw error;
   return null;
@@ -71,7 +71,7 @@ export class Session {
   /** Whether what is shown has other samples or levels for the time of a drag. */
   #coarse = false;
   readonly #legs = new Legs();
-  /** Until when legs that are traced are not shown, and whether there are some. */
+  /** Until when newly traced legs are not shown, and whether some wait for that. */
   #legsRest = 0;
   #legsUnseen = false;
   readonly #others = new BesideObjects(() => this.#newest.wake());
@@ -113,7 +113,7 @@ export class Session {
     return !this.#newest.busy && !this.#refinement.busy && !this.#others.resting;
   }
 
-  /** Another surface: what was traced on the one before is dropped. */
+  /** Uses the engine of another surface; what was traced on the one before is dropped. */
   use(client: EngineClient): void {
     if (this.#client) {
       this.#client.onBusy = () => {};
@@ -139,7 +139,7 @@ export class Session {
     return this.#client;
   }
 
-  /** Gives up what the engine is at. What it was to be is asked for again with another figure or method. */
+  /** Gives up what the engine is computing; only another figure or method asks for it again. */
   stop(): void {
     this.#client?.stop();
   }
@@ -161,7 +161,7 @@ export class Session {
       this.#newest.push(state);
     } else if ((this.#coarse || drag !== null) && !state.dragging) this.#newest.push(state);
     else if (!this.#newest.busy) {
-      // A drag has ended: what it left is already traced, but for what rested meanwhile.
+      // A drag has ended, and its last step is traced already; what rested meanwhile goes on.
       this.#newest.wake();
     }
   }
@@ -300,9 +300,9 @@ export class Session {
     const { visible, fill } = activeObject(state.drawing);
     // What is enclosed may be known without being painted.
     const shown = visible ? { ...traced, fill: fill > 0 ? traced.fill : null } : nothing;
-    // Those of another figure may be none any more.
+    // The shorter ways of another figure need not be shorter any more.
     const shorter = this.#compared === state.figure ? this.#view.shorter : [];
-    // What is hidden is of no quality, so that nothing better is asked for, which would be shown.
+    // What is hidden has no quality: else a better form would be asked for, and shown.
     const fresh = {
       ...{ quality: visible ? quality : null, refining: false },
       ...{ shift: null, notRefined: null, shorter },
@@ -311,7 +311,7 @@ export class Session {
     this.#show({ ...fresh, ...shown, revision, ...this.#beside(shown) });
   }
 
-  /** The legs from which a drag goes on: those of its last step, before the first those of its base. */
+  /** The legs from which a drag goes on: those of its last step, or before the first step those of its base. */
   async #before(client: EngineClient, state: State, drag: Drag): Promise<DrawnBefore> {
     const { base, points } = drag;
     drag.legs ??= this.#drawn.get(base) ?? null;
@@ -421,7 +421,7 @@ export class Session {
     if (!client || client.closed) return false;
     const traced = await this.#legs.trace(client, this.#ends());
     if (client !== this.#client) return false;
-    // To show each of many takes longer than to trace it: those in between wait for the next.
+    // Showing takes longer than tracing: of many paths some are shown together with the next.
     const started = performance.now();
     if (traced && started < this.#legsRest) this.#legsUnseen = true;
     else if (traced || this.#legsUnseen) {

@@ -8,7 +8,7 @@ import type { Shift } from './shift';
 export interface View extends Shown {
   /** The revision that is shown. */
   revision: number;
-  /** How good it is; null where the method knows no such words, or nothing is shown. */
+  /** How good what is shown is; null where the method has one quality only, or nothing is shown. */
   quality: Quality | null;
   /** Whether something better is awaited. */
   refining: boolean;
@@ -18,7 +18,7 @@ export interface View extends Shown {
   notRefined: string | null;
   /** Geodesics between neighbouring points, from a center of mass to its points, or a radius. */
   legs: readonly Float32Array[];
-  /** Ways from points to the next ones that are shorter than the curve's by more than is rounding. */
+  /** Paths between neighbouring points that are shorter than the curve's legs, by more than rounding. */
   shorter: readonly ShorterLeg[];
   /** The drawing's other objects, as far as they are shown. */
   others: readonly Beside[];

@@ -30,7 +30,9 @@ const nearKnot = { mouse: 6, touch: 12 };
 /** Clicks that ask for an edit that the engine has a part in. */
 export interface CurveClicks {
   surfaceClicked(point: SurfacePoint): void;
-  /** `within` is as far as nearby things of the curve are meant too, in the surface's unit. */
+  /**
+   * `within` is the distance, in the surface's unit, up to which a click means things of the curve beside it.
+   */
   curveClicked(tool: CurveTool, position: Vector3, within: number): void;
   /** The pointer is over the curve that is measured, or a click was there. */
   curveMeasured(position: Vector3): void;
@@ -39,7 +41,7 @@ export interface CurveClicks {
   rulerClicked(point: SurfacePoint): void;
   /** An anchor of the pen, by its number. */
   anchorRemoved(index: number): void;
-  /** What the pointer does where it is, in words; empty where that is not told. */
+  /** What a click where the pointer is would do, in words; empty where that is not told. */
   aimed(words: string): void;
   /** Another object, by its id. */
   otherClicked(tool: CurveTool, id: number): void;
@@ -48,7 +50,7 @@ export interface CurveClicks {
   /** The pointer is over the surface while the tool mirrors, or a click was there. */
   mirrorAimed(point: SurfacePoint): void;
   mirrorClicked(point: SurfacePoint): void;
-  /** What the hand does goes no farther; a sentence says why. */
+  /** Called with a sentence that says why a gesture goes no farther. */
   stopped(why: string): void;
 }
 
@@ -181,7 +183,7 @@ export class Gestures {
           }))
         : [],
     );
-    // What is under the pointer may be something else now.
+    // The view moved: something else may lie under the pointer.
     if (this.#hover) this.#schedule();
   }
 
@@ -296,7 +298,7 @@ export class Gestures {
         if (this.editor.state.tool === 'measure') this.events.rulerAimed(target.pick.point);
       } else if (this.editor.state.tool === 'measure') {
         if (target?.type === 'curve') this.events.curveMeasured(target.position);
-        // What is measured of the curve stays marked; where the ruler was aimed does not.
+        // The mark of what is measured of the curve stays; that of the ruler's aim goes.
         else if (this.#rules) this.#handles.showPreview(null, 'surface');
       } else if (target?.type === 'curve') this.#handles.showPreview(target.position, 'curve');
       else this.#handles.showPreview(null, 'surface');
@@ -350,7 +352,7 @@ export class Gestures {
     const { tool, figure } = this.editor.state;
     const snapped = target?.type === 'curve' ? null : this.#snapAt(place, target);
     if (!target) {
-      // A slip beside the surface ends no curve that is being drawn.
+      // A click that misses the surface does not end the curve that is being drawn.
       if (tool === 'select' || tool === 'transform') this.editor.letGo();
       else {
         this.editor.select(null);
@@ -371,8 +373,8 @@ export class Gestures {
   }
 
   /**
-   * On the curve of the pen it adds an anchor, on an anchor it removes that. While objects are only
-   * selected, one goes on to be drawn.
+   * A double click adds an anchor to the pen's curve, or removes the anchor that it hits. With the tool that
+   * only selects, it goes on with drawing the object that it hits.
    */
   #doubleClick({ clientX: x, clientY: y, target: element }: MouseEvent): void {
     const { tool, figure } = this.editor.state;

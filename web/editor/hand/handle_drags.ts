@@ -19,7 +19,7 @@ interface Grabbed {
   x: number;
   y: number;
   circle: CircleShape | null;
-  /** Of an anchor of the pen, and of all. */
+  /** The pen's handles at the anchor, and at all anchors. */
   tangents: DrawnTangents;
   all: readonly DrawnTangents[];
   /** The points that a click leaves selected. */
@@ -72,7 +72,7 @@ export class HandleDrags {
     layer.addEventListener('keyup', (event) => {
       if (event.key in arrows) this.#endNudge();
     });
-    // Nobody would hear the key being let go.
+    // The release of the key would not be heard.
     layer.addEventListener('focusout', () => this.#endNudge());
   }
 
@@ -196,7 +196,7 @@ export class HandleDrags {
     else editor.commitDrag();
   }
 
-  /** What keys have moved stays, as one step of the history. */
+  /** Makes what the keys have moved one step of the history. */
   #endNudge(): void {
     if (this.#nudges) this.editor.commitDrag();
     this.#nudges = false;

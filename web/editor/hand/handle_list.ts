@@ -83,7 +83,7 @@ function penHandles(
   const sides: Side[] = ['before', 'after'];
   const tangents = sides.flatMap((side): Handle[] => {
     const told = anchor.tangents?.[side];
-    // While it is dragged it is where it is told, before the engine has answered.
+    // A dragged handle is shown where the drag puts it, before the engine has answered.
     const point = told && ('face' in told ? told : drawn[side]?.point);
     if (!point) return [];
     return [
@@ -97,7 +97,7 @@ function penHandles(
       },
     ];
   });
-  // Behind their anchor, as Tab leads from one to the next.
+  // The handles follow their anchor, because Tab leads from one to the next.
   return anchors.toSpliced((selection as number) + 1, 0, ...tangents);
 }
 

@@ -55,7 +55,7 @@ export class MirrorTool {
   onChange: () => void = () => {};
   #in: MirrorIn = 'line';
   #clicked: SurfacePoint[] = [];
-  /** Undefined while it is looked for. */
+  /** The surface's plane of symmetry; null where there is none, undefined while it is looked for. */
   #symmetry: Symmetry | null | undefined;
   /** The surface whose symmetry that is. */
   #of: Surface | null = null;
@@ -76,7 +76,7 @@ export class MirrorTool {
     });
   }
 
-  /** From now on what is selected is mirrored in that. */
+  /** Sets what the selected objects are mirrored in. */
   set in(what: MirrorIn) {
     this.#in = what;
     this.#begin();

@@ -48,10 +48,10 @@ export class MoveGestures {
     const { editor } = this;
     if (press.shift || press.control || this.#held) return null;
     if (!isResting(editor.state.tool)) return null;
-    // With other tools Alt is the view's.
+    // With other tools Alt turns the view.
     if (press.alt && editor.state.tool !== 'select') return null;
     const id = this.#lineAt(press);
-    // A finger turns the view wherever it lies, but on what is selected.
+    // A finger turns the view wherever it lies, except on what is selected.
     if (id === null || (press.touch && !editor.state.chosen.includes(id))) return null;
     return {
       drag: (place) => {
@@ -119,7 +119,7 @@ export class MoveGestures {
 
   async #nudge(dx: number, dy: number): Promise<void> {
     const { editor, viewer } = this;
-    // Something else was done since: the move goes on from there.
+    // The move begins anew from the drawing as something else has left it.
     if (this.#keyed?.revision !== editor.state.revision) this.#keyed = null;
     // Whatever a pointer drags is none of the keys'.
     if (!this.#keyed && editor.state.dragging) return;

@@ -46,7 +46,7 @@ export class PenGestures {
     const { editor, viewer } = this;
     const { figure, tool } = editor.state;
     const { snapping } = this;
-    // Ctrl is the view's, but where it keeps a point from snapping.
+    // Ctrl turns the view, except where it keeps a point from snapping.
     if (press.shift || (press.control && !snapping.on)) return null;
     if (figure.kind !== 'pen' || tool !== 'insert') return null;
     const target = targetAt(viewer, editor.state, press);
@@ -152,7 +152,7 @@ export class PenGestures {
     const near = this.viewer.surface!.fromScene(position);
     const { figure, selection } = this.editor.state;
     const measured = await this.session.measured(near);
-    // Whoever has gone on has selected something else.
+    // The user may have gone on and selected something else.
     const { state } = this.editor;
     if (!measured || state.figure !== figure || state.selection !== selection) return;
     const { from, to, t } = segmentAt(figure, measured.parameter);

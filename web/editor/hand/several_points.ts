@@ -1,4 +1,4 @@
-/** Several points of a curve are selected by Shift, and go along with the one that is dragged. */
+/** Selections of several points of a curve, made with Shift; they go along with the one that is dragged. */
 import type { ControlPoint } from '../../model/figure';
 import type { Editor } from '../state/editor';
 import { selectionOf, tangentOf } from './handle_list';

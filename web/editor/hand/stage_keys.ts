@@ -77,7 +77,7 @@ export class StageKeys {
     else if (event.key === '+' || event.key === '=') viewer.zoom(1 / 1.15);
     else if (event.key === '-') viewer.zoom(1.15);
     else if (event.key === 'Enter') {
-      // With a mouse points are placed where it is: the key is left to end the curve.
+      // A mouse places points by clicks, so the key only ends the curve there.
       if (stage.classList.contains('pointed')) return;
       this.events.clicked(middle);
     } else return;

@@ -72,7 +72,7 @@ export class StagePointer implements Held {
     window.addEventListener('keydown', (event) => this.#key(event), { capture: true });
   }
 
-  /** Presses are offered in the order of these calls; with Alt only where that is asked for. */
+  /** Presses are offered in the order of these calls; presses with Alt only to those who ask for them. */
   offer(taker: Taker, { withAlt = false } = {}): void {
     this.#takers.push((press) => (press.alt && !withAlt ? null : taker(press)));
   }
@@ -91,7 +91,7 @@ export class StagePointer implements Held {
     const { stage } = this;
     const free = event.target === stage || event.target instanceof HTMLCanvasElement;
     if (!free || event.button !== 0 || this.#pressed || this.severalFingers()) return;
-    // With the space bar held the view has it, and with Alt where nobody takes it.
+    // The view takes presses with the space bar held, and those with Alt that nobody takes.
     if (stage.classList.contains('moving')) return;
     const from = placeOf(event);
     for (const taker of this.#takers) {

@@ -18,7 +18,7 @@ export type Target =
 /** How near to a curve, in CSS pixels, its clicks are. */
 export const reach = { mouse: 7, touch: 16 };
 
-/** What is measured need not be hit. */
+/** A click that measures the curve need not hit it. */
 const measuredWithin = { mouse: 16, touch: 28 };
 
 export function targetAt(
@@ -26,7 +26,7 @@ export function targetAt(
   { drawing, figure: { kind }, tool, none }: State,
   place: { x: number; y: number; touch: boolean },
 ): Target | null {
-  // A stroke goes over all there is.
+  // A stroke ignores all that it goes over.
   if (tool === 'freehand') return null;
   const pick = viewer.pick(place.x, place.y);
   const lines = viewer.linesAt(place.x, place.y);
@@ -39,7 +39,7 @@ export function targetAt(
   const within = place.touch ? reach.touch : reach.mouse;
   if (tool === 'mirror') return pick && { type: 'surface', pick };
   if (tool === 'select' || tool === 'transform' || tool === 'look') {
-    // What was just duplicated lies over what it is a copy of.
+    // Selected objects come first: a new copy lies over its original.
     const { id, locked } = activeObject(drawing);
     if (!locked && lines.own(within)) return { type: 'other', id };
     const other = lines.object(within);

@@ -14,7 +14,7 @@ export interface Held {
 export function twoFingersMeanTheView(stage: HTMLElement, held: Held): () => boolean {
   const fingers = new Map<number, PointerEvent>();
   const isTouch = (event: PointerEvent) => event.pointerType === 'touch';
-  // Before what it touches hears of it.
+  // This comes before what the finger touches hears of it.
   const heard = { capture: true };
   stage.addEventListener(
     'pointerdown',
@@ -24,7 +24,7 @@ export function twoFingersMeanTheView(stage: HTMLElement, held: Held): () => boo
       fingers.set(event.pointerId, event);
       if (!first || first.pointerId === event.pointerId) return;
       held.letGo();
-      // The view has not heard of the first finger: it came down on the handle.
+      // The view is told of the first finger, which came down on the handle.
       const { pointerId, clientX, clientY, isPrimary } = first;
       const again = { pointerId, clientX, clientY, isPrimary, pointerType: 'touch', buttons: 1 };
       stage.dispatchEvent(new PointerEvent('pointerdown', { ...again, bubbles: true }));

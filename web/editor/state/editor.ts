@@ -49,7 +49,7 @@ export class Editor {
   /** What is done to whole objects. */
   readonly objects = new ObjectEdits(this);
   readonly #listeners: ((state: State, before: State) => void)[] = [];
-  /** The surfaces that were shown: what was done there, and the drawing it led to. */
+  /** What was done on each surface that was shown, by its key, and the drawing that it led to. */
   readonly #histories = new Map<string, History>();
   readonly #drawings = new Map<string, Drawing>();
   /** The drawing before the drag that is going on, and the drag as one command. */
@@ -61,7 +61,7 @@ export class Editor {
   /** Called where an edit is refused, with a sentence. */
   onRefusal: (sentence: string) => void = () => {};
 
-  /** Called where something else is done: who drags lets go of it. */
+  /** Called where something other than the drag is done: a gesture lets go of what it drags. */
   onInterrupt: () => void = () => {};
   /** What the edited figure becomes when a drag of its points ends. */
   onEnded: (figure: Figure) => Figure = (figure) => figure;
@@ -469,7 +469,7 @@ export class Editor {
     return visible && !locked && !this.#state.none;
   }
 
-  /** Whether the active object is locked, which is said. */
+  /** Whether the active object is locked; if so, says so. */
   refuses(): boolean {
     const { locked } = this.active;
     if (locked)

@@ -12,7 +12,7 @@ export interface State {
   /** The key of the surface that is shown; empty before the first one. */
   readonly mesh: string;
   readonly drawing: Drawing;
-  /** Of the object that is edited. */
+  /** The figure of the object that is edited. */
   readonly figure: Figure;
   /** The same without the drag that is going on. */
   readonly base: Figure;
@@ -88,7 +88,7 @@ export function changedState(
     state.drawing.active !== before.drawing.active ||
     count(state.drawing) !== count(before.drawing);
   if (part.more === undefined && (part.selection !== undefined || isOther)) state.more = noNumbers;
-  // What is done, and what is selected of it, is seen.
+  // What was done, and a place that is selected, has to be seen: then nothing is no longer what is selected.
   const isSeen = state.drawing !== before.drawing || state.selection !== null;
   state.none = part.none ?? (before.none && !isSeen && state.chosen.length === 0);
   const traced =

@@ -4,7 +4,7 @@
  * the curve, joins another one to it, takes the look of another object, or measures.
  */
 export type CurveTool = RestingTool | 'split' | 'join' | 'look' | 'measure' | 'mirror';
-/** What a tool that has done its work gives way to. */
+/** The tools that stay: a tool of one click gives way to the last of these. */
 export type RestingTool = 'select' | 'insert' | 'freehand' | 'transform';
 
 export const isResting = (tool: CurveTool): tool is RestingTool =>
