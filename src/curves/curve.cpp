@@ -26,7 +26,7 @@ bool areSame(const Array<SurfacePoint>& a, const Array<SurfacePoint>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), isSame);
 }
 
-/// Whether traces with one are valid with the other.
+/// Whether traces of a curve with the one options are valid with the other.
 bool traceAlike(const CurveOptions& a, const CurveOptions& b) {
   return a.samples == b.samples && a.tolerance == b.tolerance && a.geometry == b.geometry &&
          a.shape.kind == b.shape.kind && (a.levels == kLimitLevels) == (b.levels == kLimitLevels);
@@ -234,7 +234,7 @@ void Curve::continueLegs(CurveValue& value) {
 }
 
 /// Writes the legs of a value, with shortest ones for those that it leaves out. `legs` may be this
-/// curve's own while it has none.
+/// curve's own if that is empty.
 void Curve::takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const {
   const Geometry& geometry = surface().geometry();
   const int points = value.points.count();
@@ -389,7 +389,7 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
     piece.points_.push_back(polygon.points[i].point);
     if (polygon.weighted) piece.pointWeights_.push_back(polygon.points[i].weight);
   }
-  const Piece* before = nullptr;  // with the same weights, it may be
+  const Piece* before = nullptr;  // which may have the same weights
   if (keep && j < segments_.count() && part.index < segments_[j].pieces.count()) {
     before = &segments_[j].pieces[part.index];
   }

@@ -89,7 +89,8 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   if (!isOfCenters(options, next.levels) || piece.isSubdivided_) {
     findAveragedSamples(next, piece, segment);
     if (piece.isSubdivided_) {
-      // The neighbours may be centers of mass, which start and end there.
+      // The neighbouring pieces may be centers of mass, and these begin and end at the same
+      // centers.
       piece.traced_->samples.front().point = centerOf(piece.points_.front());
       piece.traced_->samples.back().point = centerOf(piece.points_.back());
     }
@@ -170,7 +171,7 @@ void Curve::layBridges(const Next& next, Piece& piece) {
   const CurveOptions& options = next.value.options;
   TracedPiece& traced = *piece.traced_;
   if (!isOfCenters(options, next.levels)) {
-    // Paths and averages are whole.
+    // Polylines and averages of two points have no gaps to bridge.
     traced.bridges.clear();
     return;
   }

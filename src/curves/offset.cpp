@@ -20,11 +20,11 @@ namespace {
 /// 8.7e-4 of its radius high.
 constexpr double kLongestSide = 1.0 / 12;
 
-/// The same where several points of the isoline lie on a side, as in the tip of a gap: a chord that
-/// cuts it off is wrong by half of this.
+/// The shortest sides that are divided where several points of the isoline lie on one, for instance
+/// in the tip of a gap. A chord that cuts the tip off is wrong by half of this.
 constexpr double kShortestSide = kLongestSide / 128;
 
-/// The steps of a search for the extremum on a side; each leaves 0.62 of the interval.
+/// The number of steps of a search for the extremum on a side. Each leaves 0.62 of the interval.
 constexpr int kExtremumSteps = 14;
 
 /// The field extends a little beyond the line, so that chords outside of it are measured, too.
@@ -47,7 +47,7 @@ struct Piece {
   const PieceCorner& operator[](int k) const { return corners[k]; }
 };
 
-/// A point where the isoline crosses a side of a piece: which side, seen from everywhere the same.
+/// Names the side of a piece that the isoline crosses, by the same numbers in both of its pieces.
 using CrossingKey = std::array<double, 5>;
 
 struct LinePoint {
@@ -137,7 +137,7 @@ class OffsetTracer {
       lengths[k] = (corners[(k + 1) % 3].place - corners[k].place).norm();
       if (lengths[k] > lengths[longest]) longest = k;
     }
-    // Beyond the limit of the field distances are at least that.
+    // Beyond the limit of the field, distances are at least the limit.
     const double atMiddle = std::min(field_.at(face, middle).value, kBeyond * distance_);
     if (std::abs(atMiddle - distance_) > radius * (1 + 1e-9)) return;
     int halved = lengths[longest] > kLongestSide * distance_ ? longest : -1;
@@ -240,7 +240,7 @@ class OffsetTracer {
   bool hidesCrossings(int face, const PieceCorner& a, const PieceCorner& b, double length) const {
     const bool nearer = isNearer(a.distance);
     if (nearer != isNearer(b.distance) || length <= kShortestSide * distance_) return false;
-    // Distances change by at most the length of a step.
+    // Distances of two points differ by at most the length of the way between them.
     const double known = std::min(a.distance, kBeyond * distance_) +
                          std::min(b.distance, kBeyond * distance_) - 2 * distance_;
     if (std::abs(known) > length) return false;
@@ -316,7 +316,7 @@ class OffsetTracer {
     strands_.push_back(std::move(strand));
   }
 
-  /// Appends the points between two that chords need to stay at the distance.
+  /// Appends the points between two others that chords need to stay at the distance.
   void refine(int face, const Vec2& from, const Vec2& to, int halvings, Array<LinePoint>& inner) {
     const Vec2 middle = (from + to) / 2;
     const double atMiddle = field_.at(face, middle).value;

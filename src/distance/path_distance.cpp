@@ -129,7 +129,7 @@ void PathDistance::carryAcross(const Waiting& waiting) {
     const double back = geometry_.cumulatedAngle[previous(h)] + angleFromTo(-apex, -way);
     arrive(mesh_.opposite(h), window.offset + leg, back, waiting.side);
   }
-  // Over the tail's side, and over the head's.
+  // The window goes on over the side at the tail, and over the side at the head.
   for (const bool isHead : {false, true}) {
     const int t = mesh_.twin[isHead ? next(h) : previous(h)];
     if (t < 0) continue;

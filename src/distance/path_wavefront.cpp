@@ -63,7 +63,7 @@ void PathDistance::leavePath(const SurfacePath& path, int number) {
   }
 }
 
-/// Starts from a straight piece in a face: adds its image there, and sends a front to both sides.
+/// Lets a straight piece in a face send a front to both sides, and adds its image there.
 void PathDistance::leavePiece(int face, const Vec2& from, const Vec2& to) {
   if (!((to - from).norm() > 0)) return;
   Image image;
@@ -156,8 +156,8 @@ double PathDistance::directionIn(const Fan& fan, const SurfacePoint& point,
   throw Error(ErrorCode::kBadArgument, "a path has a point in no face");
 }
 
-/// Starts from a point where a path turns or ends, with the fans between the right angles to its
-/// pieces there.
+/// Sends out the fans of a point where a path turns or ends: the directions between the
+/// perpendiculars to its pieces there.
 void PathDistance::leaveTurn(const SurfacePoint& point, const SurfacePoint* before,
                              const SurfacePoint* after) {
   const Fan fan = fanOf(point);
@@ -190,7 +190,7 @@ void PathDistance::leaveTurn(const SurfacePoint& point, const SurfacePoint* befo
     leave(only + right, only + fan.total - right, SideOfPath::kEnd);
     return;
   }
-  // On the boundary both sides are known.
+  // At a point of the boundary the fan has two parts, one on either side of the path.
   leave(only + right, kInfinity, after != nullptr ? SideOfPath::kLeft : SideOfPath::kRight);
   leave(-kInfinity, only - right, after != nullptr ? SideOfPath::kRight : SideOfPath::kLeft);
 }
@@ -209,7 +209,8 @@ void PathDistance::leaveFan(const Fan& fan, double from, double to, double offse
   }
 }
 
-/// Starts from a point of a face, in the directions between two angles of its frame.
+/// Sends out the part of a fan in one face: from a point of it, in the directions between two
+/// angles of its frame.
 void PathDistance::leaveCorner(int face, const Vec2& middle, double from, double to, double offset,
                                SideOfPath side) {
   // Each part of a fan is narrower than half a turn.

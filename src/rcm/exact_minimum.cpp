@@ -193,7 +193,7 @@ struct Quadratic {
     }
   }
 
-  /// Its minimum; a curvature below `leastBowl` in some direction counts as that.
+  /// Its minimum, where a curvature below `leastBowl` counts as `leastBowl`.
   Vec2 minimum(double leastBowl) const {
     const double rise = std::max(bowl, second.norm() + leastBowl);
     return Vec2(second.y() * first.y() - (rise - second.x()) * first.x(),
