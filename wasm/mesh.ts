@@ -569,8 +569,8 @@ export class Mesh {
    *
    * Without points the vectors are those of all vertices, in the caller's order, at about the cost of one
    * field of distances: paths of the solver `fast`, whose directions are interpolated between those of
-   * neighbours. Exact on a plane. NaN
-   * at a dropped vertex and where no path leads.
+   * neighbours. They are exact on surfaces that unroll, and elsewhere off by some thousandths of a radian beside
+   * those of the paths. NaN at a dropped vertex and where no path leads.
    *
    * Throws `KarcherError` unreachable where no path leads, and badArgument for directions that are
    * not one a point.

@@ -67,6 +67,34 @@ test('on a plane the maps are differences and sums, and nothing turns', () => {
   for (const [i, left] of back.remaining.entries()) assert.ok(left < 2 * off[i]);
 });
 
+test('on a tube the log map of all vertices has the directions of its unrolled strips', () => {
+  const [sides, rings, height] = [40, 60, 12];
+  const side = 2 * Math.sin(Math.PI / sides);
+  const [positions, triangles] = [[], []];
+  for (let row = 0; row <= rings; row++) {
+    for (let i = 0; i < sides; i++) {
+      const angle = (2 * Math.PI * i) / sides;
+      positions.push(Math.cos(angle), Math.sin(angle), (height * row) / rings);
+      const [a, b] = [row * sides + i, row * sides + ((i + 1) % sides)];
+      if (row < rings) triangles.push(a, b, b + sides, a, b + sides, a + sides);
+    }
+  }
+  const tube = karcher.meshFromArrays(positions, triangles);
+  const row = 20;
+  const vectors = triples(tube.logMap({ vertex: row * sides }).vectors);
+  // No more than 12 of 40 strips away the way round the other side is longer.
+  for (let there = 2; there < rings - 2; there++) {
+    for (let i = -12; i <= 12; i++) {
+      const up = (height * (there - row)) / rings;
+      const [x, y, z] = vectors[there * sides + ((i + sides) % sides)];
+      // Across the edge at the source the plane of the vectors is that of one strip, or of the other unfolded.
+      const across = Math.sign(i) * Math.hypot(x, y);
+      assert.ok(Math.hypot(z - up, across - side * i) < 1e-12, `${i}, ${there}`);
+    }
+  }
+  tube.dispose();
+});
+
 test('vectors are numbers in a row, triples, or what has x, y and z', () => {
   const mesh = karcher.shape('torus', 500);
   const [from, to, third] = [3, 40, 77].map((vertex) => ({ vertex }));
