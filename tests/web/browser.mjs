@@ -189,6 +189,7 @@ const toolOf = {
 /** A tab with the page; `logged` lists what the page complained about. */
 export class Tab {
   logged = [];
+  #waits = 0;
 
   constructor(page, address) {
     this.page = page;
@@ -218,10 +219,28 @@ export class Tab {
     await this.page.close();
   }
 
-  /** Until the engine has answered the newest state. */
+  /**
+   * Until the engine has answered the newest state; who waited for it waits for the frame that shows it, too.
+   * Playwright's own waits ask in every frame, which makes the browser put together frames in which nothing
+   * changes.
+   */
   async settled() {
     await this.page.waitForFunction(
-      () => window.karcherPage?.settled && window.karcherPage.triangles > 0,
+      (wait) => {
+        window.testWaits ??= {};
+        const waits = window.testWaits;
+        if (!window.karcherPage?.settled || window.karcherPage.triangles === 0) {
+          waits[wait] = 'begun';
+        } else if (waits[wait] === 'begun') {
+          waits[wait] = 'answered';
+          requestAnimationFrame(() => {
+            if (waits[wait] === 'answered') waits[wait] = 'shown';
+          });
+        } else return waits[wait] !== 'answered';
+        return false;
+      },
+      ++this.#waits,
+      { polling: 20 },
     );
   }
 
