@@ -188,7 +188,7 @@ export class Curve {
     return this.#shape.closed;
   }
 
-  /** Of a B-spline. */
+  /** The degree of a B-spline. */
   get degree(): number {
     return this.#shape.degree;
   }
@@ -198,12 +198,12 @@ export class Curve {
     return this.view().knots.slice();
   }
 
-  /** Of a Catmull-Rom curve. */
+  /** The parametrization of a Catmull-Rom curve. */
   get parametrization(): Parametrization {
     return this.#shape.centripetal ? 'centripetal' : 'uniform';
   }
 
-  /** A weight a point, whether or not the kind has a use for them. */
+  /** One weight for each point, also of kinds that do not use weights. */
   weights(): Float64Array {
     return this.#filled(this.#shape.weights);
   }

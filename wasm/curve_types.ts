@@ -130,7 +130,7 @@ export interface CurveOptions extends FieldOptions {
    * first point. The kind `custom` cannot be closed.
    */
   closed?: boolean | undefined;
-  /** Of a B-spline, 1 to 5; 3 by default. */
+  /** The degree of a B-spline, 1 to 5; 3 by default. */
   degree?: number | undefined;
   /**
    * Of a B-spline of n points and degree p: evenly spaced, `clamped` (repeated at the ends, so that
@@ -142,9 +142,9 @@ export interface CurveOptions extends FieldOptions {
   weights?: ArrayLike<number> | undefined;
   /** One positive number a point: `barycentric`. All 1 by default. */
   betas?: ArrayLike<number> | undefined;
-  /** Of the kind `catmullrom`; `centripetal` by default. */
+  /** The parametrization of the kind `catmullrom`; `centripetal` by default. */
   parametrization?: Parametrization | undefined;
-  /** Of the kind `custom`. */
+  /** The basis of the kind `custom`. */
   basis?: CurveBasis | undefined;
 }
 
@@ -172,7 +172,7 @@ export interface CurveTangent extends CurvePoint {
 }
 
 export interface NearestOnCurve extends CurvePoint {
-  /** In space. */
+  /** The distance in space. */
   distance: number;
 }
 
@@ -233,7 +233,7 @@ export interface CircleOptions extends ArcOptions {
   tolerance?: number | undefined;
 }
 
-/** Of circles and ellipses. */
+/** Options of circles and ellipses. */
 export interface ArcOptions extends FieldOptions {
   /**
    * Rational quadratic arcs, 3 to 64, all as wide. By default a circle has as many as its

@@ -65,7 +65,7 @@ export interface EngineRegion {
   share: Uint8Array;
   /** Of the sides of such parts the triangles, in order, ... */
   triangles: Int32Array;
-  /** ... and four numbers each: second and third weight of one end and of the other. */
+  /** Four numbers each: the second and third weight of one end, and those of the other. */
   sides: Float64Array;
   /** Of a region of one shape: whether it lies left of its first outline. */
   isLeft?: boolean;

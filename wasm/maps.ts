@@ -18,7 +18,7 @@ export interface MappedPoints {
   points: SurfacePoint[];
   /** Directions carried along to them: x, y, z each, in the plane of the point's face. */
   directions: Float64Array;
-  /** For each the length that was left at the boundary; else 0, or nearly. */
+  /** The length of each that was left at the boundary; else 0, or nearly. */
   remaining: Float64Array;
 }
 

@@ -26,7 +26,7 @@ export interface ObjOptions extends MeshOptions {
 export interface FilePart {
   /** The name that the file gives it, or one of its kind and number. */
   name: string;
-  /** Of polygons, as many as they are cut into. */
+  /** The number of triangles; polygons count as many as they are cut into. */
   triangles: number;
 }
 
@@ -37,11 +37,11 @@ export interface FilePart {
 export interface FileMarks {
   /** All of them, whichever were asked for. */
   parts: FilePart[];
-  /** Per triangle the number of its part; null where there is one. */
+  /** The number of each triangle's part; null where there is one part. */
   partOf: Int32Array | null;
   /** Names of materials. */
   materials: string[];
-  /** Per triangle the number of its material, -1 for none; null where there are none. */
+  /** The number of each triangle's material, -1 for none; null where there are no materials. */
   materialOf: Int32Array | null;
   /** Red, green and blue of each vertex, 0 to 255, as in the file; null where it has none. */
   colors: Uint8Array | null;

@@ -10,7 +10,7 @@ interface Part {
   count: number;
 }
 
-/** Positions, and the same bytes as whole numbers. */
+/** Positions, and the same memory as 32-bit integers. */
 interface Chunk {
   positions: Float64Array;
   words: Int32Array;

@@ -27,7 +27,7 @@ export interface NearestPoint {
   point: SurfacePoint;
   /** The place of that point in space. */
   position: [number, number, number];
-  /** In space. */
+  /** The distance in space. */
   distance: number;
 }
 
@@ -123,7 +123,7 @@ export interface FieldOptions {
   solver?: Solver | undefined;
   /** The k of the solver `graph` (see `Solver`, also for the authors' graph), 1 to 10; 6 by default. */
   rings?: number | undefined;
-  /** Of the method `paper`: Eq. 3 as its authors' program has it (`wide`, the default) or as printed. */
+  /** The star of the method `paper`: Eq. 3 as its authors' program has it (`wide`, the default) or as printed. */
   star?: Star | undefined;
 }
 

@@ -190,7 +190,7 @@ export interface CutPart {
   positions: Float64Array;
   /** Three vertices for each triangle. */
   triangles: Int32Array;
-  /** Of each of its triangles the mesh's triangle that it is a part of. */
+  /** For each of its triangles, the mesh's triangle that it is a part of. */
   faces: Int32Array;
 }
 

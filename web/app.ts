@@ -219,7 +219,7 @@ export async function start(): Promise<void> {
     viewer.showStyle(editor.active);
     if (view.isolines) viewer.showLines(polylinesOf(view));
     else viewer.showCurve(view.curve);
-    // What is not selected is only seen.
+    // With nothing selected, no control polygon is shown.
     viewer.aids.showPolygon(editor.state.none ? [] : view.legs, view.polygonOnly);
     distances.update();
     if (viewer.surface !== surfaceShown && distances.shown) distances.onChange(distances.shown);

@@ -6,7 +6,7 @@
 
 namespace karcher {
 
-/// The half-edge 3 f + k, as one of an edge's.
+/// One of an edge's half-edges, numbered 3 f + k, in the list of the edge's lesser vertex.
 struct EdgeSide {
   int otherVertex;  ///< the greater of the edge's two vertices
   int halfedge;

@@ -19,7 +19,7 @@ struct Words {
   const char* many;  ///< behind another number
 };
 
-/// By their kind.
+/// The words for each kind of repair, for one and for several.
 constexpr std::array<Words, 12> kWords = {{
     {"triangulated", "polygon was cut into triangles", "polygons were cut into triangles"},
     {"leftOut", "face was left out: it has fewer than three corners, crosses itself or has no area",

@@ -6,7 +6,7 @@
 namespace karcher {
 
 struct SeamOptions {
-  /// Of the box around the vertices.
+  /// The diagonal of the box around the vertices.
   double diagonal = 0;
   /// The largest distance between vertices that are welded. Negative: the smaller of 1e-6 of the
   /// diagonal and 1 % of the shortest edge at either vertex; 0: nothing is welded.

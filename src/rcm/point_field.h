@@ -71,13 +71,13 @@ class PointField {
   SurfacePoint point_;
   bool isNear_ = false;
   ControlField field_;
-  // Of a near field.
+  // These belong to near fields.
   SightSources sights_;
   std::shared_ptr<FindPathWorkspace> paths_;
   SurfacePath path_;
   std::unique_ptr<DistanceSolver> aroundHubs_;  ///< exact; made when a value beside a hub is read
   bool isAroundHubs_ = false;                   ///< whether it starts at the point
-  // Of log vectors of other fields. They are made when the first such field is.
+  // These estimate the log vectors of all other fields, and are made with the first of them.
   Estimator estimator_ = Estimator::kLinear1;
   std::unique_ptr<DistanceSolver> solver_;
   bool isAimed_ = false;

@@ -39,7 +39,7 @@ struct Arrangement {
   Array<int> cellOfPiece;
 
   Array<double> cellArea;
-  /// By half-edge.
+  /// The uses, sorted by half-edge.
   Array<PathUse> uses;
 
   int halfedgeCount() const { return tail.count(); }

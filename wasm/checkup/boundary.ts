@@ -5,7 +5,7 @@ import { facesOnOthers } from './doubled.js';
 export interface Boundary {
   /** The numbers of both ends, two an edge. */
   ends: Int32Array;
-  /** Of each number, a vertex that has it. */
+  /** A vertex for each number. */
   vertexAt: Int32Array;
 }
 

@@ -2,7 +2,7 @@ import { batchMask, type Slices } from '../slices.js';
 
 /** Faces that lie on one before them. */
 export interface FacesOnOthers {
-  /** Of each face, whether it lies on another one with the same orientation: the engine leaves it out. */
+  /** 1 for each face that lies on another one with the same orientation: the engine leaves it out. */
   same: Uint8Array;
   /**
    * Faces that lie on another one with the opposite orientation and have no other neighbor, or the same vertices.

@@ -15,7 +15,7 @@ export interface CheckUp {
   shortestEdge: number;
   /** The length of the longest edge. */
   longestEdge: number;
-  /** In degrees. */
+  /** The smallest angle of a triangle, in degrees. */
   smallestAngle: number;
   /** The largest angle of a triangle, in degrees. */
   largestAngle: number;

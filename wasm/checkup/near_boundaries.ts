@@ -121,7 +121,7 @@ function cellKey(level: number, x: number, y: number, z: number): number {
   return key;
 }
 
-/** Of each vertex of edges, the other ends. */
+/** The neighbors of each vertex along edges. */
 async function neighboursOf(ends: Int32Array, slices: Slices): Promise<Map<number, number[]>> {
   const neighbours = new Map<number, number[]>();
   for (let k = 0; k < ends.length; k += 2) {

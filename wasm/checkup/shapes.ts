@@ -14,9 +14,9 @@ interface Shapes {
   largestAngle: number;
   needles: Int32Array;
   caps: Int32Array;
-  /** Of each corner, the number of its vertex: the same for vertices that are one. */
+  /** The number of each corner's vertex: the same for vertices that are one. */
   numbers: Int32Array;
-  /** Of each number, the length of the shortest edge of any face there. */
+  /** The length of the shortest edge of any face at each number. */
   shortest: Float64Array;
 }
 

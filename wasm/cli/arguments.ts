@@ -159,7 +159,7 @@ export class Arguments {
     });
   }
 
-  /** Rows of numbers, each as long as it is. */
+  /** Rows of numbers, which may have different lengths. */
   async rows(name: string): Promise<number[][]> {
     return parseRows(await this.file(name), this.text(name), name);
   }

@@ -9,9 +9,9 @@ import { UsageError } from './errors.js';
 import { pointsOption } from './options.js';
 
 const runs = 5;
-/** Of what takes a few milliseconds at most. */
+/** The runs of what takes a few milliseconds at most. */
 const quickRuns = 50;
-/** Before times are taken: as long an engine runs WebAssembly in code that it made in haste. */
+/** Runs before times are taken: the first code that an engine makes of WebAssembly is slow. */
 const warmUp = { runs: 1000, ms: 500 };
 const rings = 6;
 

@@ -73,7 +73,7 @@ interface Primitive {
   colors: Accessor | null;
   /** The number of its material, -1 for none. */
   material: number;
-  /** Of the mesh's primitives, from 1; empty where it has one. */
+  /** The number among the mesh's primitives, from 1; empty where it has one. */
   number: string;
 }
 

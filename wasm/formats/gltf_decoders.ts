@@ -14,7 +14,7 @@ const meshoptNames = ['KHR_meshopt_compression', 'EXT_meshopt_compression'];
 /** Extensions of compression, which are read. */
 export const compressions: readonly unknown[] = ['KHR_draco_mesh_compression', ...meshoptNames];
 
-/** What tells how a buffer view is compressed by meshoptimizer, or how a primitive is by Draco. */
+/** An object's extension of a name: it says how meshoptimizer or Draco compressed the object. */
 const extension = (of: unknown, name: string): Json | undefined => {
   const value = isJson(of) ? objectOf(of, 'extensions')[name] : undefined;
   return isJson(value) ? value : undefined;

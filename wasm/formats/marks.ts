@@ -1,9 +1,9 @@
 import type { FileMarks, FilePart } from '../types.js';
 
-/** Of a file that says nothing beside the surface. */
+/** The marks of a file that holds the surface alone. */
 export const noMarks = { partOf: null, materials: [], materialOf: null, colors: null };
 
-/** Per triangle its part, where parts come one after the other; null where there is one. */
+/** The part of each triangle, where parts come one after the other; null where there is one part. */
 export function partOfEach(
   parts: readonly FilePart[],
   wanted: (part: number) => boolean,

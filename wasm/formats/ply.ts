@@ -10,7 +10,7 @@ import type { Polygons } from './types.js';
 
 /** Reads numbers of an element's rows, one after the other. */
 interface Rows {
-  /** The next number; `length` where it is that of a list. */
+  /** The next number; `length` is true for the length of a list. */
   number(property: PlyProperty, what: string, length?: boolean): number;
   /** Goes on by a number that is not used: it need not be one. */
   skip(property: PlyProperty, what: string): void;
@@ -172,7 +172,7 @@ const colorNames = [
   ['r', 'g', 'b'],
 ];
 
-/** Per property 0 to 2 where it is red, green or blue, else -1. */
+/** For each property 0 to 2 for red, green or blue, else -1. */
 function channelsOf({ properties }: PlyElement): number[] {
   const has = (name: string) => properties.some((one) => one.name === name && one.length === null);
   const names = colorNames.find((three) => three.every(has)) ?? [];

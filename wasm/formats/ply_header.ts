@@ -29,7 +29,7 @@ const types = new Map<string, NumberType>([
 export interface PlyProperty {
   name: string;
   type: NumberType;
-  /** Of a list, the type of its length. */
+  /** The type of a list's length. */
   length: NumberType | null;
 }
 

@@ -16,7 +16,7 @@ export interface Triangles {
   colors?: ArrayLike<number> | null | undefined;
   /** The names of the parts, for the formats that have some. */
   parts?: readonly { name: string }[] | undefined;
-  /** Per triangle the number of its part. */
+  /** The number of each triangle's part. */
   partOf?: ArrayLike<number> | null | undefined;
 }
 

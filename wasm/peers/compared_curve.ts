@@ -63,7 +63,7 @@ export class ComparedCurve implements MethodCurve {
     let worked = 0;
     let left = total;
     this.#fieldsMs = 0;
-    // As many samples between two looks at the clock as take no time: one can take a second.
+    // Batches grow while they take little time, since one sample can take a second, and most take microseconds.
     let batch = 1;
     for (let done = false; !done; ) {
       signal?.throwIfAborted();
@@ -106,8 +106,8 @@ export class ComparedCurve implements MethodCurve {
   }
 
   /**
-   * Of the heat methods: how many log maps were made so far, one for each vertex that a search came by,
-   * and how many were asked for, each of which their authors' library computes anew.
+   * How many log maps a heat method made so far, one for each vertex that a search came by, and how many
+   * it requested: their authors' library computes each of these anew. Null for other methods.
    */
   logMaps(): LogMapCounts | null {
     return this.#call((curve) => curve.logMaps());

@@ -16,7 +16,7 @@ import type {
   WeightTable,
 } from './types.js';
 
-/** Of what the module's `newtonSteps` gives. */
+/** The module's `newtonSteps` gives so many numbers a search. */
 const numbersASearch = 10;
 
 /** The engine and the methods that it is compared with. */

@@ -75,8 +75,7 @@ export interface CurvePlan {
   first: readonly number[];
   /** The weights of a segment's points at each of its samples. */
   table: WeightTable;
-  /** What kind of curve that is, where it is one that can be subdivided: for `bSurf`
-   * and `leveled`. */
+  /** The kind of curve, where it can be subdivided: `bSurf` and `leveled` need it. */
   shape?: { kind: 'bspline' | 'bezier' | 'rational'; weights?: readonly number[] };
 }
 
@@ -152,9 +151,9 @@ export interface NewtonSteps {
   iterations: number;
   /** Geodesics along steps of Newton's method. */
   traced: number;
-  /** Of these, those taken to a joint before their end. */
+  /** How many of these were taken to a joint before their end. */
   shortened: number;
-  /** Of those, the ones whose end has no smaller gradient than their start. */
+  /** How many of those have no smaller gradient at their end than at their start. */
   needed: number;
   /** Geodesics on which no joint has a smaller gradient than their start. */
   stuck: number;

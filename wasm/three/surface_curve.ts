@@ -41,7 +41,7 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
   readonly surface: Surface<AnyMesh>;
   /** The fat line that draws the curve. */
   readonly line: LineSegments2;
-  /** Of the curve as it is drawn: its length, samples, bridges; undefined until it is drawn first. */
+  /** The length, samples and bridges of the curve as it is drawn; undefined until it is drawn first. */
   view: CurveView | undefined;
   /** When the curve is drawn for the first time; it rejects with what `Mesh.curve` throws. */
   readonly ready: Promise<void>;

@@ -37,7 +37,7 @@ interface Cancelled {
   timer?: ReturnType<typeof setTimeout>;
 }
 
-/** Of a worker that tells none why it ended. */
+/** The reason of a worker that ended and gave none. */
 export const unknownReason = 'the engine could not go on in its worker';
 
 /** Milliseconds that a worker has at least to hear that a call is cancelled. */
@@ -57,7 +57,7 @@ export class WorkerClient {
   #worker: WorkerLike;
   readonly #pending = new Map<number, Pending>();
   readonly #cancelled = new Map<number, Cancelled>();
-  /** Of meshes and curves in the worker. */
+  /** The origins of meshes and curves in the worker. */
   readonly #origins = new WeakMap<object, Origin>();
   /** Those that are to be made anew, in the order in which they were made. */
   readonly #kept = new Set<Origin>();
@@ -82,7 +82,7 @@ export class WorkerClient {
   #listen(): void {
     const worker = this.#worker;
     const heard = (type: Parameters<typeof listen>[1], hear: (value: unknown) => void) =>
-      // Of a worker whose place another one has taken nothing is heard any more.
+      // A worker is no longer heard once another one has taken its place.
       listen(worker, type, (value) => worker === this.#worker && hear(value));
     heard('message', (reply) => this.#receive(reply as Reply));
     heard('error', (error) => this.#break(error));
@@ -191,7 +191,7 @@ export class WorkerClient {
     if (pending.begun > 0) this.#impatient(cancelled);
   }
 
-  /** Of a call that the worker is at. */
+  /** Acts on the cancellation of the call that the worker is at. */
   #impatient(cancelled: Cancelled): void {
     if (cancelled.begun) return;
     cancelled.begun = true;

@@ -108,7 +108,7 @@ function startOwnWorker(): WorkerLike {
   }
 }
 
-/** Of a worker that has answered nothing. Browsers tell no reason where a script is missing or blocked. */
+/** The error of a worker that has answered nothing. Browsers give no reason where a script is missing or blocked. */
 function notStarted(isOwn: boolean, cause: unknown): unknown {
   if (cause instanceof KarcherError && cause.code !== 'internal') return cause;
   const { message } = cause as Partial<Error>;

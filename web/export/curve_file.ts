@@ -54,7 +54,7 @@ export interface FileInside {
 
 /** In bytes: of a longer one the page would wait for its text. */
 export const longestInside = 16 * 1024 * 1024;
-/** Of three bytes base64 makes four letters. */
+/** The bytes that are encoded at once: base64 makes four letters of three bytes. */
 const encodedAtOnce = 3 * 256 * 1024;
 const decodedAtOnce = 4 * 256 * 1024;
 

@@ -60,7 +60,7 @@ export function* partsOfSvg({
       if (group) yield '</g>\n';
       group = line.object;
       if (group) {
-        // Of the group: its lines, which are seen through together, lie over each other.
+        // The group has the opacity, since its lines lie over each other.
         const opacity = group.opacity < 1 ? ` opacity="${short(group.opacity)}"` : '';
         yield `<g id="object-${group.id}"${opacity}><title>${escaped(group.name)}</title>\n`;
       }
@@ -82,7 +82,7 @@ const escaped = (text: string) => text.replaceAll('&', '&amp;').replaceAll('<', 
 
 const short = (value: number) => `${Number(value.toFixed(2))}`;
 
-/** One path: where triangles of one path meet no seam shows. */
+/** A fill as one path, since no seam shows between triangles of one path. */
 function* fillPath({ id, color, opacity, triangles }: DrawnFill): Generator<string> {
   yield `<path fill="${color}" fill-opacity="${short(opacity)}" d="`;
   for (let i = 0; i < triangles.length; i += 6) {

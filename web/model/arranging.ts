@@ -27,7 +27,7 @@ import { longestName, shortened } from './names';
 const together = (steps: readonly Command[]): Command | null =>
   steps.length > 0 ? { type: 'steps', steps } : null;
 
-/** Edits another object. The one before goes where there is nothing of it. */
+/** Makes another object the edited one. The object that was edited before is deleted if it is empty. */
 export function activation(drawing: Drawing, to: number): Command | null {
   const { active } = drawing;
   if (to === active || !objectOf(drawing, to)) return null;

@@ -8,7 +8,7 @@ const newRadius = 0.08;
 export const defaultAcross = 0.6;
 
 const handles = ['center', 'rim', 'across'] as const;
-/** `across` only of an ellipse, of which `rim` is at the end of the other radius. */
+/** The handles of a circle or an ellipse. An ellipse has one at the end of each radius: `rim` and `across`. */
 export type CircleHandle = (typeof handles)[number];
 
 export const isCircleHandle = (text: string): text is CircleHandle =>

@@ -10,7 +10,7 @@ export interface Tooth {
   foot: Vector;
   /** The geodesic curvature, positive where the curve turns left, seen from outside. */
   curvature: number;
-  /** Of unit length, in the tangent plane, to the left of the curve. */
+  /** The unit vector in the tangent plane to the left of the curve. */
   left: Vector;
 }
 

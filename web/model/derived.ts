@@ -24,9 +24,9 @@ export interface PartChoice {
 export interface Derived {
   /** The ids of the objects that it is made of, in order: a difference is the first without the others. */
   readonly sources: readonly number[];
-  /** Of an offset. */
+  /** The distance and side of an offset. */
   readonly offset?: { readonly distance: number; readonly side: OffsetSide };
-  /** Of a cut: the parts that are not kept as they are. */
+  /** The parts of a cut that are not kept as they are. */
   readonly parts?: readonly PartChoice[];
   /** The thickness that the parts of a cut get when they are saved; 0 leaves them surfaces. */
   readonly thickness?: number;

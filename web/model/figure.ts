@@ -25,7 +25,7 @@ export type Across = SurfacePoint | { radius: number };
 /** A control point's number beside its place. */
 export type ParameterName = 'weight' | 'beta';
 
-/** Of an anchor of the pen: where its handles are. */
+/** The side of an anchor of the pen on which a handle is. */
 export type Side = 'before' | 'after';
 
 /**
@@ -74,13 +74,13 @@ export interface CircleForm {
 /** What makes a spline of a kind, beside its points; kept while another kind is shown. */
 export interface CurveSettings {
   readonly closed: boolean;
-  /** Of a B-spline, 1 to 5. */
+  /** The degree of a B-spline, 1 to 5. */
   readonly degree: number;
   /** Whether an open B-spline's knots are repeated at its ends, which the curve then reaches. */
   readonly clamped: boolean;
   /** A B-spline's knots, where they are neither even nor clamped: as many as its points take. */
   readonly knots: readonly number[] | null;
-  /** Of a Catmull-Rom curve. */
+  /** The parametrization of a Catmull-Rom curve. */
   readonly parametrization: Parametrization;
   /** A segment, where there is no tolerance. */
   readonly samples: number;

@@ -146,7 +146,7 @@ const countPlaces = ({ objects }: Drawing): Lost => ({
   circles: objects.filter(({ figure }) => figure.circle).length,
 });
 
-/** What a link says and a drawing that was made of it is without. */
+/** What of a link is missing in the drawing that was made of it. */
 export function lostOf({ drawing: said, unread }: Link, drawing: Drawing): Lost {
   const [all, left] = [countPlaces(said), countPlaces(drawing)];
   return {

@@ -13,9 +13,9 @@ export interface Shell {
 }
 
 export interface SurfacePart extends Shell {
-  /** Of each triangle the surface's face that it lies in. */
+  /** The surface's face that each triangle lies in. */
   faces: Int32Array;
-  /** Of each triangle's corners the second and the third weight in that face. */
+  /** Two numbers for each corner of a triangle: its second and third weight in that face. */
   weights: Float32Array;
   /** A point in the midst of one of its triangles. */
   point: SurfacePoint;

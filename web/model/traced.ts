@@ -8,7 +8,7 @@ export interface Region {
   whole: Int32Array;
   /** The face of each triangle, in order. */
   parts: Int32Array;
-  /** Of each triangle's corners the second and the third weight in its face. */
+  /** Two numbers for each corner of a triangle: its second and third weight in the triangle's face. */
   corners: Float32Array;
   area: number;
   /** The side of the first line that it lies on; null of what is made of several regions. */
@@ -39,7 +39,7 @@ export interface TracedCurve {
   lost: LostInterval[];
   /** A circle's arcs whose geodesics from the center stopped being shortest. */
   arcsNotShortest: number;
-  /** Of a circle of arcs, as a part of the radius: how far it is from it. */
+  /** How far a circle of arcs is from its radius, as a part of the radius. */
   deviation: number | null;
   length: number;
   milliseconds: number;

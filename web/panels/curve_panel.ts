@@ -96,7 +96,7 @@ export class CurvePanel {
     this.#fine.show(state, view);
   }
 
-  /** Kinds of splines differ by their mathematics; circle or ellipse, center or points is plain. */
+  /** Shows the choice of kinds: kinds of splines, which differ by their mathematics, among the advanced settings. */
   #showKinds(kinds: readonly Kind[]): void {
     const row = byId('kind');
     row.hidden = kinds.length < 2;

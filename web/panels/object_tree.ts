@@ -12,7 +12,7 @@ export type ListedRow =
       isOpen: boolean;
     };
 
-/** Of objects in their order, the topmost first. */
+/** The rows of objects in their order, the topmost first. */
 export function rowsOf(objects: readonly DrawnObject[], folded: ReadonlySet<string>): ListedRow[] {
   const rows: ListedRow[] = [];
   for (let i = 0; i < objects.length; ) {

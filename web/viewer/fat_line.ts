@@ -79,7 +79,7 @@ export class FatLine {
     const common = { transparent: true, depthWrite: false };
     const made = [0, 1].map(() => withBand(new LineMaterial(common)));
     const [hidden, seen] = made.map(({ material }) => material) as [LineMaterial, LineMaterial];
-    // Of a color that is mixed beforehand: the segments' round ends lie over each other, and would show as beads.
+    // The color is mixed beforehand: the segments' round ends lie over each other, and would show as beads.
     hidden.depthFunc = GreaterDepth;
     hidden.visible = style.hidden > 0;
     this.#materials = [hidden, seen];

@@ -85,7 +85,7 @@ export class Surface {
       this.#geometry.setAttribute('tint', new BufferAttribute(drawn.colors, 3, true));
     }
     this.#geometry.setIndex(new BufferAttribute(drawn.triangles, 1));
-    // Of the frame's box; three.js would look at all vertices.
+    // The sphere round the frame's box is enough; three.js would look at all vertices.
     this.#geometry.boundingSphere = new Sphere(new Vector3(), 1);
     showClay(drawn.outside);
     this.#tree = MeshBVH.deserialize(drawn.tree, this.#geometry, { setIndex: false });

@@ -270,7 +270,7 @@ export class Viewer {
     return this.#isChosen ? [...this.#chosen, edited] : this.#chosen;
   }
 
-  /** Which object a click would take, by its id, the edited one with null; none with undefined. */
+  /** Shows which object a click would take: its id, null for the edited one, undefined for none. */
   showHovered(id: number | null | undefined): void {
     if (id === this.#hovered) return;
     this.#hovered = id;

@@ -36,7 +36,7 @@ import { tracedCircle, tracedCurve, tracedLines } from './traced';
 
 export { KarcherError } from 'karcher/own-worker';
 
-/** What was given up because the person wanted it so. */
+/** The error of a call that the person stopped. */
 export class Stopped extends Error {
   constructor() {
     super('it was stopped before it was done');

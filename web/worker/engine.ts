@@ -23,7 +23,7 @@ import { inPieces } from './pieces';
 interface Loaded {
   mesh: Mesh;
   arrays: MeshBlobs;
-  /** Of a surface from a file. */
+  /** What a surface's file said; null for other surfaces. */
   file: FileInfo | null;
   /** The axis that seems to point up. */
   up: UpAxis;

@@ -31,7 +31,7 @@ export async function isTorn(
       const next = (leg + 1) % points.length;
       const is = apart(moved[leg]!, moved[next]!) / (mostStretch * scale);
       if (is <= apart(points[leg]!, points[next]!)) continue;
-      // Nearness in space does not tell: both sides of an ear are near.
+      // Distances in space would mislead: both sides of an ear are near each other.
       const [begin, end] = [points[leg]!, points[next]!];
       const way = await client.mesh.shortestPath(
         { face: begin.face, bary: begin.bary },

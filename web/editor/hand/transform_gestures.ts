@@ -23,7 +23,7 @@ import {
 /** With Shift held angles and parts are multiples of these. */
 const angleStep = Math.PI / 12;
 const scaleStep = 0.1;
-/** By a key; with Shift as above. */
+/** A key turns and scales by these; with Shift by the steps above. */
 const keyedAngle = Math.PI / 180;
 const keyedScale = 0.01;
 const nudgePixels = 4;

@@ -93,7 +93,7 @@ export class ObjectEdits {
     else if (selectedObjects(this.#editor.state).length > 0) this.#editor.setTool('look');
   }
 
-  /** The selected objects are drawn and painted as another one is. */
+  /** Gives the selected objects the look of another one. */
   takeLook(id: number): void {
     const object = objectOf(this.#editor.state.drawing, id);
     if (object) this.setProperties(selectedObjects(this.#editor.state), lookOf(object));
