@@ -55,7 +55,7 @@ const commands: readonly Command[] = [
   return { ...command, options };
 });
 
-/** What a command reads for '-', and where it writes: its result, and what went wrong. */
+/** The streams of a command: its input for '-', its result, and its messages. */
 export interface Streams {
   stdin: Readable;
   stdout: Writable;

@@ -25,13 +25,13 @@ interface Pending {
   of: Origin | null;
   tells: ((...args: unknown[]) => void) | undefined;
   callbacks: ((...args: unknown[]) => void)[];
-  /** When the worker began with it; 0 before. */
+  /** The time at which the worker began the call; 0 before. */
   begun: number;
   /** Whether the answer is taken as it is sent. */
   raw: boolean;
 }
 
-/** A call that was cancelled, of which the worker is to say that it has heard. */
+/** A cancelled call, which the worker has to acknowledge. */
 interface Cancelled {
   begun: boolean;
   timer?: ReturnType<typeof setTimeout>;

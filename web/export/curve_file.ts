@@ -52,7 +52,7 @@ export interface FileInside {
   bytes: Blob;
 }
 
-/** In bytes: of a longer one the page would wait for its text. */
+/** In bytes: the page would have to wait for the text of a longer file. */
 export const longestInside = 16 * 1024 * 1024;
 /** The bytes that are encoded at once: base64 makes four letters of three bytes. */
 const encodedAtOnce = 3 * 256 * 1024;
@@ -147,7 +147,7 @@ function samplesOf({ samples, lost }: TracedCurve) {
   }));
 }
 
-/** What a file made by `jsonOf` opens, and the surface's file where it is inside; throws where it is none. */
+/** The link in a file made by `jsonOf`, and the surface's file if that is inside; throws for any other file. */
 export async function readJson(text: string): Promise<{ link: Link; file: File | null }> {
   const notOurs = 'the file is JSON, but no drawing that this page saved';
   if (text.length > longestFile) throw new Error('the file is too long for a drawing');

@@ -23,7 +23,7 @@ export const willCombine = ({ objects }: Drawing, ids: readonly number[]): boole
 export const combinable = ({ objects }: Drawing, ids: readonly number[]): DrawnObject[] =>
   objects.filter((object) => ids.includes(object.id) && hasLines(object));
 
-/** An object that is made of some, in the style of the topmost of them. */
+/** An object that is made of others, in the style of the topmost of these. */
 function made(
   drawing: Drawing,
   sources: readonly DrawnObject[],

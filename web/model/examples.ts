@@ -129,7 +129,7 @@ const heart = (x: number, y: number, size: number): Anchor[] => {
   ];
 };
 
-/** From where the page first looks at a surface. */
+/** The direction from which the page first looks at a surface. */
 const front: Vector = [0.34, 0.22, 1];
 
 function bunny({ seen, near }: Places): Drawing {

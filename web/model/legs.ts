@@ -9,7 +9,7 @@ import { isOpposite, otherSide } from './pen';
 
 type Polygon = Pick<Spline, 'settings' | 'points'>;
 
-/** What tells the handle on one side of an anchor of the pen; nothing where the anchor itself is the end. */
+/** The data of the handle on one side of an anchor of the pen; undefined where the anchor itself is the end. */
 function handleOf({ tangents }: ControlPoint, side: Side) {
   const told = tangents?.[side];
   return isOpposite(told) ? [told, tangents?.[otherSide(side)]] : told;

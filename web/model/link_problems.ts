@@ -1,4 +1,4 @@
-/** What a link says that this page cannot show as it is said: told, and not silently changed. */
+/** What this page cannot show of a link is reported, and not silently changed. */
 import { dashes, leastOpacity, surfaceWidths, widthRange } from './drawing';
 import { offsetSides } from './derived';
 import {

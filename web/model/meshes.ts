@@ -210,7 +210,7 @@ function parseFileKey(text: string, name: string): ParsedKey {
   };
 }
 
-/** How the file of a key is read; null where it is none of a file. */
+/** The options with which a key's file is read; null for a key of no file. */
 export function readingOf(key: string): Reading | null {
   const parsed = parseKey(key);
   if (!parsed || !('digest' in parsed)) return null;

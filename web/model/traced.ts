@@ -25,7 +25,7 @@ export interface TracedCurve {
   polylineStatus: Uint8Array;
   /** Without the statuses: `lost` has those. */
   samples: Omit<CurveSamples, 'status'>;
-  /** A B-spline's knots, also where they follow a rule; of other curves none. */
+  /** The knots of a B-spline, also where they follow a rule; empty for other curves. */
   knots: Float64Array;
   /** Points with the same length of curve between them, as many as were asked for. */
   marks: CurvePoints | null;
@@ -62,7 +62,7 @@ export interface ShorterLeg {
 export interface TracedIsolines {
   /** Open ones end at the boundary. */
   lines: { closed: boolean; length: number; polyline: Float32Array }[];
-  /** Of all of them. */
+  /** The length of all lines. */
   length: number;
   milliseconds: number;
   /** Null where it was not asked for. */

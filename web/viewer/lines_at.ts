@@ -12,7 +12,7 @@ export interface PickableLines {
   style: LineStyle;
   /** The objects beside it, the topmost last. */
   objects: readonly ObjectDrawing[];
-  /** Shorter ways than the legs of the curve. */
+  /** Paths that are shorter than the curve's legs. */
   shorter: readonly Float32Array[];
 }
 

@@ -79,9 +79,9 @@ export interface OutlinedShape {
 export interface CurveRequest {
   /** The object that it belongs to; without one it is given back once it is seen. */
   object?: number;
-  /** How many points are marked along it. */
+  /** The number of points that are marked along the curve. */
   marks?: number;
-  /** Whether what it encloses is asked for, too. */
+  /** What of the enclosed region is wanted. */
   fill?: AskedFill;
   /** Whether the path is asked for that it follows. */
   outlines?: boolean;
@@ -93,7 +93,7 @@ export class LooseCurve {
 
   constructor(private readonly curve: RemoteCurve) {}
 
-  /** Where it is at a parameter. */
+  /** The curve's point at a parameter. */
   pointAt(parameter: number): Promise<CurvePoint> {
     return this.curve.pointAt(parameter);
   }

@@ -65,7 +65,7 @@ export interface Computation {
   uniqueness?: boolean;
   /** Whether to measure a center of mass by exact shortest paths: about as long as one exact field. */
   certificate?: boolean;
-  /** Whether what its lines enclose is asked for, on the figure's own side. */
+  /** Whether the region that its lines enclose on the figure's side is wanted. */
   fill?: boolean;
   /** Whether the paths of its lines are wanted as well. */
   outlines?: boolean;

@@ -12,7 +12,7 @@ import { directionsOf } from './moving';
  * longer one comes back to where it began, and may end near what is mirrored.
  */
 const beyond = 0.8;
-/** Its length where it would else be too short to pass beside all that is mirrored. */
+/** The same for a second attempt, if the first line does not pass beside all that is mirrored. */
 const farther = 1.5;
 
 /** The locally shortest path between two points, gone on with at both ends; ends at the boundary. */
