@@ -156,7 +156,8 @@ describe('in a browser the book', () => {
     });
   }
 
-  for (const path of ['index.html', 'documents/Errors.html', 'classes/karcher.Mesh.html']) {
+  const looked = ['documents/Errors.html', 'documents/Which_call_to_take.html'];
+  for (const path of ['index.html', ...looked, 'classes/karcher.Mesh.html']) {
     test(`is accessible: ${path}`, async () => {
       const { page, complaints } = await open(path);
       await page.locator('.tsd-navigation a').first().waitFor({ state: 'attached' });
