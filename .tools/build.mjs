@@ -27,7 +27,15 @@ const runNpmProgram = (path, ...args) =>
 export async function buildNative(preset, ...targets) {
   await run('cmake', ['--preset', preset]);
   const named = targets.length > 0 ? ['--target', ...targets] : [];
-  await run('cmake', ['--build', '--preset', preset, '--parallel', `${cores}`, ...named]);
+  await compile(preset, named);
+}
+
+/** Two cores that 25 programs share take more than half an hour. */
+const compileMinutes = 240;
+
+async function compile(preset, more, env) {
+  const args = ['--build', '--preset', preset, '--parallel', `${cores}`, ...more];
+  await run('cmake', args, { env, minutes: compileMinutes });
 }
 
 const emscriptenEnv = () => (existsSync(debianNodeModules) ? { NODE_PATH: debianNodeModules } : {});
@@ -40,7 +48,7 @@ export const configureWasm = (...args) =>
 export async function buildWasm() {
   const env = emscriptenEnv();
   await configureWasm();
-  await run('cmake', ['--build', '--preset', 'wasm', '--parallel', `${cores}`], { env });
+  await compile('wasm', [], env);
   await minify('dist/karcher-engine.mjs', 'dist/peers/karcher-peers.mjs');
 }
 
