@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/sight.h"
 #include "intrinsic/straighten.h"
 #include "mesh/error.h"
 
@@ -27,6 +28,22 @@ constexpr double kDeviationMargin = 1.5;
 /// curve's Bezier polygons have legs of a third.
 double partOfLeg(const CurveShape& shape) {
   return shape.kind == CurveKind::kCatmullRom ? 1.0 / 3 : 1;
+}
+
+/// The number of legs of a piece's polygon.
+int legsOfPiece(const CurveShape& shape, int points) {
+  if (shape.kind == CurveKind::kBSpline) return shape.degree;
+  return shape.kind == CurveKind::kCatmullRom ? 3 : points - 1;
+}
+
+/// The root of the mean square of the edges that a leg crosses after these levels.
+double edgesOfLeg(const CurveShape& shape, const Array<SurfacePath>& legs, int levels) {
+  double squares = 0;
+  for (const SurfacePath& leg : legs) {
+    const double edges = partOfLeg(shape) * leg.points.count();
+    squares += edges * edges / legs.count();
+  }
+  return std::ldexp(std::sqrt(squares), -levels);
 }
 
 /// Writes the weights of a piece's points; none if they do not count.
@@ -65,15 +82,22 @@ int levelsToSafety(const Geometry& geometry, const CurveShape& shape, int points
   return levels;
 }
 
+bool arePiecesInSight(const CurveShape& shape, int points, const Array<SurfacePath>& legs,
+                      int levels) {
+  return edgesOfLeg(shape, legs, levels) * legsOfPiece(shape, points) <= kMostFacesOfSight;
+}
+
+bool areFieldsNear(const CurveShape& shape, int points, const Array<SurfacePath>& legs,
+                   int levels) {
+  if (levels == 0) return false;
+  return arePiecesInSight(shape, points, legs, levels) || !mayTakeLevels(shape, points, levels + 1);
+}
+
 int quickLevels(const CurveShape& shape, int points, const Array<SurfacePath>& legs) {
-  double squares = 0;
-  for (const SurfacePath& leg : legs) {
-    const double edges = partOfLeg(shape) * leg.points.count();
-    squares += edges * edges / legs.count();
-  }
   int levels = 0;
   while (mayTakeLevels(shape, points, levels + 1) &&
-         std::ldexp(std::sqrt(squares), -levels) > kFewEdges) {
+         (edgesOfLeg(shape, legs, levels) > kFewEdges ||
+          !arePiecesInSight(shape, points, legs, levels))) {
     ++levels;
   }
   return levels;

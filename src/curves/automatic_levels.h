@@ -41,9 +41,17 @@ bool isSafe(const Geometry& geometry, const RefinedPolygon& polygon, LevelsWorks
 int levelsToSafety(const Geometry& geometry, const CurveShape& shape, int points,
                    const Array<SurfacePath>& legs);
 
-/// The number of levels that makes a curve quickest, at which legs cross few edges. A piece's
-/// fields cost about the square of the edges that its legs cross, and each level doubles the number
-/// of pieces.
+/// Whether the fields of a curve with these levels are near ones (PointField::setPoint), as they
+/// are where the pieces' points mostly see what is read of them: a piece's legs cross no more faces
+/// than sight does. Farther away each value would be a path search, which costs as much as a
+/// wavefront that finds all of them, so that a curve of two pieces on a fine mesh took minutes.
+/// Where no more levels may be taken, fields are near in any case: so many wavefronts would not fit
+/// into memory.
+bool areFieldsNear(const CurveShape& shape, int points, const Array<SurfacePath>& legs, int levels);
+
+/// The number of levels that makes a curve quickest, at which legs cross few edges and the points
+/// of a piece are in sight of each other. A piece's fields cost about the square of the edges that
+/// its legs cross, and each level doubles the number of pieces.
 int quickLevels(const CurveShape& shape, int points, const Array<SurfacePath>& legs);
 
 /// The estimated largest move of a control polygon's curve by levels, in the mesh's units. The

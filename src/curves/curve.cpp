@@ -139,6 +139,7 @@ void Curve::set(CurveValue value) {
   const int piecesBefore = segments_.count() * piecesPerSegment();
   std::swap(value_, next_.value);
   levels_ = next_.levels;
+  isNear_ = next_.isNear;
   jumps_ = next_.jumps;
   legs_.swap(next_.legs);
   segments_.swap(next_.segments);
@@ -188,7 +189,7 @@ Array<PointField*> Curve::fieldsOf(int segment, int k) {
   Piece& piece = segments_[segment].pieces[k];
   if (piece.fields_.empty()) {
     for (int i = 0; i < piece.points_.count(); ++i) {
-      piece.fields_.push_back(fieldSet_->at(piece.points_[i], levels_ > 0));
+      piece.fields_.push_back(fieldSet_->at(piece.points_[i], isNear_));
     }
   }
   Array<PointField*> fields;
@@ -274,6 +275,7 @@ void Curve::makeSegments(Next& next) {
   const CurveOptions& options = next.value.options;
   const CurveShape& shape = options.shape;
   makePolygon(next);
+  next.isNear = areFieldsNear(shape, next.value.points.count(), next.legs, next.levels);
   workspace_->isSubdivided.clear();
   if (next.levels == 0) {
     if (shape.kind == CurveKind::kCatmullRom) layKnots(next);
@@ -284,7 +286,7 @@ void Curve::makeSegments(Next& next) {
   const int pieces = 1 << next.levels;
   // A polyline's pieces are not compared by their legs, which are the curve.
   const bool keep =
-      traceAlike(options, value_.options) &&
+      traceAlike(options, value_.options) && next.isNear == isNear_ &&
       (shape.kind != CurveKind::kPolyline || (next.value.legs.empty() && value_.legs.empty()));
   const int segments = next.polygon.pieces.count() / pieces;
   next.segments.resize(static_cast<size_t>(segments));

@@ -142,7 +142,8 @@ class Curve {
   struct Next {
     CurveValue value;
     int levels = 0;
-    bool jumps = false;  ///< at level 0, which was judged safe
+    bool isNear = false;  ///< whether its fields are near ones
+    bool jumps = false;   ///< at level 0, which was judged safe
     Array<SurfacePath> legs;
     Array<Segment> segments;
     RefinedPolygon polygon;
@@ -196,7 +197,7 @@ class Curve {
   static BasisWriter basisOf(const Piece& piece);
   void findSamples(const Next& next, Piece& piece, int segment);
   void findAveragedSamples(const Next& next, Piece& piece, int segment);
-  SurfacePoint centerOf(const SurfacePoint& point);
+  SurfacePoint centerOf(const Next& next, const SurfacePoint& point);
   void layOwnSubdivision(Piece& piece);
   void layBridges(const Next& next, Piece& piece);
   void join(const Next& next, Piece& piece);
@@ -208,6 +209,7 @@ class Curve {
   std::shared_ptr<FieldSet> fieldSet_;
   CurveValue value_;
   int levels_ = 0;
+  bool isNear_ = false;
   bool jumps_ = false;
   Array<SurfacePath> legs_;  ///< empty until first used
   Array<Segment> segments_;

@@ -21,7 +21,7 @@ void Curve::makeFields(Next& next) {
   };
   forEach([&](Piece& piece) {
     for (int i = 0; i < piece.points_.count(); ++i) {
-      piece.fields_.push_back(fieldSet_->find(piece.points_[i], next.levels > 0));
+      piece.fields_.push_back(fieldSet_->find(piece.points_[i], next.isNear));
     }
   });
   for (Segment& segment : segments_) {
@@ -29,7 +29,7 @@ void Curve::makeFields(Next& next) {
   }
   forEach([&](Piece& piece) {
     for (int i = 0; i < piece.points_.count(); ++i) {
-      if (!piece.fields_[i]) piece.fields_[i] = fieldSet_->at(piece.points_[i], next.levels > 0);
+      if (!piece.fields_[i]) piece.fields_[i] = fieldSet_->at(piece.points_[i], next.isNear);
     }
   });
   workspace_->ofKnots.clear();
@@ -91,8 +91,8 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
     if (piece.isSubdivided_) {
       // The neighbouring pieces may be centers of mass, and these begin and end at the same
       // centers.
-      piece.traced_->samples.front().point = centerOf(piece.points_.front());
-      piece.traced_->samples.back().point = centerOf(piece.points_.back());
+      piece.traced_->samples.front().point = centerOf(next, piece.points_.front());
+      piece.traced_->samples.back().point = centerOf(next, piece.points_.back());
     }
     return;
   }
@@ -109,10 +109,10 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   }
 }
 
-/// The center of mass of one point by its near field, at which the adjacent pieces begin or end:
+/// The center of mass of one point by its field, at which the adjacent pieces begin or end:
 /// the interpolated field has its zero up to a hundredth of an edge from the point.
-SurfacePoint Curve::centerOf(const SurfacePoint& point) {
-  const std::shared_ptr<PointField> field = fieldSet_->at(point, true);
+SurfacePoint Curve::centerOf(const Next& next, const SurfacePoint& point) {
+  const std::shared_ptr<PointField> field = fieldSet_->at(point, next.isNear);
   workspace_->fields.assign(1, field.get());
   const std::array weights = {1.0};
   const CenterOfMass center = walkToCenter(blendFields().blend, weights, point);

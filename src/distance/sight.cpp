@@ -9,8 +9,7 @@
 namespace karcher {
 namespace {
 
-/// Paths that cross more faces or bend more often are left to solvers.
-constexpr int kMostFaces = 64;
+/// Paths that bend more often are left to solvers.
 constexpr int kMostBends = 8;
 /// The number of strips tried for a path, each with a better aim or on the other side of a vertex.
 constexpr int kMostWalks = 6;
@@ -103,7 +102,7 @@ class SightLine {
     Vec2 left = source_.corners[(exit + 1) % 3];
     sides_[sideCount_++] = {right.x(), right.y(), mesh_.tail(h), 1};
     sides_[sideCount_++] = {left.x(), left.y(), mesh_.head(h), -1};
-    for (int faces = 0; faces < kMostFaces; ++faces) {
+    for (int faces = 0; faces < kMostFacesOfSight; ++faces) {
       const int twin = mesh_.twin[h];
       if (twin < 0) return false;
       const Vec2 across = (right - left) / geometry_.edgeLength[twin];
@@ -242,7 +241,7 @@ class SightLine {
   const TriangleMesh& mesh_;
   const SightSource& source_;
   int vertex_;
-  Side sides_[kMostFaces + 2];
+  Side sides_[kMostFacesOfSight + 2];
   int sideCount_ = 0;
   int bends_[kMostBends] = {};  ///< numbers of vertices beside the strip
   int bendCount_ = 0;

@@ -15,6 +15,9 @@
 /// armadillo, and .2 % on spot, whose ears are thin, by a quarter at most.
 namespace karcher {
 
+/// Paths that cross more faces are left to solvers.
+inline constexpr int kMostFacesOfSight = 64;
+
 /// The start of paths, in one of its faces.
 struct SightSource {
   int face = 0;
