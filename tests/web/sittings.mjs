@@ -1,4 +1,4 @@
-// Three sittings of people who use the page for the first time, each step with the mouse and the keys that
+// Sittings of people who use the page for the first time, each step with the mouse and the keys that
 // they would use. `tell` is called after each step with its name.
 import assert from 'node:assert/strict';
 import bunny from 'bunny';
@@ -99,6 +99,53 @@ export async function scanSitting(tab, tell = async () => {}) {
   await page.locator('#comparison').waitFor({ state: 'hidden' });
   const { text } = await tab.save('OBJ');
   assert.equal(text.split('\n').filter((line) => line.startsWith('l ')).length, 2);
+}
+
+/** Reads figure 4 on the Paper page, and goes on with its curve in the editor, by two methods. */
+export async function figureSitting(tab, tell = async () => {}) {
+  const { page } = tab;
+  await page.locator('#tour-skip').click();
+  await page.getByRole('link', { name: 'Paper', exact: true }).filter({ visible: true }).click();
+  await page
+    .locator('#contents')
+    .getByRole('link', { name: /coarse and on a fine/ })
+    .click();
+  const figure = page.locator('#resolution');
+  await figure.locator('tbody td').filter({ hasText: /\d/ }).first().waitFor();
+  await tell('figure');
+  const coarse = figure.locator('a[href*="mesh="]').first();
+  await coarse.scrollIntoViewIfNeeded();
+  await coarse.click();
+  await tab.settled();
+  const { figure: curve, mesh } = await tab.state();
+  assert.match(mesh, /simplified/);
+  assert.equal(curve.kind, 'bspline');
+  assert.ok(curve.points.length >= 4, `${curve.points.length} points`);
+  await tell('its curve');
+
+  await (await control(tab, '#compare')).selectOption('paper-exact');
+  const numbers = () => page.locator('#compare-mean, #compare-largest').allTextContents();
+  const answered = () =>
+    page.waitForFunction(
+      () =>
+        !document.getElementById('comparison').classList.contains('late') &&
+        /\d/.test(document.getElementById('compare-largest').textContent),
+    );
+  await answered();
+  const [mean, largest] = (await numbers()).map(Number);
+  assert.ok(0 < mean && mean <= largest, `${mean} ${largest}`);
+  await tell('compared');
+
+  const { x, y } = await tab.handle('Control point 3 of');
+  await tab.drag({ x, y }, { x: x + 20, y: y - 15 });
+  await tab.settled();
+  await answered();
+  const revised = (await numbers()).map(Number);
+  assert.notDeepEqual(revised, [mean, largest]);
+  assert.ok(revised[0] <= revised[1]);
+  await tell('changed');
+  await (await control(tab, '#compare-off')).click();
+  await page.locator('#comparison').waitFor({ state: 'hidden' });
 }
 
 /** Draws a closed seam with the pen, styles it, duplicates and moves it, and all of it is kept. */

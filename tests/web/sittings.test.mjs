@@ -1,8 +1,15 @@
-// What three people do in their first half hour, from the first look to the file that they take away.
+// What people do in their first half hour, from the first look to the file that they take away.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { part } from './part.mjs';
-import { posterSitting, scanSitting, seamSitting, sitDown, windows } from './sittings.mjs';
+import {
+  figureSitting,
+  posterSitting,
+  scanSitting,
+  seamSitting,
+  sitDown,
+  windows,
+} from './sittings.mjs';
 
 const cases = ['laptop', 'phone'].flatMap((size) => [
   { size, name: 'scan', sitting: scanSitting },
@@ -21,3 +28,13 @@ for (const { size, name, sitting } of part(cases, 2)) {
     }
   });
 }
+
+test('the sitting with figure 4, on a laptop', async () => {
+  const { browser, tab } = await sitDown(windows.laptop);
+  try {
+    await figureSitting(tab);
+    assert.deepEqual(tab.logged, []);
+  } finally {
+    await browser.close();
+  }
+});

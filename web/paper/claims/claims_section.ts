@@ -10,6 +10,11 @@ const order: readonly Verdict[] = [
   ...(['holds', 'depends', 'does not', 'settled here', 'open', 'not measured here'] as const),
 ];
 
+/** Verdicts of several claims, where it says another word. */
+const ofSeveral: Partial<Record<Verdict, string>> = {
+  ...{ holds: 'hold', depends: 'depend', 'does not': 'do not' },
+};
+
 const unmeasured: Pick<JudgedClaim, 'verdict' | 'measured'> = {
   verdict: 'not measured here',
   measured: '',
@@ -57,7 +62,7 @@ interface ShownClaim extends SavedClaim {
 function captionOf(rows: readonly ShownClaim[], report: SavedReport | null): string {
   const counts = order.flatMap((verdict) => {
     const count = rows.filter((row) => row.verdict === verdict).length;
-    return count > 0 ? [`${count} ${verdict}`] : [];
+    return count > 0 ? [`${count} ${count > 1 ? (ofSeveral[verdict] ?? verdict) : verdict}`] : [];
   });
   const about = report
     ? `Measured on ${report.date} by version ${report.version} with seed ${report.seed} on ${report.machine}, by “npm run paper”.`
