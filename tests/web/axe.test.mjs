@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
-import { inLongRun } from './part.mjs';
+import { inLongRun, long } from './part.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const sizes = { desk: { width: 1280, height: 800 }, phone: { width: 390, height: 844 } };
@@ -35,11 +35,57 @@ async function violations(page) {
   ]);
 }
 
+/** States that are much alike in all sizes: a group, messages, and what is made of other objects. */
+async function lookFurther(browser, tab, look) {
+  const { page } = tab;
+  const { x, y } = await tab.middle();
+  await page.keyboard.press('Escape');
+  await tab.drag({ x: x - 60, y: y - 60 }, { x: x - 30, y: y - 60 });
+  await page.keyboard.press('Control+a');
+  await page.keyboard.press('Control+g');
+  await look('a group', tab);
+  await page.locator('#objects .fold').first().click();
+  await look('a folded group', tab);
+  await page.keyboard.press('m');
+  await tab.click([-60, 0], [40, 20]);
+  await look('the ruler', tab);
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Escape');
+  await look('nothing selected', tab);
+  await tab.drop('bad.obj', 'nothing');
+  await page.getByRole('alert').waitFor();
+  await page.locator('#progress').waitFor({ state: 'hidden' });
+  await look('a message', tab);
+  await page.getByRole('alert').getByRole('button', { name: 'Dismiss' }).click();
+  const two = ['one.obj', 'two.obj'].map((file) => [file, new TextEncoder().encode('none')]);
+  await tab.dropFiles(two);
+  await page.locator('#which-dialog').waitFor();
+  await look('several files', tab);
+
+  const made = await Tab.open(
+    browser,
+    [
+      'mesh=sphere:1500&kind=circle&circle=100,0.3,0.3;0.5,1,0,0',
+      `other=${encodeURIComponent('kind=circle&circle=110,0.3,0.3;0.5,1,0,0')}`,
+    ].join('&'),
+  );
+  for (const maker of ['Union', 'Offset', 'Cut']) {
+    await made.page.locator('#stage').press('Control+a');
+    await made.page.locator('#makers').getByRole('button', { name: maker }).click();
+    await made.settled();
+    await look(maker, made);
+    await made.page.locator('#stage').press('Control+z');
+  }
+  await made.page.close();
+}
+
 for (const [name, viewport] of Object.entries(sizes)) {
   for (const colorScheme of ['light', 'dark']) {
     // Both sizes and both schemes in every run.
     const isAlways = (name === 'phone') === (colorScheme === 'dark');
     const check = isAlways ? test : inLongRun;
+    const looksFurther = long || name === 'desk';
     check(`axe finds nothing, ${colorScheme}, ${viewport.width} pixels wide`, async () => {
       const browser = await openBrowser({ viewport, colorScheme, hasTouch: name === 'phone' });
       try {
@@ -106,6 +152,7 @@ for (const [name, viewport] of Object.entries(sizes)) {
         await page.mouse.click(x, y, { button: 'right' });
         await page.locator('#context-menu').waitFor();
         await look('context menu', tab);
+        if (looksFurther) await lookFurther(browser, tab, look);
         await page.close();
 
         const paper = await browser.context.newPage();
