@@ -24,18 +24,19 @@ void PathDistance::leavePath(const SurfacePath& path, int number) {
   const auto refusePath = [&](const std::string& why) {
     throw Error(ErrorCode::kBadArgument, "path " + std::to_string(number) + " " + why);
   };
+  const Array<SurfacePoint>& given = path.points;
+  // Without the points that are the point before up to rounding, where directions have no digits.
   Array<SurfacePoint> points;
-  for (int i = 0; i < path.points.count(); ++i) {
-    const SurfacePoint& point = path.points[i];
-    if (i > 0 && commonFace(mesh_, path.points[i - 1], point) < 0) {
+  for (int i = 0; i < given.count(); ++i) {
+    if (i > 0 && !haveCommonFace(mesh_, given[i - 1], given[i])) {
       refusePath("has points " + std::to_string(i - 1) + " and " + std::to_string(i) +
                  " that have no face in common");
     }
-    const double least = kLocalRounding * geometry_.meanEdge;
-    if (points.empty() ||
-        (position(mesh_, points.back()) - position(mesh_, point)).norm() > least ||
-        commonFace(mesh_, points.back(), point) < 0) {
-      points.push_back(point);
+    // Only a point that was left out may have the face to the next one.
+    if (i > 0 && !haveCommonFace(mesh_, points.back(), given[i])) points.push_back(given[i - 1]);
+    if (points.empty() || (position(mesh_, points.back()) - position(mesh_, given[i])).norm() >
+                              kLocalRounding * geometry_.meanEdge) {
+      points.push_back(given[i]);
     }
   }
   const int count = points.count();

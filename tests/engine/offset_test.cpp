@@ -275,6 +275,21 @@ TEST(Offset, KeepsItsDistanceOnRoughSurfaces) {
   }
 }
 
+TEST(PathDistance, OfAPathWithPointsBesideEachOtherOnTwoSidesOfAnEdge) {
+  const Sheet sheet(planeGrid(1, 1));
+  const int h = sheet.mesh.twin[0] >= 0 ? 0 : sheet.mesh.twin[1] >= 0 ? 1 : 2;
+  const SurfacePoint crossing = edgePoint(h, 0.4);
+  const auto inwards = [&](const SurfacePoint& point, double part) {
+    const Vec3 bary = (1 - part) * point.bary + Vec3::Constant(part / 3);
+    return SurfacePoint{point.face, bary};
+  };
+  const SurfacePoint across = edgePoint(sheet.mesh.twin[h], 0.6);
+  const SurfacePath path{
+      {inwards(crossing, 0.5), inwards(crossing, 1e-14), crossing, inwards(across, 0.5)}, {}};
+  const PathDistance field(sheet.geometry, std::span(&path, 1), 1);
+  EXPECT_NEAR(field.at(across).value, 0, 1e-12);
+}
+
 TEST(Offset, RefusesWhatHasNone) {
   const Sheet sheet(planeGrid(4, 4));
   const SurfacePath path = polygonOn(sheet.geometry, {Vec2(1, 1), Vec2(3, 2)}, false);

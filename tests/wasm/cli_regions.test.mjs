@@ -119,6 +119,23 @@ test('both sides of a parallel circle are the sphere', async () => {
   near((await printed('regions', octahedron, ...parallelCircle)).regions[0].area, cap.area);
 });
 
+test('a side of each curve is inside', async () => {
+  const areas = async (...args) =>
+    (await printed('regions', ...args)).regions.map(({ area }) => area);
+  const plane = cells ** 2;
+  const of = { left: [3.5 * 3, 4.25 * 4.25], right: [plane - 3.5 * 3, plane - 4.25 * 4.25] };
+  for (const [side, expected] of Object.entries(of)) {
+    const found = await areas(gridFile, '--curve', twoFile, '--side', side);
+    assert.equal(found.length, 2);
+    for (const [i, area] of expected.entries()) near(found[i], area);
+  }
+  const args = ['regions', gridFile, '--curve', twoFile];
+  const [outside] = await areas(...args.slice(1), '--side', 'right', '--combine', 'intersection');
+  near(outside, plane - 3.5 * 3 - 4.25 * 4.25 + 1.75 * 2);
+  assert.match(await failure(...args, '--side', 'up'), /^--side must be one of left, right/);
+  assert.match(await failure(...args, '--side', 'left', '--inside', 'v:0'), /--side has no/);
+});
+
 test('regions as an OBJ file are their boundaries', async () => {
   const { status, stdout } = await karcher('regions', gridFile, ...square, '--format', 'obj');
   assert.equal(status, 0);

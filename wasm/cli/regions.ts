@@ -18,6 +18,12 @@ export const regions: Command = {
       help: 'a point inside what all curves enclose together; without it the smaller side of each is inside',
     },
     {
+      name: 'side',
+      value: 'left|right',
+      help: 'the side of each curve, seen along it, that is inside',
+      default: 'the smaller one',
+    },
+    {
       name: 'rule',
       value: 'evenOdd|nonZero',
       help: 'what is inside where a curve crosses itself',
@@ -35,9 +41,15 @@ export const regions: Command = {
     const rule = args.choice<FillRule>('rule');
     const combine = args.choice<BooleanOperation | 'none'>('combine');
     const { inside } = args.whereGiven(['inside'], (name) => args.point(name));
-    if (inside) args.refuse(['combine'], 'with --inside, which makes one region of all curves');
+    if (inside) {
+      args.refuse(['combine', 'side'], 'with --inside, which makes one region of all curves');
+    }
+    const side = args.given('side') ? args.choice<'left' | 'right'>('side') : undefined;
     const { mesh, outlines } = await readOutlines(args);
-    const found = mesh.regions(inside ? [{ outlines, inside }] : outlines, {
+    const shapes = side
+      ? outlines.map((outline) => ({ outlines: [outline], inside: side }))
+      : outlines;
+    const found = mesh.regions(inside ? [{ outlines, inside }] : shapes, {
       rule,
       ...(combine !== 'none' && { combine }),
     });
