@@ -1,7 +1,6 @@
 #include "curves/circle.h"
 
 #include <limits>
-#include <numeric>
 #include <string>
 
 #include "curves/curve.h"
@@ -10,6 +9,7 @@
 #include "intrinsic/straightest.h"
 #include "mesh/error.h"
 #include "mesh/rounding.h"
+#include "mesh/sorted_numbers.h"
 
 namespace karcher {
 namespace {
@@ -303,11 +303,8 @@ Array<int> partsOfArcs(const Array<double>& deviations, double tolerance) {
   const int count = deviations.count();
   Array<int> parts;
   parts.assign(deviations.size(), 1);
-  Array<int> order;
-  order.assign(deviations.size(), 0);
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](int a, int b) { return deviations[a] > deviations[b]; });
+  const Array<int> order =
+      sortedNumbers(count, [&](int a, int b) { return deviations[a] > deviations[b]; });
   int room = kMostFittingArcs - count;
   for (const int j : order) {
     if (deviations[j] <= tolerance) break;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "distance/window_distance.h"
+#include "mesh/sorted_numbers.h"
 
 namespace karcher {
 namespace {
@@ -12,8 +13,7 @@ void writeLengths(const Geometry& geometry, const WindowDistance& distance,
                   const Array<SurfacePoint>& points, Array<double>& lengths) {
   Array<const SourceImage*> images;
   for (const SourceImage& image : distance.images()) images.push_back(&image);
-  std::sort(images.begin(), images.end(),
-            [](const SourceImage* a, const SourceImage* b) { return a->face < b->face; });
+  sortItems(images, [](const SourceImage* a, const SourceImage* b) { return a->face < b->face; });
   for (int i = 0; i < points.count(); ++i) {
     const int face = points[i].face;
     const Vec2 place = pointInFace(geometry, points[i]);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "mesh/sorted_numbers.h"
+
 namespace karcher {
 namespace {
 
@@ -94,7 +96,7 @@ bool isBefore(const Window& a, const Window& b) {
 void sortByPlace(Array<Window>& windows) {
   constexpr int kFew = 16;
   if (windows.count() > kFew) {
-    std::sort(windows.begin(), windows.end(), isBefore);
+    sortItems(windows, isBefore);
     return;
   }
   for (int i = 1; i < windows.count(); ++i) {

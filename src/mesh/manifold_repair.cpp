@@ -8,6 +8,7 @@
 #include "mesh/edges.h"
 #include "mesh/error.h"
 #include "mesh/rounding.h"
+#include "mesh/sorted_numbers.h"
 
 namespace karcher {
 namespace {
@@ -212,9 +213,8 @@ class ManifoldRepair {
   }
 
   void sortByFile(Array<int>& halfedges) const {
-    const auto place = [&](int h) { return std::pair(numbering_.inputFace[faceOf(h)], h); };
-    std::sort(halfedges.begin(), halfedges.end(),
-              [&](int g, int h) { return place(g) < place(h); });
+    const auto place = [&](int h) { return numbering_.inputFace[faceOf(h)]; };
+    sortNumbers(halfedges, [&](int g, int h) { return place(g) < place(h); });
   }
 
   /// The half-edge that leaves the tail of h at the boundary, clockwise; h where there is none.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mesh/disjoint_sets.h"
+#include "mesh/sorted_numbers.h"
 
 namespace karcher {
 namespace {
@@ -116,7 +117,7 @@ class Builder {
     Array<DrawnPiece>& pieces = pieces_;
     pieces = face.pieces;
     const auto ends = [](const DrawnPiece& piece) { return std::minmax(piece.from, piece.to); };
-    std::stable_sort(pieces.begin(), pieces.end(), [&](const DrawnPiece& a, const DrawnPiece& b) {
+    sortItems(pieces, [&](const DrawnPiece& a, const DrawnPiece& b) {
       return std::pair<int, int>(ends(a)) < std::pair<int, int>(ends(b));
     });
     std::pair<int, int> last(-1, -1);
@@ -145,7 +146,7 @@ class Builder {
       const bool isUpper = way.y() > 0 || (way.y() == 0 && way.x() > 0);
       leaving.push_back({all_.tail[h], isSide ? -1 : onSide || isUpper ? 0 : 1, way, h});
     }
-    std::sort(leaving.begin(), leaving.end(), isBefore);
+    sortItems(leaving, isBefore);
     for (int i = 0; i < leaving.count();) {
       int last = i;
       while (last + 1 < leaving.count() && leaving[last + 1].vertex == leaving[i].vertex) ++last;
@@ -277,8 +278,8 @@ class Builder {
   }
 
   void joinCells() {
-    std::stable_sort(all_.uses.begin(), all_.uses.end(),
-                     [](const PathUse& a, const PathUse& b) { return a.halfedge < b.halfedge; });
+    sortItems(all_.uses,
+              [](const PathUse& a, const PathUse& b) { return a.halfedge < b.halfedge; });
     Array<uint8_t> isDrawn(static_cast<size_t>(all_.halfedgeCount()), 0);
     for (const PathUse& use : all_.uses) isDrawn[use.halfedge] = 1;
     DisjointSets sets(all_.pieceCount());

@@ -7,6 +7,7 @@
 
 #include "intrinsic/strip_path.h"
 #include "mesh/error.h"
+#include "mesh/sorted_numbers.h"
 
 namespace karcher {
 namespace {
@@ -203,7 +204,7 @@ class Drawer {
       for (const int vertex : drawing_.edges[edge].vertices) add(vertex);
     }
     for (const int vertex : drawing_.faces[number].vertices) add(vertex);
-    std::sort(all.begin(), all.end(), [](const PlacedVertex& a, const PlacedVertex& b) {
+    sortItems(all, [](const PlacedVertex& a, const PlacedVertex& b) {
       return std::pair(a.place.x(), a.vertex) < std::pair(b.place.x(), b.vertex);
     });
   }
@@ -213,7 +214,7 @@ class Drawer {
     Array<std::pair<int, int>>& ends = ends_;
     ends.clear();
     for (const DrawnPiece& piece : face.pieces) ends.push_back(std::minmax(piece.from, piece.to));
-    std::sort(ends.begin(), ends.end());
+    sortItems(ends, std::less<>());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     lines.clear();
     for (const auto& [a, b] : ends) {
@@ -273,11 +274,8 @@ class Drawer {
     // Lines that are bent anyway are examined again.
     Array<uint8_t> bent(lines.size(), 0);
     for (const LineCut& cut : cuts) bent[cut.line] = 1;
-    Array<int> order(lines.size());
-    for (int i = 0; i < order.count(); ++i) order[i] = i;
-    std::sort(order.begin(), order.end(), [&](int i, int j) {
-      return std::pair(lines[i].left, i) < std::pair(lines[j].left, j);
-    });
+    const Array<int> order =
+        sortedNumbers(lines.count(), [&](int i, int j) { return lines[i].left < lines[j].left; });
     for (int i = 0; i < order.count(); ++i) {
       const Line& one = lines[order[i]];
       if (bent[order[i]] != 0) continue;
@@ -315,7 +313,7 @@ class Drawer {
     cutAtVertices(lines, vertices_, cuts);
     cutAtCrossings(number, lines, vertices_, cuts);
     if (cuts.empty()) return;
-    std::sort(cuts.begin(), cuts.end(), [](const LineCut& a, const LineCut& b) {
+    sortItems(cuts, [](const LineCut& a, const LineCut& b) {
       return std::tuple(a.line, a.along, a.vertex) < std::tuple(b.line, b.along, b.vertex);
     });
     Array<DrawnPiece> whole;

@@ -6,6 +6,7 @@
 #include "mesh/disjoint_sets.h"
 #include "mesh/error.h"
 #include "mesh/rounding.h"
+#include "mesh/sorted_numbers.h"
 
 namespace karcher {
 namespace {
@@ -88,8 +89,7 @@ void chooseSide(const Arrangement& all, const Array<int>& cells, const Array<int
   };
   Array<LabelArea> areas;
   Array<int> order = cells;
-  std::sort(order.begin(), order.end(),
-            [&](int a, int b) { return labels[a] != labels[b] ? labels[a] < labels[b] : a < b; });
+  sortNumbers(order, [&](int a, int b) { return labels[a] < labels[b]; });
   for (const int cell : order) {
     if (areas.empty() || areas.back().label != labels[cell]) areas.push_back({labels[cell], 0});
     areas.back().area += all.cellArea[cell];

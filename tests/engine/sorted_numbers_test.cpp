@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
+#include <utility>
 
 #include "generators/random.h"
 
@@ -25,6 +27,19 @@ TEST(SortedNumbers, AreThoseOfAStableSort) {
     random.shuffle(shuffled);
     sortNumbers(shuffled, isBefore);
     EXPECT_EQ(shuffled, expected);
+  }
+}
+
+TEST(SortedNumbers, ItemsThatAreEqualStayInTheirOrder) {
+  Random random(10);
+  for (const int count : {0, 1, 2, 50, 3000}) {
+    SCOPED_TRACE("seed 10, " + std::to_string(count) + " items");
+    Array<std::pair<int, int>> items;
+    for (int i = 0; i < count; ++i) items.push_back({random.index(20), i});
+    Array<std::pair<int, int>> expected = items;
+    std::sort(expected.begin(), expected.end());
+    sortItems(items, [](const auto& a, const auto& b) { return a.first < b.first; });
+    EXPECT_EQ(items, expected);
   }
 }
 

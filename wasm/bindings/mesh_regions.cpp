@@ -1,6 +1,7 @@
 #include "bindings/mesh_handle.h"
 #include "bindings/path.h"
 #include "curves/offset.h"
+#include "mesh/sorted_numbers.h"
 #include "regions/cut.h"
 #include "regions/region.h"
 
@@ -34,8 +35,7 @@ Inside insideOf(const TriangleMesh& mesh, const Numbering& numbering, const Arra
     inside.share[triangle] = isAll ? Inside::kAll : Inside::kPart;
     if (!isAll) faces.push_back(f);
   }
-  std::stable_sort(faces.begin(), faces.end(),
-                   [&](int a, int b) { return numbering.inputFace[a] < numbering.inputFace[b]; });
+  sortNumbers(faces, [&](int a, int b) { return numbering.inputFace[a] < numbering.inputFace[b]; });
   const auto append = [&](const SurfacePoint& point) {
     inside.sides.push_back(point.bary[1]);
     inside.sides.push_back(point.bary[2]);
