@@ -175,7 +175,13 @@ export interface EngineMesh {
     field: EngineFieldOptions,
   ): EnginePath[];
   /** The side is 1 for the left, -1 for the right, 0 for both. */
-  offset(outlines: Float64Array[], distance: number, side: number): EnginePath[];
+  offset(
+    outlines: Float64Array[],
+    distance: number,
+    side: number,
+    corners: number,
+    miterLimit: number,
+  ): EnginePath[];
   /** Of each shape `counts` has the number of its outlines, `insides` a point, none, or 1 for the left of its first outline, 0 for the right. */
   regions(
     outlines: Float64Array[],

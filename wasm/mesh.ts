@@ -29,6 +29,7 @@ import {
   engineFieldOptions,
   fieldOptionNames,
   isolineOptionNames,
+  cornerShapes,
   offsetOptionNames,
   offsetSides,
   regionOptionNames,
@@ -453,20 +454,25 @@ export class Mesh {
   }
 
   /**
-   * The points at a distance from the nearest of paths, or of their points: corners are round, and what
-   * runs into itself is trimmed. Lines of one side run as the paths do; there may be none, or several.
+   * The points at a distance from the nearest of paths, or of their points: corners are round by default,
+   * and what runs into itself is trimmed. Lines of one side run as the paths do; there may be none, or several.
    * Left of the boundary of a region is its inside. Places keep to the distance within a thousandth of it.
    *
-   * Throws `KarcherError` badArgument for a distance that is not positive, a path without length, and
-   * consecutive points without a face in common.
+   * Throws `KarcherError` badArgument for a distance that is not positive, a path without length,
+   * consecutive points without a face in common, and a `miterLimit` below 1.
    */
   offset(paths: readonly Outline[], options: OffsetOptions): Path[] {
     checkOptions(options, offsetOptionNames);
     const outlines = wireOutlines(paths);
     const distance = checkNumber(options.distance, 'the distance');
     const side = checkOneOf(options.side ?? 'both', offsetSides, 'the side');
+    const shape = checkOneOf(options.corners ?? 'round', cornerShapes, 'the corners');
+    const corners = cornerShapes.indexOf(shape);
+    const miterLimit = checkNumber(options.miterLimit ?? 4, 'the miterLimit');
     return this.#handle
-      .call((mesh) => mesh.offset(outlines, distance, offsetSides.indexOf(side) - 1))
+      .call((mesh) =>
+        mesh.offset(outlines, distance, offsetSides.indexOf(side) - 1, corners, miterLimit),
+      )
       .map((line) => new Path(line));
   }
 

@@ -77,9 +77,17 @@ export const ellipseOptionNames = namesOf<EllipseOptions>({
   radii: true,
   direction: true,
 });
-export const offsetOptionNames = namesOf<OffsetOptions>({ distance: true, side: true });
+export const offsetOptionNames = namesOf<OffsetOptions>({
+  distance: true,
+  side: true,
+  corners: true,
+  miterLimit: true,
+});
 /** As the engine numbers them, from -1. */
 export const offsetSides = ['right', 'both', 'left'] as const;
+
+/** In the order of the engine. */
+export const cornerShapes = ['round', 'miter', 'bevel'] as const;
 
 export const isolineOptionNames = namesOf<IsolineOptions>({
   radius: true,

@@ -194,12 +194,20 @@ export interface CutPart {
   faces: Int32Array;
 }
 
-/** The distance and the sides of an offset. */
+/** The distance, the sides and the corners of an offset. */
 export interface OffsetOptions {
   /** The distance from the paths, in units of the mesh. */
   distance: number;
   /** `both` by default, which goes round the ends of open paths too. */
   side?: 'left' | 'right' | 'both';
+  /**
+   * What becomes of corners on their outer side: `round` (the default), `miter`, where the sides continue
+   * as geodesics until they meet, or `bevel`. Turns of less than 3.6 degrees, and corners whose offset
+   * comes to the boundary of the mesh, are round.
+   */
+  corners?: 'round' | 'miter' | 'bevel';
+  /** How far a mitre may reach from its corner, in distances, as in SVG; beyond it is a bevel. 4 by default. */
+  miterLimit?: number;
 }
 
 /** How shapes are combined into regions. */

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "curves/cornered_offset.h"
 #include "distance/path_distance.h"
 #include "mesh/error.h"
 #include "mesh/rounding.h"
@@ -26,9 +27,6 @@ constexpr double kShortestSide = kLongestSide / 128;
 
 /// The number of steps of a search for the extremum on a side. Each leaves 0.62 of the interval.
 constexpr int kExtremumSteps = 14;
-
-/// The field extends a little beyond the line, so that chords outside of it are measured, too.
-constexpr double kBeyond = 1.1;
 
 /// The most halvings of a chord that deviates from the distance.
 constexpr int kMostChordHalvings = 14;
@@ -138,7 +136,7 @@ class OffsetTracer {
       if (lengths[k] > lengths[longest]) longest = k;
     }
     // Beyond the limit of the field, distances are at least the limit.
-    const double atMiddle = std::min(field_.at(face, middle).value, kBeyond * distance_);
+    const double atMiddle = std::min(field_.at(face, middle).value, kOffsetReach * distance_);
     if (std::abs(atMiddle - distance_) > radius * (1 + 1e-9)) return;
     int halved = lengths[longest] > kLongestSide * distance_ ? longest : -1;
     if (halved < 0) {
@@ -241,8 +239,8 @@ class OffsetTracer {
     const bool nearer = isNearer(a.distance);
     if (nearer != isNearer(b.distance) || length <= kShortestSide * distance_) return false;
     // Distances of two points differ by at most the length of the way between them.
-    const double known = std::min(a.distance, kBeyond * distance_) +
-                         std::min(b.distance, kBeyond * distance_) - 2 * distance_;
+    const double known = std::min(a.distance, kOffsetReach * distance_) +
+                         std::min(b.distance, kOffsetReach * distance_) - 2 * distance_;
     if (std::abs(known) > length) return false;
     const Side side = sideBetween(face, a, b);
     const double golden = std::numbers::phi - 1;
@@ -368,59 +366,76 @@ Array<SurfacePoint> pointsOf(const Array<LinePoint>& line) {
   return points;
 }
 
-/// Appends the parts of a line that come from one side.
-void appendSide(const TriangleMesh& mesh, const OffsetTracer& tracer, Array<LinePoint> line,
-                bool closed, SideOfPath side, Array<Isoline>& lines) {
-  const auto isOfSide = [&](const LinePoint& point) { return point.side == side; };
-  const auto other = std::find_if_not(line.begin(), line.end(), isOfSide);
-  if (other == line.end()) {
-    lines.push_back(isolineOf(mesh, pointsOf(line), closed));
+/// The parts of a line between changes of the side.
+void appendRuns(const OffsetTracer& tracer, Array<LinePoint> line, bool closed,
+                Array<OffsetRun>& runs) {
+  const auto changes = [](const LinePoint& a, const LinePoint& b) { return a.side != b.side; };
+  const auto change = std::adjacent_find(line.begin(), line.end(), changes);
+  if (change == line.end()) {
+    runs.push_back({pointsOf(line), line.front().side, closed});
     return;
   }
-  // A closed line that is divided begins at a point of the other side.
+  // A closed line that is divided begins at a change.
   if (closed) {
     line.pop_back();
-    std::rotate(line.begin(), other, line.end());
+    std::rotate(line.begin(), change + 1, line.end());
     line.push_back(line.front());
   }
-  Array<SurfacePoint> part;
-  for (int i = 0; i < line.count(); ++i) {
-    const bool isHere = isOfSide(line[i]);
-    const bool wasHere = i > 0 && isOfSide(line[i - 1]);
-    if (isHere && i > 0 && !wasHere) {
-      part.push_back(tracer.changeBetween(line[i], line[i - 1]).point);
+  OffsetRun run{{}, line.front().side, false};
+  if (closed) run.points.push_back(tracer.changeBetween(line[0], line[line.count() - 2]).point);
+  run.points.push_back(line.front().point);
+  for (int i = 1; i < line.count(); ++i) {
+    const LinePoint& here = line[i];
+    if (changes(line[i - 1], here)) {
+      run.points.push_back(tracer.changeBetween(line[i - 1], here).point);
+      runs.push_back(std::move(run));
+      if (closed && i + 1 == line.count()) return;
+      run = {{tracer.changeBetween(here, line[i - 1]).point}, here.side, false};
     }
-    if (isHere) part.push_back(line[i].point);
-    if (wasHere && !isHere) part.push_back(tracer.changeBetween(line[i - 1], line[i]).point);
-    if (!part.empty() && (!isHere || i + 1 == line.count())) {
-      if (part.count() > 1) lines.push_back(isolineOf(mesh, std::move(part), false));
-      part = {};
-    }
+    run.points.push_back(here.point);
   }
+  runs.push_back(std::move(run));
 }
 
 }  // namespace
 
+Array<OffsetRun> offsetRuns(const Geometry& geometry, const PathDistance& field, double distance) {
+  OffsetTracer tracer(geometry, field, distance);
+  tracer.trace();
+  Array<OffsetRun> runs;
+  for (Array<LinePoint>& line : tracer.lines()) {
+    const bool closed = samePlace(*geometry.mesh, line.front().point, line.back().point);
+    appendRuns(tracer, std::move(line), closed, runs);
+  }
+  return runs;
+}
+
 Array<Isoline> offsetLines(const Geometry& geometry, std::span<const SurfacePath> paths,
-                           double distance, OffsetSide side) {
+                           double distance, OffsetSide side, const OffsetCorners& corners) {
   if (!(distance > 0) || !std::isfinite(distance)) {
     throw Error(ErrorCode::kBadArgument, "the distance of an offset must be a positive number");
   }
-  const PathDistance field(geometry, paths, kBeyond * distance);
-  OffsetTracer tracer(geometry, field, distance);
-  tracer.trace();
+  if (corners.shape != CornerShape::kRound) {
+    return corneredOffset(geometry, paths, distance, side, corners);
+  }
+  const PathDistance field(geometry, paths, kOffsetReach * distance);
   const TriangleMesh& mesh = *geometry.mesh;
   Array<Isoline> lines;
-  for (Array<LinePoint>& line : tracer.lines()) {
-    const bool closed = samePlace(mesh, line.front().point, line.back().point);
-    if (side == OffsetSide::kBoth) {
+  if (side == OffsetSide::kBoth) {
+    OffsetTracer tracer(geometry, field, distance);
+    tracer.trace();
+    for (const Array<LinePoint>& line : tracer.lines()) {
+      const bool closed = samePlace(mesh, line.front().point, line.back().point);
       lines.push_back(isolineOf(mesh, pointsOf(line), closed));
-    } else if (side == OffsetSide::kRight) {
-      appendSide(mesh, tracer, std::move(line), closed, SideOfPath::kRight, lines);
-    } else {
-      std::reverse(line.begin(), line.end());
-      appendSide(mesh, tracer, std::move(line), closed, SideOfPath::kLeft, lines);
     }
+    return lines;
+  }
+  const bool isLeft = side == OffsetSide::kLeft;
+  for (OffsetRun& run : offsetRuns(geometry, field, distance)) {
+    if (run.side != (isLeft ? SideOfPath::kLeft : SideOfPath::kRight)) continue;
+    if (run.points.count() < 2) continue;
+    if (isLeft) std::reverse(run.points.begin(), run.points.end());
+    lines.push_back(isolineOf(mesh, std::move(run.points), run.isClosed));
   }
   return lines;
 }

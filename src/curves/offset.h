@@ -9,6 +9,16 @@ namespace karcher {
 
 enum class OffsetSide { kLeft, kRight, kBoth };
 
+enum class CornerShape { kRound, kMiter, kBevel };
+
+/// What becomes of corners of the paths, on their outer side.
+struct OffsetCorners {
+  CornerShape shape = CornerShape::kRound;
+  /// The most that the tip of a mitre may be away from its corner, in distances of the offset, as
+  /// in SVG. Corners beyond are bevelled.
+  double miterLimit = 4;
+};
+
 /// The points at one distance from paths: isolines of the exact distance (path_distance.h), whose
 /// corners are round and which do not intersect themselves. On one side, these are points whose
 /// shortest connection arrives from there; on both, also those around the ends of open paths. Lines
@@ -19,10 +29,13 @@ enum class OffsetSide { kLeft, kRight, kBoth };
 /// the distance up to rounding, and chords stay within kOffsetTolerance of it. Features narrower
 /// than a twelfth of the distance may be missed.
 ///
+/// Corners that are not round are made as cornered_offset.h says.
+///
 /// Throws Error kBadArgument (distance not positive and finite, a path without length, points
-/// without a face in common, or more than kMostOffsetPieces pieces of faces).
+/// without a face in common, a limit of mitres below 1, more than kMostOffsetPieces pieces of
+/// faces, or more corners that are not round than there is room for).
 Array<Isoline> offsetLines(const Geometry& geometry, std::span<const SurfacePath> paths,
-                           double distance, OffsetSide side);
+                           double distance, OffsetSide side, const OffsetCorners& corners = {});
 inline constexpr double kOffsetTolerance = 5e-4;
 inline constexpr int64_t kMostOffsetPieces = 20'000'000;
 

@@ -251,7 +251,7 @@ PathDistance::Distance PathDistance::at(int face, const Vec2& place) const {
 
 PathDistance::Distance PathDistance::at(const SurfacePoint& point) const {
   Distance best;
-  for (const Corner& corner : fanOf(point).corners) {
+  for (const PointFan::Corner& corner : fanAt(geometry_, point).corners) {
     const Distance here = at(corner.face, corner.middle);
     if (here.value < best.value) best = here;
   }

@@ -5,6 +5,7 @@
 
 #include "distance/window.h"
 #include "intrinsic/geometry.h"
+#include "intrinsic/point_fan.h"
 #include "intrinsic/surface_path.h"
 
 /// Exact geodesic distances from paths, up to a limit.
@@ -20,6 +21,11 @@ namespace karcher {
 
 /// The side of a path from which a shortest connection arrives; kEnd around an end of it.
 enum class SideOfPath : int8_t { kLeft = 1, kRight = -1, kEnd = 0 };
+
+/// The points of the path of this number without those that are the point before up to rounding,
+/// where directions would have no digits. Throws Error kBadArgument if it has no length, or if
+/// consecutive points have no face in common.
+Array<SurfacePoint> pointsApart(const Geometry& geometry, const SurfacePath& path, int number);
 
 class PathDistance {
  public:
@@ -80,28 +86,11 @@ class PathDistance {
     bool isOnPath = false;
   };
 
-  /// A part of a fan around a point: its angles in a face, and the angle in the face's frame at
-  /// which it begins.
-  struct Corner {
-    int face;
-    double begin;
-    double end;
-    double inFrame;
-    Vec2 middle;  ///< in the face's frame
-  };
-  struct Fan {
-    Array<Corner> corners;
-    double total = 0;
-    bool isRound = true;
-  };
-
   void leavePath(const SurfacePath& path, int number);
   void leavePiece(int face, const Vec2& from, const Vec2& to);
   void leaveFront(int face, const Vec2& from, const Vec2& to, SideOfPath side);
   void leaveTurn(const SurfacePoint& point, const SurfacePoint* before, const SurfacePoint* after);
-  Fan fanOf(const SurfacePoint& point) const;
-  double directionIn(const Fan& fan, const SurfacePoint& point, const SurfacePoint& towards) const;
-  void leaveFan(const Fan& fan, double from, double to, double offset, SideOfPath side);
+  void leaveFan(const PointFan& fan, double from, double to, double offset, SideOfPath side);
   void leaveCorner(int face, const Vec2& middle, double from, double to, double offset,
                    SideOfPath side);
   void leaveVertex(int vertex);

@@ -20,27 +20,32 @@ Vec2 leftOf(const Vec2& v) { return {-v.y(), v.x()}; }
 
 }  // namespace
 
-void PathDistance::leavePath(const SurfacePath& path, int number) {
+Array<SurfacePoint> pointsApart(const Geometry& geometry, const SurfacePath& path, int number) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  const Array<SurfacePoint>& points = path.points;
   const auto refusePath = [&](const std::string& why) {
     throw Error(ErrorCode::kBadArgument, "path " + std::to_string(number) + " " + why);
   };
-  const Array<SurfacePoint>& given = path.points;
-  // Without the points that are the point before up to rounding, where directions have no digits.
-  Array<SurfacePoint> points;
-  for (int i = 0; i < given.count(); ++i) {
-    if (i > 0 && !haveCommonFace(mesh_, given[i - 1], given[i])) {
+  Array<SurfacePoint> apart;
+  for (int i = 0; i < points.count(); ++i) {
+    if (i > 0 && !haveCommonFace(mesh, points[i - 1], points[i])) {
       refusePath("has points " + std::to_string(i - 1) + " and " + std::to_string(i) +
                  " that have no face in common");
     }
     // Only a point that was left out may have the face to the next one.
-    if (i > 0 && !haveCommonFace(mesh_, points.back(), given[i])) points.push_back(given[i - 1]);
-    if (points.empty() || (position(mesh_, points.back()) - position(mesh_, given[i])).norm() >
-                              kLocalRounding * geometry_.meanEdge) {
-      points.push_back(given[i]);
+    if (i > 0 && !haveCommonFace(mesh, apart.back(), points[i])) apart.push_back(points[i - 1]);
+    if (apart.empty() || (position(mesh, apart.back()) - position(mesh, points[i])).norm() >
+                             kLocalRounding * geometry.meanEdge) {
+      apart.push_back(points[i]);
     }
   }
+  if (apart.count() < 2) refusePath("has no length");
+  return apart;
+}
+
+void PathDistance::leavePath(const SurfacePath& path, int number) {
+  const Array<SurfacePoint> points = pointsApart(geometry_, path, number);
   const int count = points.count();
-  if (count < 2) refusePath("has no length");
   const bool isClosed = samePlace(mesh_, points.front(), points.back());
   for (int i = 0; i + 1 < count; ++i) {
     const int face = commonFace(mesh_, points[i], points[i + 1]);
@@ -115,53 +120,11 @@ void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, SideOf
   }
 }
 
-/// The angles around a point.
-PathDistance::Fan PathDistance::fanOf(const SurfacePoint& point) const {
-  Fan fan;
-  const PointLocation location = locate(mesh_, point);
-  const auto add = [&](int face, double begin, double width, double inFrame) {
-    const Vec2 middle = pointInFace(geometry_, inFace(mesh_, point, face));
-    fan.corners.push_back({face, begin, begin + width, inFrame, middle});
-    fan.total = begin + width;
-  };
-  if (location.simplex == Simplex::kFace) {
-    add(point.face, 0, 2 * kPi, 0);
-  } else if (location.simplex == Simplex::kEdge) {
-    const int h = location.halfedge;
-    add(faceOf(h), 0, kPi, angleOf(halfedgeInFace(geometry_, h)));
-    const int t = mesh_.twin[h];
-    if (t >= 0) add(faceOf(t), kPi, kPi, angleOf(halfedgeInFace(geometry_, t)));
-    fan.isRound = t >= 0;
-  } else {
-    for (const int h : outgoingHalfedges(mesh_, location.vertex)) {
-      add(faceOf(h), geometry_.cumulatedAngle[h], geometry_.cornerAngle[h],
-          angleOf(halfedgeInFace(geometry_, h)));
-    }
-    fan.isRound = !mesh_.onBoundary[location.vertex];
-  }
-  return fan;
-}
-
-/// The direction in a fan of a point that shares a face with the fan's center.
-double PathDistance::directionIn(const Fan& fan, const SurfacePoint& point,
-                                 const SurfacePoint& towards) const {
-  const int face = commonFace(mesh_, point, towards);
-  for (const Corner& corner : fan.corners) {
-    if (corner.face != face) continue;
-    const Vec2 way = pointInFace(geometry_, inFace(mesh_, towards, face)) - corner.middle;
-    const double width = corner.end - corner.begin;
-    double angle = std::remainder(angleOf(way) - corner.inFrame - width / 2, 2 * kPi);
-    angle += width / 2;
-    return corner.begin + angle;
-  }
-  throw Error(ErrorCode::kBadArgument, "a path has a point in no face");
-}
-
 /// Sends out the fans of a point where a path turns or ends: the directions between the
 /// perpendiculars to its pieces there.
 void PathDistance::leaveTurn(const SurfacePoint& point, const SurfacePoint* before,
                              const SurfacePoint* after) {
-  const Fan fan = fanOf(point);
+  const PointFan fan = fanAt(geometry_, point);
   const double right = kPi / 2;
   // Adjacent windows of one front are off each other by rounding. The windows beside such a gap
   // find paths through it, with an error of second order.
@@ -180,13 +143,13 @@ void PathDistance::leaveTurn(const SurfacePoint& point, const SurfacePoint* befo
     }
   };
   if (before != nullptr && after != nullptr) {
-    const double back = directionIn(fan, point, *before);
-    const double ahead = directionIn(fan, point, *after);
+    const double back = angleTowards(geometry_, fan, point, *before);
+    const double ahead = angleTowards(geometry_, fan, point, *after);
     leaveBetween(ahead, back, SideOfPath::kLeft);
     leaveBetween(back, ahead, SideOfPath::kRight);
     return;
   }
-  const double only = directionIn(fan, point, after != nullptr ? *after : *before);
+  const double only = angleTowards(geometry_, fan, point, after != nullptr ? *after : *before);
   if (fan.isRound) {
     leave(only + right, only + fan.total - right, SideOfPath::kEnd);
     return;
@@ -196,9 +159,9 @@ void PathDistance::leaveTurn(const SurfacePoint& point, const SurfacePoint* befo
   leave(-kInfinity, only - right, after != nullptr ? SideOfPath::kRight : SideOfPath::kLeft);
 }
 
-void PathDistance::leaveFan(const Fan& fan, double from, double to, double offset,
+void PathDistance::leaveFan(const PointFan& fan, double from, double to, double offset,
                             SideOfPath side) {
-  for (const Corner& corner : fan.corners) {
+  for (const PointFan::Corner& corner : fan.corners) {
     for (const int turn : {-1, 0, 1}) {
       if (turn != 0 && !fan.isRound) continue;
       const double begin = std::max(from + turn * fan.total, corner.begin);
@@ -258,7 +221,7 @@ void PathDistance::leaveCorner(int face, const Vec2& middle, double from, double
 
 void PathDistance::leaveVertex(int vertex) {
   const VertexArrival arrival = arrivals_[vertex];
-  const Fan fan = fanOf(vertexPoint(mesh_, vertex));
+  const PointFan fan = fanAt(geometry_, vertexPoint(mesh_, vertex));
   const double from = arrival.back + kPi - kChainRounding;
   if (fan.isRound) {
     leaveFan(fan, from, arrival.back + fan.total - kPi + kChainRounding, arrival.distance,

@@ -333,6 +333,45 @@ double lengthOf(const Geometry& geometry, const Arrangement& arrangement, int h)
   return inFrame(geometry, f, way).norm();
 }
 
+Array<SurfacePoint> pointsInside(const Geometry& geometry, const Arrangement& all) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  Array<int> largest(static_cast<size_t>(all.cellCount()), -1);
+  for (int p = 0; p < all.pieceCount(); ++p) {
+    int& best = largest[all.cellOfPiece[p]];
+    if (best < 0 || all.pieceArea[p] > all.pieceArea[best]) best = p;
+  }
+  Array<SurfacePoint> points;
+  for (const int piece : largest) {
+    const int f = all.faceOfPiece[piece];
+    const auto place = [&](int vertex) {
+      return inFrame(geometry, f, placeIn(mesh, all.added, f, vertex));
+    };
+    int longest = -1;
+    for (int h = all.firstOfFace[f]; h < all.firstOfFace[f + 1]; ++h) {
+      if (all.piece[h] != piece) continue;
+      if (longest < 0 || lengthOf(geometry, all, h) > lengthOf(geometry, all, longest)) longest = h;
+    }
+    // Half of the way from the middle of its longest side to the next one.
+    const Vec2 from = place(all.tail[longest]);
+    const Vec2 way = place(all.head(longest)) - from;
+    const Vec2 middle = from + way / 2;
+    const Vec2 inwards(-way.y(), way.x());
+    double least = kInfinity;
+    for (int h = all.firstOfFace[f]; h < all.firstOfFace[f + 1]; ++h) {
+      if (all.piece[h] != piece || h == longest || h == all.twin[longest]) continue;
+      const Vec2 a = place(all.tail[h]) - middle;
+      const Vec2 side = place(all.head(h)) - middle - a;
+      const double across = cross(inwards, side);
+      const double t = cross(a, inwards) / across;
+      const double s = cross(a, side) / across;
+      if (across != 0 && t >= 0 && t <= 1 && s > 0) least = std::min(least, s);
+    }
+    const Vec2 inside = middle + (least < kInfinity ? least / 2 : 0) * inwards;
+    points.push_back(clampedPoint(f, barycentric(geometry, f, inside)));
+  }
+  return points;
+}
+
 int pieceHolding(const TriangleMesh& mesh, const Arrangement& arrangement,
                  const SurfacePoint& point) {
   const int f = point.face;

@@ -66,6 +66,9 @@ inline Vec2 inFrame(const Geometry& geometry, int face, const Vec2& way) {
 /// The length of a half-edge.
 double lengthOf(const Geometry& geometry, const Arrangement& arrangement, int h);
 
+/// A point inside each cell, away from its border: in the largest of its pieces.
+Array<SurfacePoint> pointsInside(const Geometry& geometry, const Arrangement& arrangement);
+
 /// The piece that holds a point. On a line it is the piece of one side.
 int pieceHolding(const TriangleMesh& mesh, const Arrangement& arrangement,
                  const SurfacePoint& point);

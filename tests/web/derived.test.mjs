@@ -83,6 +83,45 @@ describe('objects made of others', () => {
     await tab.close();
   });
 
+  test('corners of an offset are round, mitred or bevelled; a step back, a link and a file know which', async () => {
+    const tab = await Tab.open(browser, 'mesh=plane:fair:400&kind=polyline');
+    const { x, y } = await tab.middle();
+    for (const [dx, dy] of [
+      [-60, -60],
+      [60, -60],
+      [60, 60],
+      [-60, 60],
+      [-60, -60],
+    ]) {
+      await tab.page.mouse.click(x + dx, y + dy);
+    }
+    await tab.settled();
+    await maker(tab, 'Offset').click();
+    await tab.settled();
+    const length = async () => (await tab.view()).isolines.length;
+    const corners = async (name) => {
+      await tab.page.locator('#offset-corners').getByText(name, { exact: true }).click();
+      await tab.settled();
+      return length();
+    };
+    const round = await length();
+    const distance = Number(await tab.page.locator('#offset-distance').inputValue());
+    const sides = round - 2 * Math.PI * distance;
+    const before = JSON.stringify(await drawingOf(tab));
+    near(await corners('Bevelled'), sides + 4 * Math.SQRT2 * distance, 1e-3, 'bevelled');
+    near(await corners('Mitred'), sides + 8 * distance, 1e-3, 'mitred');
+    assert.equal((await drawingOf(tab)).objects.at(-1).figure.derived.offset.corners, 'miter');
+    const saved = await tab.save(/^JSON the whole/);
+    assert.ok(fitsFile(JSON.parse(saved.text)), JSON.stringify(fitsFile.errors));
+    await tab.pastSaving();
+    const other = await Tab.open(browser, tab.page.url().split('#')[1]);
+    near((await other.view()).isolines.length, sides + 8 * distance, 1e-3, 'of the link');
+    await other.close();
+    near(await corners('Round'), round, 1e-9, 'round again');
+    assert.equal(JSON.stringify(await drawingOf(tab)), before);
+    await tab.close();
+  });
+
   test('each step is undone and done again; a reload, a link and a file have the same', async () => {
     const { tab } = await withCircle();
     const bare = JSON.stringify(await drawingOf(tab));

@@ -159,14 +159,16 @@ val MeshHandle::cut(const val& outlines) const {
   return result;
 }
 
-val MeshHandle::offset(const val& outlines, double distance, int side) const {
+val MeshHandle::offset(const val& outlines, double distance, int side, int corners,
+                       double miterLimit) const {
   const Array<SurfacePath> paths = pathsFromJs(numbering_, mesh(), outlines);
   const OffsetSide which = side > 0   ? OffsetSide::kLeft
                            : side < 0 ? OffsetSide::kRight
                                       : OffsetSide::kBoth;
   val list = val::array();
   int count = 0;
-  for (const Isoline& line : offsetLines(geometry(), paths, distance, which)) {
+  const OffsetCorners how{static_cast<CornerShape>(corners), miterLimit};
+  for (const Isoline& line : offsetLines(geometry(), paths, distance, which, how)) {
     list.set(count++, pathToJs(numbering_, mesh(), line.points, line.length, line.closed));
   }
   return list;

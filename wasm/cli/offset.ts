@@ -8,7 +8,7 @@ export const offset: Command = {
   call: 'mesh.offset(paths, options)',
   summary: 'lines at a distance from curves, on one side or on both',
   output:
-    '{lines: [{closed, length, polyline: [[x, y, z], …]}, …]}: the points whose exact distance from the nearest curve it is; corners are round, and what runs into itself is trimmed',
+    '{lines: [{closed, length, polyline: [[x, y, z], …]}, …]}: the points whose exact distance from the nearest curve it is; what runs into itself is trimmed',
   options: [
     ...outlineOptions,
     { name: 'distance', value: 'D', help: 'in units of the mesh', required: true },
@@ -18,12 +18,26 @@ export const offset: Command = {
       help: 'seen along the curves; both goes round the ends of open ones too',
       default: 'both',
     },
+    {
+      name: 'corners',
+      value: 'round|miter|bevel',
+      help: 'what becomes of corners on their outer side',
+      default: 'round',
+    },
+    {
+      name: 'miter-limit',
+      value: 'L',
+      help: 'how far a mitre may reach from its corner, in distances; beyond it is a bevel',
+      default: '4',
+    },
     formatOption,
   ],
   async run(args) {
     const distance = args.number('distance');
     const side = args.choice<'both' | 'left' | 'right'>('side');
+    const corners = args.choice<'round' | 'miter' | 'bevel'>('corners');
+    const miterLimit = args.number('miter-limit');
     const { mesh, outlines } = await readOutlines(args);
-    return linesResult(mesh.offset(outlines, { distance, side }));
+    return linesResult(mesh.offset(outlines, { distance, side, corners, miterLimit }));
   },
 };

@@ -12,6 +12,16 @@ export type DerivedKind = BooleanKind | 'offset' | 'cut';
 export const offsetSides = ['outwards', 'inwards', 'both'] as const;
 export type OffsetSide = (typeof offsetSides)[number];
 
+/** What becomes of corners on their outer side; round ones are not told. */
+export const cornerShapes = ['round', 'miter', 'bevel'] as const;
+export type CornerShape = (typeof cornerShapes)[number];
+
+export interface Offset {
+  readonly distance: number;
+  readonly side: OffsetSide;
+  readonly corners?: CornerShape | undefined;
+}
+
 /** What is done with a part of a cut surface: what is hidden is still saved with all parts. */
 export type PartState = 'hidden' | 'deleted';
 
@@ -24,8 +34,8 @@ export interface PartChoice {
 export interface Derived {
   /** The ids of the objects that it is made of, in order: a difference is the first without the others. */
   readonly sources: readonly number[];
-  /** The distance and side of an offset. */
-  readonly offset?: { readonly distance: number; readonly side: OffsetSide };
+  /** The distance, side and corners of an offset. */
+  readonly offset?: Offset;
   /** The parts of a cut that are not kept as they are. */
   readonly parts?: readonly PartChoice[];
   /** The thickness that the parts of a cut get when they are saved; 0 leaves them surfaces. */
@@ -34,6 +44,13 @@ export interface Derived {
 
 export const mostSources = 200;
 export const mostParts = 1000;
+
+/** An offset with corners of a shape. */
+export const withCorners = ({ distance, side }: Offset, corners: CornerShape): Offset => ({
+  distance,
+  side,
+  ...(corners !== 'round' && { corners }),
+});
 
 export const isBoolean = (kind: string): kind is BooleanKind =>
   (booleans as readonly string[]).includes(kind);

@@ -1,5 +1,13 @@
 /** What a link says of figures that are made of other ones. */
-import { type Derived, mostParts, mostSources, offsetSides, type PartChoice } from './derived';
+import {
+  cornerShapes,
+  type Derived,
+  mostParts,
+  mostSources,
+  offsetSides,
+  type PartChoice,
+  withCorners,
+} from './derived';
 import type { Kind } from './figure';
 import { formatPoint, parsePoint } from './link_numbers';
 
@@ -12,6 +20,7 @@ export function derivedFields(
   return [
     `of=${sources.map(numberOf)}`,
     ...(offset ? [`distance=${offset.distance}`, `side=${offset.side}`] : []),
+    ...(offset?.corners ? [`corners=${offset.corners}`] : []),
     ...(choices.length > 0 ? [`parts=${choices.join(';')}`] : []),
     ...(thickness > 0 ? [`thickness=${thickness}`] : []),
   ];
@@ -29,7 +38,10 @@ export function parseDerived(kind: Kind, fields: URLSearchParams): Derived {
     const side = offsetSides.find((one) => one === fields.get('side')) ?? 'outwards';
     // Without a distance it is nothing.
     const distance = positive('distance');
-    return distance ? { sources, offset: { distance, side } } : { sources: [] };
+    const corners = cornerShapes.find((one) => one === fields.get('corners')) ?? 'round';
+    return distance
+      ? { sources, offset: withCorners({ distance, side }, corners) }
+      : { sources: [] };
   }
   if (kind !== 'cut') return { sources };
   const told = (fields.get('parts') ?? '').split(';').slice(0, mostParts);

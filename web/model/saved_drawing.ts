@@ -16,12 +16,14 @@ import {
 } from './drawing';
 import type { Tangent, Tangents } from './figure';
 import {
+  cornerShapes,
   type Derived,
   isDerived,
   mostParts,
   mostSources,
   offsetSides,
   type PartChoice,
+  withCorners,
 } from './derived';
 import {
   type Across,
@@ -165,13 +167,16 @@ function readDerived(value: unknown, kind: Kind, of: string): Derived {
     ),
   };
   if (kind === 'offset') {
-    const { distance, side } = record(offset, `the offset of ${of}`);
+    const { distance, side, corners = 'round' } = record(offset, `the offset of ${of}`);
     return {
       ...told,
-      offset: {
-        distance: number(distance, Number.MIN_VALUE, Infinity, `the distance of ${of}`),
-        side: oneOf(side, offsetSides, `the side of ${of}`),
-      },
+      offset: withCorners(
+        {
+          distance: number(distance, Number.MIN_VALUE, Infinity, `the distance of ${of}`),
+          side: oneOf(side, offsetSides, `the side of ${of}`),
+        },
+        oneOf(corners, cornerShapes, `the corners of ${of}`),
+      ),
     };
   }
   if (kind !== 'cut') return told;

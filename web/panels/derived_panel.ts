@@ -12,10 +12,14 @@ import {
 import type { Command } from '../model/commands';
 import {
   booleans,
+  type CornerShape,
+  cornerShapes,
   type DerivedKind,
   isBoolean,
+  type Offset,
   type OffsetSide,
   offsetSides,
+  withCorners,
 } from '../model/derived';
 import { objectOf } from '../model/drawing';
 import type { Unit } from '../model/units';
@@ -33,6 +37,12 @@ const sideNames: Record<OffsetSide, string> = {
   both: 'Both sides',
 };
 
+const cornerNames: Record<CornerShape, string> = {
+  round: 'Round',
+  miter: 'Mitred',
+  bevel: 'Bevelled',
+};
+
 /** What is made of other objects: the buttons that make it, and how it is made. */
 export class DerivedPanel {
   readonly #makers: readonly HTMLButtonElement[];
@@ -40,6 +50,7 @@ export class DerivedPanel {
   readonly #distance: NumberField;
   readonly #input = byId<HTMLInputElement>('offset-distance');
   readonly #sides: readonly HTMLInputElement[];
+  readonly #corners: readonly HTMLInputElement[];
 
   /** `diagonal` is the surface's. */
   constructor(
@@ -61,14 +72,12 @@ export class DerivedPanel {
     });
     byId('makers').append(...this.#makers);
     this.#distance = new NumberField(this.#input, (distance) => this.#remakeOffset({ distance }));
-    this.#sides = offsetSides.map((side) => {
-      const label = make('label');
-      const input = make('input', '', { type: 'radio', name: 'offset-side', value: side });
-      input.addEventListener('change', () => this.#remakeOffset({ side }));
-      label.append(input, make('span', sideNames[side]));
-      byId('offset-side').append(label);
-      return input;
-    });
+    this.#sides = choices('offset-side', offsetSides, sideNames, (side) =>
+      this.#remakeOffset({ side }),
+    );
+    this.#corners = choices('offset-corners', cornerShapes, cornerNames, (corners) =>
+      this.#remakeOffset({ corners }),
+    );
     byId('expand').addEventListener('click', () => void expansion.expand());
   }
 
@@ -110,6 +119,7 @@ export class DerivedPanel {
     byId('offset-settings').hidden = !offset;
     this.#distance.show(offset?.distance ?? null);
     for (const input of this.#sides) input.checked = input.value === offset?.side;
+    for (const input of this.#corners) input.checked = input.value === (offset?.corners ?? 'round');
     const names = sources?.flatMap((id) => {
       const object = objectOf(drawing, id);
       return object ? [nameOf(object)] : [];
@@ -131,11 +141,30 @@ export class DerivedPanel {
     });
   }
 
-  #remakeOffset(part: { distance?: number; side?: OffsetSide }): void {
+  #remakeOffset(part: Partial<Offset>): void {
     const { editor } = this;
     editor.interrupt();
     const { offset } = editor.state.figure.derived ?? {};
     if (!offset || editor.refuses()) return;
-    editor.perform(remaking(editor.state.drawing, { offset: { ...offset, ...part } }));
+    const changed = { ...offset, ...part };
+    const made = withCorners(changed, changed.corners ?? 'round');
+    editor.perform(remaking(editor.state.drawing, { offset: made }));
   }
+}
+
+/** One of several, as radio buttons in an element of that name. */
+function choices<Choice extends string>(
+  name: string,
+  all: readonly Choice[],
+  names: Record<Choice, string>,
+  choose: (choice: Choice) => void,
+): HTMLInputElement[] {
+  return all.map((choice) => {
+    const label = make('label');
+    const input = make('input', '', { type: 'radio', name, value: choice });
+    input.addEventListener('change', () => choose(choice));
+    label.append(input, make('span', names[choice]));
+    byId(name).append(label);
+    return input;
+  });
 }

@@ -15,7 +15,7 @@ import type {
 } from 'karcher';
 import type { FileInfo, WrittenFormat } from 'karcher/formats';
 import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-worker';
-import type { BooleanKind, OffsetSide } from '../model/derived';
+import type { BooleanKind, Offset } from '../model/derived';
 import type { Inside, Vector } from '../model/figure';
 import { type ToldLegs, withDrawnLegs } from '../model/legs';
 import type { MeshBlobs } from '../model/mesh_blobs';
@@ -313,7 +313,7 @@ export class EngineClient {
   /** Lines at a distance from others. */
   offset(
     outlines: readonly Path[],
-    options: { distance: number; side: OffsetSide; inside?: Inside | undefined },
+    options: Offset & { inside?: Inside | undefined },
     fill = false,
   ): Promise<TracedIsolines> {
     const closed = outlines.every((path) => path.closed);

@@ -1,6 +1,6 @@
 /** Lines that are made of other lines: offsets of them, and booleans of what they enclose. */
 import { KarcherError, type Mesh, type Path, type Region, type SurfacePoint } from 'karcher';
-import type { BooleanKind, OffsetSide } from '../model/derived';
+import type { BooleanKind, Offset } from '../model/derived';
 import type { Inside } from '../model/figure';
 import type { Fill } from '../model/traced';
 import { painted } from './fills';
@@ -40,14 +40,15 @@ export function offsetOf(
   {
     distance,
     side,
+    corners = 'round',
     closed,
     inside: sideInside,
-  }: { distance: number; side: OffsetSide; closed: boolean; inside?: Inside | undefined },
+  }: Offset & { closed: boolean; inside?: Inside | undefined },
   fill: boolean,
 ): DerivedLines {
   const from = (closed && side !== 'both' && enclosed(mesh, outlines, sideInside)) || outlines;
   const sides = { inwards: 'left', outwards: 'right', both: 'both' } as const;
-  const paths = mesh.offset(from, { distance, side: sides[side] });
+  const paths = mesh.offset(from, { distance, side: sides[side], corners });
   // The line itself lies in the band round it, and in what is enclosed farther out.
   const inside = side === 'inwards' ? undefined : outlines[0];
   return { paths, fill: fill ? painted(() => outlined(mesh, paths, inside)) : null };
