@@ -42,7 +42,95 @@ const steadiness = () =>
     return onceNamed(name, table);
   });
 
+/** Numbers as running text has them: without the nought before the point, and without noughts behind it. */
+const short = (cell) =>
+  cell.replaceAll(/\d+\.\d+(?!\d*e)/g, (value) => `${Number(value)}`.replace(/^0\./, '.'));
+
+const withoutSuffix = (name) => name.replace(/\.obj$/, '');
+const thousands = (count) => Number(count).toLocaleString('en');
+
+/** How near `auto` comes to level 0 and to the truth, by what a study of 200 or fewer polygons a row printed. */
+const levels = (args) => () =>
+  rowsOf(savedLines('levels', args)).map((row) => {
+    const [name, triangles, spacing, mean, zeros, unsafe, fromZero, , ours, theirs, ms] = row;
+    const median = (cell) => cell.split(' / ')[0];
+    const truth = ours === '-' ? '-' : `${median(ours)}; ${median(theirs)}`;
+    const safe = unsafe.replaceAll(/[\d.]+/g, (value) => `${value} %`);
+    return [
+      ...[name, thousands(triangles), short(spacing), mean, `${zeros.split(' ')[0]} %`, safe],
+      ...[short(fromZero), truth, ms.replace(' /', ';')],
+    ];
+  });
+
+/** Of each mesh and spacing: what the fast solver and the exact one break, and by what. */
+const breaks = () => {
+  const rows = rowsOf(savedLines('breaks', ['--polygons', '20', 'of-files']));
+  const fast = rows.filter(([, , solver]) => solver === 'fast');
+  return fast.map((row, i) => {
+    const exact = rows[rows.indexOf(row) + 1];
+    const both = [3, 4, 5, 6].map((k) => `${short(row[k])} / ${short(exact[k])}`);
+    const isFirst = fast[i - 1]?.[0] !== row[0];
+    return [isFirst ? withoutSuffix(row[0]) : '', short(row[1]), ...both];
+  });
+};
+
+const steps = '--polygons 0 --drags 30 --steps 20 --levels auto,averages,limit torus of-files';
+const roughSteps =
+  '--polygons 0 --drags 20 --steps 20 --rough 4 --levels auto,averages,limit of-files';
+const manyDrags = '--polygons 0 --drags 200 --levels auto torus of-files';
+
+/** What studies of drags printed of each mesh; roughened ones have another name. */
+const dragged = (args) =>
+  meshesOf(savedLines('steadiness', args.split(' '))).map(({ name, triangles, part }) => {
+    const isRough = args.includes('--rough');
+    const rough = `${(triangles / 1e6).toFixed(2)} million rough triangles, 20 drags`;
+    return { name: isRough ? `${name}, ${rough}` : name, rows: rowsOf(part) };
+  });
+
+/** Of each mesh: the median steps of a drag at all spacings, beside the subdivision curve's. */
+const stepCosts = () =>
+  [steps, roughSteps].flatMap(dragged).map(({ name, rows }) => {
+    const of = (variant, column) =>
+      rows
+        .filter((row) => row[1] === variant)
+        .map((row) => short(row[column].replace(' ms', '')))
+        .join(' / ');
+    return [
+      ...[name, of('auto', 0)],
+      ...['auto', 'averages', 'limit'].map((variant) => of(variant, 15)),
+      of('auto', 17),
+    ];
+  });
+
+/** Of each mesh and spacing: the steps that leap, and whether they may. */
+const leaps = () =>
+  [manyDrags, roughSteps].flatMap(dragged).flatMap(({ name, rows }) => {
+    const auto = rows.filter((row) => row[1] === 'auto');
+    const table = auto.map((row) => [0, 4, 7, 6, 9, 10].map((column) => short(row[column])));
+    return onceNamed(name, table);
+  });
+
+const memoryStudies = [
+  ['--memory', '--triangles', '100000'],
+  ['--memory', 'of-files'],
+  ['--memory', '--triangles', '1000000'],
+  ['--memory', '--triangles', '10000000'],
+];
+
+/** What a refined curve takes in and holds, the first and the second on a mesh. */
+const memory = () =>
+  memoryStudies.flatMap((args) => {
+    const rows = rowsOf(savedLines('joints', args));
+    const firsts = rows.filter(([, , curve]) => curve === 'first');
+    return firsts.map((first) => {
+      const second = rows[rows.indexOf(first) + 1];
+      const both = [3, 4, 5].map((k) => `${first[k]} / ${second[k]}`);
+      return [first[0], thousands(first[1]), ...both];
+    });
+  });
+
 const steady = 'docs/steady-curves.md';
+const levelsOf = '| surface | triangles | spacing';
 
 export const quotedTables = [
   { doc: 'docs/gallery.md', head: '| mesh | triangles | worst', rows: printed('gallery') },
@@ -53,6 +141,16 @@ export const quotedTables = [
   },
   { doc: 'docs/everywhere.md', head: '| mesh | spacing | curves', rows: everywhere },
   { doc: steady, head: '| mesh | spacing | levels of `auto`', rows: steadiness },
+  { doc: steady, head: levelsOf, rows: levels([]) },
+  {
+    ...{ doc: steady, head: levelsOf, at: 1 },
+    rows: levels(['--polygons', '30', '--triangles', '300000']),
+  },
+  { doc: steady, head: '| mesh | spacing | bridged', rows: breaks },
+  { doc: steady, head: '| mesh | spacing | `auto`', rows: stepCosts },
+  { doc: steady, head: '| mesh | spacing | a leg passes', rows: leaps },
+  { doc: steady, head: '| mesh | triangles | levels, first', rows: memory },
+  { doc: 'docs/repairs-study.md', head: '| defect | opened', rows: printed('repairs') },
   { doc: steady, head: '| mesh | triangles | curve', rows: printed('joints') },
   {
     ...{ doc: steady, head: '| mesh | triangles | curve', at: 1 },

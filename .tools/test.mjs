@@ -1,8 +1,8 @@
 // `npm test`: sets up, builds everything and runs the tests, always the same ones. With --long it runs also
 // those that are too long for that, and tests take the large numbers of random cases that they keep for
 // KARCHER_LONG=1, but not those of the engine with the sanitizers, which would take hours; saved studies of
-// meshes in files are computed anew with `--meshes FOLDER`, where these are. With names of files of tests/wasm
-// and tests/web it runs only these.
+// meshes in files are computed anew with `--meshes FOLDER`, where these are. With names of files of tests/wasm,
+// tests/paper and tests/web it runs only these.
 import { mkdirSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
@@ -87,11 +87,12 @@ const everything = [
   tests('the page', () => runNode('tests/web', { CHROMIUM_PATH: chromiumPath(), ...longCases })),
 ];
 
-/** The stages of some files of tests/wasm and tests/web alone. */
+/** The stages of some files of tests/wasm, tests/paper and tests/web alone. */
 function stagesOf(files) {
-  const known = [...nodeFiles('tests/wasm'), ...nodeFiles('tests/web')];
+  const known = ['tests/wasm', 'tests/paper', 'tests/web'].flatMap(nodeFiles);
   const unknown = files.find((file) => !known.includes(inRoot(file)));
-  if (unknown) throw new Error(`${unknown} is no file of tests in tests/wasm or tests/web`);
+  if (unknown)
+    throw new Error(`${unknown} is no file of tests in tests/wasm, tests/paper or tests/web`);
   const run = () =>
     runNode(
       'long',
