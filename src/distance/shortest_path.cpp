@@ -139,38 +139,24 @@ SurfacePath shortestPath(const Geometry& geometry, const SurfacePoint& from,
   if (haveCommonFace(mesh, from, to)) return {{from, to}, {0, chord}};
 
   WindowDistance distance(geometry);
+  distance.setSource(from);
   if (end.simplex == Simplex::kVertex) {
-    distance.setSource(from);
     return shortestPathToVertex(geometry, distance, end.vertex);
   }
-  Array<int> faces = {to.face};
-  if (end.simplex == Simplex::kEdge && mesh.twin[end.halfedge] >= 0) {
-    faces.push_back(faceOf(mesh.twin[end.halfedge]));
-  }
-  distance.keepImagesIn(faces);
-  distance.setSource(from);
-  const auto arrivalSoFar = [&] {
-    PointArrival best;
-    for (const int face : faces) {
-      const PointArrival through = distance.arrivalAt(inFace(mesh, to, face));
-      if (isShorter(through, best)) best = through;
-    }
-    return best;
-  };
+  distance.setTarget(to);
   growUntil(geometry, distance, 1.05 * chord, [&] {
-    const double length = arrivalSoFar().arrival.distance;
-    return length <= distance.reached() && length != kInfinity;
+    return distance.targetArrival().arrival.distance <= distance.reached() &&
+           distance.targetArrival().arrival.distance != kInfinity;
   });
-  const PointArrival target = arrivalSoFar();
+  const TargetArrival& target = distance.targetArrival();
   if (target.arrival.distance == kInfinity) throwUnreachable();
 
   Array<SurfacePoint> points{to};
   const double length = target.arrival.distance - target.arrival.pseudoSourceDistance;
-  followBack(geometry, distance,
-             traceStraightest(geometry, inFace(mesh, to, target.face),
-                              length * target.toSource.normalized())
-                 .path,
-             target.arrival, points);
+  followBack(
+      geometry, distance,
+      traceStraightest(geometry, inFace(mesh, to, target.face), length * target.direction).path,
+      target.arrival, points);
   return cleaned(geometry, points, target.arrival.distance);
 }
 

@@ -1,7 +1,6 @@
 #include "distance/source_images.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "mesh/rounding.h"
 
@@ -16,27 +15,6 @@ double lengthFrom(const SourceImage& image, const Vec2& point) {
                        cross(toPoint, image.left) >= -kChainRounding * leg &&
                        (image.right + image.left).dot(toPoint) >= -kChainRounding * leg);
   return isSeen ? image.offset + leg : kInfinity;
-}
-
-bool isShorter(const PointArrival& a, const PointArrival& b) {
-  if (!isTie(a.arrival.distance, b.arrival.distance)) {
-    return a.arrival.distance < b.arrival.distance;
-  }
-  return std::tie(a.via, a.arrival.pseudoSource) < std::tie(b.via, b.arrival.pseudoSource);
-}
-
-PointArrival SourceImages::nearest(const SurfacePoint& point) const {
-  const Vec2 inside = pointInFace(geometry_, point);
-  PointArrival best;
-  for (const SourceImage& image : images_) {
-    if (image.face != point.face) continue;
-    const PointArrival other{{lengthFrom(image, inside), image.offset, image.pseudoSource},
-                             point.face,
-                             image.source - inside,
-                             image.via};
-    if (isShorter(other, best)) best = other;
-  }
-  return best;
 }
 
 void SourceImages::addSource(int face, const SurfacePoint& source) {
@@ -60,7 +38,7 @@ void SourceImages::addWindows(int h, const Array<Window>& windows, double tailDi
     const Vec2 toBegin = Vec2(window.begin, 0) - source;
     images_.push_back({faceOf(h), origin + rotate(along, source), window.offset,
                        window.pseudoSource, rotate(along, toEnd.normalized()),
-                       rotate(along, toBegin.normalized()), false, h});
+                       rotate(along, toBegin.normalized()), false});
   }
 }
 
@@ -70,7 +48,7 @@ void SourceImages::addCorner(int h, double distance, double from, double to) {
   const Vec2 along = halfedgeInFace(geometry_, h) / geometry_.edgeLength[h];
   images_.push_back({faceOf(h), cornerInFace(geometry_, faceOf(h), cornerOf(h)), distance,
                      geometry_.mesh->tail(h), rotate(along, unitVector(std::max(from, 0.0))),
-                     rotate(along, unitVector(std::min(to, geometry_.cornerAngle[h]))), false, h});
+                     rotate(along, unitVector(std::min(to, geometry_.cornerAngle[h]))), false});
 }
 
 }  // namespace karcher

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "distance/arrival.h"
 #include "distance/window.h"
 #include "intrinsic/geometry.h"
 
@@ -22,23 +21,11 @@ struct SourceImage {
   Vec2 right = Vec2(1, 0);
   Vec2 left = Vec2(1, 0);
   bool isFull = false;
-  int via = -1;  ///< the half-edge whose windows or corner have the image
 };
 
 /// The length of the path from an image to a point of its face, given in the face's frame;
 /// kInfinity where the image does not see the point.
 double lengthFrom(const SourceImage& image, const Vec2& point);
-
-/// The end of a shortest path to a point of a face.
-struct PointArrival {
-  Arrival arrival;
-  int face = -1;                 ///< the face through which the path arrives
-  Vec2 toSource = Vec2::Zero();  ///< back along its last straight part, in that face's frame
-  int via = -1;
-};
-
-/// Whether a path is shorter than another; the mesh's numbering decides between equal ones.
-bool isShorter(const PointArrival& a, const PointArrival& b);
 
 /// The images with paths to points at one distance from the source, or to points of given faces.
 class SourceImages {
@@ -60,8 +47,6 @@ class SourceImages {
   bool areKept() const { return distance_ >= 0; }
   void clear() { images_.clear(); }
   const Array<SourceImage>& all() const { return images_; }
-  /// The shortest of the paths to a point through its face, along an image's line.
-  PointArrival nearest(const SurfacePoint& point) const;
 
   /// Adds the source in one of its own faces.
   void addSource(int face, const SurfacePoint& source);

@@ -116,6 +116,7 @@ WindowDistance::WindowDistance(const Geometry& geometry, double tolerance,
       narrowest_(isWide_ ? kStepRounding : kNarrowestWindow),
       midpoints_(geometry),
       queue_(bucketWidth(geometry)),
+      target_(geometry),
       images_(geometry) {
   // Lengths are rounded, too.
   if (geometry.longestEdge > (1 + kChainRounding) * kWidestRange * geometry.shortestEdge) {
@@ -134,6 +135,7 @@ void WindowDistance::setSource(const SurfacePoint& source) {
   queue_.clear();
   pool_.clear();
   windowsLeft_ = static_cast<int64_t>(kMostWindowsPerFace) * mesh_.faceCount();
+  target_.clear();
   images_.clear();
   source_ = source;
   reachedCount_ = 0;
@@ -248,6 +250,7 @@ void WindowDistance::leaveThroughCorner(int vertex, int h, double from, double t
     arriveAlong(mesh_.head(h), geometry_.edgeLength[h], via, geometry_.edgeLength[via]);
   }
   if (to >= angle) arriveAlong(mesh_.opposite(h), geometry_.edgeLength[previous(h)], h, 0);
+  if (target_.liesIn(faceOf(h))) target_.arriveFromCorner(h, vertex, distance);
 
   const int edge = next(h);
   const int t = mesh_.twin[edge];
@@ -357,6 +360,9 @@ void WindowDistance::carryAcross(int h) {
     arriveBent(apexVertex, top, h, apex, batch_[nearest], crossings_[nearest]);
   }
   if (images_.areKept()) images_.addWindows(h, batch_, tail);
+  if (target_.liesIn(faceOf(h))) {
+    for (const Window& window : batch_) target_.arriveThrough(h, window);
+  }
 
   // The way to the right is the mirror image of the way to the left. Unit vectors are normalized,
   // since in a needle the apex is known to rounding of the long edges only.
@@ -479,21 +485,6 @@ bool WindowDistance::isBehindAnother(int h, const Window& window) {
   }
   if (window.end - window.begin > other.end - other.begin) other = window;
   return false;
-}
-
-PointArrival WindowDistance::arrivalAt(const SurfacePoint& point) const {
-  PointArrival best = images_.nearest(point);
-  // Behind a gap between images, left by rounding, a path leads over a corner.
-  const Vec2 inside = pointInFace(geometry_, point);
-  for (int k = 0; k < 3; ++k) {
-    const int vertex = mesh_.corner(point.face, k);
-    const double before = distance(vertex);
-    const Vec2 way = cornerInFace(geometry_, point.face, k) - inside;
-    const PointArrival other{
-        {bentLength(before + way.norm()), before, vertex}, point.face, way, 3 * point.face + k};
-    if (isShorter(other, best)) best = other;
-  }
-  return best;
 }
 
 /// Whether every path through the window is too long when it comes to the ball that is aimed at.

@@ -9,6 +9,7 @@
 #include "distance/edge_midpoints.h"
 #include "distance/paged_array.h"
 #include "distance/source_images.h"
+#include "distance/watched_target.h"
 #include "distance/window.h"
 #include "intrinsic/geometry.h"
 
@@ -97,15 +98,19 @@ class WindowDistance final : public DistanceSolver {
     return midpoints_.arrival(h, source_, distance(mesh_.tail(h)), distance(mesh_.head(h)));
   }
 
+  /// Also finds the distance of a point of a face or an edge. To be called after `setSource` and
+  /// before `grow`; the source must not lie in a face of the target.
+  /// Throws Error kBadArgument for a point at a vertex.
+  void setTarget(const SurfacePoint& target) { target_.set(target); }
+  /// Final once `arrival.distance` <= reached().
+  const TargetArrival& targetArrival() const { return target_.best(); }
+
   /// From the next `setSource` on keeps the images whose paths pass points at this distance: once
   /// all within it is grown, the least of their lengths to such a point is its distance.
   void keepImages(double distance) { images_.keep(distance); }
   /// From the next `setSource` on keeps all images in these faces.
   void keepImagesIn(Array<int> faces) { images_.keepIn(std::move(faces)); }
   const Array<SourceImage>& images() const { return images_.all(); }
-  /// The end of the shortest path to a point of a face whose images are kept, through that face.
-  /// Final once its distance is at most reached().
-  PointArrival arrivalAt(const SurfacePoint& point) const;
 
   void aimAt(const std::optional<PathAim>& aim) override { aim_ = aim; }
 
@@ -163,6 +168,7 @@ class WindowDistance final : public DistanceSolver {
   Array<Window> batch_;
   Array<double> crossings_;  ///< where lines from the batch's sources to the apex cross
   std::optional<PathAim> aim_;
+  WatchedTarget target_;
   SourceImages images_;
 };
 

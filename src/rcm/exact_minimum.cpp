@@ -28,6 +28,21 @@ constexpr double kMovedFor = kLowerBy / 4;
 /// noise.
 constexpr int kMostMoves = 24;
 
+/// The least length among a face's images, and over its corners.
+double lengthTo(const Geometry& geometry, const WindowDistance& distance, const SurfacePoint& to) {
+  const Vec2 point = pointInFace(geometry, to);
+  double length = kInfinity;
+  for (const SourceImage& image : distance.images()) {
+    if (image.face == to.face) length = std::min(length, lengthFrom(image, point));
+  }
+  for (int k = 0; k < 3; ++k) {
+    const int vertex = geometry.mesh->corner(to.face, k);
+    length = std::min(
+        length, distance.distance(vertex) + (point - cornerInFace(geometry, to.face, k)).norm());
+  }
+  return length;
+}
+
 /// The direction, in the frame of a face, from a point of it to the farthest corner.
 double farthestCorner(const Geometry& geometry, const SurfacePoint& point) {
   const Vec2 from = pointInFace(geometry, point);
@@ -90,7 +105,7 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
       distance.grow(most);
       double longest = 0;
       for (int k = 0; k < places.count(); ++k) {
-        lengths[k] = distance.arrivalAt(places[k]).arrival.distance;
+        lengths[k] = lengthTo(geometry_, distance, places[k]);
         longest = std::max(longest, lengths[k]);
       }
       if (longest <= most || most == kInfinity) break;

@@ -103,6 +103,27 @@ TEST(Isoline, ExactOnesLieAtTheirDistanceOnEveryShape) {
   }
 }
 
+TEST(Isoline, PathsToPointsBesideExactOnesAreAsLong) {
+  // The isoline is in two loops near the source's cut locus, where many windows end inside a face.
+  const TriangleMesh mesh = importMesh(makeShape(Shape::kTorus, 2000)).mesh;
+  const Geometry geometry = buildGeometry(mesh);
+  const SurfacePoint source =
+      nearestPoint(mesh, Vec3(0.0731300322085814, -0.6585955530363606, 0.2150883328756446));
+  const double radius = 1.6;
+  const Array<Isoline> lines = exactIsolines(geometry, source, radius);
+  EXPECT_EQ(lines.count(), 2);
+  for (const Isoline& line : lines) {
+    for (int i = 0; i < line.points.count(); i += 5) {
+      const SurfacePoint& on = line.points[i];
+      const SurfacePoint beside{on.face, (1 - 1e-7) * on.bary + Vec3::Constant(1e-7 / 3)};
+      const double moved = (position(mesh, beside) - position(mesh, on)).norm();
+      const double length = shortestPath(geometry, source, beside).length();
+      EXPECT_NEAR(length, radius, moved + 1e-8 * geometry.diagonal);
+      EXPECT_NEAR(shortestPath(geometry, beside, source).length(), length, 1e-9 * length);
+    }
+  }
+}
+
 TEST(Isoline, FarExactOnesAreClosedOnAClosedSurface) {
   // Far from the source many arcs graze edges and rays, where rounding moves their ends the most.
   const uint64_t seed = 12;

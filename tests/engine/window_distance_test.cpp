@@ -256,10 +256,11 @@ TEST(WindowDistance, IsSymmetric) {
       EXPECT_NEAR(from.distance(location.vertex), back.distance(v), 1e-12 * back.distance(v));
     } else if (!liesInFace(surface.mesh, locate(surface.mesh, vertexPoint(surface.mesh, v)),
                            p.face)) {
-      from.keepImagesIn({p.face});
       from.setSource(vertexPoint(surface.mesh, v));
+      from.setTarget(p);
       from.grow(kInfinity);
-      EXPECT_NEAR(from.arrivalAt(p).arrival.distance, back.distance(v), 1e-12 * back.distance(v));
+      EXPECT_NEAR(from.targetArrival().arrival.distance, back.distance(v),
+                  1e-12 * back.distance(v));
     }
   }
 }
@@ -465,6 +466,13 @@ TEST(WindowDistance, CarriesFewWindowsInVainAmongSpikes) {
     distance.grow(kInfinity);
     EXPECT_LE(distance.windowsCarried(), 20 * spiked.mesh.faceCount());
   }
+}
+
+TEST(WindowDistance, RefusesATargetAtAVertex) {
+  const MeasuredMesh surface(planeGrid(2, 2));
+  WindowDistance solver(surface.geometry);
+  solver.setSource(vertexPoint(surface.mesh, 0));
+  EXPECT_THROW(solver.setTarget(vertexPoint(surface.mesh, 8)), Error);
 }
 
 }  // namespace
