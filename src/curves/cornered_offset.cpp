@@ -317,8 +317,9 @@ class CorneredOffset {
     for (const PathRange& tip : tips_) {
       try {
         region = combined(region, enclosed(all, tip, FillRule::kEvenOdd), Boolean::kUnion);
-      } catch (const Error&) {
+      } catch (const Error& error) {
         // The lines of a tip may go round a handle that is no wider: then they enclose nothing.
+        if (error.code() != ErrorCode::kBadArgument) throw;
       }
     }
     const Array<SurfacePoint> inside = pointsInside(geometry_, all);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "curves/offset.h"
 #include "distance/path_distance.h"
 
@@ -21,7 +23,7 @@ namespace karcher {
 inline constexpr double kOffsetReach = 1.1;
 
 /// The tip of a mitre over a smaller turn, in radians, is within kOffsetTolerance of the arc.
-inline constexpr double kLeastCorner = 0.0632;
+inline const double kLeastCorner = std::sqrt(8 * kOffsetTolerance);
 
 /// The vertices of the surface, times the pieces between corners.
 inline constexpr int64_t kMostCorneredVertices = 20'000'000;

@@ -104,7 +104,8 @@ TEST(Isoline, ExactOnesLieAtTheirDistanceOnEveryShape) {
 }
 
 TEST(Isoline, PathsToPointsBesideExactOnesAreAsLong) {
-  // The isoline is in two loops near the source's cut locus, where many windows end inside a face.
+  // Of this source many paths pass a vertex so closely that only rounding tells whether they turn
+  // there.
   const TriangleMesh mesh = importMesh(makeShape(Shape::kTorus, 2000)).mesh;
   const Geometry geometry = buildGeometry(mesh);
   const SurfacePoint source =

@@ -123,3 +123,21 @@ export function nearestVertex(mesh, place) {
 export function distance(a, b) {
   return Math.hypot(...a.map((x, i) => x - b[i]));
 }
+
+/** Draws on the mesh of a grid: the points of the closed path through places (x, y). */
+export function drawingOn(mesh, cells) {
+  /** The point at (x, y): squares are cut from their lower left. */
+  function at([x, y]) {
+    const [i, j] = [x, y].map((value) => Math.min(Math.floor(value), cells - 1));
+    const [u, v] = [x - i, y - j];
+    const face = 2 * (i + cells * j) + (u >= v ? 0 : 1);
+    return { face, bary: u >= v ? [1 - u, u - v, v] : [1 - v, u, v - u] };
+  }
+  return function outlineOf(corners) {
+    const points = corners.map(at);
+    return points.flatMap((point, i) => {
+      const leg = mesh.shortestPath(point, points[(i + 1) % points.length]).points();
+      return i < points.length - 1 ? leg.slice(0, -1) : leg;
+    });
+  };
+}

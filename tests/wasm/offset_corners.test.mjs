@@ -3,30 +3,15 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from 'karcher';
 import { long, randoms, seed } from '../web/part.mjs';
-import { grid } from './meshes.mjs';
+import { drawingOn, grid } from './meshes.mjs';
 
 const karcher = await load();
 const cells = 10;
 const mesh = karcher.meshFromObj(grid(cells));
 /** Of the plane's extent squared. */
 const tolerance = 1e-9 * cells ** 2;
+const outlineOf = drawingOn(mesh, cells);
 const drawings = long ? 1000 : 24;
-
-/** The point of a grid at (x, y): squares are cut from their lower left. */
-function at([x, y]) {
-  const [i, j] = [x, y].map((value) => Math.min(Math.floor(value), cells - 1));
-  const [u, v] = [x - i, y - j];
-  const face = 2 * (i + cells * j) + (u >= v ? 0 : 1);
-  return { face, bary: u >= v ? [1 - u, u - v, v] : [1 - v, u, v - u] };
-}
-
-function outlineOf(corners) {
-  const points = corners.map(at);
-  return points.flatMap((point, i) => {
-    const leg = mesh.shortestPath(point, points[(i + 1) % points.length]).points();
-    return i < points.length - 1 ? leg.slice(0, -1) : leg;
-  });
-}
 
 const ringArea = (ring) =>
   ring.reduce((sum, [x, y], i) => {

@@ -326,6 +326,19 @@ describe('the selection', () => {
     await tab.close();
   });
 
+  test('a curve of too few points stays where it was copied', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click([-60, 20], [40, 30]);
+    await tab.page.keyboard.press('Control+d');
+    await tab.settled();
+    const { objects } = (await tab.state()).drawing;
+    assert.deepEqual(
+      objects.map(({ figure }) => figure.points.length),
+      [2, 2],
+    );
+    await tab.close();
+  });
+
   test('points that undo left can be let go of, and are done again', async () => {
     const tab = await drawn();
     const { page } = tab;

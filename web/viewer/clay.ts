@@ -25,6 +25,14 @@ export interface SurfaceColors {
 /** The part of the light that a hollow loses at most. */
 const reliefShown = 0.55;
 
+/** What the vertex shader passes on to the fragment shader. */
+const varyings = `
+    varying vec3 vNormal;
+    varying vec3 vEye;
+    varying float vValue;
+    varying vec3 vTint;
+    varying float vHollow;`;
+
 /** How much lighter a ridge is, as a part of how much darker a hollow is. */
 const litRidges = 0.25;
 
@@ -76,11 +84,7 @@ const clay = {
     uniform float sunk;
     uniform float pixel;
     uniform float leastSlope;
-    varying vec3 vNormal;
-    varying vec3 vEye;
-    varying float vValue;
-    varying vec3 vTint;
-    varying float vHollow;
+    ${varyings}
     void main() {
       vValue = value;
       // Files have sRGB, and the shader computes with linear light.
@@ -108,11 +112,7 @@ const clay = {
     uniform float most;
     uniform bool colored;
     uniform float opacity;
-    varying vec3 vNormal;
-    varying vec3 vEye;
-    varying float vValue;
-    varying vec3 vTint;
-    varying float vHollow;
+    ${varyings}
     void main() {
       vec3 eye = normalize(vEye);
       vec3 normal = normalize(vNormal);

@@ -150,8 +150,10 @@ export class MirrorTool {
       if (!figures) this.problem('The mirror image would leave the surface.');
       else if (surface && (await isTorn(client, surface, objects, figures))) this.problem(torn);
       else if (editor.state.drawing !== drawing) return;
-      else if (this.copies) editor.objects.add(copiesOf(objects, figures));
-      else editor.perform(replacing(objects, figures));
+      else if (this.copies) {
+        const copied = objects.map(({ id }) => id);
+        editor.objects.add(copiesOf(objects, figures), copied);
+      } else editor.perform(replacing(objects, figures));
     } catch (error) {
       this.problem(`There is no mirror image: ${error instanceof Error ? error.message : error}.`);
     }

@@ -495,6 +495,11 @@ export class Editor {
     this.#change({ drawing, selection, chosen }, true);
   }
 
+  /** The edited object stays once it is let go of, however few its points are: something was made of it. */
+  keepBegun(): void {
+    this.#begun = null;
+  }
+
   #begunNow(): number | null {
     const { figure, drawing } = this.#state;
     const goesOn = this.#begun === drawing.active && isUnfinished(figure);

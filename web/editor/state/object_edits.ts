@@ -18,6 +18,7 @@ import type { CurveTool } from './tool';
 interface Editing {
   readonly state: State;
   perform(command: Command | null, part?: PartOfStep): void;
+  keepBegun(): void;
   interrupt(): void;
   setTool(tool: CurveTool): void;
   rest(): void;
@@ -59,16 +60,17 @@ export class ObjectEdits {
 
   duplicate(ids: readonly number[] = selectedObjects(this.#editor.state)): void {
     this.#editor.interrupt();
-    this.#perform(duplication(this.#editor.state.drawing, ids));
+    this.#perform(duplication(this.#editor.state.drawing, ids), ids);
   }
 
-  /** Adds copies of objects; their ids become others. */
-  add(objects: readonly DrawnObject[]): void {
+  /** Adds copies of objects, whose ids become others; `of` are those of the drawing that were copied. */
+  add(objects: readonly DrawnObject[], of: readonly number[] = []): void {
     this.#editor.interrupt();
-    this.#perform(addition(this.#editor.state.drawing, objects));
+    this.#perform(addition(this.#editor.state.drawing, objects), of);
   }
 
-  #perform(made: ReturnType<typeof addition>): void {
+  #perform(made: ReturnType<typeof addition>, of: readonly number[]): void {
+    if (made && of.includes(this.#editor.state.drawing.active)) this.#editor.keepBegun();
     if (made) this.#editor.perform(made.command, { selection: null, chosen: made.ids });
   }
 
