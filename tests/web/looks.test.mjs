@@ -192,6 +192,92 @@ describe('looks', () => {
     await tab.close();
   });
 
+  /** How bright places to the left and right of the middle are, at a height below it. */
+  const besides = (tab, below) =>
+    brightness(
+      tab,
+      [-80, -60, 60, 80].map((x) => [x, below]),
+    );
+  async function chooseLook(tab, id) {
+    await tab.page.locator('#view').click();
+    await tab.page.locator(`#${id}`).click();
+    await tab.page.keyboard.press('Escape');
+  }
+
+  test('the ground has a shadow where that is chosen, also after a reload', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:1500&view=0,20,2,0,0,0');
+    // A unit of the scene is 200 pixels; the ground's middle lies below the ball, whose rim is 40 aside there.
+    const below = 108;
+    const plain = await besides(tab, below);
+    const above = await besides(tab, -below);
+    await chooseLook(tab, 'ground-shadow');
+    const shaded = await besides(tab, below);
+    const isDarker = (values, before) => values.every((value, i) => value < 0.97 * before[i] - 1);
+    assert.ok(isDarker(shaded, plain), `${shaded} beside ${plain}`);
+    assert.deepEqual(await besides(tab, -below), above, 'nothing else is darker');
+    await tab.page.reload();
+    await tab.settled();
+    assert.deepEqual(await besides(tab, below), shaded);
+    // The browser takes the drawing context away and gives it back empty.
+    await tab.page.evaluate(async () => {
+      const canvas = document.querySelector('#canvas');
+      const context = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
+      context.loseContext();
+      // The event is heard first, by what allows that the context comes back.
+      await new Promise((resolve) => setTimeout(resolve));
+      const restored = new Promise((resolve) =>
+        canvas.addEventListener('webglcontextrestored', resolve, { once: true }),
+      );
+      context.restoreContext();
+      await restored;
+    });
+    assert.deepEqual(await besides(tab, below), shaded);
+    await tab.page.emulateMedia({ colorScheme: 'dark' });
+    const dark = await besides(tab, below);
+    await chooseLook(tab, 'ground-shadow');
+    const plainDark = await besides(tab, below);
+    assert.ok(isDarker(dark, plainDark), `${dark} beside ${plainDark}`);
+    await tab.page.emulateMedia({ colorScheme: 'light' });
+    assert.deepEqual(await besides(tab, below), plain);
+    await tab.page.close();
+  });
+
+  test('the shadow lies below the surface as it stands: on the ground of another axis up', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:320');
+    // A board, which stands on its rim where y is up, and lies where z is.
+    const corners = [0, 1].flatMap((z) => [0, 1].flatMap((y) => [0, 1].map((x) => [x, y, z])));
+    const quads = ['1 2 4 3', '5 7 8 6', '1 5 6 2', '3 4 8 7', '1 3 7 5', '2 6 8 4'];
+    const board = [
+      ...corners.map(([x, y, z]) => `v ${10 * x} ${10 * y} ${2 * z}`),
+      ...quads.map((quad) => `f ${quad.split(' ').reverse().join(' ')}`),
+    ];
+    await tab.drop('board.obj', board.join('\n'));
+    await tab.page.getByText('12 triangles').first().waitFor();
+    await tab.settled();
+    await chooseLook(tab, 'ground-shadow');
+    // From straight above, what is darker is the shadow beside the board.
+    const shadowFrom = async (axis) => {
+      await tab.page.locator('#up').selectOption(axis);
+      await tab.settled();
+      await tab.page.locator('#view').click();
+      await tab.page.getByRole('menuitem', { name: 'Top' }).click();
+      await tab.still();
+      await tab.page.locator('#stage').focus();
+      for (let i = 0; i < 6; i++) await tab.page.keyboard.press('-');
+      await tab.still();
+      const places = Array.from({ length: 17 }, (_, i) => [0, 10 * i + 25]);
+      const shown = await brightness(tab, places);
+      await chooseLook(tab, 'ground-shadow');
+      const plain = await brightness(tab, places);
+      await chooseLook(tab, 'ground-shadow');
+      return places.filter((_, i) => shown[i] < plain[i] - 2).map(([, y]) => y);
+    };
+    const [standing, lying] = [await shadowFrom('y'), await shadowFrom('z')];
+    assert.ok(standing.length > 0 && standing.every((y) => y > 20 && y < 80), `${standing}`);
+    assert.ok(lying.length > 0 && lying.every((y) => y > 120), `${lying}`);
+    await tab.page.close();
+  });
+
   test('the rim of an open surface shows no specks of its inner side', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:2');
     const { positions, triangles } = await tab.mesh();

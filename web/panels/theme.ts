@@ -46,6 +46,7 @@ export function sceneColors(): ViewerColors & { stage: string } {
     back: read('surface-back'),
     sky: read('surface-sky'),
     ground: read('surface-ground'),
+    shadow: read('ground-shadow'),
     edges: read('surface-edges'),
     curve: read('curve'),
     lost: read('curve-lost'),

@@ -1,3 +1,4 @@
+import { recall, remember } from '../model/storage';
 import { type ViewName, viewNames } from '../model/view_place';
 import type { Viewer } from '../viewer/viewer';
 import { byId, make } from './elements';
@@ -13,12 +14,17 @@ const labels: Record<ViewName, string> = {
   bottom: 'Bottom',
 };
 
+/** Looks that are a person's taste: chosen once they stay, for every surface. */
+const keptLooks = [
+  ['relief', 'relief'],
+  ['ground-shadow', 'groundShadow'],
+  ['hidden-lines', 'hiddenLines'],
+] as const;
+
 /** How the surface is looked at: from where, with its triangles, light or dark. */
 export class ViewMenu {
   readonly #edges = byId<HTMLButtonElement>('edges');
   readonly #fileColors = byId<HTMLButtonElement>('file-colors');
-  readonly #relief = byId<HTMLButtonElement>('relief');
-  readonly #hidden = byId<HTMLButtonElement>('hidden-lines');
 
   constructor(
     private readonly viewer: Viewer,
@@ -51,18 +57,28 @@ export class ViewMenu {
       this.#fileColors.hidden = !viewer.surface?.hasColors;
     });
     byId('light').addEventListener('click', () => viewer.turnLight(Math.PI / 4));
-    this.#relief.addEventListener('click', () => {
-      viewer.relief = !viewer.relief;
-      this.#relief.setAttribute('aria-checked', `${viewer.relief}`);
-    });
-    this.#hidden.addEventListener('click', () => this.toggleHidden());
+    for (const look of keptLooks) this.#keep(look);
     byId('theme').addEventListener('click', toggleTheme);
     onTheme((theme) => byId('theme').setAttribute('aria-checked', `${theme === 'dark'}`));
   }
 
   toggleHidden(): void {
-    this.viewer.hiddenLines = !this.viewer.hiddenLines;
-    this.#hidden.setAttribute('aria-checked', `${this.viewer.hiddenLines}`);
+    byId('hidden-lines').click();
+  }
+
+  #keep([id, look]: (typeof keptLooks)[number]): void {
+    const { viewer } = this;
+    const item = byId(id);
+    const show = (shown: boolean) => {
+      viewer[look] = shown;
+      item.setAttribute('aria-checked', `${shown}`);
+    };
+    const kept = recall(id);
+    if (kept) show(kept === 'on');
+    item.addEventListener('click', () => {
+      show(!viewer[look]);
+      remember(id, viewer[look] ? 'on' : 'off');
+    });
   }
 
   #toggleFileColors(): void {

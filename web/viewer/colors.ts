@@ -6,6 +6,8 @@ export interface ViewerColors {
   back: string;
   sky: string;
   ground: string;
+  /** The ground below the surface, where the surface hides the sky from it. */
+  shadow: string;
   edges: string;
   curve: string;
   lost: string;

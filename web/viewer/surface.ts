@@ -286,6 +286,11 @@ export class Surface {
     return Math.max(0, ...sides.map((side) => this.#reach(side)));
   }
 
+  /** The height of its lowest place in the scene. */
+  get lowest(): number {
+    return -this.#reach(new Vector3(0, -1, 0));
+  }
+
   /** How far the surface reaches in a direction, times the direction's length. */
   #reach(direction: Vector3): number {
     let farthest = -Infinity;

@@ -8,6 +8,7 @@ import { litSurface, type ViewerColors } from './colors';
 import { outliveContextLoss } from './context_loss';
 import type { DrawnGeometry } from './drawn_geometry';
 import { FatLine, fineDash } from './fat_line';
+import { GroundShadow } from './ground_shadow';
 import { Halos } from './halos';
 import type { Layer } from './layer';
 import { LinesAt, type ObjectsIn, objectsIn, type PickableLines } from './lines_at';
@@ -28,6 +29,7 @@ export class Viewer {
   readonly #curve = new FatLine({ width: 4, hidden: 0.26 }, 4);
   readonly #lost = new FatLine({ width: 4, dash: fineDash, hidden: 0.4 }, 4);
   readonly #beside = new ObjectLines(2);
+  readonly #ground = new GroundShadow();
   readonly #regions = new Regions();
   readonly #halos = new Halos();
   /** The lines that show what is not of the drawing. */
@@ -70,8 +72,9 @@ export class Viewer {
     this.#renderer = new WebGLRenderer({ canvas, context, stencil: true });
     const redraw = () => this.requestFrame();
     outliveContextLoss(canvas, () => [this.#scene], redraw);
+    canvas.addEventListener('webglcontextlost', () => this.#ground.forget());
     const lines = this.#lines.map((line) => line.object);
-    this.#scene.add(this.#regions.object, ...this.#halos.objects, ...lines);
+    this.#scene.add(this.#ground.object, this.#regions.object, ...this.#halos.objects, ...lines);
     this.#view = new OrbitView(stage, redraw);
     new ResizeObserver(() => this.#resize()).observe(stage);
     this.#resize();
@@ -123,6 +126,7 @@ export class Viewer {
     this.#surface.edges = this.#edges;
     this.#surface.colored = this.#fileColors;
     this.#view.surface = this.#surface;
+    this.#ground.forget();
     this.#scene.add(this.#surface.object);
     this.#beside.surface = this.#surface;
     this.#halos.surface = this.#surface;
@@ -140,6 +144,7 @@ export class Viewer {
     this.#colors = colors;
     this.#lost.setColor(new Color(colors.lost), surface);
     this.aids.setColors(colors);
+    this.#ground.setColor(colors.shadow);
     this.#beside.setColors(new Color(colors.curve), surface);
     this.#regions.setColor(new Color(colors.curve));
     this.#halos.setColors(colors);
@@ -168,6 +173,16 @@ export class Viewer {
   set relief(shown: boolean) {
     this.#relief = shown;
     showRelief(shown);
+    this.requestFrame();
+  }
+
+  /** Whether the surface has a shadow on the ground that it stands on. */
+  get groundShadow(): boolean {
+    return this.#ground.object.visible;
+  }
+
+  set groundShadow(shown: boolean) {
+    this.#ground.object.visible = shown;
     this.requestFrame();
   }
 
@@ -221,6 +236,7 @@ export class Viewer {
   /** Shows parts of the surface in its place, each with a color over it or none; null shows all of it. */
   showParts(parts: Parameters<Surface['showParts']>[0]): void {
     this.#surface?.showParts(parts);
+    this.#ground.forget();
     this.requestFrame();
   }
 
@@ -462,6 +478,7 @@ export class Viewer {
   }
 
   #render(): void {
+    if (this.#surface) this.#ground.prepare(this.#renderer, this.#surface);
     fitSurface(this.#halos.reach, this.#view.camera, this.#size.height);
     this.#renderer.render(this.#scene, this.#view.camera);
   }
