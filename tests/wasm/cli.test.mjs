@@ -35,6 +35,8 @@ test('help, of the program and of each command', async () => {
     'transport',
     'mirror',
     'mean',
+    'centroid',
+    'voronoi',
     'weights',
     'trace',
     'edit',

@@ -353,3 +353,34 @@ test('medians and Huber’s means', async () => {
   assert.match(await failure(...base, '--median', '--paths'), /--paths has no use with --median/);
   assert.match(await failure(...base, '--huber-mean', '-1'), /threshold must be positive/);
 });
+
+test('a Voronoi diagram and centroids', async () => {
+  const sites = folder.write('sites.txt', [at(2, 4), at(6, 4), at(6, 4)].join('\n'));
+  const { nearest, cells: parts, borders } = await printed('voronoi', plane, '--points', sites);
+  near(
+    parts.map(({ area }) => area),
+    [32, 32, 0],
+  );
+  near([parts[0].perimeter, parts[0].boundary[0].length], [24, 24]);
+  assert.deepEqual([nearest[0], nearest[cells]], [0, 1]);
+  assert.equal(borders.length, 1);
+  assert.deepEqual([borders[0].between, borders[0].closed], [[0, 1], false]);
+  near(borders[0].polyline[0].slice(0, 1), [4]);
+  const obj = await karcher('voronoi', plane, '--points', sites, '--format', 'obj');
+  assert.match(obj.stdout, /^v 4 0 0$/m);
+
+  const [whole] = (await printed('centroid', plane)).centroids;
+  near(whole.position, [4, 4, 0], 1e-6);
+  const rows = Array.from({ length: cells + 1 }, (_, y) =>
+    Array(cells + 1)
+      .fill(y)
+      .join(' '),
+  );
+  const density = folder.write('density.txt', rows.join('\n'));
+  const [heavy] = (await printed('centroid', plane, '--density', density)).centroids;
+  near(heavy.position, [4, (2 / 3) * cells, 0], 1e-6);
+  const corners = folder.write('corners.txt', [at(1, 1), at(4, 1), at(1, 4)].join('\n'));
+  const triangle = ['--points', corners, '--kind', 'polyline', '--closed', '--samples', '900'];
+  const [inside] = (await printed('centroid', plane, ...triangle)).centroids;
+  near(inside.position, [2, 2, 0], 1e-6);
+});

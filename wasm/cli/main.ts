@@ -4,6 +4,7 @@ import type { Readable, Writable } from 'node:stream';
 import { finished } from 'node:stream/promises';
 import { Arguments } from './arguments.js';
 import { bench } from './bench.js';
+import { centroid } from './centroid.js';
 import { circle, ellipse } from './circle.js';
 import type { Command } from './command.js';
 import { compare } from './compare.js';
@@ -24,6 +25,7 @@ import { path } from './path.js';
 import { regions } from './regions.js';
 import { Terminal } from './terminal.js';
 import { trace } from './trace.js';
+import { voronoi } from './voronoi.js';
 import { weights } from './weights.js';
 
 const commands: readonly Command[] = [
@@ -39,6 +41,8 @@ const commands: readonly Command[] = [
   transport,
   mirror,
   mean,
+  centroid,
+  voronoi,
   weights,
   trace,
   edit,

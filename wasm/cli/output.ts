@@ -1,5 +1,6 @@
 import type { Writable } from 'node:stream';
 import type { Path } from '../path.js';
+import type { Region } from '../region.js';
 import type { CurvePoints, CurveSamples, Status } from '../types.js';
 import type { Result } from './command.js';
 import { writeError } from './errors.js';
@@ -172,3 +173,13 @@ function write(text: string | Uint8Array, stream: Writable, name: string): Promi
     });
   });
 }
+
+/** A region as results give it. */
+export const regionRecord = (region: Region) => ({
+  area: region.area,
+  perimeter: region.perimeter,
+  boundary: region.boundary().map((path) => ({
+    length: path.length,
+    polyline: triples(path.polyline({ bits: 64 })),
+  })),
+});

@@ -2,7 +2,7 @@ import type { BooleanOperation, FillRule } from '../types.js';
 import type { Command } from './command.js';
 import { formatOption } from './options.js';
 import { outlineOptions, readOutlines } from './outlines.js';
-import { triples } from './output.js';
+import { regionRecord } from './output.js';
 
 export const regions: Command = {
   name: 'regions',
@@ -55,14 +55,7 @@ export const regions: Command = {
     });
     return {
       json: {
-        regions: found.map((region) => ({
-          area: region.area,
-          perimeter: region.perimeter,
-          boundary: region.boundary().map((path) => ({
-            length: path.length,
-            polyline: triples(path.polyline({ bits: 64 })),
-          })),
-        })),
+        regions: found.map(regionRecord),
       },
       polylines: found.flatMap((region) =>
         region.boundary().map((path) => path.polyline({ bits: 64 })),

@@ -1,4 +1,4 @@
-import { checkNumber, checkOptions, namesOf } from '../check.js';
+import { checkNumber, checkOptions, namesOf, toFloat64 } from '../check.js';
 import { KarcherError } from '../errors.js';
 import type { EngineRegion } from '../karcher-engine.mjs';
 import type { Region } from '../region.js';
@@ -15,6 +15,8 @@ export interface CentroidOptions {
   tolerance?: number | undefined;
   /** The number of steps after which the search ends in any case; the default is 100. */
   mostSteps?: number | undefined;
+  /** Mass by area: a value of at least 0 for each vertex, linear in triangles. By default it is 1 everywhere. */
+  density?: ArrayLike<number> | undefined;
 }
 
 /** The centroid of a region, and how the search for it ended. */
@@ -36,31 +38,39 @@ const names = namesOf<CentroidOptions>({
   samples: true,
   tolerance: true,
   mostSteps: true,
+  density: true,
 });
 
-/** A part of the region: a point that stands for it, where that is in space, and its area. */
+/** A part of the region: a point that stands for it, where that is in space, and its mass. */
 interface Patch {
   point: SurfacePoint;
   place: readonly [number, number, number];
-  area: number;
+  mass: number;
 }
 
 /**
- * The centroid of a region: the center of mass of its area, where the integral of the squared distances to all of
- * the region has a minimum.
+ * The centroid of a region, or with `'all'` of the whole surface: the center of mass of its area, or of a density
+ * on it, where the integral of the squared distances to all of the region has a minimum.
  *
- * Each triangle, or its part in the region, stands for its area at its own centroid, which is exact to rounding on
+ * Each triangle, or its part in the region, stands for its mass at its own centroid, which is exact to rounding on
  * a plane and good to the square of the edges on smooth surfaces. Where that makes more points than `samples`,
  * neighbors are put together, which is good to the square of the size of such groups: on the unit sphere of
- * 20,000 triangles centroids of caps were up to .0015 off with 1000 samples, and 6e-5 with all. Distances are those of locally shortest paths
- * (`Mesh.logMap`).
+ * 20,000 triangles centroids of caps were up to .0015 off with 1000 samples, and 6e-5 with all. Distances are those
+ * of locally shortest paths (`Mesh.logMap`).
  *
- * Rejects with `KarcherError` badArgument for a region without area and for samples below 1, and as
- * `Mesh.logMap` does.
+ * Rejects with `KarcherError` badArgument for a region without area or mass, for a density that is negative or has
+ * not one value for each vertex, and for samples below 1, and as `Mesh.logMap` does.
+ *
+ * @example
+ * ```ts
+ * const height = Array.from({ length: mesh.info.vertices }, (_, v) => mesh.position({ vertex: v })[2]);
+ * const density = height.map((z) => Math.exp(-z * z));
+ * (await centroid(mesh, 'all', { density })).point;
+ * ```
  */
 export async function centroid(
   mesh: AnyMesh,
-  region: Region,
+  region: Region | 'all',
   given: CentroidOptions = {},
 ): Promise<Centroid> {
   checkOptions(given, names);
@@ -71,17 +81,20 @@ export async function centroid(
   }
   const least = checkNumber(tolerance, 'the tolerance') * mesh.info.diagonal;
   const [positions, triangles] = [await mesh.positions(), await mesh.triangles()];
-  const patches = grouped(patchesOf(region.data(), positions, triangles), most);
-  const area = patches.reduce((sum, patch) => sum + patch.area, 0);
-  if (!(area > 0)) {
-    throw new KarcherError('badArgument', 'the region has no area, so it has no centroid');
+  const density = checkDensity(given.density, positions.length / 3);
+  const data = region === 'all' ? allOf(triangles) : region.data();
+  const patches = grouped(patchesOf(data, positions, triangles, density), most);
+  const mass = patches.reduce((sum, patch) => sum + patch.mass, 0);
+  if (!(mass > 0)) {
+    const what = given.density ? 'mass' : 'area';
+    throw new KarcherError('badArgument', `the region has no ${what}, so it has no centroid`);
   }
   const points = patches.map(({ point }) => point);
   const way = async (from: PointLike): Promise<[number, number, number]> => {
     const { vectors } = await mesh.logMap(from, points);
     const sum: [number, number, number] = [0, 0, 0];
     patches.forEach((patch, i) => {
-      for (let k = 0; k < 3; k++) sum[k]! += (patch.area / area) * vectors[3 * i + k]!;
+      for (let k = 0; k < 3; k++) sum[k]! += (patch.mass / mass) * vectors[3 * i + k]!;
     });
     return sum;
   };
@@ -112,53 +125,89 @@ export async function centroid(
   };
 }
 
-/** The triangles of a region, and what it has of others. */
+/** A value of the density for each vertex. */
+function checkDensity(given: ArrayLike<number> | undefined, vertices: number): ArrayLike<number> {
+  if (given === undefined) return new Float64Array(vertices).fill(1);
+  const density = toFloat64(given, 'the density');
+  if (density.length !== vertices) {
+    const sentence = `there are ${vertices} vertices but ${density.length} values of the density`;
+    throw new KarcherError('badArgument', sentence);
+  }
+  const bad = density.findIndex((value) => !(value >= 0 && value < Infinity));
+  if (bad < 0) return density;
+  const sentence = `the density of vertex ${bad} must be finite and at least 0, not ${density[bad]}`;
+  throw new KarcherError('badArgument', sentence);
+}
+
+type Parts = Pick<EngineRegion, 'share' | 'triangles' | 'sides'>;
+
+const allOf = (triangles: Int32Array): Parts => ({
+  share: new Uint8Array(triangles.length / 3).fill(1),
+  triangles: new Int32Array(0),
+  sides: new Float64Array(0),
+});
+
+/** The sides of a whole triangle, in its second and third weights. */
+const whole = Float64Array.of(0, 0, 1, 0, 1, 0, 0, 1, 0, 1, 0, 0);
+
+/** The triangles of a region, and its parts of others. */
 function patchesOf(
-  { share, triangles: parts, sides }: EngineRegion,
+  { share, triangles: parts, sides }: Parts,
   positions: Float64Array,
   triangles: Int32Array,
+  density: ArrayLike<number>,
 ): Patch[] {
   const patches: Patch[] = [];
   const corner = (face: number, k: number) => {
     const at = 3 * triangles[3 * face + k]!;
     return [positions[at]!, positions[at + 1]!, positions[at + 2]!] as const;
   };
-  const add = (face: number, part: number, x: number, y: number) => {
+  /** Adds what some sides enclose, with its mass and center of mass. */
+  const add = (face: number, around: Float64Array) => {
     const [a, b, c] = [corner(face, 0), corner(face, 1), corner(face, 2)];
     const [u, v] = [b, c].map((to) => to.map((value, k) => value - a[k]!)) as [number[], number[]];
     const cross = [0, 1, 2].map((k) => {
       const [i, j] = [(k + 1) % 3, (k + 2) % 3];
       return u[i]! * v[j]! - u[j]! * v[i]!;
     });
-    const place = a.map((value, k) => value + x * u[k]! + y * v[k]!);
+    const [d, dx, dy] = [0, 1, 2].map((k) => density[triangles[3 * face + k]!]!) as Three;
+    const at = (x: number, y: number) => d + x * (dx - d) + y * (dy - d);
+    // Each side adds the triangle between it and the first corner (Green's theorem), in the coordinates of the face.
+    let [mass, x, y] = [0, 0, 0];
+    for (let i = 0; i < around.length; i += 4) {
+      const [ax, ay, bx, by] = around.subarray(i, i + 4) as unknown as Four;
+      const turn = ax * by - ay * bx;
+      const [atA, atB] = [at(ax, ay), at(bx, by)];
+      const sum = d + atA + atB;
+      mass += (turn * sum) / 6;
+      x += (turn * (ax * (atA + sum) + bx * (atB + sum))) / 24;
+      y += (turn * (ay * (atA + sum) + by * (atB + sum))) / 24;
+    }
+    if (mass === 0) return;
+    // Of a sliver rounding may lead out of the triangle.
+    x = Math.min(1, Math.max(0, x / mass));
+    y = Math.min(1 - x, Math.max(0, y / mass));
     patches.push({
       point: { face, bary: [Math.max(0, 1 - x - y), x, y] },
-      place: place as unknown as Patch['place'],
-      area: part * Math.hypot(...cross),
+      place: a.map((value, k) => value + x * u[k]! + y * v[k]!) as unknown as Patch['place'],
+      mass: Math.abs(mass) * Math.hypot(...cross),
     });
   };
-  share.forEach((whole, face) => {
-    if (whole === 1) add(face, 1 / 2, 1 / 3, 1 / 3);
+  share.forEach((part, face) => {
+    if (part === 1) add(face, whole);
   });
   for (let i = 0; i < parts.length; ) {
-    // Area and centroid by the sides (Green's theorem), in the coordinates of the triangle.
-    const face = parts[i]!;
-    let [twice, x, y] = [0, 0, 0];
-    for (; parts[i] === face; i++) {
-      const [ax, ay, bx, by] = sides.subarray(4 * i, 4 * i + 4) as unknown as Four;
-      const turn = ax * by - ay * bx;
-      twice += turn;
-      x += turn * (ax + bx);
-      y += turn * (ay + by);
-    }
-    if (twice !== 0) add(face, Math.abs(twice) / 2, x / (3 * twice), y / (3 * twice));
+    const first = i;
+    while (parts[i] === parts[first]) i++;
+    add(parts[first]!, sides.subarray(4 * first, 4 * i));
   }
   return patches;
 }
 
+type Three = [number, number, number];
 type Four = [number, number, number, number];
 
-/** At most so many: neighbors, by a curve that fills space, of about the same area together. */
+/** At most so many: neighbors, by a curve that fills space, of about the same mass together. */
 function grouped(patches: Patch[], most: number): Patch[] {
   if (patches.length <= most) return patches;
   const low = [0, 1, 2].map((k) => Math.min(...extremes(patches, k)));
@@ -168,14 +217,14 @@ function grouped(patches: Patch[], most: number): Patch[] {
     patches.map((patch) => [patch, codeOf(patch.place.map((x, k) => (x - low[k]!) / size))]),
   );
   const order = [...patches].sort((a, b) => codes.get(a)! - codes.get(b)!);
-  const each = patches.reduce((sum, { area }) => sum + area, 0) / most;
+  const each = patches.reduce((sum, { mass }) => sum + mass, 0) / most;
   const groups: Patch[] = [];
   let group: Patch[] = [];
-  let area = 0;
+  let mass = 0;
   for (const patch of order) {
     group.push(patch);
-    area += patch.area;
-    if (area < each * (groups.length + 1) && patch !== order.at(-1)) continue;
+    mass += patch.mass;
+    if (mass < each * (groups.length + 1) && patch !== order.at(-1)) continue;
     groups.push(middleOf(group));
     group = [];
   }
@@ -204,17 +253,17 @@ function codeOf(place: readonly number[]): number {
 const meanPlace = (patches: readonly Patch[]): [number, number, number] => {
   const sum: [number, number, number] = [0, 0, 0];
   let all = 0;
-  for (const { place, area } of patches) {
-    all += area;
-    for (let k = 0; k < 3; k++) sum[k]! += area * place[k]!;
+  for (const { place, mass } of patches) {
+    all += mass;
+    for (let k = 0; k < 3; k++) sum[k]! += mass * place[k]!;
   }
   return sum.map((value) => value / all) as [number, number, number];
 };
 
-/** The patch nearest to the middle of a group, with the area of all of it. */
+/** The patch nearest to the middle of a group, with the mass of all of it. */
 function middleOf(group: readonly Patch[]): Patch {
   const middle = meanPlace(group);
   const apart = ({ place }: Patch) => Math.hypot(...place.map((x, k) => x - middle[k]!));
   const nearest = group.reduce((best, patch) => (apart(patch) < apart(best) ? patch : best));
-  return { ...nearest, area: group.reduce((sum, { area }) => sum + area, 0) };
+  return { ...nearest, mass: group.reduce((sum, { mass }) => sum + mass, 0) };
 }

@@ -1,6 +1,6 @@
 /**
- * Robust means, and derivatives of the energy, by exact shortest paths: of a mesh in this thread, or of one
- * in a worker.
+ * Robust means, derivatives of the energy, centroids and Voronoi diagrams: of a mesh in this thread, or of one in
+ * a worker.
  */
 import { checkArray, checkNumber, checkOptions, namesOf } from '../check.js';
 import { KarcherError } from '../errors.js';
@@ -17,6 +17,7 @@ export {
   hessianAt,
   weightDerivatives,
 } from './energy.js';
+export { type Site, type VoronoiBorder, type VoronoiDiagram, voronoi } from './voronoi.js';
 
 /** The start and the end of a search for a robust mean. */
 export interface RobustOptions {

@@ -1,0 +1,40 @@
+import { readOutlines, outlineOptions } from './outlines.js';
+import type { Command } from './command.js';
+
+export const centroid: Command = {
+  name: 'centroid',
+  call: "centroid(mesh, region, options) of 'karcher/statistics'",
+  summary: 'the center of mass of what curves enclose, of a density, or of the whole surface',
+  output:
+    '{centroids: [{point: {face, bary}, position: [x, y, z], samples, steps, converged}, …]}: one a curve, or one of the surface without curves',
+  options: [
+    ...outlineOptions,
+    {
+      name: 'density',
+      value: 'FILE',
+      help: 'mass by area: a number for each vertex, in the order of the mesh file',
+      default: '1 everywhere',
+    },
+    {
+      name: 'samples',
+      value: 'N',
+      help: 'the number of points, at most, that stand for a region',
+      default: '1000',
+    },
+  ],
+  async run(args) {
+    const statistics = await import('../statistics/index.js');
+    const density = args.given('density') ? (await args.rows('density')).flat() : undefined;
+    const options = { ...args.whereGiven(['samples'], (name) => args.integer(name)), density };
+    const centroids = [];
+    if (args.given('points') || args.given('curve')) {
+      const { mesh, outlines } = await readOutlines(args);
+      for (const region of mesh.regions(outlines)) {
+        centroids.push(await statistics.centroid(mesh, region, options));
+      }
+    } else {
+      centroids.push(await statistics.centroid(await args.mesh(), 'all', options));
+    }
+    return { json: { centroids } };
+  },
+};

@@ -1,0 +1,201 @@
+/**
+ * A surface divided by which of several sites is nearest, where squared distances are linear in each triangle.
+ *
+ * Sites are added one after the other. The new one takes what is nearer to it by more than rounding from the convex pieces that
+ * the earlier ones have in a triangle. A corner of a piece is a vertex of the mesh, or was put on an edge between
+ * two corners when a site took one of them. It is kept by these two, so that pieces on both sides of an edge, also
+ * in two triangles, get the same corner, and no gap opens whatever the rounding.
+ */
+
+/** A convex part of a triangle, counterclockwise by its corners. */
+export interface Piece {
+  site: number;
+  corners: number[];
+}
+
+/** Numbers of corners stay below this; two make a key that a double holds exactly. */
+const mostCorners = 2 ** 26;
+
+/** A part of a squared distance: by less no site is nearer, since errors of rounding are of that size. */
+const rounding = 1e-12;
+
+export class NearestPieces {
+  /** x, y, z of each vertex. */
+  readonly positions: Float64Array;
+  /** The vertices of each triangle; vertices that are welded count as the first of them. */
+  readonly triangles: Int32Array;
+  /** The site that has all of a triangle, -1 before any has it, or -2 for a triangle with pieces of several. */
+  readonly whole: Int32Array;
+
+  /** The pieces of triangles that several sites share or shared. */
+  readonly #pieces = new Map<number, Piece[]>();
+  readonly #first: Int32Array;
+  /** The squared distance from each corner to its nearest site: first of vertices, then of what was put on edges. */
+  readonly #least: number[];
+  readonly #site: Int32Array;
+  /** The corners that were put on edges: vertices of a triangle and their weights, in turn. */
+  readonly #blends: number[][] = [];
+  readonly #between = new Map<number, number>();
+  #sites = 0;
+
+  /** `distances` are those from some point: vertices at one place are welded where these agree, too. */
+  constructor(positions: Float64Array, triangles: Int32Array, distances: Float64Array) {
+    this.positions = positions;
+    const count = positions.length / 3;
+    const known = new Map<string, number>();
+    this.#first = Int32Array.from({ length: count }, (_, v) => {
+      const name = `${positions.subarray(3 * v, 3 * v + 3).join()},${distances[v]}`;
+      if (!known.has(name)) known.set(name, v);
+      return known.get(name)!;
+    });
+    this.triangles = triangles.map((vertex) => this.#first[vertex]!);
+    this.whole = new Int32Array(triangles.length / 3).fill(-1);
+    this.#least = new Array<number>(count).fill(Infinity);
+    this.#site = new Int32Array(count).fill(-1);
+  }
+
+  /** The nearest site of each vertex, or -1. */
+  nearest(): Int32Array {
+    return this.#first.map((vertex) => this.#site[vertex]!);
+  }
+
+  /** Adds the next site by its distances to the vertices. */
+  add(distances: Float64Array): void {
+    const site = this.#sites++;
+    const vertices = this.#site.length;
+    const own = Array.from(this.#least, (_, corner) => {
+      if (corner < vertices) return distances[corner]! ** 2;
+      let sum = 0;
+      const blend = this.#blends[corner - vertices]!;
+      for (let i = 0; i < blend.length; i += 2) sum += blend[i + 1]! * distances[blend[i]!]! ** 2;
+      return sum;
+    });
+    const isNearer = own.map((value, corner) => value < (1 - rounding) * this.#least[corner]!);
+    for (let face = 0; face < this.whole.length; face++) {
+      const pieces = this.of(face);
+      if (!pieces.some(({ corners }) => corners.some((corner) => isNearer[corner]))) continue;
+      this.#keep(
+        face,
+        pieces.flatMap((piece) => this.#divided(piece, site, own, isNearer)),
+      );
+    }
+    isNearer.forEach((nearer, corner) => {
+      if (!nearer) return;
+      this.#least[corner] = own[corner]!;
+      if (corner < vertices) this.#site[corner] = site;
+    });
+  }
+
+  /** The pieces of a triangle: one, or those of several sites. */
+  of(face: number): readonly Piece[] {
+    return this.#pieces.get(face) ?? [{ site: this.whole[face]!, corners: this.#cornersOf(face) }];
+  }
+
+  /** Keeps the pieces of a triangle. Those of one site become one, with the corners on its edges, which others share. */
+  #keep(face: number, pieces: Piece[]): void {
+    const [{ site }] = pieces as [Piece];
+    if (pieces.some((piece) => piece.site !== site)) {
+      this.whole[face] = -2;
+      this.#pieces.set(face, pieces);
+      return;
+    }
+    this.whole[face] = site;
+    if (pieces.length === 1) {
+      const [{ corners }] = pieces as [Piece];
+      if (corners.length > 3) this.#pieces.set(face, pieces);
+      return;
+    }
+    const all = [...new Set(pieces.flatMap(({ corners }) => corners))];
+    const weights = new Map(all.map((corner) => [corner, this.weights(face, corner)]));
+    const corners = [0, 1, 2].flatMap((k) => {
+      const along = (corner: number) => weights.get(corner)![(k + 1) % 3]!;
+      return all
+        .filter((corner) => this.#isOnEdge(face, corner, k))
+        .sort((one, other) => along(one) - along(other));
+    });
+    this.#pieces.set(face, [{ site, corners }]);
+  }
+
+  /** Whether a corner is the one numbered `k` of a triangle, or was put on the edge from there to the next. */
+  #isOnEdge(face: number, corner: number, k: number): boolean {
+    const at = this.#cornersOf(face);
+    if (corner < this.#site.length) return corner === at[k];
+    const blend = this.#blend(corner);
+    return (
+      blend.length === 4 &&
+      [at[k], at[(k + 1) % 3]].every((vertex) => vertex === blend[0] || vertex === blend[2])
+    );
+  }
+
+  /** A number for two corners, in either order. */
+  key(a: number, b: number): number {
+    return Math.min(a, b) * mostCorners + Math.max(a, b);
+  }
+
+  /** The barycentric weights of a corner of a piece in its triangle. */
+  weights(face: number, corner: number): [number, number, number] {
+    const weights: [number, number, number] = [0, 0, 0];
+    const at = this.#cornersOf(face);
+    const blend = this.#blend(corner);
+    for (let i = 0; i < blend.length; i += 2) weights[at.indexOf(blend[i]!)] = blend[i + 1]!;
+    return weights;
+  }
+
+  #cornersOf(face: number): number[] {
+    return Array.from(this.triangles.subarray(3 * face, 3 * face + 3));
+  }
+
+  #blend(corner: number): readonly number[] {
+    const vertices = this.#site.length;
+    return corner < vertices ? [corner, 1] : this.#blends[corner - vertices]!;
+  }
+
+  /** A piece without what is nearer to the new site, and that. */
+  #divided(piece: Piece, site: number, own: number[], isNearer: readonly boolean[]): Piece[] {
+    const { corners } = piece;
+    if (!corners.some((corner) => isNearer[corner])) return [piece];
+    if (corners.every((corner) => isNearer[corner])) return [{ site, corners }];
+    // Where no path leads nothing can be divided, such as at a corner between parts that only touch there.
+    if (corners.some((corner) => !Number.isFinite(own[corner]! - this.#least[corner]!))) {
+      return [piece];
+    }
+    const [kept, taken]: [number[], number[]] = [[], []];
+    corners.forEach((corner, i) => {
+      const next = corners[(i + 1) % corners.length]!;
+      (isNearer[corner] ? taken : kept).push(corner);
+      if (isNearer[corner] === isNearer[next]) return;
+      const middle = this.#put(corner, next, own);
+      kept.push(middle);
+      taken.push(middle);
+    });
+    return [
+      { site: piece.site, corners: kept },
+      { site, corners: taken },
+    ];
+  }
+
+  /** The corner between two others where the new site is as near as the nearest of the earlier ones. */
+  #put(one: number, other: number, own: number[]): number {
+    const name = this.key(one, other);
+    const known = this.#between.get(name);
+    if (known !== undefined) return known;
+    const [a, b] = [Math.min(one, other), Math.max(one, other)];
+    const [from, to] = [own[a]! - this.#least[a]!, own[b]! - this.#least[b]!];
+    const part = Math.min(1, Math.max(0, from / (from - to)));
+    const sums = new Map<number, number>();
+    for (const [corner, share] of [
+      [a, 1 - part],
+      [b, part],
+    ] as const) {
+      const blend = this.#blend(corner);
+      for (let i = 0; i < blend.length; i += 2) {
+        sums.set(blend[i]!, (sums.get(blend[i]!) ?? 0) + share * blend[i + 1]!);
+      }
+    }
+    const corner = this.#least.length;
+    this.#between.set(name, corner);
+    this.#blends.push([...sums].flat());
+    this.#least.push((1 - part) * this.#least[a]! + part * this.#least[b]!);
+    return corner;
+  }
+}

@@ -1,0 +1,74 @@
+import { checkArray } from '../check.js';
+import { KarcherError } from '../errors.js';
+import type { Path } from '../path.js';
+import type { Region } from '../region.js';
+import type { DistanceOptions, PointLike } from '../types.js';
+import type { AnyMesh } from './energy.js';
+import { NearestPieces } from './nearest_pieces.js';
+import { areasOf, bordersOf, regionOf } from './voronoi_cells.js';
+
+/** A site of a Voronoi diagram: a point, or several of which the nearest counts. */
+export type Site = PointLike | readonly PointLike[];
+
+/** A line on which two sites are equally near and all others farther. */
+export interface VoronoiBorder {
+  /** The numbers of the two sites, the lower one first. Its cell lies to the left of the path. */
+  between: [number, number];
+  /** The line, from triangle to triangle. */
+  path: Path;
+}
+
+/** The parts of a surface that are nearest to each of several sites. It needs no mesh and is not disposed of. */
+export interface VoronoiDiagram {
+  /** For each vertex the number of the nearest site, the lowest of equally near ones; -1 where no path leads. */
+  nearest: Int32Array;
+  /** The area of each site's cell, in squared units of the mesh. */
+  areas: Float64Array;
+  /** The lines between cells. */
+  borders: VoronoiBorder[];
+  /** The cell of a site as a region, whose centroid `centroid` finds. */
+  cell(site: number): Region;
+}
+
+/**
+ * The Voronoi diagram of sites: the surface divided into cells, each with the points that are nearest to one site.
+ *
+ * The squared distances from each site to the vertices are interpolated linearly in every triangle. On a plane
+ * that gives the exact borders, and on smooth surfaces borders good to the square of the edges. One field of
+ * distances is found for each site. Where sites coincide, the first has the cell and the others have empty ones.
+ *
+ * Rejects with `KarcherError` tooFewPoints without sites, or for one without points, and as `Mesh.distance` does.
+ *
+ * @example
+ * ```ts
+ * const { areas, borders, cell } = await voronoi(mesh, [{ vertex: 12 }, { vertex: 340 }]);
+ * (await centroid(mesh, cell(0))).point;
+ * ```
+ */
+export async function voronoi(
+  mesh: AnyMesh,
+  sites: readonly Site[],
+  options: DistanceOptions = {},
+): Promise<VoronoiDiagram> {
+  if (checkArray(sites, 'the sites').length === 0) {
+    throw new KarcherError('tooFewPoints', 'a Voronoi diagram needs at least one site');
+  }
+  const [positions, triangles] = [await mesh.positions(), await mesh.triangles()];
+  let pieces: NearestPieces | undefined;
+  for (const site of sites) {
+    const distances = await mesh.distance(site, options);
+    pieces ??= new NearestPieces(positions, triangles, distances);
+    pieces.add(distances);
+  }
+  const found = pieces!;
+  return {
+    nearest: found.nearest(),
+    areas: areasOf(found, sites.length),
+    borders: bordersOf(found),
+    cell: (site) => {
+      if (Number.isInteger(site) && site >= 0 && site < sites.length) return regionOf(found, site);
+      const sentence = `there is no site ${site}: the diagram has ${sites.length}`;
+      throw new KarcherError('badIndex', sentence);
+    },
+  };
+}
