@@ -20,7 +20,7 @@ const piecesOf = (path, language) => {
 /** Names that pieces of TypeScript use and leave to their reader. */
 const left = `
 import type { CenterOfMass, Karcher, Mesh as Surface, SurfacePoint, PointLike, Region } from 'karcher';
-import type { WebGLRenderer, PerspectiveCamera, Mesh as Drawn, Raycaster } from 'three';
+import type { BufferGeometry, WebGLRenderer, PerspectiveCamera, Mesh as Drawn, Raycaster } from 'three';
 declare global {
   const karcher: Karcher;
   const mesh: Surface;
@@ -28,6 +28,7 @@ declare global {
   const point: SurfacePoint;
   const rows: number[];
   const weights: number[];
+  const density: Float64Array;
   const center: CenterOfMass;
   const region: Region;
   const text: string;
@@ -35,10 +36,20 @@ declare global {
   const signal: AbortSignal;
   const progress: (part: number) => void;
   const object: Drawn;
+  const geometry: BufferGeometry;
+  const keep: (curve: unknown) => void;
   const camera: PerspectiveCamera;
   const renderer: WebGLRenderer;
   const raycaster: Raycaster;
 }
+`;
+
+/** A component for react-three-fiber with a piece of code as its body. */
+const componentOf = (body) => `
+import '@react-three/fiber';
+import { useCurveDrag, useSurface, useSurfaceCurve } from 'karcher/react';
+export function Component() {
+${body}}
 `;
 
 describe('the book', () => {
@@ -58,19 +69,22 @@ describe('the book', () => {
     });
   }
 
-  test('the types allow its TypeScript', () => {
+  test('the types allow its TypeScript, also of components', () => {
     let pieces = 0;
     for (const page of pages) {
       for (const code of piecesOf(page, 'ts')) {
         writeFileSync(`${folder}/${basename(page, '.md')}-${pieces++}.ts`, `${code}\nexport {};\n`);
       }
+      for (const code of piecesOf(page, 'tsx')) {
+        writeFileSync(`${folder}/${basename(page, '.md')}-${pieces++}.tsx`, componentOf(code));
+      }
     }
-    assert.ok(pieces >= 7, `${pieces} pieces`);
+    assert.ok(pieces >= 20, `${pieces} pieces`);
     writeFileSync(`${folder}/left.d.ts`, left);
     const compilerOptions = {
       ...{ target: 'ES2022', module: 'ESNext', moduleResolution: 'bundler', strict: true },
       ...{ noEmit: true, lib: ['ES2023', 'DOM', 'DOM.Iterable'], types: [], skipLibCheck: true },
-      exactOptionalPropertyTypes: true,
+      ...{ exactOptionalPropertyTypes: true, jsx: 'react-jsx' },
     };
     writeFileSync(`${folder}/tsconfig.json`, JSON.stringify({ compilerOptions, include: ['.'] }));
     const tsc = `${root}node_modules/typescript/bin/tsc`;
