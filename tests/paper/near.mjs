@@ -31,9 +31,9 @@ const numbersOf = (text) =>
   (text.match(number) ?? []).map((one) => Number(one.replaceAll(',', '')));
 
 /** Columns that are rounding by themselves, or times. */
-const ofRounding = /^(rotated|both ways|exact, in these|time)$|\b[um]s\b/;
+const ofRounding = /^(rotated|both ways|exact, in these|time)$|\b[mun]s\b/;
 /** Times wherever they stand. */
-const times = /\d[\d,.]* [um]?s\b/g;
+const times = /\d[\d,.]* [mun]?s\b/g;
 
 /** Where the lines that a study printed differ from those that were saved, all but times. */
 export function lineDifferences(now, saved) {
