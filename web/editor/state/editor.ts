@@ -30,6 +30,7 @@ import {
   stepForth,
 } from '../../model/history';
 import type { MethodId } from '../../model/methods';
+import { Begun } from './begun';
 import { ObjectEdits, type PartOfStep } from './object_edits';
 import {
   changedState,
@@ -55,8 +56,7 @@ export class Editor {
   /** The drawing before the drag that is going on, and the drag as one command. */
   #drag: { base: Drawing; command: Command | null; inside?: Command | null } | null = null;
   #resting: RestingTool = 'insert';
-  /** The edited object, where it was begun and was never more than a few points: once it is let go of it goes. */
-  #begun: number | null = firstState.drawing.active;
+  readonly #begun = new Begun(firstState.drawing);
 
   /** Called where an edit is refused, with a sentence. */
   onRefusal: (sentence: string) => void = () => {};
@@ -90,7 +90,7 @@ export class Editor {
     const kept = this.#drawings.get(mesh) ?? drawing;
     if (history && !this.#drawings.has(mesh)) this.#histories.set(mesh, history);
     const part = { mesh, drawing: kept, standIn, selection: null, chosen: [] };
-    this.#begun = null;
+    this.#begun.keep();
     this.#change({ ...part, tool: this.#resting }, true);
   }
 
@@ -98,7 +98,7 @@ export class Editor {
   perform(command: Command | null, part: PartOfStep = {}): void {
     if (!command) return;
     this.cancelDrag();
-    const whole = this.#withoutBegun(command, this.#state.drawing);
+    const whole = this.#begun.gone(command, this.#state.drawing);
     const drawing = apply(this.#state.drawing, whole);
     record(this.#history, whole);
     this.#change({ drawing, ...part, tool: this.#resting }, true);
@@ -153,7 +153,7 @@ export class Editor {
     if (!this.#drag) return;
     const { base } = this.#drag;
     const ended = this.#drag.command && this.#ended(this.#drag.command, base);
-    const command = ended && this.#withoutBegun(this.#withInside(ended), base);
+    const command = ended && this.#begun.gone(this.#withInside(ended), base);
     const isAsShown = command === this.#drag.command;
     const drawing = isAsShown ? this.#state.drawing : apply(base, command!);
     if (command && base !== drawing) record(this.#history, command);
@@ -234,8 +234,7 @@ export class Editor {
     const command = stepBack(this.#history);
     if (!command) return;
     this.#step(command);
-    // On the way back to where it was begun.
-    if (isUnfinished(this.#state.figure)) this.#begun = this.#state.drawing.active;
+    this.#begun.follow(this.#state, true);
   }
 
   redo(): void {
@@ -256,24 +255,13 @@ export class Editor {
     const { drawing } = this.#state;
     const { active, objects } = drawing;
     const drawn = objects.findLast(({ id, figure }) => id !== active && !isEmpty(figure));
-    if (this.#begun !== active || (!drawn && isEmpty(this.#state.figure))) return;
+    if (!this.#begun.is(active) || (!drawn && isEmpty(this.#state.figure))) return;
     const command = drawn ? activation(drawing, drawn.id) : deletion(drawing, [active]);
     if (!command) return;
-    const whole = this.#withoutBegun(command, drawing);
+    const whole = this.#begun.gone(command, drawing);
     const part = { selection: null, chosen: [], none: drawn !== undefined };
     this.#leave(whole, whole !== command || !drawn);
     this.#change({ drawing: apply(drawing, whole), ...part }, true);
-  }
-
-  /** The command with what takes away an object that was only begun, where another one is edited then. */
-  #withoutBegun(command: Command, base: Drawing): Command {
-    const begun = this.#begun === null ? undefined : objectOf(base, this.#begun);
-    if (!begun || begun.locked || !isUnfinished(begun.figure)) return command;
-    const after = apply(base, command);
-    const index = after.objects.indexOf(begun);
-    const isUsed = after.objects.some(({ figure }) => figure.derived?.sources.includes(begun.id));
-    if (after.active === begun.id || index < 0 || isUsed) return command;
-    return { type: 'steps', steps: [command, { type: 'delete', index, object: begun }] };
   }
 
   /**
@@ -312,7 +300,7 @@ export class Editor {
     const command = edited === undefined ? null : activation(this.#state.drawing, edited);
     if (command) {
       this.cancelDrag();
-      const whole = this.#withoutBegun(command, this.#state.drawing);
+      const whole = this.#begun.gone(command, this.#state.drawing);
       const drawing = apply(this.#state.drawing, whole);
       this.#leave(whole, whole !== command);
       this.#change({ drawing, selection: null, chosen, tool: this.#resting }, true);
@@ -497,19 +485,13 @@ export class Editor {
 
   /** The edited object stays once it is let go of, however few its points are: something was made of it. */
   keepBegun(): void {
-    this.#begun = null;
-  }
-
-  #begunNow(): number | null {
-    const { figure, drawing } = this.#state;
-    const goesOn = this.#begun === drawing.active && isUnfinished(figure);
-    return isEmpty(figure) || goesOn ? drawing.active : null;
+    this.#begun.keep();
   }
 
   #change(part: StateChange, newEpoch: boolean): void {
     const before = this.#state;
     this.#state = changedState(before, part, this.#drag?.base ?? null, newEpoch);
-    if (!this.#drag) this.#begun = this.#begunNow();
+    if (!this.#drag) this.#begun.follow(this.#state);
     for (const listener of this.#listeners) listener(this.#state, before);
   }
 }
