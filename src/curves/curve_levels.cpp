@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "curves/automatic_levels.h"
 #include "curves/curve.h"
@@ -61,7 +63,10 @@ bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
   bool areShortest = true;
   {
     PointField field(surface(), fieldSet_->options());
+    // By the first point and the number of legs: the segments of a B-spline share most.
+    std::set<std::pair<int, int>> known;
     const auto isShortest = [&](const SegmentLayout& segment, int from, int to) {
+      if (!known.emplace(segment.points[from], to - from).second) return true;
       const double tight = tightLength(geometry, polygon, segment, from, to, workspace_->levels);
       const SurfacePoint& start = polygon.points[segment.points[from]].point;
       const SurfacePoint& end = polygon.points[segment.points[to]].point;

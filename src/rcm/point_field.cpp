@@ -90,7 +90,6 @@ FieldValue PointField::valueBesideHub(int vertex) {
 }
 
 FieldValue PointField::nearValue(int vertex) {
-  if (surface_.isBesideHub(vertex)) return valueBesideHub(vertex);
   const Geometry& geometry = surface_.geometry();
   const bool isExact = options_.solver == Solver::kExact;
   if (!isExact) {
@@ -98,6 +97,7 @@ FieldValue PointField::nearValue(int vertex) {
       return {sight->logVector, sight->distance * sight->distance};
     }
   }
+  if (surface_.isBesideHub(vertex)) return valueBesideHub(vertex);
   const SurfacePoint from = vertexPoint(surface_.mesh(), vertex);
   if (!findPath(geometry, from, point_, *paths_, path_, {.certified = isExact})) {
     throwUnreachable();

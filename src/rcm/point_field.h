@@ -29,8 +29,8 @@ class PointField {
   /// none, by a path search (find_path.h). So a value depends on the surface, the point and the
   /// vertex alone, costs what lies between them, and takes no memory but its own. Beside hubs
   /// (hubs.h), where many values are read and each search would go round all of a hub, exact
-  /// windows find all paths at once. Log vectors are taken as they are: so near they need no fit
-  /// (estimators.h). With exact distances each path is
+  /// windows find all paths out of sight at once. Log vectors are taken as they are: so near they
+  /// need no fit (estimators.h). With exact distances each path is
   /// compared with the shortest one by exact windows, at many times the cost. With graph distances,
   /// and the paper's method, a near field is like any other.
   void setPoint(const SurfacePoint& point, bool isNear = false);

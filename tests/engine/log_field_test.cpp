@@ -11,6 +11,7 @@
 #include "generators/plane.h"
 #include "generators/random.h"
 #include "generators/random_points.h"
+#include "measures/allocations.h"
 #include "mesh/mesh_import.h"
 #include "peers/timed_field.h"
 #include "support.h"
@@ -250,6 +251,19 @@ TEST(NearFields, AreShortestPathsBesideHubs) {
       EXPECT_EQ(found.gradient, backwards.field().at(v).gradient);
     }
   }
+}
+
+/// What a point sees beside a hub costs what lies between them, as elsewhere: a wavefront takes
+/// memory for each of its many faces.
+TEST(NearFields, SeeBesideHubsWithoutAWavefront) {
+  Surface surface(importMesh(wheel(5000, 0, 0.5)).mesh);
+  const TriangleMesh& mesh = surface.mesh();
+  ASSERT_TRUE(surface.isBesideHub(0));
+  PointField near(surface, {});
+  near.setPoint({17, Vec3(0.2, 0.3, 0.5)}, true);
+  const int64_t before = bytesTakenSoFar();
+  for (int k = 0; k < 3; ++k) near.field().at(mesh.corner(17, k));
+  EXPECT_LT(bytesTakenSoFar() - before, mesh.vertexCount());
 }
 
 /// Near fields at vertices, too, find the shortest path almost everywhere: no path is shorter than
