@@ -21,29 +21,29 @@ import { warm } from './warm.js';
 
 export { comparedMethods };
 
-/** What a method did on a mesh; null is a number that was not measured. */
+/** The results of a method on a mesh; null stands for a number that was not measured. */
 export interface MethodResult {
   /** Whether the method gave a curve. */
   ok: boolean;
-  /** Why it failed, or what was not measured of it. */
+  /** Why it failed, or which of its numbers were not measured. */
   reason: string | null;
-  /** What is done once for the mesh, but for what every method needs: neighbours, angles, frames. */
+  /** Preparation once for the mesh, without what every method needs: neighbours, angles, frames. */
   prepareMs: number | null;
   /** The curve with all its fields, log maps or distances, not joined. */
   traceMs: number | null;
-  /** The part of it that is spent on the fields of the points; 0 of methods without fields. */
+  /** The part of `traceMs` that the fields of the points take; 0 for methods without fields. */
   fieldsMs: number | null;
-  /** The middle point moved by an edge, and the segments that it touches traced again. */
+  /** A move of the middle point by an edge, and a new trace of the segments that it touches. */
   dragMs: number | null;
-  /** The part of it that is spent on that point's field. */
+  /** The part of that time that the point's field takes. */
   dragFieldMs: number | null;
-  /** What the method holds with its curve, in bytes, the mesh itself apart. */
+  /** The memory of the method and its curve, in bytes, without the mesh. */
   memory: number | null;
   /** The number of samples. */
   samples: number | null;
   /** The number of samples that did not converge. */
   lost: number | null;
-  /** Those that its own authors would not have accepted either (`MethodCurve.lostByOwnRule`). */
+  /** The number of samples that its own authors would not accept either (`MethodCurve.lostByOwnRule`). */
   lostByOwnRule: number | null;
   /**
    * Log maps of the heat methods. A library that computes one at each evaluation takes about
@@ -58,32 +58,32 @@ export interface MethodResult {
   breaks: number | null;
   /** The largest angle at a sample (`CurveMeasures.sharpestTurn`). */
   sharpestTurn: CurveMeasures['sharpestTurn'];
-  /** By exact shortest paths, the same for all methods; null where no ruler was given. */
+  /** Measures by exact shortest paths, the same for all methods; null without a ruler. */
   ruler: RulerMeasures | null;
-  /** How the curve follows a hand; null where no drag was asked for. */
+  /** How the curve follows a hand; null without a drag. */
   drag: DragMeasures | null;
 }
 
-/** A result with the curve itself, where there is one. */
+/** A result with its curve, if the method gave one. */
 export interface MethodRun extends MethodResult {
   /** The samples and the line through them; null where the method failed. */
   curve: ({ samples: CurveSamples } & ComparedLine) | null;
 }
 
 export interface CompareOptions extends LongWorkOptions {
-  /** A method gives up when it has worked for so long, in milliseconds, between two steps. */
+  /** The time in milliseconds after which a method gives up, at its next step. */
   budgetMs?: number;
-  /** Leaves out the drag, and the repetitions of what is quickly done: for figures that only show. */
+  /** Leaves out the drag and the repetitions of short measurements, for figures that only show the curve. */
   once?: boolean;
-  /** Measures the curve by exact shortest paths too. */
+  /** The ruler that measures the curve by exact shortest paths. */
   ruler?: Ruler;
-  /** Drags a control point in so many steps, and measures how the curve follows; 0 for none. */
+  /** The number of steps of a drag in which the curve's steadiness is measured; 0 for no drag. */
   dragSteps?: number;
 }
 
 /**
- * How each method is set up for a curve. The paper's distances are exact for two points, and on the graph
- * with k = 6 else, as in its Table 1; its searches start as its authors' do.
+ * The options of each method for a curve. The paper's distances are exact for two points, and otherwise
+ * those of the graph with k = 6, as in its Table 1; its searches start as those of its authors.
  */
 export function standardOptions(method: ComparedMethod, plan: CurvePlan): MethodOptions {
   if (method === 'karcher') return { method, solver: 'fast' };
@@ -96,7 +96,7 @@ export function standardOptions(method: ComparedMethod, plan: CurvePlan): Method
   };
 }
 
-/** How a method is set up, in words: what finds its distances, or its log maps. */
+/** The options of a method in words: the solver of its distances, or its log maps. */
 export function solverWords(options: MethodOptions): string {
   const { method, solver, rings = 6, star = 'wide', seeds = 'heaviest' } = options;
   const delaunay = options.delaunay ? ', on the intrinsic Delaunay triangulation' : '';
@@ -126,8 +126,10 @@ export function solverWords(options: MethodOptions): string {
   }
 }
 
-/** Log vectors of exact distances with the quadratic estimator: what curves of more than two points
- * are measured against. */
+/**
+ * The options of the reference for curves of more than two points: log vectors of exact distances with the
+ * quadratic estimator.
+ */
 export const referenceOptions: MethodOptions = { method: 'karcher', solver: 'exact' };
 
 /**
@@ -155,9 +157,9 @@ export async function traceReference(
 }
 
 /**
- * Prepares a method on a copy of the mesh of its own, so that it finds nothing that others made;
- * traces the curve, drags a point and measures the curve against a reference. A method that fails
- * tells why in its result; the curve's samples so far are kept.
+ * Prepares a method on its own copy of the mesh, so that it finds nothing that others computed;
+ * traces the curve, drags a point and measures the curve against a reference. The result of a method that
+ * fails says why, and keeps the samples that it has so far.
  *
  * Rejects with the signal's reason.
  */
@@ -200,7 +202,7 @@ export async function runMethod(
     Object.assign(run, measures(mesh, run.curve.samples, reference));
     run.lostByOwnRule = curve.lostByOwnRule();
     run.logMaps = curve.logMaps();
-    // With fewer it is no curve.
+    // Fewer samples make no curve.
     run.ok = run.lost! <= run.samples! / 2;
     if (!run.ok) run.reason = `${run.lost} of ${run.samples} samples did not converge`;
     if (dragSteps > 0 && run.ok) {
@@ -212,22 +214,22 @@ export async function runMethod(
     if (!once && run.ok) await repeat(run, { peers, method, curve, mesh: own, plan, work });
   } catch (error) {
     signal?.throwIfAborted();
-    // A curve that was traced in time stays; what is missing is null.
+    // A curve that was traced in time is kept; numbers that are missing are null.
     run.ok = run.ok && budget.reason !== null;
     run.reason = budget.reason ?? reasonOf(error);
   } finally {
     method?.dispose();
     own.dispose();
   }
-  // The time that measuring takes is not the method's.
+  // The time of measuring does not count as the method's.
   if (ruler && run.curve) run.ruler = await ruler.measure(run.curve.samples, { progress, signal });
   return run;
 }
 
-/** Ends work that takes too long, at the next step that can be parted. */
+/** Ends work that takes too long, at its next step. */
 class Budget {
   readonly signal: AbortSignal;
-  /** Why the work was ended. */
+  /** The reason why the work was ended. */
   reason: string | null = null;
   readonly #controller = new AbortController();
   readonly #start = performance.now();
@@ -246,7 +248,7 @@ class Budget {
   }
 }
 
-/** The result of a method of which nothing was measured. */
+/** The result of a method before anything is measured. */
 export const nothingMeasured: MethodResult = {
   ok: false,
   reason: null,
@@ -274,13 +276,13 @@ function measures(mesh: Mesh, samples: CurveSamples, reference: ReferenceSamples
   return { samples: samples.count, lost };
 }
 
-/** The reason of a failure that a method may have; others are not for a table. */
+/** The reason of a failure that a method may have. Other failures are errors of the program and are thrown. */
 function reasonOf(error: unknown): string {
   if (error instanceof KarcherError) return error.message;
   throw error;
 }
 
-/** What is done in a moment is done again, since a first time is not the usual time. */
+/** Short work is repeated, since a first run is slower than usual. */
 const mostRuns = 5;
 const longEnoughMs = 400;
 
@@ -294,10 +296,10 @@ interface Repeated {
   work: LongWorkOptions;
 }
 
-/** Sets the medians of all that was done once, and of drags. */
+/** Sets the medians of the preparation, the trace and the edits. */
 async function repeat(run: MethodRun, repeated: Repeated): Promise<void> {
   const { method, curve, mesh, plan, work } = repeated;
-  // Each on a new curve: a point that comes back to where it was finds what was kept of it.
+  // Each repetition needs a new curve, since a point that returns to an earlier place finds its cached field.
   const traces = [run.traceMs!];
   const fields = [run.fieldsMs!];
   const drags = [await drag(curve, mesh, plan, work)];
@@ -338,12 +340,12 @@ async function medianPreparation({ peers, method, mesh, work }: Repeated): Promi
   return median(times);
 }
 
-/** Runs work that gives its milliseconds until it took long enough, what was `spent` included. */
+/** Repeats work, which returns its milliseconds, until the sum with `spent` is long enough. */
 async function whileQuick(spent: number, run: () => Promise<number>): Promise<void> {
   for (let all = spent, runs = 1; all < longEnoughMs && runs < mostRuns; runs++) all += await run();
 }
 
-/** The middle point moved to the next corner: all segments that it touches. */
+/** Moves the middle point to the next corner and traces all segments that it touches. */
 function drag(curve: MethodCurve, mesh: Mesh, { points }: CurvePlan, work: LongWorkOptions) {
   const middle = Math.floor(points.length / 2);
   const wire = wirePoint(points[middle]!);

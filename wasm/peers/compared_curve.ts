@@ -34,20 +34,20 @@ export class ComparedCurve implements MethodCurve {
     this.#forget = forget;
   }
 
-  /** Replaces a control point: the segments that it touches are to be traced again. */
+  /** Replaces a control point. The next `trace` traces the segments that it touches again. */
   movePoint(i: number, point: PointLike): void {
     const index = checkInteger(i, 'the number of the control point');
     const wire = wirePoint(point);
     this.#call((curve) => curve.movePoint(index, wire));
   }
 
-  /** Starts the searches of each segment there, instead of at the point of the largest weight. */
+  /** Starts the searches of each segment at a given point, instead of at the point of the largest weight. */
   startAt(point: PointLike): void {
     const wire = wirePoint(point);
     this.#call((curve) => curve.startAt(wire));
   }
 
-  /** Makes the fields and samples that are missing, at once: the milliseconds that it took. */
+  /** Computes the missing fields and samples at once, and returns the milliseconds that this took. */
   finish(): number {
     const start = performance.now();
     while (!this.#call((curve) => curve.advance(all)));
@@ -55,8 +55,8 @@ export class ComparedCurve implements MethodCurve {
   }
 
   /**
-   * The same in slices, with pauses between them that do not count. `work.progress` tells the part
-   * of the samples that is done. Rejects with the signal's reason.
+   * The same in slices, with pauses between them that do not count. `work.progress` receives the part of the
+   * samples that is done. Rejects with the signal's reason.
    */
   async trace({ progress, signal }: LongWorkOptions = {}): Promise<number> {
     const total = this.#call((curve) => curve.samplesLeft());
@@ -73,7 +73,7 @@ export class ComparedCurve implements MethodCurve {
         const before = now;
         done = this.#call((curve) => curve.advance(batch));
         now = performance.now();
-        // A step makes one field, or samples.
+        // A step computes one field, or a batch of samples.
         const leftBefore = left;
         left = this.#call((curve) => curve.samplesLeft());
         if (left === leftBefore) this.#fieldsMs += now - before;
@@ -86,28 +86,29 @@ export class ComparedCurve implements MethodCurve {
     return worked;
   }
 
-  /** Of the last `trace`, the milliseconds that its fields took; 0 of methods without fields. */
+  /** The milliseconds that the fields of the last `trace` took; 0 for methods without fields. */
   get fieldsMs(): number {
     return this.#fieldsMs;
   }
 
-  /** The samples that are there, segment by segment. */
+  /** The samples so far, segment by segment. */
   samples(): CurveSamples {
     return this.#view(this.#call((curve) => curve.samples())).samples;
   }
 
   /**
-   * How many of the samples so far its own authors would not have accepted either. The library of the
+   * The number of samples so far that the method's own authors would not accept either. The library of the
    * heat methods stops where the weighted sum of logarithms is shorter than a third of the root of the
-   * face's area; here samples converge at 1e-6 mean edges. For other methods: those that did not converge.
+   * face's area; here samples converge at 1e-6 mean edges. For other methods this is the number of samples
+   * that did not converge.
    */
   lostByOwnRule(): number {
     return this.#call((curve) => curve.lostByOwnRule());
   }
 
   /**
-   * How many log maps a heat method made so far, one for each vertex that a search came by, and how many
-   * it requested: their authors' library computes each of these anew. Null for other methods.
+   * The numbers of log maps that a heat method has computed, one for each vertex that a search visited, and
+   * has requested: its authors' library computes each requested one again. Null for other methods.
    */
   logMaps(): LogMapCounts | null {
     return this.#call((curve) => curve.logMaps());

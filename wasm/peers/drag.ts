@@ -3,10 +3,10 @@ import type { CurveSamples, LongWorkOptions } from '../types.js';
 import type { CurvePlan, MethodCurve } from './types.js';
 import { at, length, subtract, type Vector } from './vectors.js';
 
-/** Where a curve moves so many times as far as the hand in a step, it leaps. */
+/** A curve leaps where it moves this many times as far as the hand in one step. */
 const leapRatio = 5;
 
-/** A drag goes so many mean edges, or as far as the next control point where that is nearer. */
+/** The length of a drag in mean edges, unless the next control point is nearer. */
 const dragEdges = 2;
 
 /** How steadily a curve follows the hand: a control point dragged in small even steps. */
@@ -21,8 +21,8 @@ export interface DragMeasures {
 
 /**
  * Drags the middle control point of a traced curve along the shortest path towards the one after it, in
- * `steps` even steps over two mean edges or less, traces it at each, and leaves it there. Samples count
- * where they converged, or were bridged, before and after a step. Rejects with the signal's reason.
+ * `steps` even steps over two mean edges or less, traces it at each, and leaves it there. A sample counts
+ * for a step if it converged, or was bridged, both before and after. Rejects with the signal's reason.
  */
 export async function measureDrag(
   curve: Pick<MethodCurve, 'movePoint' | 'trace' | 'samples'>,
@@ -65,7 +65,7 @@ function directionOf(polyline: Float64Array): Vector {
   return subtract(at(polyline, last), from);
 }
 
-/** A bridged sample is seen as the others are. */
+/** A bridged sample counts, since users see it like the others. */
 const isThere = (status: string) => status === 'converged' || status === 'bridged';
 
 function farthest(before: CurveSamples, after: CurveSamples): number | null {

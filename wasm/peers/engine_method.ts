@@ -13,15 +13,15 @@ import type {
   PreparedCurves,
 } from './types.js';
 
-/** The methods that are curves of the engine, and what they have of its levels. */
+/** The methods that are curves of the engine, with their options for its levels. */
 const engineMethods = {
   /**
    * b/Surf (C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive Bezier Splines on Surface
-   * Meshes", 2022) as the engine has it: repeated averages of two points along geodesics. It needs no fields,
+   * Meshes", 2022) by the engine: repeated averages of two points along geodesics. It needs no fields,
    * and its points are no centers of mass.
    */
   bSurf: { levels: 'limit', name: 'b/Surf' },
-  /** Our default: the control polygon is refined first, as often as needed. */
+  /** Our default, which first refines the control polygon as often as needed. */
   leveled: { levels: 'auto', name: 'a refined curve' },
 } as const;
 
@@ -31,7 +31,7 @@ export type EngineMethodName = keyof typeof engineMethods;
 export const isOfEngine = (method: ComparedMethod): method is EngineMethodName =>
   method in engineMethods;
 
-/** A curve of the engine as a compared method. Nothing is prepared. */
+/** A curve of the engine as a compared method, which needs no preparation. */
 export class EngineMethod implements PreparedCurves {
   readonly options: MethodOptions;
   readonly prepareMs = 0;
@@ -95,7 +95,7 @@ class EngineCurve implements MethodCurve {
     this.#forget = forget;
   }
 
-  /** Averages of two points need none. */
+  /** Averages of two points need no fields. */
   get fieldsMs(): number {
     return this.#fieldsMs;
   }
@@ -110,7 +110,7 @@ class EngineCurve implements MethodCurve {
     this.#moved.set(index, point);
   }
 
-  /** Its searches start where the engine starts them. */
+  /** The engine chooses where its searches start. */
   startAt(): void {}
 
   finish(): number {

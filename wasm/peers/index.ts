@@ -10,7 +10,7 @@ export * from './measure.js';
 export type { Peers } from './peers.js';
 export * from './ruler.js';
 export type * from './types.js';
-/** Vectors in space, as those who measure and draw curves need them. */
+/** Vectors in space, for programs that measure and draw curves. */
 export * as vectors from './vectors.js';
 export { warm } from './warm.js';
 

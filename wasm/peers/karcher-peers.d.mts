@@ -22,9 +22,9 @@ export interface PeersModule extends EngineModule {
   ): EngineComparedCurve;
   benchmark(mesh: EngineMesh): EngineBenchmark;
   /**
-   * For each row of weights: whether the search converged, its iterations; of its geodesics how many were
-   * traced, taken to a joint before their end, had to be, and had no better joint; whether it ended inside a
-   * triangle; the gradients where its last three iterations began, the last one first.
+   * Ten numbers for each row of weights: whether the search converged; its iterations; how many geodesics it
+   * traced, moved to a joint before their end, had to move, and could not improve; whether it ended inside a
+   * triangle; and the gradients at the starts of its last three iterations, the last one first.
    */
   newtonSteps(
     mesh: EngineMesh,
@@ -48,9 +48,9 @@ export interface EngineBenchmark {
   ringGraph(rings: number): void;
   gradientOperator(): void;
   field(point: Float64Array, field: EngineFieldOptions): void;
-  /** Chooses a field and the vertices within a radius of its point: their number. */
+  /** Chooses a field and the vertices within a radius of its point, and returns their number. */
   chooseField(point: Float64Array, field: EngineFieldOptions, radius: number): number;
-  /** Makes the chosen field anew and reads it at these vertices. */
+  /** Computes the chosen field again and reads it at these vertices. */
   readField(): void;
   gradient(): void;
 }
@@ -73,15 +73,15 @@ export interface EngineComparedCurve {
   delete(): void;
   movePoint(i: number, point: Float64Array): void;
   startAt(point: Float64Array): void;
-  /** Makes one field or up to so many samples; true when nothing is left. */
+  /** Computes one field or up to this many samples; true when nothing is left. */
   advance(samples: number): boolean;
   samplesLeft(): number;
   lostByOwnRule(): number;
-  /** How many log maps were made, and asked for; null of methods that have none. */
+  /** The numbers of log maps computed and requested; null for methods without log maps. */
   logMaps(): { made: number; asked: number } | null;
   /** The view (../view.ts) of the samples alone. */
   samples(): Uint8Array;
-  /** That of the path alone: of 64 bits, with points. */
+  /** The view of the path alone, in 64 bits and with points. */
   joined(): Uint8Array;
 }
 

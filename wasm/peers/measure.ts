@@ -31,11 +31,11 @@ export interface CurveMeasures {
 
 /** A reference: where its samples are, and which of them converged. */
 export interface ReferenceSamples extends Pick<CurveSamples, 'count' | 'position' | 'status'> {
-  /** The energy of each, where it is known in closed form, in squared units of the mesh. */
+  /** The energy of each sample, if it is known in closed form, in squared units of the mesh. */
   energy?: Float64Array;
 }
 
-/** The centers of mass of the two ends of a path: each at a part of its length. */
+/** The centers of mass of the two ends of a path, which are points at parts of its length. */
 export function alongPath(path: Path, { t, weights }: WeightTable): ReferenceSamples {
   const polyline = path.polyline({ bits: 64 });
   const lengths = [0];
@@ -62,14 +62,14 @@ export function alongPath(path: Path, { t, weights }: WeightTable): ReferenceSam
   return { count: t.length, position, energy, status: Array.from(t, () => 'converged' as const) };
 }
 
-/** So many times longer than its neighbours, a step between samples is a leap. */
+/** A step between samples is a leap if it is this many times longer than its neighbours. */
 const leapRatio = 5;
 
 /** Measures curves on one mesh. */
 export class CurveMeter {
   readonly #meanEdge: number;
   readonly #triangles: Int32Array;
-  /** Per vertex the sum of the normals of its faces, weighted by area. */
+  /** For each vertex the sum of its faces' normals, weighted by area. */
   readonly #normals: Float64Array;
 
   constructor(mesh: Mesh) {
@@ -81,8 +81,8 @@ export class CurveMeter {
 
   /**
    * Both curves have the same segments and parameters. `affine` are the averages in space of the control
-   * points with the samples' weights: they tell where a curve is fast and does not leap, as rational ones
-   * are at their ends.
+   * points with the samples' weights: they show where a curve is fast without a leap, such as rational
+   * curves at their ends.
    */
   measure(
     curve: CurveSamples,
@@ -140,7 +140,7 @@ export class CurveMeter {
       const steps = numbers.map((i) => this.#step(curve, i));
       const paces = numbers.map((i) => (affine ? stepOf(affine, i) : 1));
       steps.forEach((step, k) => {
-        // A step without a neighbour is measured against none.
+        // A step without a neighbour has nothing to compare with.
         const beside = [k - 1, k + 1].filter((other) => typeof steps[other] === 'number');
         if (step === null || beside.length === 0 || step <= this.#meanEdge) return;
         const isLeap = beside.every(
@@ -152,7 +152,7 @@ export class CurveMeter {
     return breaks;
   }
 
-  /** The distance from a sample to the next; null where one of them is lost. */
+  /** The distance from a sample to the next; null if one of them is lost. */
   #step(curve: CurveSamples, i: number): number | null {
     if (curve.status[i] !== 'converged' || curve.status[i + 1] !== 'converged') return null;
     return stepOf(curve, i);
@@ -169,7 +169,7 @@ export class CurveMeter {
         const turn = this.#turningAngle(curve, i, stride, normal);
         const truth = this.#turningAngle(reference, i, stride, normal);
         if (turn === null || truth === null) continue;
-        // Angles on both sides of pi are near each other.
+        // The difference is taken modulo a full turn.
         const difference = Math.abs(turn - truth);
         squares += Math.min(difference, 2 * Math.PI - difference) ** 2;
         count++;
@@ -178,7 +178,7 @@ export class CurveMeter {
     return count === 0 ? null : Math.sqrt(squares / count);
   }
 
-  /** By how much the curve turns to the left at sample i; null where samples are lost or coincide. */
+  /** The angle by which the curve turns left at sample i; null if samples are lost or coincide. */
   #turningAngle(samples: ReferenceSamples, i: number, stride: number, normal: Vector) {
     for (const k of [i - stride, i, i + stride]) {
       if (samples.status[k] !== 'converged') return null;

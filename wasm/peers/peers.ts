@@ -16,12 +16,12 @@ import type {
   WeightTable,
 } from './types.js';
 
-/** The module's `newtonSteps` gives so many numbers a search. */
+/** The count of numbers that the module's `newtonSteps` returns for each search. */
 const numbersASearch = 10;
 
 /** The engine and the methods that it is compared with. */
 export class Peers {
-  /** The engine of this module: it makes the meshes, with all that they offer. */
+  /** The engine of this module, which creates the meshes that the methods take. */
   readonly karcher: Karcher;
   readonly #engine: Engine;
   readonly #module: PeersModule;
@@ -34,9 +34,8 @@ export class Peers {
   }
 
   /**
-   * Computes what a method needs of a mesh, which is to live as long as the method. `work.progress`
-   * is called, and the signal asked, between the steps that can be parted: the vertices of a graph,
-   * the landmarks of an embedding.
+   * Prepares a method on a mesh, which must outlive the method. `work.progress` is called and the signal
+   * checked between steps: the vertices of a graph, the landmarks of an embedding.
    *
    * Rejects with the signal's reason, and with `KarcherError`: noEmbedding, degenerateFace,
    * unreachable, badArgument.
@@ -50,7 +49,7 @@ export class Peers {
     return prepareMethod(this.#engine, this.#module, mesh, options, work);
   }
 
-  /** The weights of a Bernstein basis of that degree at evenly spaced parameters. */
+  /** The weights of a Bernstein basis of a given degree at evenly spaced parameters. */
   bezier(degree: number, samples: number): WeightTable {
     return this.#table('bezier', [checkInteger(degree, 'the degree')], samples);
   }
@@ -60,18 +59,18 @@ export class Peers {
     return this.#table('bspline', [], samples);
   }
 
-  /** The weights of a rational Bezier curve whose points have these weights. */
+  /** The weights of a rational Bezier curve whose points have the given weights. */
   rational(weights: readonly number[], samples: number): WeightTable {
     return this.#table('rational', weights, samples);
   }
 
-  /** Those of rational interpolation in barycentric form (Ramanantoanina, Hormann 2021). */
+  /** The weights of rational interpolation in barycentric form (Ramanantoanina, Hormann 2021). */
   barycentric(betas: readonly number[], samples: number): WeightTable {
     return this.#table('barycentric', betas, samples);
   }
 
   /**
-   * The plan of a curve as its points' number suggests: two are joined by a shortest path, three
+   * The plan of a curve that suits the number of its points: two are joined by a shortest path, three
    * make a quadratic Bezier curve, four and more a uniform cubic B-spline.
    */
   plan(points: CurvePlan['points'], samples: number): CurvePlan {
@@ -88,7 +87,7 @@ export class Peers {
   }
 
   /**
-   * The steps that `karcher bench` times, on a mesh that is to live as long.
+   * The steps that `karcher bench` times, on a mesh that must outlive them.
    * @internal
    */
   benchmark(mesh: Mesh): Handle<EngineBenchmark> {
@@ -98,7 +97,7 @@ export class Peers {
   }
 
   /**
-   * What the searches of the paper's method do, a row of weights each. They begin at the point with the
+   * Records of the paper's searches, one for each row of weights. Searches begin at the point with the
    * largest weight; if `warm`, those after one that converged begin where it ended.
    * @internal
    */

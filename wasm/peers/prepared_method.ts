@@ -58,7 +58,7 @@ const tableNames = namesOf<WeightTable>({ points: true, t: true, weights: true }
 /** A method prepared on a mesh, until `dispose`. */
 export class PreparedMethod implements PreparedCurves {
   readonly options: MethodOptions;
-  /** How long the preparation took, in milliseconds, pauses apart. */
+  /** The duration of the preparation in milliseconds, without pauses. */
   readonly prepareMs: number;
   readonly #engine: Engine;
   readonly #module: PeersModule;
@@ -133,7 +133,7 @@ export class PreparedMethod implements PreparedCurves {
     }
   }
 
-  /** Gives the memory back, that of the method's curves too. Safe to repeat. */
+  /** Frees the memory of the method and its curves. Safe to repeat. */
   dispose(): void {
     for (const curve of this.#curves) curve.dispose();
     this.#handle.dispose();
@@ -191,7 +191,7 @@ function engineOptions(options: MethodOptions): EngineMethodOptions {
   };
 }
 
-/** Throws where an option is given to a method that has no use for it. */
+/** Throws if a method is given an option that it does not use. */
 function checkMeant(name: string, value: unknown, isMeant: boolean, methods: string): void {
   if (value === undefined || isMeant) return;
   throw new KarcherError('badArgument', `the option '${name}' is for the method ${methods} only`);

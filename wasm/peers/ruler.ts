@@ -6,15 +6,15 @@ import type { ReferenceSamples } from './measure.js';
 import type { CurvePlan } from './types.js';
 import { add, at, cross, dot, length, scaled, subtract, type Vector } from './vectors.js';
 
-/** At so many samples of a curve, evenly spaced from its first to its last, its error is measured. */
+/** The number of samples at which a curve's error is measured, evenly spaced from its first to its last. */
 const rulerSamples = 33;
 
-/** Nearer to a side of its face than this, a point counts as lying on it. */
+/** A point counts as lying on a side of its face if it is nearer to it than this. */
 const onSide = 1e-6;
 
 /**
- * How far a curve's samples are from being centers of mass, by exact shortest paths: what every method
- * is measured by, whatever its own distances are.
+ * The error of a curve's samples as centers of mass, by exact shortest paths. Every method is measured by
+ * these, whatever its own distances are.
  */
 export interface RulerMeasures {
   /**
@@ -22,15 +22,18 @@ export interface RulerMeasures {
    * about the distance to it.
    */
   residual: { median: number; max: number } | null;
-  /** Medians of sum of w_i d(x, p_i)^2 in squared mean edges, and of what it is above the reference's. */
+  /**
+   * Medians of the energy, the sum of w_i d(x, p_i)^2, in squared mean edges, and of its excess over the
+   * reference's.
+   */
   energy: { median: number; excess: number | null } | null;
-  /** Samples that were measured: those that converged, of `rulerSamples` or of all where there are fewer. */
+  /** The number of measured samples: those that converged, among `rulerSamples` or all if there are fewer. */
   measured: number;
-  /** The number of samples that were to be measured. */
+  /** The number of samples chosen for the measurement. */
   of: number;
 }
 
-/** What is read at each of a ruler's samples; NaN where the sample did not converge. */
+/** The measurements at each of a ruler's samples; NaN if the sample did not converge. */
 export interface RulerReading {
   /** The length of the weighted sum of log vectors, in units of the mesh. */
   residual: Float64Array;
@@ -119,7 +122,7 @@ export class Ruler {
         reading.energy[k] = energy;
       }
       progress?.((k + 1) / chosen.length, 'residual');
-      // A message that cancels is heard between two samples.
+      // The pause lets a message that cancels arrive between two samples.
       await pause();
     }
     return reading;
@@ -149,7 +152,7 @@ export class Ruler {
     const normal = unit(normalOf(corners));
     const sides = [0, 1, 2].filter((k) => bary[k]! < onSide);
     if (sides.length !== 1) return (direction) => direction;
-    // The side opposite to corner k, and what lies behind it.
+    // The side opposite to corner k, and the face behind it.
     const k = sides[0]!;
     const [from, to] = [(k + 1) % 3, (k + 2) % 3] as const;
     const along = unit(subtract(corners[to]!, corners[from]!));
@@ -190,8 +193,8 @@ const unit = (a: Vector): Vector => scaled(a, 1 / length(a));
 const normalOf = ([a, b, c]: [Vector, Vector, Vector]) => cross(subtract(b, a), subtract(c, a));
 
 /**
- * The direction in which a path leaves its start: that of its first piece that is not a rounding error
- * long, as where the start lies next to a side. Null where it stays there.
+ * The direction in which a path leaves its start: that of its first piece longer than a rounding error,
+ * since the start may lie next to a side. Null for a path that stays there.
  */
 function firstStep(path: Path, least: number): Vector | null {
   const polyline = path.polyline({ bits: 64 });

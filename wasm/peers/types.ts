@@ -36,12 +36,12 @@ export interface MethodOptions {
   /** `paper`: as in `FieldOptions`. */
   star?: Star;
   /**
-   * `paper` and `karcher`: where searches start. `heaviest` (the default), as the engine's: the ends of a
-   * segment at the control point of the largest weight, other samples at the last that converged, and
-   * again at control points where that fails. `authors`, as the program of the paper's authors: the first
-   * sample at the geodesic de Boor point, as are those after it until one is found; then each at the last
-   * one that was, through all segments, and never again; where a control point has all the weight, as at
-   * the ends of a Bezier curve, it is the sample.
+   * `paper` and `karcher`: where searches start. `heaviest` (the default) starts as the engine does: the
+   * ends of a segment at the control point of the largest weight, other samples at the last one that
+   * converged, and again at control points if that fails. `authors` starts as the program of the paper's
+   * authors: at the geodesic de Boor point until a sample is found, then once at the last sample found,
+   * through all segments. A control point with all the weight, such as at the ends of a Bezier curve, is
+   * itself the sample.
    */
   seeds?: 'heaviest' | 'authors';
   /** The heat methods: on the intrinsic Delaunay triangulation of the surface. */
@@ -56,7 +56,7 @@ export interface MethodOptions {
 
 /** Weights at parameters t in [0, 1]: row after row, as many as a segment has control points. */
 export interface WeightTable {
-  /** The number of control points of a segment, which is that of the columns. */
+  /** The number of control points of a segment, which is the number of columns. */
   points: number;
   /** The parameter of each row. */
   t: Float64Array;
@@ -75,29 +75,29 @@ export interface CurvePlan {
   first: readonly number[];
   /** The weights of a segment's points at each of its samples. */
   table: WeightTable;
-  /** The kind of curve, where it can be subdivided: `bSurf` and `leveled` need it. */
+  /** The kind of a curve that can be subdivided, which `bSurf` and `leveled` need. */
   shape?: { kind: 'bspline' | 'bezier' | 'rational'; weights?: readonly number[] };
 }
 
 /** A curve by one of the methods, until `dispose` (compared_curve.ts). */
 export interface MethodCurve {
-  /** Replaces control point `i`; the segments that it touches are to be traced again. */
+  /** Replaces control point `i`. The next trace traces the segments that it touches again. */
   movePoint(i: number, point: PointLike): void;
   /** Starts the searches of each segment at a point of the surface. */
   startAt(point: PointLike): void;
-  /** Makes what is missing at once, and returns the milliseconds that it took. */
+  /** Computes what is missing at once, and returns the milliseconds that this took. */
   finish(): number;
   /** Does the same as `finish` in slices, with pauses that do not count. */
   trace(work?: LongWorkOptions): Promise<number>;
-  /** The milliseconds of the last `trace` that its fields took; 0 of methods without fields. */
+  /** The milliseconds that the fields of the last `trace` took; 0 for methods without fields. */
   readonly fieldsMs: number;
   /** The samples of all segments, and how the search for each ended. */
   samples(): CurveSamples;
   /** The samples joined by geodesics, for drawing. */
   line(): ComparedLine;
-  /** The number of samples that the method's own authors would not have accepted either. */
+  /** The number of samples that the method's own authors would not accept either. */
   lostByOwnRule(): number;
-  /** The log maps that were made and asked for; null of methods without any. */
+  /** The numbers of log maps computed and requested; null for methods without log maps. */
   logMaps(): LogMapCounts | null;
   /** Gives the memory back. Safe to repeat. */
   dispose(): void;
@@ -117,7 +117,7 @@ export interface PreparedCurves {
     weights: ArrayLike<number>,
     options?: { start?: PointLike },
   ): ComparedCenter;
-  /** Gives the memory back, that of the curves too. Safe to repeat. */
+  /** Frees the memory of the method and its curves. Safe to repeat. */
   dispose(): void;
 }
 
@@ -129,19 +129,19 @@ export interface ComparedLine {
   unconverged: Uint8Array;
 }
 
-/** What all methods tell of a center of mass. */
+/** The results of all methods for a center of mass. */
 export type ComparedCenter = Pick<CenterOfMass, 'point' | 'position' | 'status'>;
 
-/** Log maps of a heat method's curve: how many were made, and how many asked for. */
+/** The numbers of log maps of a heat method's curve. */
 export interface LogMapCounts {
-  /** The number of log maps that were made. */
+  /** The number of log maps that were computed. */
   made: number;
-  /** The number of log maps that were asked for, each of which a library would make anew. */
+  /** The number of requested log maps, each of which a library would compute again. */
   asked: number;
 }
 
 /**
- * What a search of the paper's method did.
+ * The record of one search by the paper's method.
  * @internal
  */
 export interface NewtonSteps {
@@ -151,7 +151,7 @@ export interface NewtonSteps {
   iterations: number;
   /** Geodesics along steps of Newton's method. */
   traced: number;
-  /** How many of these were taken to a joint before their end. */
+  /** How many of these were cut at a joint before their end. */
   shortened: number;
   /** How many of those have no smaller gradient at their end than at their start. */
   needed: number;

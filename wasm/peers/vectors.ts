@@ -1,9 +1,9 @@
-/** Vectors in space, for what is measured of curves. */
+/** Vectors in space, for measuring curves. */
 export type Vector = [number, number, number];
 
 /** The sum of two vectors. */
 export const add = (a: Vector, b: Vector): Vector => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
-/** The first vector less the second. */
+/** The first vector minus the second. */
 export const subtract = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 /** A vector times a number. */
 export const scaled = (a: Vector, s: number): Vector => [s * a[0], s * a[1], s * a[2]];

@@ -5,15 +5,14 @@ import type { MethodOptions } from './types.js';
 const triangles = 500;
 const rounds = 3;
 const samples = 17;
-/** The number of landmarks; so few already run all the code of an embedding. */
+/** The number of landmarks, which is enough to run all the code of an embedding. */
 const landmarks = 50;
 
 const warmed = new WeakMap<Peers, Map<string, Promise<void>>>();
 
 /**
- * Runs a method on a small mesh, before it is measured for the first time: its part of the
- * WebAssembly module is compiled only then, which takes longer than the method itself does on
- * thousands of triangles.
+ * Runs a method on a small mesh, before it is measured for the first time: browsers compile its part of the
+ * WebAssembly module on first use, which takes longer than the method on thousands of triangles.
  */
 export function warm(peers: Peers, options: MethodOptions): Promise<void> {
   const done = warmed.get(peers) ?? new Map<string, Promise<void>>();

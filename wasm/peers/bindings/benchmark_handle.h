@@ -23,9 +23,10 @@ class BenchmarkHandle {
   void gradientOperator() { mesh_.surface().gradientOperator(); }
   /// The paper's field of a point, with the gradient in it.
   void field(const val& point, const val& options);
-  /// Chooses a field of log vectors and all vertices within `radius` of its point: their number.
+  /// Chooses a field of log vectors and all vertices within `radius` of its point, and returns
+  /// their number.
   int chooseField(const val& point, const val& options, double radius);
-  /// Makes the chosen field anew and reads it at these vertices.
+  /// Computes the chosen field again and reads it at these vertices.
   void readField();
   /// The gradient operator, applied once.
   void gradient();

@@ -18,7 +18,7 @@ ComparedMethod comparedMethod(const std::string& name) {
   return ComparedMethod::kFields;
 }
 
-/// The basis of that name. Throws Error kBadArgument.
+/// The basis with this name. Throws Error kBadArgument.
 Basis basisOf(const std::string& name, const Array<double>& parameters) {
   if (name == "bspline") return uniformCubicBasis;
   for (const double parameter : parameters) {

@@ -8,7 +8,7 @@
 
 namespace karcher::bindings {
 
-/// A method of the comparison, prepared on a mesh that must be there at each call.
+/// A method of the comparison, prepared on a mesh that must outlive it.
 class PreparedMethodHandle {
  public:
   PreparedMethodHandle(MeshHandle& mesh, const ComparedOptions& options)
@@ -22,7 +22,7 @@ class PreparedMethodHandle {
   PreparedMethod method_;
 };
 
-/// A curve by such a method; both must be there at each call.
+/// A curve by such a method. The mesh and the method must outlive it.
 class ComparedCurveHandle {
  public:
   ComparedCurveHandle(PreparedMethodHandle& method, ComparedPlan plan)
@@ -33,11 +33,11 @@ class ComparedCurveHandle {
   bool advance(int samples) { return curve_.advance(samples); }
   int samplesLeft() const { return curve_.samplesLeft(); }
   int lostByOwnRule() const { return curve_.lostByOwnRule(); }
-  /// {made, asked}: how many log maps; null of methods that have none.
+  /// {made, asked}: the numbers of log maps; null for methods without log maps.
   val logMaps() const;
   /// The view (view.h) of the samples alone.
   val samples() const;
-  /// That of the path: the samples of each segment, joined by geodesics.
+  /// The view of the path: the samples of each segment, joined by geodesics.
   val joined() const;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace karcher::bindings {
 
-/// What this module has beyond those of the engine's own bindings, which are linked with it: meshes
-/// of the one class serve both.
+/// The bindings of the peers. The engine's own bindings are linked with them, so that both share
+/// one class of meshes.
 EMSCRIPTEN_BINDINGS(karcher_peers) {
   using emscripten::class_;
   using emscripten::function;
