@@ -8,7 +8,7 @@ export interface DracoColumn {
   size: number;
 }
 
-/** A mesh that Draco compressed: triangles, and columns by the numbers that they were asked for with. */
+/** A mesh that Draco compressed: triangles, and columns by the numbers of the request. */
 export interface DracoResult {
   points: number;
   /** Of 4 bytes a number. */

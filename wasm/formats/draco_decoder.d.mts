@@ -1,6 +1,6 @@
 /**
- * The decoder of the package `draco3d`, as far as it is used. The build writes it, with its WebAssembly
- * module in it, beside what reads it.
+ * The part of the package `draco3d` that is used: its decoder. The build writes it, with its WebAssembly module
+ * inside, beside its reader.
  */
 export interface DracoModule {
   readonly HEAPU8: Uint8Array;

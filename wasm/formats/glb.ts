@@ -1,6 +1,6 @@
 import { badFile, counted } from './failures.js';
 
-/** What a glTF file consists of: its JSON, and the buffer in the same file, where there is one. */
+/** The contents of a glTF file: its JSON, and the buffer in the same file, if any. */
 export interface GltfContent {
   json: unknown;
   buffer: Uint8Array | null;

@@ -15,7 +15,7 @@ import type { FilePart, Polygons } from './types.js';
 /** A matrix's 16 numbers, column by column. */
 type Matrix = readonly number[];
 
-/** Instances may repeat a mesh: so many parts, and no more, are made of a file. */
+/** The limit of parts in a file, since instances may repeat a mesh. */
 const mostParts = 250_000;
 
 const identity: Matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
@@ -84,7 +84,7 @@ interface Strip {
   primitive: Primitive;
 }
 
-/** What a mesh has, of triangles and of what is left out. */
+/** The triangles of a mesh, and notes on what is left out. */
 interface Primitives {
   triangles: Primitive[];
   points: number;
@@ -216,7 +216,7 @@ function placedMeshes(accessors: Accessors): PlacedMesh[] {
       const mesh = entryOf(json, 'meshes', node.mesh);
       const name = [node.name, mesh.name].find((one) => typeof one === 'string' && one !== '');
       const told = (name as string | undefined) ?? `mesh ${node.mesh}`;
-      // By glTF a mesh with a skin is where its joints are, and not where its node is.
+      // In glTF the joints of a skin place its mesh, not the node.
       const place = node.skin === undefined ? matrix : identity;
       addInstances({ mesh, matrix: place, name: told }, node, accessors, placed);
     }
@@ -226,7 +226,7 @@ function placedMeshes(accessors: Accessors): PlacedMesh[] {
   return placed;
 }
 
-/** Adds a node's mesh: once, or as often as the node's instances tell (EXT_mesh_gpu_instancing). */
+/** Adds a node's mesh once, or once for each of its instances (EXT_mesh_gpu_instancing). */
 function addInstances(mesh: PlacedMesh, node: Json, accessors: Accessors, placed: PlacedMesh[]) {
   const extensions = objectOf(node, 'extensions');
   if (extensions.EXT_mesh_gpu_instancing === undefined) {
@@ -266,7 +266,7 @@ function addInstances(mesh: PlacedMesh, node: Json, accessors: Accessors, placed
   }
 }
 
-/** Nodes that are no other's children. */
+/** Nodes that are not children of others. */
 function rootsOf(json: Json, nodes: readonly unknown[]): number[] {
   const children = new Set(nodes.flatMap((_, i) => listOf(entryOf(json, 'nodes', i), 'children')));
   return nodes.map((_, i) => i).filter((i) => !children.has(i));
@@ -318,7 +318,7 @@ class Scene {
   readonly #slices: Slices;
   readonly positions: Float64Array;
   readonly corners: Int32Array;
-  /** Bytes, three a vertex, white where a primitive has none; null where none has. */
+  /** Three bytes for each vertex, white for primitives without colors; null if no primitive has any. */
   readonly colors: Uint8Array | null;
   #vertices = 0;
   #corner = 0;

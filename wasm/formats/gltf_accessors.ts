@@ -13,7 +13,7 @@ const componentBytes = new Map([
   [5125, 4],
   [5126, 4],
 ]);
-/** What a whole number is divided by where it stands for one from -1 or 0 to 1. */
+/** The divisor of whole numbers that stand for numbers from -1 or 0 to 1. */
 const most = new Map([
   [5120, 127],
   [5121, 255],
@@ -72,7 +72,7 @@ export class Accessors {
     };
   }
 
-  /** The colors of a primitive's vertices; null where it has none that can be read. */
+  /** The colors of a primitive's vertices; null if it has no readable ones. */
   colorsOf(primitive: Json): Accessor | null {
     const { COLOR_0 } = objectOf(primitive, 'attributes');
     if (COLOR_0 === undefined) return null;
@@ -262,7 +262,7 @@ function checkType(componentType: number, what: string): number {
   return bytes;
 }
 
-/** Rows of so many numbers, one after the other. */
+/** Rows of numbers, one after the other. */
 function rowsOf(bytes: Uint8Array, type: number, size: number): Rows {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   return { view, at: 0, stride: size * componentBytes.get(type)!, type };

@@ -4,13 +4,13 @@ import { meshoptOf } from './gltf_decoders.js';
 import { countOf, entryOf, isJson, type Json, listOf } from './gltf_json.js';
 import type { MeshoptDecoder } from './meshopt_decoder.mjs';
 
-/** Bytes of a buffer; `stride` of a row, where it is told. */
+/** Bytes of a buffer; `stride` is that of a row, if the file states it. */
 export interface View {
   bytes: Uint8Array;
   stride: number | undefined;
 }
 
-/** No stream of meshoptimizer becomes longer than this: a byte tells of 256 rows of four bytes at most. */
+/** The limit of a decoded stream of meshoptimizer: one byte encodes at most 256 rows of four bytes. */
 const longest = 1024;
 
 /** The buffers of a glTF file, and their views. */

@@ -3,7 +3,7 @@ import type { DracoModule } from './draco_decoder.mjs';
 import { isJson, type Json, listOf, objectOf } from './gltf_json.js';
 import type { MeshoptDecoder } from './meshopt_decoder.mjs';
 
-/** What decodes the compressed parts of a file; null where it has none of the kind. */
+/** The decoders for the compressed parts of a file; null for a kind that the file does not use. */
 export interface Decoders {
   draco: DracoModule | null;
   meshopt: typeof MeshoptDecoder | null;

@@ -17,7 +17,7 @@ export function listOf(json: Json, name: string): unknown[] {
   return value;
 }
 
-/** Entry `number` of a list of objects. Throws where there is none. */
+/** Entry `number` of a list of objects. Throws if it is missing. */
 export function entryOf(json: Json, list: string, number: unknown): Json {
   const entry = Number.isInteger(number) ? listOf(json, list)[number as number] : undefined;
   if (isJson(entry)) return entry;

@@ -15,7 +15,7 @@ export class GrowingInts {
     this.#array[this.length++] = value;
   }
 
-  /** What was pushed; no copy where it can be avoided. */
+  /** The pushed numbers, without a copy if possible. */
   get values(): Int32Array {
     return this.#array.subarray(0, this.length);
   }
@@ -32,7 +32,7 @@ export class GrowingPolygons {
     this.#corners.push(vertex);
   }
 
-  /** Ends a polygon of so many corners. Fewer than three are none, and are not to be given. */
+  /** Ends a polygon with a number of corners, which must be at least three. */
   end(size: number): void {
     if (size < 3) {
       this.#leftOut++;

@@ -17,13 +17,13 @@ export type * from './types.js';
 export { guessUp } from './up.js';
 export { meshFile, type Triangles, type WrittenFormat, writtenFormats } from './write.js';
 
-/** A mesh that tells what an OBJ file said of it. */
+/** A mesh that keeps the marks of its OBJ file. */
 export interface MarkedMesh {
   /** The parts, materials and colors of the file. */
   fileMarks(): FileMarks | Promise<FileMarks>;
 }
 
-/** What makes a mesh: a `Karcher`, in this thread or in a worker. */
+/** The engine that makes a mesh: a `Karcher`, in this thread or in a worker. */
 export interface MeshMaker<Mesh extends MarkedMesh> {
   /** Makes a mesh of an OBJ file's bytes, as `Karcher.meshFromObj`. */
   meshFromObj(bytes: Uint8Array, options?: ObjOptions): Mesh | Promise<Mesh>;

@@ -35,7 +35,7 @@ export function materialsOf(
 /** A part of 1 as a byte; what is no number is 0. */
 export const colorByte = (value: number) => Math.round(255 * Math.min(1, Math.max(0, value || 0)));
 
-/** Light as glTF tells of it, in the sRGB of other formats and of screens. */
+/** A linear color of glTF in sRGB, which other formats and screens use. */
 export const encodedLight = (light: number) =>
   light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055;
 

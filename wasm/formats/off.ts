@@ -12,13 +12,13 @@ const keyword = /^(ST)?(C)?(N)?(4)?(n)?OFF(\d+)?$/;
 
 export const isOff = (start: string) => keyword.test(/^\s*(?:#.*\s+)*(\S+)/.exec(start)?.[1] ?? '');
 
-/** What reads an OFF file's numbers, of text or binary. */
+/** A reader of an OFF file's numbers, in text or binary. */
 interface Source {
   /** The next coordinate. */
   coordinate(what: string): number;
   /** The next whole number of at least 0. */
   count(what: string): number;
-  /** Ends the counts, which are followed by so many rows. */
+  /** Ends the counts. `rows` is the number of rows that follow. */
   endHeader(rows: number): void;
   /** Ends a vertex of three coordinates, by what follows them; its color as in the file, if it has one. */
   endVertex(): readonly number[] | null;
@@ -123,7 +123,7 @@ class TextSource implements Source {
   readonly #words: Words;
   readonly #beside: Beside;
   readonly #rows: TextRows;
-  /** Whether each vertex and face has lines of its own, or else the vertices' numbers have any. */
+  /** Whether each vertex and face begins on a line of its own; otherwise only the numbers count. */
   #inRows = true;
   #longer = 0;
   /** A vertex takes three digits with what is between them, a face of no corners one. */
@@ -189,7 +189,7 @@ class TextSource implements Source {
     return [longerRows(this.#longer, 'the places of vertices')];
   }
 
-  /** Whether so many lines follow that are neither empty nor comments. */
+  /** Whether a number of lines follow that are neither empty nor comments. */
   #hasLines(wanted: number): boolean {
     const bytes = this.#bytes;
     let lines = 0;

@@ -4,8 +4,8 @@ import type { FileMarks } from './types.js';
 import type { Triangles } from './write.js';
 
 /**
- * What a file says of a part that was cut out of its surface: each vertex has the color of its place, between those
- * of the corners of its old triangle, and each triangle is of its old one's part. It can be spread into what
+ * The marks of a part that was cut out of a file's surface: each vertex has the color of its place,
+ * interpolated in its old triangle, and each triangle the part of its old one. It can be spread into what
  * `meshFile` writes. `surface` has the mesh's positions and triangles, `file` what was read with them.
  *
  * Of a part made thick the shell's outside lies on the same places: with `sheets` of 2 colors are given twice, and

@@ -111,7 +111,7 @@ export async function readPly(bytes: Uint8Array, work: LongWorkOptions): Promise
     if (element.name === 'vertex') places = await readVertices(element, rows, slices);
     else if (element.name === 'face') await readFaces(element, rows, vertices, polygons, slices);
     else await skip(element, rows, slices);
-    // What follows the faces and vertices is of no use.
+    // Elements after the faces and vertices are not used.
     if (places.positions.length > 0 && polygons.count > 0) break;
   }
   const notRead = [
@@ -165,21 +165,21 @@ interface Vertices {
   colors: Uint8Array | null;
 }
 
-/** What programs call red, green and blue. */
+/** The names that programs use for red, green and blue. */
 const colorNames = [
   ['red', 'green', 'blue'],
   ['diffuse_red', 'diffuse_green', 'diffuse_blue'],
   ['r', 'g', 'b'],
 ];
 
-/** For each property 0 to 2 for red, green or blue, else -1. */
+/** For each property 0 to 2 for red, green or blue, or -1. */
 function channelsOf({ properties }: PlyElement): number[] {
   const has = (name: string) => properties.some((one) => one.name === name && one.length === null);
   const names = colorNames.find((three) => three.every(has)) ?? [];
   return properties.map(({ name }) => names.indexOf(name));
 }
 
-/** What a color's number is divided by: whole ones go up to the greatest of their type. */
+/** The divisor of a color's numbers: whole numbers range up to the greatest of their type. */
 const mostOf = ({ type: { get, bytes } }: PlyProperty) =>
   get.startsWith('Float') ? 1 : 2 ** (8 * bytes - (get.startsWith('Int') ? 1 : 0)) - 1;
 

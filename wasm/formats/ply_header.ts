@@ -1,7 +1,7 @@
 import { badFile, counted } from './failures.js';
 import { lineEndAt, Words } from './text.js';
 
-/** How a number lies in a binary file. */
+/** The layout of a number in a binary file. */
 export interface NumberType {
   bytes: 1 | 2 | 4 | 8;
   get: 'Int8' | 'Uint8' | 'Int16' | 'Uint16' | 'Int32' | 'Uint32' | 'Float32' | 'Float64';
@@ -53,7 +53,7 @@ const encodings = new Map<string, PlyHeader['encoding']>([
   ['binary_big_endian', 'big'],
 ]);
 
-/** Longer headers are none. */
+/** The limit of a header; longer text is not one. */
 const longestHeader = 1 << 16;
 
 /** Reads a PLY file's header. Throws `KarcherError` badFile with the line. */

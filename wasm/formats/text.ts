@@ -5,7 +5,7 @@ const longestWord = 200;
 /** Powers of ten that are doubles. */
 const powers = Float64Array.from({ length: 23 }, (_, power) => Number(`1e${power}`));
 const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
-/** What C, Python and Windows print for what is not finite: nan, -nan(ind), inf, 1.#QNAN. */
+/** The words that C, Python and Windows print for numbers that are not finite: nan, -nan(ind), inf, 1.#QNAN. */
 const notFinite = /^[+-]?(nan|inf$|infinity$|1\.#)/i;
 
 /** A line ends as any system ends it: by \n, \r\n or \r. */
@@ -102,7 +102,7 @@ export class Words {
     throw badFile(`line ${this.line}: there must be ${wanted}, ${met}`);
   }
 
-  /** Goes on to the next word, of which nothing is used: it need not be a number. */
+  /** Skips the next word, which need not be a number. */
   skip(what: string): void {
     if (!this.next()) this.fail(what);
   }
@@ -137,8 +137,8 @@ export class Words {
   }
 
   /**
-   * Of a number of at most 15 digits with a small power of ten, which both are doubles, so that their
-   * quotient or product is the nearest one; NaN of any other.
+   * Reads a number of at most 15 digits with a small power of ten. Both are exact doubles, so that their
+   * quotient or product is the nearest one; NaN for any other number.
    */
   #shortNumber(): number {
     const bytes = this.#bytes;

@@ -9,7 +9,7 @@ export type MeshFormat = 'obj' | 'ply' | 'stl' | 'off' | 'gltf';
 export type UpAxis = 'x' | 'y' | 'z';
 
 export interface FileOptions extends LongWorkOptions, MeshOptions {
-  /** The file's name: its ending tells the format where the content does not. */
+  /** The file's name, whose ending gives the format if the content does not. */
   name?: string;
   /** Numbers of the parts that are wanted, in the file's order; all by default. */
   parts?: readonly number[];
@@ -17,7 +17,7 @@ export interface FileOptions extends LongWorkOptions, MeshOptions {
   beside?: Readonly<Record<string, Uint8Array>>;
 }
 
-/** What a file is, beside its surface. */
+/** The properties of a file beside its surface. */
 export interface FileInfo extends FileMarks {
   /** The format of the file. */
   format: MeshFormat;
@@ -25,7 +25,7 @@ export interface FileInfo extends FileMarks {
   notRead: string[];
 }
 
-/** What a reader gives: positions of vertices, and the corners of polygons. */
+/** The result of a reader: positions of vertices, and the corners of polygons. */
 export interface Polygons {
   /** x, y, z a vertex. */
   positions: Float64Array;

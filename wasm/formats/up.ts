@@ -1,6 +1,6 @@
 import type { MeshFormat, UpAxis } from './types.js';
 
-/** How near to the lowest place something is the sole: a part of the height. */
+/** The height of the sole above the lowest place, as a part of the whole height. */
 const soleHeight = 0.02;
 /** Cosine of the most that a sole's triangle leans. */
 const flat = 0.94;
@@ -51,7 +51,7 @@ function soles(positions: ArrayLike<number>, triangles: ArrayLike<number>): [num
   const soleOf = (axis: 1 | 2) => {
     const [b, c] = [(axis + 1) % 3, (axis + 2) % 3] as [number, number];
     const box = size[b]! * size[c]!;
-    // What has no height does not stand.
+    // A shape without height does not stand.
     if (!(box > 0) || size[axis] < 0.02 * Math.max(...size)) return 0;
     const floor = low[axis]! + soleHeight * size[axis];
     const at = (corner: number, along: number) => positions[3 * triangles[corner]! + along]!;
@@ -97,7 +97,7 @@ function openArea(
       if (!isLow(from) || !isLow(to)) continue;
       const [one, other] = [nameOf(from), nameOf(to)];
       const key = one < other ? `${one} ${other}` : `${other} ${one}`;
-      // An edge of two faces is none of the boundary.
+      // An edge of two faces is not on the boundary.
       if (!open.delete(key)) open.set(key, { from, to, start: one, end: other });
     }
   }
@@ -118,7 +118,7 @@ interface Edge {
   end: string;
 }
 
-/** The edges without those of chains that end somewhere, which go around nothing. */
+/** The edges without those of open chains, which enclose nothing. */
 function inLoops(edges: readonly Edge[]): Edge[] {
   const touching = new Map<string, Edge[]>();
   const ends = new Map<string, { out: number; in: number }>();

@@ -4,8 +4,8 @@ import { binaryChunk, glbMagic, jsonChunk } from './glb.js';
 import { linearLight } from './marks.js';
 
 /**
- * What is written: x, y, z a vertex, and three vertices a triangle, as `mesh.cut` gives them. The rest is as
- * `FileMarks` has it, which can be spread into it: colors are written to PLY, OBJ and GLB, parts to OBJ and GLB.
+ * The mesh to write, with arrays as `mesh.cut` returns them. Its other properties are those of `FileMarks`,
+ * which can be spread into it: colors are written to PLY, OBJ and GLB, parts to OBJ and GLB.
  */
 export interface Triangles {
   /** The positions of the vertices: x, y, z each. */

@@ -37,7 +37,7 @@ interface Cancelled {
   timer?: ReturnType<typeof setTimeout>;
 }
 
-/** The reason of a worker that ended and gave none. */
+/** The sentence for a worker that ended without a reason. */
 export const unknownReason = 'the engine could not go on in its worker';
 
 /** Milliseconds that a worker has at least to hear that a call is cancelled. */
@@ -59,7 +59,7 @@ export class WorkerClient {
   readonly #cancelled = new Map<number, Cancelled>();
   /** The origins of meshes and curves in the worker. */
   readonly #origins = new WeakMap<object, Origin>();
-  /** Those that are to be made anew, in the order in which they were made. */
+  /** The objects that a new worker must create again, in the order of their creation. */
   readonly #kept = new Set<Origin>();
   /** Whether all of them can be. */
   #keepsAll = true;
@@ -87,7 +87,7 @@ export class WorkerClient {
     heard('message', (reply) => this.#receive(reply as Reply));
     heard('error', (error) => this.#break(error));
     heard('messageerror', (error) => this.#break(error));
-    // One of Node's that ended by itself, or was ended by others.
+    // A worker of Node that ended by itself, or was ended by others.
     heard('exit', () => this.#break(new Error('the worker has ended')));
   }
 
@@ -123,7 +123,7 @@ export class WorkerClient {
       const origin = of === undefined ? null : this.#origins.get(of);
       if (origin === undefined) throw gone();
       if (name === 'dispose' && origin) {
-        // An object of a former worker that the present one did not make anew is gone already.
+        // An object of a former worker that the present one did not create again is gone already.
         if (origin.worker !== this.#worker && !this.#isRestarting) return resolve(undefined);
         this.#leave(origin);
       }
@@ -213,7 +213,7 @@ export class WorkerClient {
     }
   }
 
-  /** What is to be made anew: what is being disposed of only where calls still wait for it. */
+  /** The objects to create again; those being disposed of only if calls still wait for them. */
   #wanted(): Origin[] {
     const asked = new Set<Origin>();
     const ask = (origin: Origin | null | undefined): void => {
@@ -235,12 +235,12 @@ export class WorkerClient {
     this.#cancelled.clear();
   }
 
-  /** Puts another worker in the place of this one, and makes all anew that was there. */
+  /** Replaces this worker by another one, and creates all of its objects again. */
   async #restart(): Promise<void> {
     this.#forgetCancelled();
     this.#isRestarting = true;
     const before = this.#worker;
-    // What is not made anew is there no more.
+    // Objects that are not created again no longer exist.
     const spare: Origin[] = [];
     try {
       this.#worker = this.#start!();
@@ -275,7 +275,7 @@ export class WorkerClient {
     this.onRestart?.();
   }
 
-  /** Makes a mesh or curve anew; what it is made of and was disposed of goes to `spare`. */
+  /** Creates a mesh or curve again; disposed objects that this needs go to `spare`. */
   async #make(origin: Origin, spare: Origin[]): Promise<void> {
     if (origin.of && origin.of.worker !== this.#worker) {
       await this.#make(origin.of, spare);
@@ -327,7 +327,7 @@ export class WorkerClient {
       try {
         pending?.callbacks[reply.callback]?.(...reply.args);
       } catch (error) {
-        // What a function of the caller's throws ends its call.
+        // An error that a caller's function throws ends its call.
         this.#cancel(reply.id, error);
       }
       return;
@@ -347,7 +347,7 @@ export class WorkerClient {
     this.#pending.delete(reply.id);
     if ('result' in reply) {
       const result = pending?.raw ? reply.result : this.#received(reply.result, pending);
-      // What is made again is known.
+      // Calls that create objects again are recorded already.
       if (!pending?.raw) this.#keep(reply, pending);
       pending?.resolve(result);
       return;
@@ -368,7 +368,7 @@ export class WorkerClient {
         if (!this.#start || Array.isArray(part) || isPlain(part)) return undefined;
         return structuredClone(part);
       });
-    // What holds itself has no end, and what was transferred is not there.
+    // A value that contains itself has no end, and a transferred buffer is empty.
     return sending(() => args.map(copied));
   }
 
@@ -385,7 +385,7 @@ export class WorkerClient {
     });
   }
 
-  /** What nobody waits for any more is disposed of. */
+  /** A result that nobody waits for is disposed of. */
   #received(result: unknown, pending: Pending | undefined): unknown {
     let meshes = 0;
     return replaced(result, (part) => {
@@ -437,7 +437,7 @@ export class WorkerClient {
     else if (value) of.args = [value];
   }
 
-  /** It is there no more, nor are the curves on it. */
+  /** It no longer exists, nor do the curves on it. */
   #forget(of: Origin): void {
     this.#kept.delete(of);
     for (const origin of this.#kept) {

@@ -33,7 +33,7 @@ export function startWorker(): WorkerLike {
   return new Worker(new URL('./thread.js', import.meta.url), { type: 'module' });
 }
 
-/** How a worker with the engine is started. */
+/** The options for starting a worker with the engine. */
 export interface WorkerOptions {
   /**
    * Starts a worker that runs `karcher/worker-thread`, or is one. Of one that is given, calls cannot be

@@ -1,8 +1,8 @@
 import { isPlain, isSent, replaced, type WorkerLike } from './protocol.js';
 
 /**
- * A mesh or curve of the worker's, and how another worker makes it anew: a mesh by the call that made
- * it, a curve from its mesh by its last value.
+ * A mesh or curve in the worker, and how another worker creates it again: a mesh by the call that created it, a
+ * curve from its mesh by its last value.
  */
 export interface Origin {
   /** Its number in the worker that it is in, or was in. */
@@ -23,7 +23,7 @@ export interface Origin {
 export const copyOf = (view: ArrayBufferView): unknown =>
   'slice' in view ? (view as Uint8Array).slice() : structuredClone(view);
 
-/** Arguments without functions and signals: a call that is made again tells nothing. */
+/** Arguments without functions and signals, since a repeated call reports nothing. */
 export const withoutWork = (args: readonly unknown[]): unknown[] =>
   args.map((arg) => {
     if (typeof arg !== 'object' || arg === null) return arg;

@@ -10,9 +10,9 @@ export interface WorkerLike {
   postMessage(message: unknown): void;
   /** Ends the worker. */
   terminate(): unknown;
-  /** Of Node's: makes the process wait for the worker again. */
+  /** In Node: makes the process wait for the worker again. */
   ref?(): void;
-  /** Of Node's: lets the process end while the worker waits. */
+  /** In Node: lets the process end while the worker waits. */
   unref?(): void;
 }
 
@@ -42,7 +42,7 @@ export interface FirstRequest {
 }
 
 export type Reply =
-  /** With what the curve is that the call edited. */
+  /** The answer, with the value of the curve that the call edited. */
   | { id: number; result: unknown; value?: CurveOptions }
   | { id: number; begun: true }
   /** The worker has heard that the call is cancelled. */
@@ -55,11 +55,11 @@ export interface Failure {
   message: string;
   /** Of a `KarcherError`. */
   code?: ErrorCode;
-  /** The engine broke: nothing can be asked of it any more. */
+  /** The engine broke and takes no more calls. */
   fatal: boolean;
 }
 
-/** What cannot be cloned. */
+/** Values that cannot be cloned. */
 export type Sent =
   | { sent: 'signal' }
   | { sent: 'callback'; callback: number }

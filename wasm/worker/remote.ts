@@ -9,7 +9,7 @@ import { frozenInfo } from '../mesh_info.js';
 import { checkLongWork } from '../options.js';
 import type { LongWorkOptions, MeshInfo, PolylineOptions } from '../types.js';
 
-/** What calls into the worker: a method of an object there, or of the engine. */
+/** Sends a call to the worker: a method of an object there, or of the engine. */
 interface Caller {
   call(
     name: string,
@@ -19,7 +19,7 @@ interface Caller {
   ): Promise<unknown>;
 }
 
-/** What stays in the worker is here by its methods. */
+/** The methods of an object that stays in the worker. */
 type Remote<Value> = Value extends Mesh
   ? RemoteMesh
   : Value extends Curve
@@ -176,7 +176,7 @@ const karcherMethods = namesOf<Record<MethodsOf<Karcher> | 'meshFromFile', true>
 
 type Call = (...args: unknown[]) => Promise<unknown>;
 
-/** Methods that take progress and a signal themselves, and tell more of it. */
+/** Methods that take progress and a signal themselves, and report more progress. */
 const longMethods: readonly string[] = ['prepare', 'meshFromFile'];
 const workNames = namesOf<LongWorkOptions>({ progress: true, signal: true });
 
@@ -225,7 +225,7 @@ export function remoteCurve(client: Caller): RemoteCurve {
   const curve = {};
   const calls = calling(client, curveMethods, curve);
   const set = withoutBasis(calls.set!);
-  // Not enumerable: who copies or prints a curve asks nothing of the worker.
+  // Not enumerable, so that copying or printing a curve makes no call.
   for (const name of curveFacts) {
     Object.defineProperty(curve, name, { get: () => client.call(name, [], curve) });
   }

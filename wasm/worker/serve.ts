@@ -120,7 +120,7 @@ class Server {
       if (keeps) this.#post({ id, begun: true });
       if (tells) this.#post({ id, callback: 0, args: [0, 'begun'] });
       const asked: unknown = (owner as Record<string, unknown>)[call];
-      // What every object has is no call.
+      // Methods that every object has are not calls.
       if (asked === undefined || call in Object.prototype) {
         throw new KarcherError('badArgument', `there is no call '${call}'`);
       }

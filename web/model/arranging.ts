@@ -53,7 +53,7 @@ export function onTop(drawing: Drawing, object: DrawnObject): Command {
 function begun(figure: Figure, kind: Kind): Figure {
   const { derived: _, ...bare } = figure;
   return {
-    // What is made of other objects is not drawn.
+    // No one draws an object that is made of others, so the new one is of the first kind.
     ...cleared({ ...bare, kind: isDerived(kind) ? emptyFigure.kind : kind }),
     points: [],
     circle: null,
@@ -68,7 +68,7 @@ export function beginning(drawing: Drawing, kind?: Kind): Command | null {
   return onTop(drawing, successorOf(drawing, begun(figure, kind ?? figure.kind)));
 }
 
-/** A curve of the pen that is there at once: an object of its own, which is edited from then on. */
+/** Adds a whole curve of the pen as an object of its own, which becomes the edited one. */
 export function drawnAtOnce(
   drawing: Drawing,
   points: readonly ControlPoint[],
@@ -81,7 +81,7 @@ export function drawnAtOnce(
   );
 }
 
-/** Kinds that say something else of the same places, and are changed into each other. */
+/** Kinds that interpret the same points differently, and are changed into each other. */
 function familyOf(kind: Kind): string {
   if (isBoolean(kind)) return 'boolean';
   return isRound(kind) ? 'round' : isSpline(kind) ? 'spline' : kind;
@@ -243,8 +243,8 @@ export function restyling(
 }
 
 /**
- * Moves an object so many places up in the order; a place lower where the steps are negative. Members of
- * a group stay with each other: one moves among them only, and what is none goes past all of them.
+ * Moves an object up in the order by a number of places, or down by a negative number. Members of a group stay
+ * with each other: one moves among them only, and other objects move past the whole group.
  */
 export function reordering(drawing: Drawing, id: number, steps: number): Command | null {
   const from = indexOf(drawing, id);
@@ -289,7 +289,7 @@ export function arranging(
   return together([moved, joined].filter((step) => step !== null));
 }
 
-/** Gives a group another name, which no other group has. */
+/** Renames a group. No other group may have the new name. */
 export function groupNaming(drawing: Drawing, from: string, name: string): Command | null {
   const members = drawing.objects.filter(({ group }) => group === from);
   const others = new Set(drawing.objects.map(({ group }) => group));

@@ -34,8 +34,8 @@ export function newCircle(center: SurfacePoint, diagonal: number, direction: Vec
 }
 
 /**
- * The shape by its radii as they are drawn, which it keeps when its center is moved. A circle does
- * not keep a point that its radius across was taken from: that says something else elsewhere.
+ * The shape with its radii as lengths, so that they stay when the center moves. A circle drops the point of its
+ * radius across, since that point means another radius elsewhere.
  */
 export function byRadii({ across, ...shape }: CircleShape, drawn: DrawnRadii | null): CircleShape {
   if (!drawn) return { ...shape, ...(across && { across }) };
@@ -52,7 +52,7 @@ export function withHandle(
   point: SurfacePoint,
 ): CircleShape {
   if (handle === 'center') return { ...grabbed, center: point };
-  // To turn an ellipse changes its radius to the rim only.
+  // Turning an ellipse changes only its radius to the rim.
   return handle === 'rim' ? { ...grabbed, rim: point } : { ...shape, across: point };
 }
 

@@ -1,7 +1,7 @@
 /**
- * A curvature comb: teeth along a curve, as long as it is bent within the surface there. The curvature
- * at a point is that of the circle through it and the points that lie a window before and behind, of
- * which the geodesic curvature is the part within the tangent plane: exact for circles in space.
+ * A curvature comb: teeth along a curve, whose lengths show its curvature within the surface. The curvature at
+ * a point is that of the circle through it and the points that lie a window before and behind, of which the
+ * geodesic curvature is the part within the tangent plane: exact for circles in space.
  */
 import type { Vector } from './figure';
 
@@ -25,10 +25,10 @@ export interface Comb {
 const cornerAngle = Math.PI / 6;
 
 /**
- * The teeth of a polyline, x, y, z each, that are evenly spaced by length; `countOn` tells how many a length
- * has. `window` is how far before
- * and behind a tooth its curvature is taken from, at most a quarter of the length; an open curve has no
- * teeth nearer to its ends. `normalAt` gives the surface's unit normal.
+ * The teeth of a polyline, x, y, z each, that are evenly spaced by length; `countOn` returns the number of
+ * teeth for a length. `window` is how far before and behind a tooth its curvature is taken from, at most a
+ * quarter of the length; an open curve has no teeth nearer to its ends. `normalAt` gives the surface's unit
+ * normal.
  */
 export function combOf(
   polyline: ArrayLike<number>,
@@ -87,7 +87,7 @@ class Arclength {
     return this.#lengths.at(-1) ?? 0;
   }
 
-  /** The place so far from the start; of a closed line also before it and beyond its end. */
+  /** The place at a length from the start; on a closed line lengths below 0 and beyond the end wrap around. */
   at(wanted: number): Vector {
     const { length } = this;
     const at = this.closed ? ((wanted % length) + length) % length : wanted;
@@ -123,7 +123,7 @@ class Arclength {
       if (!this.#turns(from, i, to)) continue;
       const at = this.#vertex(i);
       const [before, after] = [minus(at, this.#vertex(from)), minus(this.#vertex(to), at)];
-      // A bend over an edge of the surface is none within it.
+      // A bend over an edge of the surface is no curvature within it.
       const normal = normalAt(at);
       const within = (p: Vector) => minus(p, scaled(normal, dot(p, normal)));
       if (turns(within(before), within(after))) corners.push(this.#lengths[i]!);

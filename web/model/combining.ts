@@ -19,7 +19,7 @@ const hasLines = (object: DrawnObject) => {
 export const willCombine = ({ objects }: Drawing, ids: readonly number[]): boolean =>
   objects.some((object) => ids.includes(object.id) && mayHaveLines(object));
 
-/** The objects among some of which another one can be made, in the drawing's order. */
+/** Those of the given objects that can be combined, in the drawing's order. */
 export const combinable = ({ objects }: Drawing, ids: readonly number[]): DrawnObject[] =>
   objects.filter((object) => ids.includes(object.id) && hasLines(object));
 
@@ -37,7 +37,7 @@ function made(
   return onTop(drawing, newObject(freeId(drawing), figure, { ...look, fill }));
 }
 
-/** How operands are drawn, so that the result is seen before them. */
+/** The faint style of operands, which lets the result stand out. */
 const outlined = { width: 1.5, onSurface: false, dash: 'dashed', fill: 0 } as const;
 
 export function combining(

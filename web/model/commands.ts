@@ -84,7 +84,7 @@ const stepsOf = (command: Command): readonly Command[] =>
 const isBeside = (command: Command) =>
   command.type === 'activate' || (command.type === 'figure' && command.edit.type === 'inside');
 
-/** The edit of a figure that is all that a command does, but for what is selected or inside; else null. */
+/** The edit of a figure if a command does nothing else, apart from the selection; otherwise null. */
 export function onlyEditOf(command: Command, id: number): FigureCommand | null {
   const [only, ...more] = stepsOf(command).filter((one) => !isBeside(one));
   return more.length === 0 && only?.type === 'figure' && only.id === id ? only.edit : null;

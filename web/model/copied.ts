@@ -10,8 +10,8 @@ export const copiedText = (mesh: string, objects: readonly DrawnObject[]) =>
   JSON.stringify({ format, version: drawingVersion, surface: mesh, objects });
 
 /**
- * The objects of a copied text for a surface; null where the text is none of ours. Throws a sentence
- * where it is, but cannot be pasted there.
+ * The objects of a copied text for a surface; null if the page did not write the text. Throws a sentence if it
+ * did, but the objects do not fit this surface.
  */
 export function pastedObjects(
   text: string,

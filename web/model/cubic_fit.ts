@@ -19,9 +19,9 @@ export interface Piece {
   cubic: Cubic;
 }
 
-/** How often parameters are bettered before a curve is split, or given back. */
+/** The number of times that parameters are improved before a curve is split or returned. */
 const mostSteps = 24;
-/** Where a curve is off by no more than so many tolerances, better parameters may be enough. */
+/** If a curve is off by at most this many tolerances, better parameters may be enough. */
 const worthBettering = 16;
 /** A handle shorter than this part of the chord, or turned back, is no handle. */
 const leastHandle = 1e-6;
@@ -81,7 +81,7 @@ function leastSquares(
     [1, 0],
     [0, 1],
   ];
-  // What each unknown number moves: a handle along its direction, or along both axes.
+  // The effect of each unknown: it moves a handle along its direction, or along one of two axes.
   const unknowns = [
     ...(start ? [start] : axes).map((way) => ({ handle: 1, way })),
     ...(end ? [end] : axes).map((way) => ({ handle: 2, way })),
@@ -125,7 +125,7 @@ function chordParameters(points: readonly Planar[]): number[] {
   return lengths.map((length) => length / whole);
 }
 
-/** One Newton step for each parameter towards where the curve is nearest to its point. */
+/** Takes one Newton step for each parameter, towards the place where the curve is nearest to its point. */
 function bettered(points: readonly Planar[], parameters: readonly number[], cubic: Cubic) {
   return parameters.map((t, i) => {
     const off = add(cubicAt(cubic, t), points[i]!, -1);

@@ -8,11 +8,11 @@ export const booleans = ['union', 'intersection', 'difference', 'exclusion'] as 
 export type BooleanKind = (typeof booleans)[number];
 export type DerivedKind = BooleanKind | 'offset' | 'cut';
 
-/** Where an offset lies; along an open curve, inwards is to the left of it. */
+/** The side of an offset. For an open curve, inwards is its left. */
 export const offsetSides = ['outwards', 'inwards', 'both'] as const;
 export type OffsetSide = (typeof offsetSides)[number];
 
-/** What becomes of corners on their outer side; round ones are not told. */
+/** The shape of corners on their outer side; the default, round, is left out. */
 export const cornerShapes = ['round', 'miter', 'bevel'] as const;
 export type CornerShape = (typeof cornerShapes)[number];
 
@@ -22,7 +22,7 @@ export interface Offset {
   readonly corners?: CornerShape | undefined;
 }
 
-/** What is done with a part of a cut surface: what is hidden is still saved with all parts. */
+/** A choice for a part of a cut surface. Hidden parts are still saved with the others. */
 export type PartState = 'hidden' | 'deleted';
 
 /** A choice for the part of a cut surface that has a point. */

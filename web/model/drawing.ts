@@ -1,6 +1,6 @@
 /**
- * What the user makes on one surface: objects in an order, of which one is edited. A value, which is
- * never changed in place.
+ * A drawing on one surface: objects in an order, of which one is edited. It is a value, which is never changed
+ * in place.
  */
 import type { SurfacePoint } from 'karcher';
 import { emptyFigure, type Figure, isEmpty, withPlaces } from './figure';
@@ -9,7 +9,7 @@ export type Dash = 'solid' | 'dashed' | 'dotted';
 
 export const dashes: readonly Dash[] = ['solid', 'dashed', 'dotted'];
 
-/** How a line is drawn. */
+/** The style of a line. */
 export interface LineStyle {
   /** `#rrggbb`; null is the theme's color of curves. */
   readonly color: string | null;
@@ -22,7 +22,7 @@ export interface LineStyle {
   readonly opacity: number;
 }
 
-/** How what a closed line encloses is painted. */
+/** The paint of the inside of a closed line. */
 export interface FillStyle {
   /** How opaque it is, from 0, which is not at all, to 1. */
   readonly fill: number;
@@ -30,12 +30,12 @@ export interface FillStyle {
   readonly fillColor: string | null;
 }
 
-/** What an object has beside its figure. */
+/** The properties of an object beside its figure. */
 export interface Properties extends LineStyle, FillStyle {
-  /** Empty where the user gave none. */
+  /** Empty if the user gave no name. */
   readonly name: string;
   readonly visible: boolean;
-  /** What is locked is neither picked nor edited. */
+  /** A locked object is neither picked nor edited. */
   readonly locked: boolean;
   /** The name of the group that it belongs to. */
   readonly group: string | null;
@@ -120,7 +120,7 @@ export function successorOf(drawing: Drawing, figure: Figure): DrawnObject {
   return newObject(freeId(drawing), figure, lookOf(activeObject(drawing)));
 }
 
-/** How an object is drawn and painted. */
+/** The style and paint of an object. */
 export function lookOf(object: LineStyle & FillStyle): LineStyle & FillStyle {
   const { fill, fillColor } = object;
   return { ...styleOf(object), fill, fillColor };

@@ -8,15 +8,18 @@ import { withTangents } from './pen';
 
 /** Finds places of a surface, which is scaled to a ball of radius 1 with y up. */
 export interface Places {
-  /** What is seen at a place from a direction, x to the right and y up; null past the silhouette. */
+  /**
+   * The point of the surface seen at a place from a direction, x to the right and y up; null past the
+   * silhouette.
+   */
   seen(from: Vector, x: number, y: number): SurfacePoint | null;
-  /** What is nearest to a place. */
+  /** The point of the surface nearest to a place. */
   near(place: Vector): SurfacePoint;
 }
 
 export interface Example {
   id: string;
-  /** What it is. */
+  /** The example's name. */
   name: string;
   /** The key of its surface. */
   mesh: string;
@@ -56,7 +59,7 @@ function circle(center: SurfacePoint, rim: SurfacePoint, across?: SurfacePoint):
   return { ...emptyFigure, kind, circle: { center, rim, ...(across && { across }) } };
 }
 
-/** So many numbers from 0 to 1, without the end. */
+/** Evenly spaced numbers from 0 to 1, without the end. */
 const parts = (count: number) => Array.from({ length: count }, (_, i) => i / count);
 
 /** A ring of places about an axis that leans by an angle in the x, y plane. */

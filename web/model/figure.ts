@@ -1,4 +1,4 @@
-/** What one object of a drawing is made of: a value, which is never changed in place. */
+/** The figure of one object of a drawing: a value, which is never changed in place. */
 import type { CurveKind, CurveLevels, Parametrization, SurfacePoint } from 'karcher';
 import { type Derived, type DerivedKind, isDerived } from './derived';
 
@@ -17,8 +17,8 @@ export type Vector = [number, number, number];
 export type Rim = SurfacePoint | { radius: number; direction: Vector };
 
 /**
- * An ellipse's radius across its first one: a length, or as far as a point of the surface lies that
- * way.
+ * An ellipse's radius across its first one: a length, or the distance at which a point of the surface lies in
+ * that direction.
  */
 export type Across = SurfacePoint | { radius: number };
 
@@ -29,8 +29,8 @@ export type ParameterName = 'weight' | 'beta';
 export type Side = 'before' | 'after';
 
 /**
- * Where a handle is: at a point of the surface, as far as a vector in the anchor's tangent plane
- * leads, or opposite to the anchor's other handle, of a length or (null) as long as that.
+ * The place of a handle: a point of the surface, the end of a vector in the anchor's tangent plane, or opposite
+ * to the anchor's other handle, at a given length or (null) at the same one.
  */
 export type Tangent =
   | SurfacePoint
@@ -54,45 +54,48 @@ export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: n
 export interface CircleShape {
   center: SurfacePoint;
   rim: Rim;
-  /** Only of an ellipse; by default a part of its radius to the rim. */
+  /** Used by ellipses only; the default is a part of the radius to the rim. */
   across?: Across;
 }
 
 /**
- * What a circle is drawn as: rational quadratic arcs, or the isoline of the distance from its
- * center, interpolated in triangles or exact.
+ * The construction of a circle: rational quadratic arcs, or the isoline of the distance from its center,
+ * interpolated in triangles or exact.
  */
 export type CircleType = 'arcs' | 'linear' | 'exact';
 
-/** How a circle is made, beside its shape; kept while another kind is shown. */
+/** The settings of a circle beside its shape; kept while another kind is shown. */
 export interface CircleForm {
   readonly type: CircleType;
   /** How many rational arcs, 3 to 24, or as many as keep to the radius. */
   readonly arcs: number | 'auto';
 }
 
-/** What makes a spline of a kind, beside its points; kept while another kind is shown. */
+/** The settings of a spline beside its points; kept while another kind is shown. */
 export interface CurveSettings {
   readonly closed: boolean;
   /** The degree of a B-spline, 1 to 5. */
   readonly degree: number;
   /** Whether an open B-spline's knots are repeated at its ends, which the curve then reaches. */
   readonly clamped: boolean;
-  /** A B-spline's knots, where they are neither even nor clamped: as many as its points take. */
+  /** The knots of a B-spline, if they are neither even nor clamped; their number follows from its points. */
   readonly knots: readonly number[] | null;
   /** The parametrization of a Catmull-Rom curve. */
   readonly parametrization: Parametrization;
   /** A segment, where there is no tolerance. */
   readonly samples: number;
-  /** By how much of the surface's size a curve may miss itself between samples, as many as it takes. */
+  /**
+   * The tolerance between samples, as a part of the surface's size; the engine takes as many samples as it
+   * needs.
+   */
   readonly tolerance: number | null;
   /** How many points are marked evenly along the curve. */
   readonly marks: number;
-  /** How steady a curve is on rough surfaces, from the mean of all its points to the limit. */
+  /** The steadiness of a curve on rough surfaces, from the mean of all its points to the limit of subdivision. */
   readonly levels: CurveLevels;
-  /** Of a drag, which keeps the most levels that it has had; never saved. */
+  /** The least levels during a drag, which keeps the most that it has had; never saved. */
   readonly leastLevels?: number;
-  /** Of a drag, whether levels may move the curve as far as they do; never saved. */
+  /** Used during a drag: whether levels may move the curve as far as they do; never saved. */
   readonly draft?: boolean;
 }
 
@@ -119,7 +122,7 @@ export interface Figure {
   readonly circleForm: CircleForm;
   /** The side that the figure encloses: the smaller one until a side is chosen or a drag begins. */
   readonly inside?: Inside;
-  /** Only of a figure that is made of other ones. */
+  /** Used only by figures that are made of others. */
   readonly derived?: Derived;
   /** These, where they are put in (`resolvedFigure`); never saved. */
   readonly operands?: readonly Operand[];
@@ -144,19 +147,22 @@ export const defaultSettings: CurveSettings = {
   levels: 'auto',
 };
 
-/** The levels of a curve, as the engine is asked for them. */
+/** The levels of a curve as the engine takes them. */
 export const askedLevels = ({ levels, leastLevels = 0, draft = false }: CurveSettings) => ({
   levels: draft ? { tolerance: Infinity } : levels,
   ...(leastLevels > 0 && { leastLevels }),
 });
 
-/** What the numbers of the settings lie between. */
+/** The ranges of the settings' numbers. */
 export const samplesRange = { least: 2, most: 5000 };
 export const toleranceRange = { least: 1e-6, most: 0.1 };
 /** One alone would be no even spacing. */
 export const marksRange = { least: 2, most: 1000 };
 export const mostLevels = 8;
-/** The engine tells a leg by few, or by one at each edge that it crosses: on a large surface thousands. */
+/**
+ * The engine describes a leg by a few points, or by one at each edge that it crosses, which makes thousands on
+ * a large surface.
+ */
 export const mostLegPoints = 20_000;
 
 export const fewestArcs = 3;
@@ -227,7 +233,7 @@ export function parameterOf(kind: Kind): ParameterName | null {
   return kind === 'center' || kind === 'rational' || kind === 'bspline' ? 'weight' : null;
 }
 
-/** What sliders set numbers of points between: as far from 1 one way as the other. */
+/** The range in which sliders set numbers of points: as far from 1 one way as the other. */
 export const parameterRange = { least: 1 / 16, most: 16 };
 
 /** The point with one of its numbers changed; 1 is what is not said. */
@@ -241,7 +247,7 @@ export function withParameter(
   return value === 1 ? rest : { ...rest, [name]: value };
 }
 
-/** Another way to the next point; the shortest where none is given. */
+/** Another way to the next point than the shortest, which is the default. */
 export function withLeg(
   point: ControlPoint,
   leg: readonly SurfacePoint[] | null | undefined,
@@ -256,7 +262,7 @@ export function surfacePoint(face: number, u: number, v: number): SurfacePoint {
   return { face, bary: [Math.max(0, 1 - u - v), u, v] };
 }
 
-/** The place of a point, without what else it has. */
+/** The place of a point, without its other properties. */
 export const plain = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
 
 /** Whether nothing of the figure's kind is on the surface yet. */
@@ -265,7 +271,7 @@ export function isEmpty({ kind, points, circle, derived }: Figure): boolean {
   return isRound(kind) ? circle === null : points.length === 0;
 }
 
-/** Without everything of the figure's kind. */
+/** The figure without the points and settings of its kind. */
 export function cleared(figure: Figure): Figure {
   if (isRound(figure.kind)) return { ...figure, circle: null };
   if (isDerived(figure.kind)) {
@@ -305,13 +311,13 @@ export function withPlaces(figure: Figure, move: (point: SurfacePoint) => Surfac
   };
 }
 
-/** Whether there are as many knots as the points take: in place of them all that follow a rule do. */
+/** Whether the number of knots fits the points; knots that follow a rule always fit. */
 export function knotsFit({ settings, points }: Pick<Spline, 'settings' | 'points'>): boolean {
   const { knots, closed, degree } = settings;
   return !knots || knots.length === points.length + 1 + (closed ? 0 : degree);
 }
 
-/** Without knots of its own that are for another number of points: they are even again. */
+/** The figure without its own knots if they are for another number of points; it then has even ones. */
 export function withFittingKnots<Of extends Pick<Spline, 'settings' | 'points'>>(spline: Of): Of {
   if (knotsFit(spline)) return spline;
   return { ...spline, settings: { ...spline.settings, knots: null } };

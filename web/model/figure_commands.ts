@@ -57,7 +57,7 @@ export function applyToFigure(figure: Figure, command: FigureCommand): Figure {
   }
 }
 
-/** What a command led to, with legs and knots that fit; replaced figures are as they are wanted. */
+/** The result of a command, with legs and knots that fit. Replaced figures stay as they were given. */
 export function fitted(to: Figure, from: Figure, command: FigureCommand): Figure {
   return withFittingKnots(command.type === 'replace' ? to : withFittingLegs(to, from));
 }

@@ -11,7 +11,7 @@ function fittingPoints(points: readonly ControlPoint[], triangles: number): Cont
     const all = [tangents?.before, tangents?.after];
     return all.every((tangent) => !tangent || !('face' in tangent) || fits(tangent));
   };
-  // With its handles a point of the pen loses the ends of its legs.
+  // A point of the pen that loses its handles loses the ends of its legs.
   const stays = (point: ControlPoint) => fits(point) && fitting(point);
   const holds = (i: number) =>
     points[i]!.leg?.every(fits) && stays(points[i]!) && stays(points[i + 1] ?? points[0]!)
@@ -23,7 +23,7 @@ function fittingPoints(points: readonly ControlPoint[], triangles: number): Cont
     .filter(fits);
 }
 
-/** A figure of which every place is on a surface of that many triangles. */
+/** The figure, if every place of it is on a surface with this many triangles. */
 function fittingFigure(figure: Figure, triangles: number): Figure {
   const fits = (place: object) => !('face' in place) || (place as SurfacePoint).face < triangles;
   const { circle, derived } = figure;
@@ -44,7 +44,7 @@ export const fittingObjects = (objects: readonly DrawnObject[], triangles: numbe
     .map((object) => ({ ...object, figure: fittingFigure(object.figure, triangles) }))
     .filter(({ figure }) => !isEmpty(figure));
 
-/** A drawing of which every place is on a surface of that many triangles. */
+/** The drawing, if every place of it is on a surface with this many triangles. */
 export function fitting(drawing: Drawing, triangles: number): Drawing {
   const { active } = drawing;
   const objects = drawing.objects.map((object) => ({

@@ -2,11 +2,11 @@
 export interface Gap {
   /** Along both curves, from each to the other. */
   mean: number;
-  /** The Hausdorff distance: at most so far is any point of one from the other. */
+  /** The Hausdorff distance: the farthest that a point of one curve lies from the other. */
   largest: number;
 }
 
-/** Each curve is measured at so many points, evenly spaced along it. */
+/** The number of evenly spaced points at which each curve is measured. */
 const samples = 256;
 /** Segments that are looked at together, or passed over. */
 const blockLength = 32;

@@ -1,4 +1,4 @@
-/** How long the page may be at work before it does other work, in milliseconds. */
+/** The time in milliseconds after which the page pauses its work for other tasks. */
 const sliceMilliseconds = 8;
 
 /** All that is made one by one, in slices between which the page does other work. */

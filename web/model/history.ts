@@ -1,12 +1,12 @@
-/** What was done to a drawing. Selecting is no step of it: it goes with the step that follows. */
+/** The history of a drawing. A selection is not a step; it is undone and redone with the step that follows it. */
 import { type Command, invert, joined } from './commands';
 
 export interface History {
   /** The commands that were done, the newest last. */
   done: Command[];
-  /** What was taken back, the next one to be done again last. */
+  /** The undone steps; the last one is redone first. */
   undone: Command[];
-  /** What edited another object since the newest step; it goes with the next one. */
+  /** Commands since the newest step that made another object the edited one; they join the next step. */
   activated: Command[];
 }
 
@@ -30,7 +30,7 @@ export function recordActivation({ activated }: History, command: Command): void
     activated.push(command);
     return;
   }
-  // From one to another and on is from the first to the last.
+  // Merges activations: from the first object to the last.
   activated.pop();
   if (last.from !== command.to) activated.push({ ...command, from: last.from });
 }

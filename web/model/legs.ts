@@ -15,7 +15,7 @@ function handleOf({ tangents }: ControlPoint, side: Side) {
   return isOpposite(told) ? [told, tangents?.[otherSide(side)]] : told;
 }
 
-/** What tells where the leg from a point to the next one starts and ends. */
+/** A text that identifies where the leg from a point to the next one starts and ends. */
 export function endsOf({ settings, points }: Polygon, i: number): string {
   const next = i + 1 < points.length || !settings.closed ? i + 1 : 0;
   const ends = [points[i], points[next]].map(
@@ -25,7 +25,7 @@ export function endsOf({ settings, points }: Polygon, i: number): string {
   return JSON.stringify(ends);
 }
 
-/** Without those legs of `before` that do not join the same two places any more, points or handles. */
+/** The figure without those legs of `before` that no longer join the same two points or handles. */
 export function withFittingLegs<Of extends Polygon>(polygon: Of, before: Polygon): Of {
   if (polygon.points === before.points && polygon.settings.closed === before.settings.closed) {
     return polygon;
@@ -48,7 +48,7 @@ export interface DrawnBefore {
 /** A value whose legs at dragged points go on from where they were drawn, where it tells none. */
 export function withDrawnLegs(value: CurveOptions, before: DrawnBefore): CurveOptions {
   const { points, closed = false, legs = [] } = value;
-  // Those of another number of points are others.
+  // Legs of another number of points do not correspond to these.
   if (before.legs.length !== points.length - (closed ? 0 : 1)) return value;
   const at = legsAt(points.length, before.points);
   return {
@@ -57,12 +57,12 @@ export function withDrawnLegs(value: CurveOptions, before: DrawnBefore): CurveOp
   };
 }
 
-/** The numbers of the legs that meet some points, as many as these and some more. */
+/** The numbers of the legs that meet the given points. */
 const legsAt = (count: number, at: readonly number[]): number[] => [
   ...new Set(at.flatMap((i) => [i, (i + count - 1) % count])),
 ];
 
-/** A leg's points that tell it, by the point that it leaves; null for the shortest path. */
+/** For each point the few points that describe the leg from it to the next; null for the shortest path. */
 export type ToldLegs = readonly (readonly SurfacePoint[] | null)[];
 
 /** A figure whose points were dragged, with the legs that met there where it tells none. */

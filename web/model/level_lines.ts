@@ -1,6 +1,6 @@
 /**
- * Lines of equal value on a triangle mesh, of a function that is told at its corners and linear in each
- * triangle: straight there, from edge to edge.
+ * Lines of equal value on a triangle mesh, of a function that is given at the corners and linear in each
+ * triangle. They are straight there, from edge to edge.
  */
 
 /** Steps of 1, 2 or 5 times a power of ten, of which about `count` reach `most`. */
@@ -13,16 +13,15 @@ export function roundStep(most: number, count: number): number {
 
 /** The end of a segment. */
 export interface Crossing {
-  /** Tells the edge, or what else it lies on, from all others. */
+  /** The key of the edge or corner on which the end lies. */
   edge: number;
   place: readonly [number, number, number];
 }
 
 /**
- * The lines of each level, x, y, z of their points; closed ones end where they begin. `valueAt` tells
- * the function at a triangle's corner by its number, 3 * triangle + i: it may differ across an edge,
- * where lines then end. Levels are told from the least; a triangle with a value that is no number has
- * none.
+ * The lines of each level, x, y, z of their points; closed ones end where they begin. `valueAt` returns the
+ * function at a triangle's corner, numbered 3 * triangle + i. It may differ across an edge, where lines then
+ * end. Levels ascend; a triangle with a value that is not a number has no lines.
  */
 export function levelLines(
   positions: ArrayLike<number>,
@@ -85,7 +84,7 @@ export function joined(segments: readonly (readonly [Crossing, Crossing])[]): Fl
     }
   };
   const lines: Float32Array[] = [];
-  // First those that begin where no other segment goes on, as on a boundary; then the loops.
+  // First the open lines, such as those that begin at a boundary, then the loops.
   for (const [i, ends] of segments.entries()) {
     for (const from of [0, 1] as const) {
       if (!used[i] && meeting.get(ends[from].edge)!.length === 1) lines.push(lineFrom(i, from));

@@ -40,11 +40,11 @@ export interface Link {
   mesh: string;
   method: MethodId | null;
   drawing: Drawing;
-  /** From where the surface is looked at; null where it does not say. */
+  /** The place from which the surface is seen; null if the link has none. */
   view: ViewPlace | null;
-  /** What it says so wrongly that the drawing is without it. */
+  /** The faulty parts that the drawing is without. */
   unread: Lost;
-  /** Sentences about what else it says wrongly, and what is taken in its place. */
+  /** Sentences about other faulty parts, and what replaces them. */
   problems: readonly string[];
 }
 
@@ -108,7 +108,7 @@ function objectFields(
 
 const encodeName = (name: string) => encodeURIComponent(shortened(name, longestName));
 
-/** Null unless the fragment names a surface; what else it says wrongly is left out. */
+/** Null unless the fragment names a surface. Other faulty parts are left out. */
 export function parseLink(fragment: string): Link | null {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const mesh = fields.get('mesh');
@@ -146,7 +146,7 @@ const countPlaces = ({ objects }: Drawing): Lost => ({
   circles: objects.filter(({ figure }) => figure.circle).length,
 });
 
-/** What of a link is missing in the drawing that was made of it. */
+/** The parts of a link that are missing in the drawing made from it. */
 export function lostOf({ drawing: said, unread }: Link, drawing: Drawing): Lost {
   const [all, left] = [countPlaces(said), countPlaces(drawing)];
   return {

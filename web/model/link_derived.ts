@@ -1,4 +1,4 @@
-/** What a link says of figures that are made of other ones. */
+/** Figures that are made of others, in links. */
 import {
   cornerShapes,
   type Derived,
@@ -11,7 +11,10 @@ import {
 import type { Kind } from './figure';
 import { formatPoint, parsePoint } from './link_numbers';
 
-/** The fields that say what a figure is made of; `numberOf` tells an object of an id by its place among all, from 1. */
+/**
+ * The fields that say what a figure is made of; `numberOf` returns an object's place among all, from 1, for its
+ * id.
+ */
 export function derivedFields(
   { sources, offset, parts = [], thickness = 0 }: Derived,
   numberOf: (id: number) => number,
@@ -26,7 +29,7 @@ export function derivedFields(
   ];
 }
 
-/** What a fragment says that a figure is made of; objects have their places, from 1, as their ids. */
+/** The sources of a figure in a fragment. The ids of objects are their places, from 1. */
 export function parseDerived(kind: Kind, fields: URLSearchParams): Derived {
   const texts = (fields.get('of') ?? '').split(',').slice(0, mostSources);
   const sources = texts.filter((text) => /^[1-9]\d{0,8}$/.test(text)).map(Number);
@@ -36,7 +39,7 @@ export function parseDerived(kind: Kind, fields: URLSearchParams): Derived {
   };
   if (kind === 'offset') {
     const side = offsetSides.find((one) => one === fields.get('side')) ?? 'outwards';
-    // Without a distance it is nothing.
+    // An offset needs a distance.
     const distance = positive('distance');
     const corners = cornerShapes.find((one) => one === fields.get('corners')) ?? 'round';
     return distance

@@ -1,4 +1,4 @@
-/** What a link says of a figure: its points, legs and handles, its settings, its circle. */
+/** Figures in links: points, legs and handles, settings, circles. */
 import type { CurveLevels, SurfacePoint } from 'karcher';
 import { isDerived } from './derived';
 import {
@@ -71,7 +71,7 @@ function legsFields(points: readonly ControlPoint[]): string[] {
   return told.length > 0 ? [`legs=${told.join(';')}`] : [];
 }
 
-/** The handles of anchors: by a point's number those before and after it, each told as it is. */
+/** The handles of anchors: for a point's number the handles before and after it, each in its own form. */
 function tangentsFields(points: readonly ControlPoint[]): string[] {
   const told = points.flatMap(({ tangents }, i) =>
     tangents ? [`${i}:${formatTangent(tangents.before)}:${formatTangent(tangents.after)}`] : [],
@@ -203,7 +203,7 @@ function parseSettings(fields: URLSearchParams): CurveSettings {
   };
 }
 
-/** What a text says of levels; null where it says none. */
+/** The levels in a text; null if it has none. */
 export function levelsOf(text: string | null): CurveLevels | null {
   if (text === 'auto' || text === 'limit') return text;
   const number = Number(text || NaN);

@@ -1,4 +1,4 @@
-/** What this page cannot show of a link is reported, and not silently changed. */
+/** Reports of the parts of a link that this page cannot show, so that nothing changes silently. */
 import { dashes, leastOpacity, surfaceWidths, widthRange } from './drawing';
 import { offsetSides } from './derived';
 import {
@@ -20,10 +20,10 @@ import { parseView, viewRange } from './view_place';
 /** A link of more points would keep the page and its engine busy for minutes. */
 export const mostLinkPoints = 1000;
 
-/** What a field may say, and what is taken in its place. */
+/** The values that a field may have, and the one that replaces others. */
 interface Rule {
   allows(text: string): boolean;
-  /** What it may be: "from 2 to 5,000". */
+  /** The allowed values in words: "from 2 to 5,000". */
   range: string;
   instead: string;
 }

@@ -30,7 +30,10 @@ export async function makeMesh(
   }
 }
 
-/** Edges collapsed where the surface changes least (meshoptimizer), down to so many triangles. */
+/**
+ * The mesh simplified to a number of triangles by collapsing the edges that change the surface least
+ * (meshoptimizer).
+ */
 async function simplified(karcher: Karcher, fine: Mesh, triangles: number): Promise<Mesh> {
   await MeshoptSimplifier.ready;
   const positions = fine.positions();

@@ -6,10 +6,10 @@ export type { UpAxis };
 
 const tessellations = ['fair', 'delaunay', 'grid', 'anisotropic'] as const;
 
-/** How many times as long as high the cells of an anisotropic plane are where nothing is said. */
+/** The default ratio of length to height of the cells of an anisotropic plane. */
 export const usualStretch = 20;
 
-/** How a plane is cut into triangles. */
+/** The ways to divide a plane into triangles. */
 export type Tessellation = (typeof tessellations)[number];
 
 export type SampleSource =
@@ -17,9 +17,9 @@ export type SampleSource =
   | { kind: 'shape'; name: Shape; triangles: number };
 
 /**
- * A surface that is made where it is asked for (made_mesh.ts). `triangles` is about how many; a plane
- * is the unit square in z = 0. `stretch` is how many times as long as high the cells of an anisotropic
- * one are, from 1 to 50; 20 where it is not said.
+ * A generated surface (made_mesh.ts). `triangles` is about how many; a plane is the unit square in z = 0.
+ * `stretch` is how many times as long as high the cells of an anisotropic one are, from 1 to 50; 20 where it is
+ * not said.
  */
 export type MadeSource =
   | SampleSource
@@ -41,7 +41,7 @@ export type MeshSource = MadeSource | FileSource | { kind: 'arrays'; arrays: Mes
 export interface Sample {
   id: 'bunny' | Shape;
   label: string;
-  /** What the levels of detail mean: Loop subdivisions of the bunny, triangles of a shape. */
+  /** The levels of detail: Loop subdivisions of the bunny, numbers of triangles of a shape. */
   details: readonly number[];
 }
 
@@ -68,18 +68,18 @@ export const samples: readonly Sample[] = [
  */
 export const defaultMesh = 'bunny:1';
 
-/** Of the surfaces that are made; shapes are made by the engine, which has the same limit. */
+/** The limit for generated surfaces. The engine, which generates shapes, has the same. */
 const mostTriangles = 1_000_000;
 
-/** A sample has a menu of details; other surfaces that are made have none. */
+/** Samples have a menu of details; other generated surfaces have none. */
 export type ParsedKey =
   | { sample: Sample; detail: number }
   | { made: MadeSource }
   | ({ digest: string; name: string } & Reading);
 
 /**
- * How a file is read: which parts, null for all, how far apart boundaries are welded, null as usual, and
- * which axis points up, null as guessed.
+ * The options for reading a file: its parts (null for all), the distance at which boundaries are welded (null
+ * for the default), and the axis that points up (null for a guess).
  */
 export interface Reading {
   parts: readonly number[] | null;
@@ -122,7 +122,7 @@ function countOf(text: string | undefined, most: number): number | null {
   return text && Number.isInteger(count) && count >= 0 && count <= most ? count : null;
 }
 
-/** How the surface of a key is made; null where it comes from a file, or the key says nothing. */
+/** The recipe of the surface with a key; null if the surface comes from a file or the key is unknown. */
 export function madeSource(key: string): MadeSource | null {
   const parsed = parseKey(key);
   if (!parsed) return null;
@@ -146,7 +146,7 @@ export function madeKey(source: MadeSource): string {
   }
 }
 
-/** What a person calls it. */
+/** Its name for people. */
 function madeName(source: MadeSource): string {
   switch (source.kind) {
     case 'plane':
@@ -179,7 +179,7 @@ export function meshLabel(key: string): string {
   return 'sample' in parsed ? parsed.sample.label : parsed.name;
 }
 
-/** What is hashed at once, in bytes: a few milliseconds. */
+/** The number of bytes hashed at once, which takes a few milliseconds. */
 const hashedAtOnce = 1 << 21;
 
 /**

@@ -1,6 +1,6 @@
 import type { FieldOptions } from 'karcher';
 
-/** How good the curve is that is shown: the fast one of a drag, or the one to keep. */
+/** The quality of the shown curve: the fast one of a drag, or the one to keep. */
 export type Quality = 'draft' | 'exact';
 
 /** The ways to compute centers of mass that the page offers, in the menu's order. */
@@ -59,7 +59,7 @@ export function methodOptions(id: MethodId): FieldOptions {
   return find(id).options;
 }
 
-/** What a method computes in the background; null where its first answer is its last. */
+/** The quality that a method computes in the background; null if its first answer is final. */
 export function refinedOptions(id: MethodId): FieldOptions | null {
   return find(id).refined ?? null;
 }

@@ -10,7 +10,7 @@ export interface Carried {
   direction: Vector | null;
 }
 
-/** Where carried places went, and x, y, z of what became of their directions. */
+/** The new places of carried points, and x, y, z of their carried directions. */
 export interface CarriedTo {
   points: readonly SurfacePoint[];
   directions: Float64Array;

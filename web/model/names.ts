@@ -3,6 +3,6 @@
 /** In UTF-16 code units, as a text field counts them. */
 export const longestName = 200;
 
-/** A text's beginning, of whole letters: none is cut in two, and none is half of one. */
+/** The beginning of a text, without cutting a letter in two. */
 export const shortened = (text: string, most: number) =>
   text.slice(0, most).replace(/\p{Surrogate}/gu, '');

@@ -8,7 +8,7 @@ export interface Shell {
   triangles: Int32Array;
   area: number;
   closed: boolean;
-  /** What it encloses; null where it is open. */
+  /** The volume that it encloses; null if it is open. */
   volume: number | null;
 }
 
@@ -19,11 +19,11 @@ export interface SurfacePart extends Shell {
   weights: Float32Array;
   /** A point in the midst of one of its triangles. */
   point: SurfacePoint;
-  /** Where it is to become thick: what it becomes, and the thickness that its shape allows, where that is less. */
+  /** For a part that becomes thick: the shell, and the thickness that its shape allows if that is less. */
   thick: (Shell & { most: number | null }) | null;
 }
 
-/** What becomes of parts; where choices for one differ, by the last of them. */
+/** The choices for parts. If several choices concern one part, the last counts. */
 export function choicesOf(
   parts: readonly SurfacePart[],
   choices: readonly PartChoice[],

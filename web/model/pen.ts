@@ -1,7 +1,7 @@
 /**
- * Curves of the pen: cubic Bézier segments between anchors, each with a tangent handle on either side
- * or none. A handle lies at the end of a straightest geodesic from its anchor. Where one handle is told
- * as the opposite of the other the curve is smooth there, whatever is done to either.
+ * Curves of the pen: cubic Bézier segments between anchors, each with a tangent handle on either side or none.
+ * A handle lies at the end of a straightest geodesic from its anchor. If one handle is stored as the opposite
+ * of the other, the curve stays smooth there when either moves.
  */
 import type { CurveOptions, CurveSamples, FieldOptions, SurfacePoint } from 'karcher';
 import {
@@ -17,7 +17,7 @@ import {
 } from './figure';
 import { type DrawnTangent, type DrawnTangents, penLegs, waysAlong } from './pen_legs';
 
-/** How the handles of an anchor go together. */
+/** The relation between the handles of an anchor. */
 export type Joint = 'corner' | 'smooth' | 'symmetric';
 
 export const otherSide = (side: Side): Side => (side === 'before' ? 'after' : 'before');
@@ -31,7 +31,7 @@ export function jointOf(tangents: Tangents | undefined): Joint {
   return opposite.length === null ? 'symmetric' : 'smooth';
 }
 
-/** The anchor with other handles; a corner without any where there are none. */
+/** The anchor with other handles; without any it is a corner. */
 export function withTangents(point: ControlPoint, tangents: Tangents | undefined): ControlPoint {
   const { tangents: _, ...rest } = point;
   const { before, after } = tangents ?? {};
@@ -42,7 +42,7 @@ export function withTangents(point: ControlPoint, tangents: Tangents | undefined
 /** A handle as a vector at its anchor. */
 const vectorOf = ({ direction, length }: DrawnTangent): Tangent => ({ direction, length });
 
-/** The handles of a joint as they are drawn, one of which leads: as vectors, which go with the anchor. */
+/** The handles of a joint as they are drawn, one of which leads. They are vectors, which move with the anchor. */
 export function byVectors(
   tangents: Tangents | undefined,
   drawn: DrawnTangents,

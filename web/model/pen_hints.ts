@@ -1,4 +1,4 @@
-/** What the pointer does where it is, while a curve of the pen is drawn: told by a cursor and in words. */
+/** The cursor and the words that say what the pointer would do while a curve of the pen is drawn. */
 import type { Side } from './figure';
 
 export type PenAction =
@@ -13,7 +13,7 @@ export type PenAction =
   | 'handle'
   | 'break';
 
-/** What is under the pointer. */
+/** The thing under the pointer. */
 export type UnderPointer =
   | { type: 'surface' }
   | { type: 'curve' }

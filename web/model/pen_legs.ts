@@ -1,7 +1,7 @@
 /**
- * The legs of a curve of the pen. Each segment has three: from its anchor to the handle after it, from there
- * to the handle before the next anchor, and to that anchor. The middle one is told with the anchor, where it
- * is not the shortest path; the others are the geodesics that the handles end.
+ * The legs of a curve of the pen. Each segment has three: from its anchor to the handle after it, from there to
+ * the handle before the next anchor, and to that anchor. The middle one is stored with the anchor if it is not
+ * the shortest path; the others are the geodesics to the handles.
  */
 import type { CurveOptions, CurveSamples, SurfacePoint } from 'karcher';
 import type { ControlPoint, Side, Vector } from './figure';
@@ -23,15 +23,15 @@ export type DrawnTangents = { readonly [Which in Side]?: DrawnTangent };
 const legsOfSegment = 3;
 const middle = 1;
 
-/** The anchor that a leg is told with; null of a handle's. */
+/** The anchor with which a leg is stored; null for a leg to or from a handle. */
 export const anchorOfLeg = (leg: number): number | null =>
   leg % legsOfSegment === middle ? (leg - middle) / legsOfSegment : null;
 
-/** Of the legs of the whole control polygon those that are told with anchors, by their numbers. */
+/** Those legs of the whole control polygon that are stored with anchors, by their numbers. */
 export const legsOfAnchors = <Leg>(legs: readonly Leg[]): Leg[] =>
   legs.filter((_, i) => anchorOfLeg(i) !== null);
 
-/** The legs of so many segments as the engine takes them. */
+/** The legs of all segments as the engine takes them. */
 export function penLegs(
   anchors: readonly ControlPoint[],
   drawn: readonly DrawnTangents[],
@@ -44,7 +44,7 @@ export function penLegs(
   return legs.some((leg) => leg !== null) ? { legs } : {};
 }
 
-/** What a handle's geodesic goes through; null where that is a face alone. */
+/** The points through which a handle's geodesic goes; null if it stays in one face. */
 const wayOf = (handle: DrawnTangent | undefined): readonly SurfacePoint[] | null =>
   handle?.through.length ? handle.through : null;
 
@@ -65,7 +65,10 @@ export function waysAlong(
   return [before, after].map(throughOf);
 }
 
-/** How many points tell a way: parts so short are the shortest paths on rough surfaces, too. */
+/**
+ * The number of points that describe a way. Its parts are then so short that they are shortest paths even on
+ * rough surfaces.
+ */
 const mostThrough = 3;
 
 /** A few inner points of a way, evenly spread, from its start. */

@@ -1,4 +1,4 @@
-/** What is done to the shape of a curve of the pen between its anchors: bent, and made of fewer. */
+/** Changes of a pen curve's shape between its anchors: bending a segment, and fitting fewer segments. */
 import { type Cubic, cubicAt, nearestCubic, type Planar } from './cubic_fit';
 import type { Figure, Side, Tangent, Vector } from './figure';
 import { withHandleAt, withTangents } from './pen';

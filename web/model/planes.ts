@@ -26,7 +26,7 @@ export function planeArrays({
   return grid(columns, Math.max(2, Math.round(columns * stretch)), 0.3);
 }
 
-/** Appends about so many points with coordinates from `least` to 1 - least. */
+/** Appends about a number of points with coordinates from `least` to 1 - least. */
 type Scatter = (flat: number[], count: number, least: number, random: () => number) => void;
 
 /** Anywhere, each for itself. */

@@ -51,7 +51,7 @@ import { longestName } from './names';
 const drawingFormat = 'karcher-drawing';
 export const drawingVersion = 1;
 
-/** What a drawing has at most. */
+/** The limits of a drawing. */
 export const mostObjects = 2000;
 export const mostPoints = 10_000;
 

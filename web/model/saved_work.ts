@@ -1,4 +1,4 @@
-/** What was done to a drawing, and how a tab keeps it with the drawing through reloads. */
+/** The history of a drawing as a tab keeps it, with the drawing, through reloads. */
 import { apply, type Command, invert } from './commands';
 import type { Drawing } from './drawing';
 import { type History, historyOf } from './history';
@@ -19,7 +19,7 @@ function textOf(command: Command): string {
   return text;
 }
 
-/** The last commands of a list, of so many letters at most. */
+/** The last commands of a list that fit into a number of letters. */
 function lastOf(commands: readonly Command[], letters: number): string[] {
   let left = letters;
   const kept: string[] = [];
@@ -32,7 +32,7 @@ function lastOf(commands: readonly Command[], letters: number): string[] {
   return kept.reverse();
 }
 
-/** A drawing and what was done to it as text. `link` tells the drawing, too, and is what finds it. */
+/** A drawing and its history as text, which is found by `link`, the drawing's link. */
 export function savedWork(link: string, drawing: Drawing, history: Readonly<History>): string {
   const [done, undone] = [history.done, history.undone].map((one) => lastOf(one, mostLetters / 2));
   const head = JSON.stringify({ link, drawing: savedDrawing(drawing), version: drawingVersion });
@@ -45,7 +45,7 @@ export const savedLink = (link: string) => JSON.stringify({ link, version: drawi
 const canonical = (drawing: Drawing) =>
   JSON.stringify(readDrawing(JSON.parse(JSON.stringify(savedDrawing(drawing)))));
 
-/** The link of the drawing that such a text holds; null where it holds none. */
+/** The link of the drawing in such a text; null if it holds no link. */
 export function linkOfWork(text: string): string | null {
   try {
     const { link, version } = JSON.parse(text);
@@ -60,14 +60,14 @@ export function sameDrawing(a: Drawing, b: Drawing): boolean {
   try {
     return canonical(a) === canonical(b);
   } catch {
-    // One of them is no drawing.
+    // One of the steps leads to something that is no drawing.
     return false;
   }
 }
 
 /**
- * What such a text holds for a link; null where it is for another one. Its history leads from a
- * drawing to this one and on, or there is none.
+ * The drawing and history that such a text holds for a link; null if it is for another link. The history leads
+ * to this drawing and on, or it is left out.
  */
 export function readWork(
   text: string,

@@ -1,4 +1,4 @@
-/** What objects are made of: other objects of their drawing, by their ids. */
+/** The sources of objects: other objects of their drawing, by their ids. */
 import { isDerived } from './derived';
 import { type Drawing, type DrawnObject, objectOf } from './drawing';
 import type { Figure, Operand } from './figure';
@@ -9,8 +9,8 @@ const sourcesOf = ({ figure }: DrawnObject) =>
 const resolved = new WeakMap<Figure, Figure>();
 
 /**
- * The figure of an object with the figures that it is made of, to any depth: the very same one for as long as all
- * of these are the same. Objects that are not there, or would be made of themselves, are left out.
+ * The figure of an object with the figures that it is made of, to any depth: the very same one for as long as
+ * all of these are the same. Missing objects, and objects that would be made of themselves, are left out.
  */
 export function resolvedFigure(drawing: Drawing, object: DrawnObject): Figure {
   if (!isDerived(object.figure.kind)) return object.figure;
@@ -41,7 +41,7 @@ export function resolvedFigure(drawing: Drawing, object: DrawnObject): Figure {
   return resolve(object);
 }
 
-/** The ids with those of all that these objects are made of. */
+/** The ids together with those of all sources of these objects. */
 export function withSources(drawing: Drawing, ids: readonly number[]): number[] {
   const all = new Set(ids);
   for (const id of all) {
@@ -55,7 +55,7 @@ export function withSources(drawing: Drawing, ids: readonly number[]): number[] 
 export const isSource = ({ objects }: Drawing, id: number) =>
   objects.some((object) => sourcesOf(object).includes(id));
 
-/** The object with other numbers of those that it is made of; those that have none go. */
+/** The object with its sources renumbered; sources without a new number are removed. */
 export function withSourceIds(
   object: DrawnObject,
   idOf: (id: number) => number | undefined,

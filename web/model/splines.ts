@@ -15,7 +15,7 @@ import {
 } from './figure';
 import { legsOf } from './legs';
 
-/** A figure as a spline; null where it is none, or has no points. */
+/** A figure as a spline; null for other figures and for those without points. */
 export function splineOf({ kind, settings, points }: Figure): Spline | null {
   return isSpline(kind) && points.length > 0 ? { kind, settings, points } : null;
 }
@@ -57,7 +57,7 @@ export function curveOptions(spline: Spline, options: FieldOptions): CurveOption
   };
 }
 
-/** The points of a leg as the engine gives them, with weights that a link tells to the last bit. */
+/** The points of a leg as the engine gives them, with weights that a link stores to the last bit. */
 export const waypointsOf = (leg: LegPoints | undefined): SurfacePoint[] | null =>
   leg?.map((point) => {
     if ('vertex' in point) throw new Error('the engine gives points of faces');
@@ -65,7 +65,7 @@ export const waypointsOf = (leg: LegPoints | undefined): SurfacePoint[] | null =
     return surfacePoint(face, bary[1], Math.min(bary[2], 1 - bary[1]));
   }) ?? null;
 
-/** What the engine made of a spline, as one; settings that its kind has no use for are kept. */
+/** The engine's edited curve as a spline of the drawing; settings that its kind does not use are kept. */
 export function splineFrom(options: CurveValue, before: Spline): Spline {
   const { kind, closed = false, degree, knots, parametrization, legs = [] } = options;
   if (kind === 'custom') throw new Error('the page has no curves with a basis of their own');

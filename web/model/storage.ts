@@ -1,7 +1,7 @@
 /**
- * What a browser keeps for the page: documents by surface and preferences (localStorage), and the
- * last files that were opened (IndexedDB). A browser that keeps nothing, as in private
- * windows, is no error: the page then starts afresh.
+ * What a browser keeps for the page: documents by surface and preferences (localStorage), and the last files
+ * that were opened (IndexedDB). It is no error if a browser keeps nothing, such as in private windows: the page
+ * then starts afresh.
  */
 const prefix = 'karcher.';
 const longestFile = 128 * 1024 * 1024;
@@ -32,7 +32,7 @@ function find(storage: () => Storage, name: string): string | null {
   }
 }
 
-/** Keeps values by their names, each as far as there is room; the names of those that found none. */
+/** Keeps values by their names as long as there is room, and returns the names of those that did not fit. */
 export function rememberAll(values: Readonly<Record<string, string>>): string[] {
   const left = Object.entries(values).filter(
     ([name, value]) => !keep(() => localStorage, name, value),
@@ -52,7 +52,7 @@ export function rememberInTab(name: string, value: string): boolean {
   try {
     sessionStorage.removeItem(prefix + name);
   } catch {
-    // Where storage is forbidden, nothing is there.
+    // A browser that forbids storage has kept nothing.
   }
   return false;
 }
@@ -73,7 +73,7 @@ function completed(transaction: IDBTransaction): Promise<void> {
   });
 }
 
-/** A database that does not answer for so long, in milliseconds, is taken for none. */
+/** The time in milliseconds after which a database that does not answer counts as missing. */
 const patience = 2000;
 
 /** Fails where nothing is answered. */
@@ -91,10 +91,10 @@ async function openFiles(mode: IDBTransactionMode): Promise<IDBObjectStore> {
   return database.transaction('files', mode).objectStore('files');
 }
 
-/** What was kept as bytes is still found. */
+/** Files that earlier versions kept as bytes are still found. */
 type StoredFile = ({ content: Blob } | { bytes: Uint8Array<ArrayBuffer> }) & { opened: number };
 
-/** Keeps a file in place of the oldest; false where it is too long, or the browser keeps none. */
+/** Keeps a file in place of the oldest; false if it is too long, or if the browser keeps no files. */
 export async function keepFile(key: string, content: Blob): Promise<boolean> {
   if (content.size > longestFile) return false;
   try {

@@ -37,7 +37,7 @@ const along = (a: Vector, b: Vector, factor: number): Vector => [
   a[2] + factor * b[2],
 ];
 
-/** The direction of a step in a tangent plane; null where it has none there. */
+/** The direction of a step in a tangent plane; null if it has no length there. */
 function directionIn(normal: Vector, step: Vector): Vector | null {
   const flat = along(step, normal, -dot(step, normal));
   const length = Math.hypot(...flat);

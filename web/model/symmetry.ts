@@ -47,7 +47,7 @@ export function planeThrough(a: Vector, b: Vector, c: Vector): Plane | null {
 
 /** Which part of the mirrored samples is near: the rest may be damaged, or missing at a boundary. */
 const near = 0.7;
-/** Directions that are tried: none is farther than some 10 degrees from the nearest of them. */
+/** The directions that are tried. Every direction lies within some 10 degrees of one of them. */
 const tried = 96;
 /** How many of them are followed. */
 const followed = 8;
@@ -159,7 +159,10 @@ function fittedPlane(begin: Plane, samples: readonly Vector[], nearest: NearestP
   return plane;
 }
 
-/** The solution of three equations, damped where a surface may be turned without a change; null for none. */
+/**
+ * The solution of three equations, damped for surfaces that a rotation leaves unchanged; null if there is no
+ * solution.
+ */
 function solved(matrix: Float64Array, right: Float64Array): Vector | null {
   const size = matrix[0]! + matrix[4]! + matrix[8]!;
   if (!(size > 0)) return null;

@@ -1,4 +1,4 @@
-/** What the engine makes of a document, as the page draws and shows it. */
+/** The engine's results for a drawing, as the page draws and shows them. */
 import type { CurvePoints, CurveSamples, DrawnLeg, Path, SurfacePoint } from 'karcher';
 import type { Inside } from './figure';
 import type { LostInterval } from './lost';
@@ -15,19 +15,19 @@ export interface Region {
   side: Inside | null;
 }
 
-/** What closed lines enclose, or why they enclose nothing, as a sentence. */
+/** The region that closed lines enclose, or a sentence that says why they enclose nothing. */
 export type Fill = { region: Region; problem: null } | { region: null; problem: string | null };
 
 /** A curve as the page draws it. */
 export interface TracedCurve {
   polyline: Float32Array;
-  /** One a polyline vertex; 1 where its sample is not converged. */
+  /** One number for each vertex of the polyline; 1 if its sample did not converge. */
   polylineStatus: Uint8Array;
   /** Without the statuses: `lost` has those. */
   samples: Omit<CurveSamples, 'status'>;
   /** The knots of a B-spline, also where they follow a rule; empty for other curves. */
   knots: Float64Array;
-  /** Points with the same length of curve between them, as many as were asked for. */
+  /** Points at equal lengths along the curve; their number is that of the request. */
   marks: CurvePoints | null;
   /** How many levels the curve has, or the arcs of a circle. */
   levels: number;
@@ -45,7 +45,7 @@ export interface TracedCurve {
   milliseconds: number;
   /** Null where it was not asked for. */
   fill: Fill | null;
-  /** What is made of it is made of these; null where they were not asked for. */
+  /** The paths of which other objects are made; null if they were not requested. */
   outlines: readonly Path[] | null;
 }
 

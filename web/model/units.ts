@@ -1,4 +1,4 @@
-/** What a surface's coordinates are in: files seldom say it. */
+/** The unit of a surface's coordinates, which files seldom state. */
 export const units = ['', 'mm', 'cm', 'm', 'in'] as const;
 export type Unit = (typeof units)[number];
 

@@ -1,4 +1,4 @@
-/** From where a surface is looked at, as a link tells it: `view=top`, or six numbers. */
+/** The place from which a surface is seen, as links write it: `view=top`, or six numbers. */
 import type { Vector } from './figure';
 
 /** The views of the whole surface that have a name. */
@@ -10,7 +10,10 @@ const isViewName = (name: string | null): name is ViewName =>
 
 /** A view that was turned, zoomed or moved, in the scene, where a surface's diagonal is 2. */
 export interface OrbitPlace {
-  /** Of the camera from what it looks at, in degrees: around the axis up, from the front, and above. */
+  /**
+   * The direction of the camera from its target, in degrees: around the axis that points up, from the front,
+   * and above.
+   */
   azimuth: number;
   elevation: number;
   /** The radius of the ball about what it looks at that fits into the window, whatever its shape. */
@@ -20,7 +23,7 @@ export interface OrbitPlace {
 
 export type ViewPlace = ViewName | OrbitPlace;
 
-/** What its numbers may be. */
+/** The ranges of its numbers. */
 const ranges = [
   { least: -180, most: 180 },
   { least: -90, most: 90 },
@@ -51,5 +54,5 @@ export function parseView(text: string): ViewPlace | null {
   return { azimuth, elevation, reach, target };
 }
 
-/** Without a minus before 0. */
+/** The number without a minus sign before 0. */
 const rounded = (value: number, digits: number) => Number(value.toFixed(digits)) + 0;
