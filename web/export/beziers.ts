@@ -6,13 +6,13 @@ import { cornersOf, fittedCubics, type Planar } from '../model/cubic_fit';
  * and the curves are as near as the second to what is left, which is no farther apart than the third.
  */
 const [together, tolerance, apart] = [0.1, 0.12, 4];
-/** A line that turns so much within so many pixels has a corner there. */
+/** A line has a corner where it turns by this angle within this many pixels. */
 const corner = { reach: 2, angle: 0.35 };
 
 const far = (p: Planar, q: Planar) => Math.hypot(p[0] - q[0], p[1] - q[1]);
 const short = (value: number) => `${Number(value.toFixed(2))}`;
 
-/** The places of a line, none of them twice. */
+/** The places of a line, without repetitions. */
 function merged(line: readonly Planar[]): Planar[] {
   const places = line.slice(0, 1);
   for (const [i, place] of line.entries()) {
@@ -24,7 +24,7 @@ function merged(line: readonly Planar[]): Planar[] {
   return places;
 }
 
-/** With places between those that are far apart; corners keep their places. */
+/** The line with places added where two are far apart; corners keep their places. */
 function filled(places: readonly Planar[]): Planar[] {
   const result = places.slice(0, 1);
   for (const place of places.slice(1)) {
@@ -43,7 +43,7 @@ function filled(places: readonly Planar[]): Planar[] {
 export function pathData(line: readonly Planar[]): string {
   const points = filled(merged(line));
   const at = ([x, y]: Planar) => `${short(x)} ${short(y)}`;
-  // A dot, which round ends make seen.
+  // A dot, which is visible by its round ends.
   if (points.length < 2) return `M${at(line[0]!)}L${at(line.at(-1)!)}`;
   const { pieces } = fittedCubics(points, {
     tolerances: points.map(() => tolerance),

@@ -1,4 +1,4 @@
-/** What the page makes, as text for other programs. */
+/** Drawings and curves as text for other programs. */
 import type { CurvePoints } from 'karcher';
 import type { State } from '../editor/state/state';
 import type { View } from '../editor/engine/view';
@@ -11,7 +11,7 @@ import type { ViewPlace } from '../model/view_place';
 
 const format = 'karcher-curve';
 const version = 2;
-/** In letters; a drawing of as much as one may have is shorter. */
+/** The limit in letters; even the largest drawing is shorter. */
 const longestFile = 256 * 1024 * 1024;
 
 /** Float32 coordinates as the shortest decimals that are these floats. */
@@ -52,7 +52,7 @@ export interface FileInside {
   bytes: Blob;
 }
 
-/** In bytes: the page would have to wait for the text of a longer file. */
+/** The limit in bytes; encoding a longer file would make the page wait. */
 export const longestInside = 16 * 1024 * 1024;
 /** The bytes that are encoded at once: base64 makes four letters of three bytes. */
 const encodedAtOnce = 3 * 256 * 1024;
@@ -160,7 +160,7 @@ export async function readJson(text: string): Promise<{ link: Link; file: File |
   if (content?.format !== format || typeof content.link !== 'string') throw new Error(notOurs);
   const link = parseLink(content.link);
   if (!link) throw new Error(notOurs);
-  // Files of the first version say all in their link.
+  // In files of the first version the link holds everything.
   if (content.version === 1) return { link, file: null };
   if (content.version !== version) {
     throw new Error(`the file is a drawing in JSON of version ${content.version}, which is newer`);

@@ -3,7 +3,7 @@ import type { SeenLine } from '../viewer/vantage';
 import { pathData } from './beziers';
 
 export interface DrawnLine extends SeenLine {
-  /** Lines of one object, told one after the other, are a group of its name. */
+  /** Consecutive lines of one object form a group with its name. */
   object?: { id: number; name: string; opacity: number };
   color: string;
   width: number;
@@ -24,7 +24,7 @@ export interface DrawnFill {
 export interface Drawing {
   width: number;
   height: number;
-  /** Below all lines. */
+  /** The fills, which lie below all lines. */
   fills?: DrawnFill[];
   lines: DrawnLine[];
   points: { x: number; y: number; color: string; filled?: boolean; hidden?: boolean }[];

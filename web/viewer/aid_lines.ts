@@ -6,7 +6,7 @@ import type { Layer } from './layer';
 import { dotAt } from './object_lines';
 import type { Surface } from './surface';
 
-/** How long a tangent is drawn, in the scene; a surface's diagonal is 2. */
+/** The drawn length of a tangent in the scene, where a surface's diagonal is 2. */
 const tangentLength = 0.16;
 
 /** Lines that help the hand and the eye, beside the drawing: legs, marks, what is being drawn or moved. */

@@ -25,7 +25,7 @@ export interface SurfaceColors {
 /** The part of the light that a hollow loses at most. */
 const reliefShown = 0.55;
 
-/** What the vertex shader passes on to the fragment shader. */
+/** The values that the vertex shader passes on to the fragment shader. */
 const varyings = `
     varying vec3 vNormal;
     varying vec3 vEye;
@@ -45,18 +45,23 @@ const light = {
 };
 
 /**
- * By how much of its distance the surface lies back, for each unit of its slope: at a slope it rises beside a
- * line, and would hide half of the line's width. Steeper slopes are not told apart.
+ * The part of its distance by which the surface is moved back for each unit of its slope. A sloped surface
+ * rises beside a line and would hide half of the line's width. Steeper slopes count as this one.
  */
 const sunk = { value: 0 };
 const steepest = 4;
 
 /** The size of a CSS pixel at a distance of 1. */
 const pixel = { value: 1 };
-/** Neighborhoods of so many pixels are what relief is seen of, and less and less those four times as wide or narrow. */
+/**
+ * The width in pixels of the neighborhoods that relief shows best; those four times as wide or narrow fade out.
+ */
 const reliefPixels = 16;
 
-/** Lines that reach so many CSS pixels to both sides are to be seen whole, on a stage of that height. */
+/**
+ * Sets the reach to both sides, in CSS pixels, of lines that must be visible whole, for a stage of a given
+ * height.
+ */
 export function fitSurface(pixels: number, camera: PerspectiveCamera, height: number): void {
   pixel.value = (2 * Math.tan((camera.fov * Math.PI) / 360)) / height;
   sunk.value = pixels * pixel.value;
@@ -140,8 +145,8 @@ const clay = {
 };
 const material = new ShaderMaterial(clay);
 /**
- * The inner sides where both are seen. They lie back the most, wherever they face: else at the rim some of
- * them would come out before the outer sides, and be specks.
+ * The inner sides, if both sides are visible. They are moved back the most, whatever their slope, so that no
+ * specks of them show before the outer sides at the rim.
  */
 const inner = new ShaderMaterial({
   ...clay,
@@ -167,7 +172,7 @@ export function paint(color: Color, opacity: number): ShaderMaterial {
       ...{ most: { value: 0 }, colored: { value: false }, opacity: { value: opacity } },
     },
     side: inner.visible ? DoubleSide : material.side,
-    // Opaque ones, too: else they would be drawn before all that are not.
+    // Opaque ones count as transparent, so that they are not drawn before all that really are.
     transparent: true,
     depthWrite: false,
     polygonOffset: true,
@@ -203,7 +208,7 @@ export function colorSurface(colors: SurfaceColors): void {
   edgeMaterial.color.set(colors.edges);
 }
 
-/** Shows a surface as clay, of which these sides are outside, in no other colors. */
+/** Shows a surface as plain clay, with the given sides outside. */
 export function showClay(outside: DrawnGeometry['outside']): void {
   material.side = sides[outside];
   inner.visible = outside === 'both';
@@ -217,7 +222,7 @@ export function showTint(shown: boolean): void {
   material.uniforms.colored!.value = shown;
 }
 
-/** Shows the colors of values up to the greatest; 0 shows none. */
+/** Shows values as colors up to the greatest; 0 hides them. */
 export function showValues(most: number): void {
   material.uniforms.most!.value = most;
 }

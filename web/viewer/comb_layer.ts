@@ -13,7 +13,7 @@ const usualLength = 0.12;
 /** The part of the teeth that do not exceed that length. */
 const usualShare = 0.9;
 
-/** What a comb shows, in the surface's coordinates. */
+/** The facts that a comb shows, in the surface's coordinates. */
 export interface CombFacts {
   /** The greatest geodesic curvature, without its sign; null without teeth. */
   greatest: number | null;

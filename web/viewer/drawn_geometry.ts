@@ -10,7 +10,7 @@ export interface DrawnGeometry {
   /** Positions in the scene's coordinates. */
   positions: Float32Array;
   normals: Float32Array;
-  /** How deep each vertex lies among its neighborhoods (`hollows.ts`). */
+  /** The depth of each vertex among its neighborhoods (`hollows.ts`). */
   hollows: Int8Array;
   triangles: Uint32Array;
   /** Bytes of red, green and blue at the vertices; null for clay. */

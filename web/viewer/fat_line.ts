@@ -36,7 +36,10 @@ export interface LineStyle {
 /** The stencil's mark of pixels that are kept free. */
 const free = 255;
 
-/** The part of the way to the camera by which lines are drawn nearer, so that the surface cuts none. */
+/**
+ * The part of the distance to the camera by which lines are drawn nearer, so that the surface does not cut
+ * them.
+ */
 const nearer = 0.003;
 
 /** The part of a line's width that is left where the surface hides it. */
@@ -55,8 +58,8 @@ function segmentGeometry(): LineSegmentsGeometry {
 }
 
 /**
- * Polylines of constant width on the screen, or on the surface; what the surface hides shows through faintly. The
- * buffers are kept and only grow, so that a drag makes none.
+ * Polylines of constant width on the screen, or on the surface; hidden parts show through faintly. The buffers
+ * are kept and only grow, so that a drag allocates none.
  */
 export class FatLine {
   readonly object = new Group();
@@ -108,7 +111,7 @@ export class FatLine {
     const seen = this.#materials[1]!;
     this.#opacity = opacity;
     seen.opacity = opacity;
-    // Each pixel once, where segments lie over each other.
+    // Each pixel is painted once, even where segments overlap.
     seen.stencilWrite = opacity < 1 || frames !== null;
     seen.stencilRef = frames === null ? mark : free;
     seen.stencilFunc = frames === 'inside' ? AlwaysStencilFunc : NotEqualStencilFunc;

@@ -33,7 +33,7 @@ const widest = Math.max(...bellWidths);
 const reach = 1 + 2 * widest;
 /** Points of the square's side at which the shadow is known: four in the width of the sharpest bell. */
 const side = Math.ceil((4 * 2 * reach) / Math.min(...bellWidths));
-/** How many of them a bell is made of to each side of its middle: those of more than a tenth of a percent. */
+/** The number of samples of a bell to each side of its middle: those of more than a tenth of a percent. */
 const bellSteps = Math.ceil((3.7 * widest * side) / (2 * reach));
 /** How much of the ground's color is lost where nothing of the sky is seen. */
 const darkest = 0.7;
@@ -138,7 +138,7 @@ export class GroundShadow {
     this.#material.uniforms.color!.value.set(color);
   }
 
-  /** What casts the shadow is another surface, or the drawing context is lost: the shadow is made when it is shown next. */
+  /** The surface has changed, or the drawing context is lost: the shadow is rendered when it is shown next. */
   forget(): void {
     this.#target?.dispose();
     this.#target = null;

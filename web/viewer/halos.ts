@@ -65,7 +65,7 @@ export class Halos {
     for (const lines of this.#all) lines.follow(camera);
   }
 
-  /** As dashed as the line itself; a rim would be seen through what is not opaque. */
+  /** The dashes are those of the line. A line that is not opaque has no rim, which would show through. */
   #rimOf({ style, lines, dots }: Drawn): ObjectDrawing[] {
     if (
       style.opacity < 1 ||

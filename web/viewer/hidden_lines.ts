@@ -1,4 +1,4 @@
-/** The visible parts of lines, of which the surface hides others. */
+/** The parts of lines that the surface does not hide. */
 import { DoubleSide, Matrix4, Ray, Vector3 } from 'three';
 import type { MeshBVH } from 'three-mesh-bvh';
 import { type Mesh, outlineOf } from './outline';

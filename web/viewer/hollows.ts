@@ -17,7 +17,7 @@ export function hollowsOf(
   const hollows = new Int8Array(hollowWidths * count);
   const { areas, bends, weights } = measured(positions, normals, triangles);
   const curvatures = new Float64Array(count);
-  // From the finest to the widest, each solution begins with the one before.
+  // The solutions go from the finest to the widest; each begins with the previous one.
   for (let width = hollowWidths - 1; width >= 0; width--) {
     const radius = hollowRadii[width]!;
     spread(curvatures, bends, areas, { triangles, weights, time: radius ** 2 / 4 });

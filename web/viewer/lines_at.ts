@@ -5,7 +5,7 @@ import type { Vantage } from './vantage';
 
 /** The lines that a pointer may mean, in the scene. */
 export interface PickableLines {
-  /** The edited curve; empty where the edited object is none. */
+  /** The edited curve; empty if the edited object is no curve. */
   curve: Float32Array;
   /** All lines of the edited object, and how they are drawn. */
   own: readonly Float32Array[];
@@ -16,7 +16,7 @@ export interface PickableLines {
   shorter: readonly Float32Array[];
 }
 
-/** What lines are seen at a place of the stage. Distances are in CSS pixels; a wide line is hit within its width. */
+/** The lines visible at a place of the stage. Distances are in CSS pixels; a wide line is hit within its width. */
 export class LinesAt {
   constructor(
     private readonly vantage: Vantage,
@@ -78,7 +78,7 @@ export interface ObjectsIn {
   edited: boolean;
 }
 
-/** The objects of which something is seen in a box of the stage; locked ones are not among them. */
+/** The objects that are partly visible in a box of the stage, without locked ones. */
 export function objectsIn(
   vantage: Vantage,
   { objects, own }: PickableLines,

@@ -26,7 +26,7 @@ const usualBand = 0.0125;
 /** The least width of a line on the surface, in CSS pixels. */
 const leastSeen = 0.5;
 
-/** How a line is drawn on a surface, so many CSS pixels wider than its style says. */
+/** The material of a line on a surface, wider than its style by a number of CSS pixels. */
 export function fatStyle(style: LineStyle, surface: Surface | null, wider = 0) {
   const { width, onSurface, opacity } = style;
   const band = onSurface && surface ? width * surface.frame.scale : 0;

@@ -32,7 +32,10 @@ export class OrbitView {
   /** The surface that the camera looks at, once there is one. */
   surface: Surface | null = null;
   readonly #controls: OrbitControls;
-  /** From where the whole is seen, where the view was not touched since; it then goes with the stage's size. */
+  /**
+   * The camera's place that shows the whole, as long as no one moves the view; it then follows the stage's
+   * size.
+   */
   #whole: Vector3 | null = startDirection;
   #flight: { from: Place; to: Place; started: number } | null = null;
   /** The pivot about which the view turns: a point of the scene, and where the camera sees it. */
@@ -84,7 +87,9 @@ export class OrbitView {
     this.#controls.mouseButtons.LEFT = moves ? MOUSE.PAN : MOUSE.ROTATE;
   }
 
-  /** The point of the surface at a place of the window, or else in the middle of the stage; null without one. */
+  /**
+   * The point of the surface at a place of the window, or in the middle of the stage; null if neither is on it.
+   */
   #under(x: number, y: number): Vector3 | null {
     const { left, top, width, height } = this.stage.getBoundingClientRect();
     const at = (h: number, v: number): Vector3 | null => {
@@ -98,8 +103,9 @@ export class OrbitView {
   }
 
   /**
-   * Takes the controls' target to the depth of what lies at a place of the window, without a change of the view.
-   * Steps of a zoom and of a move are parts of the way to the target, so none goes through the surface.
+   * Moves the controls' target to the depth of the surface at a place of the window, without a change of the
+   * view. Steps of a zoom or a move are parts of the distance to the target, so that none goes through the
+   * surface.
    */
   #turnTo(x: number, y: number): Vector3 | null {
     const point = this.#under(x, y);
@@ -180,7 +186,7 @@ export class OrbitView {
     this.#controls.update();
   }
 
-  /** Moves the view by so many CSS pixels of what lies in its middle. */
+  /** Moves the view by a number of CSS pixels, measured at the middle of the stage. */
   pan(x: number, y: number): void {
     const { left, top, width, height } = this.stage.getBoundingClientRect();
     this.#turnTo(left + width / 2, top + height / 2);
@@ -203,7 +209,7 @@ export class OrbitView {
     this.#showWhole(animated);
   }
 
-  /** From where the scene is seen, or will be once a flight ends; null for the usual view. */
+  /** The place of the camera, now or after the present flight; null for the usual view. */
   get place(): ViewPlace | null {
     if (this.#whole) return viewNames.find((name) => views[name] === this.#whole) ?? null;
     const { offset, target } = this.#flight?.to ?? {

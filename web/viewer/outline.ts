@@ -1,8 +1,8 @@
 /**
  * The outline of a mesh as a camera sees it. Where the surface is smooth, it is the line on which normals,
- * told at the triangles' corners and linear in between, are at right angles to the view (Hertzmann and
- * Zorin, Illustrating smooth surfaces); smoother than the edges between front and back faces. Where it is
- * not, it is creases, and the boundary.
+ * given at the triangles' corners and linear in between, are at right angles to the view (Hertzmann and Zorin,
+ * Illustrating smooth surfaces); smoother than the edges between front and back faces. Where it is not, it is
+ * creases, and the boundary.
  */
 import { joined, levelLines } from '../model/level_lines';
 
@@ -54,7 +54,7 @@ export function outlineOf(mesh: Mesh, [x, y, z]: readonly [number, number, numbe
 
 const follower = (corner: number) => (corner % 3 === 2 ? corner - 2 : corner + 1);
 
-/** The normal of a triangle, as long as twice its area. */
+/** The normal of a triangle, whose length is twice the area. */
 function faceNormals({ positions, triangles }: Mesh): Float64Array {
   const normals = new Float64Array(triangles.length);
   for (let first = 0; first < triangles.length; first += 3) {

@@ -25,7 +25,7 @@ export class Regions {
   #color = new Color();
   readonly #geometries = new Map<Region, BufferGeometry>();
 
-  /** The color of lines that have none of their own. */
+  /** The color of lines without their own. */
   setColor(color: Color): void {
     this.#color = color;
     this.#paint();

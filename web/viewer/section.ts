@@ -1,4 +1,4 @@
-/** What planes have to do with a surface in the scene: where they cut it, and places that lie on it evenly. */
+/** Planes and a surface in the scene: the lines where they cut it, and evenly spaced places on it. */
 import { Vector3 } from 'three';
 import type { Vector } from '../model/figure';
 import type { NearestPlace, Plane } from '../model/symmetry';

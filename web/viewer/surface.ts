@@ -50,7 +50,7 @@ const unitWeights = [
 export class Surface {
   readonly object = new Group();
   readonly frame: Frame;
-  /** In its own coordinates. */
+  /** The mesh in the surface's own coordinates. */
   readonly mesh: MeshBlobs;
   /** Whether its file gave it colors. */
   readonly hasColors: boolean;
@@ -61,7 +61,7 @@ export class Surface {
   readonly #normals: Float32Array;
   readonly #hollows: Int8Array;
   readonly #outside: DrawnGeometry['outside'];
-  /** 1 for each face of which something is seen; null where all are. */
+  /** 1 for each face that is shown; null if all are. */
   #seen: Uint8Array | null = null;
   readonly #edges: Mesh;
   readonly #whole: Mesh;
@@ -124,7 +124,7 @@ export class Surface {
     else this.#geometry.deleteAttribute('value');
   }
 
-  /** Shows these parts in place of the whole surface, each with a color over it or none; null shows that. */
+  /** Shows parts in place of the whole surface, each with or without a color over it; null shows the whole. */
   showParts(parts: readonly { part: SurfacePart; color: string | null }[] | null): void {
     this.#whole.visible = parts === null;
     this.#parts.show(parts ?? [], (part) => this.#partGeometry(part));
@@ -262,14 +262,14 @@ export class Surface {
     return directionFromScene(this.frame.up, direction.toArray());
   }
 
-  /** How directions at a point go along to another one: turned as the normal turns. */
+  /** Carries directions from a point to another one by the rotation between their normals. */
   carry(from: SurfacePoint, to: SurfacePoint): (direction: Vector) => Vector {
     const turning = new Quaternion().setFromUnitVectors(this.normal(from), this.normal(to));
     return (direction) =>
       this.directionFromScene(this.directionInScene(direction).applyQuaternion(turning));
   }
 
-  /** Where another point goes with one that is moved: as far, and in the same direction along the surface. */
+  /** Moves a point as another one moves: by the same distance, in the same direction along the surface. */
   along(from: SurfacePoint, to: SurfacePoint, other: SurfacePoint): SurfacePoint {
     const turning = new Quaternion().setFromUnitVectors(this.normal(from), this.normal(other));
     const step = this.position(to).sub(this.position(from)).applyQuaternion(turning);
@@ -294,7 +294,7 @@ export class Surface {
   /** How far the surface reaches in a direction, times the direction's length. */
   #reach(direction: Vector3): number {
     let farthest = -Infinity;
-    // Those that reach less than this farther are not looked at: a plane's boxes all reach as far.
+    // Boxes that reach less than this farther are skipped, since all boxes of a plane reach equally far.
     const grain = 1e-6 * direction.length();
     const corner = new Vector3();
     const reachOf = (box: Box3) =>

@@ -11,13 +11,13 @@ export interface SeenLine {
 
 /** A point of a line that was looked for at a place of the stage. */
 export interface NearestSeen {
-  /** In the scene. */
+  /** The place in the scene. */
   position: Vector3;
-  /** From the place, in CSS pixels. */
+  /** The distance from the place, in CSS pixels. */
   distance: number;
 }
 
-/** What is so little farther than the surface, in the scene, lies on it. */
+/** Points that are farther than the surface by at most this, in the scene, count as lying on it. */
 const grain = 0.004;
 
 /** A surface as a camera sees it on a stage. */
@@ -91,19 +91,19 @@ export class Vantage {
     return { position: from.lerp(to, best.part), distance: best.distance };
   }
 
-  /** How far so many CSS pixels reach at a point of the scene, in the surface's unit. */
+  /** The length of a number of CSS pixels at a point of the scene, in the surface's unit. */
   reach(position: Vector3, pixels: number): number {
     const away = this.camera.position.distanceTo(position);
     const height = 2 * away * Math.tan((this.camera.fov * Math.PI) / 360);
     return ((height / this.size.height) * pixels) / (this.surface?.frame.scale ?? 1);
   }
 
-  /** How wide a line is at a point of the scene where the surface faces the view, in CSS pixels. */
+  /** The width of a line in CSS pixels, at a point of the scene where the surface faces the view. */
   seenWidth({ width, onSurface }: LineStyle, position: Vector3): number {
     return onSurface ? width / this.reach(position, 1) : width;
   }
 
-  /** How wide the middle of a polyline in the surface's coordinates is seen, to a hundredth of a CSS pixel. */
+  /** The visible width at the middle of a polyline in the surface's coordinates, to a hundredth of a CSS pixel. */
   widthOf(style: LineStyle, polyline: Float32Array): number {
     const middle = 3 * Math.floor(polyline.length / 6);
     const [x = 0, y = 0, z = 0] = polyline.subarray(middle, middle + 3);

@@ -53,7 +53,7 @@ export class Viewer {
   #relief = true;
   /** The stage's, in CSS pixels: to ask the stage lays the page out, which a thousand handles cannot bear. */
   #size = { width: 1, height: 1 };
-  /** Where the stage is in the window; null until it is asked for again. */
+  /** The stage's place in the window; null until the next request measures it again. */
   #box: DOMRect | null = null;
   #frame = 0;
 
@@ -208,7 +208,7 @@ export class Viewer {
       const line = this.#surface.toScene(curve.polyline);
       this.#line = line;
       this.#own = [line];
-      // A vertex's status is that of the sample it leads to.
+      // A vertex has the status of the sample to which it leads.
       const lost = (segment: number) => curve.polylineStatus[segment + 1] === 1;
       this.#curve.setChosen(line, (segment) => !lost(segment));
       this.#lost.setChosen(line, lost);
@@ -222,7 +222,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Polylines in the surface's coordinates, none of which is picked, in place of a curve. */
+  /** Shows polylines in the surface's coordinates in place of a curve; they are not picked. */
   showLines(lines: readonly Float32Array[]): void {
     const surface = this.#surface;
     this.#line = new Float32Array();
@@ -233,14 +233,14 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Shows parts of the surface in its place, each with a color over it or none; null shows all of it. */
+  /** Shows parts of the surface in its place, each with or without a color over it; null shows all of it. */
   showParts(parts: Parameters<Surface['showParts']>[0]): void {
     this.#surface?.showParts(parts);
     this.#ground.forget();
     this.requestFrame();
   }
 
-  /** How the edited object is drawn. */
+  /** Sets the style of the edited object. */
   showStyle(style: LineStyle): void {
     const shown = styleOf(style);
     if (`${Object.values(shown)}` === `${Object.values(this.#style)}`) return;
@@ -257,7 +257,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** What is painted, from the lowest to the topmost. */
+  /** Sets the painted regions, from the lowest to the topmost. */
   showRegions(painted: readonly PaintedRegion[]): void {
     this.#regions.show(painted, this.#surface);
     this.requestFrame();
@@ -281,12 +281,12 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Which objects have a halo, by their ids, with that of the edited one. */
+  /** The ids of the objects with a halo, among them the edited one if it has one. */
   marked(edited: number): readonly number[] {
     return this.#isChosen ? [...this.#chosen, edited] : this.#chosen;
   }
 
-  /** Shows which object a click would take: its id, null for the edited one, undefined for none. */
+  /** Shows the object that a click would take: its id, null for the edited one, undefined for none. */
   showHovered(id: number | null | undefined): void {
     if (id === this.#hovered) return;
     this.#hovered = id;
@@ -341,7 +341,7 @@ export class Viewer {
     return this.#surface.pick(this.#raycaster.ray);
   }
 
-  /** What lines are seen at a place of the window, in CSS pixels. */
+  /** The lines visible at a place of the window, in CSS pixels. */
   linesAt(clientX: number, clientY: number): LinesAt {
     const { box } = this;
     this.#view.camera.updateMatrixWorld();
@@ -349,7 +349,7 @@ export class Viewer {
     return new LinesAt(this.#vantage, this.#pickable, place);
   }
 
-  /** The objects of which something is seen in a box of the window; locked ones are not among them. */
+  /** The objects that are partly visible in a box of the window, without locked ones. */
   objectsIn(left: number, top: number, width: number, height: number): ObjectsIn {
     const { box } = this;
     this.#view.camera.updateMatrixWorld();
@@ -376,7 +376,7 @@ export class Viewer {
     return new Vantage(this.#surface, this.#view.camera, this.#size);
   }
 
-  /** What is seen now, also while the view turns later. */
+  /** The present view, which stays as it is when the camera turns later. */
   vantage(): Vantage {
     this.#view.camera.updateMatrixWorld();
     return new Vantage(this.#surface, this.#view.camera.clone(), this.#size);
@@ -387,12 +387,12 @@ export class Viewer {
     return this.#size;
   }
 
-  /** How far so many CSS pixels reach at a point of the scene, in the surface's unit. */
+  /** The length of a number of CSS pixels at a point of the scene, in the surface's unit. */
   reach(position: Vector3, pixels: number): number {
     return this.#vantage.reach(position, pixels);
   }
 
-  /** The stage's place in the window. The page is asked for it once, and again after a change of size. */
+  /** The stage's place in the window, which is measured once, and again after a change of size. */
   get box(): DOMRect {
     this.#box ??= this.stage.getBoundingClientRect();
     return this.#box;
@@ -422,7 +422,7 @@ export class Viewer {
     this.#view.pan(x, y);
   }
 
-  /** While it is set the pointer moves the view, whatever else it would do. */
+  /** While this is set the pointer moves the view and does nothing else. */
   set movesView(moves: boolean) {
     this.#view.moves = moves;
     this.stage.classList.toggle('moving', moves);
@@ -447,7 +447,7 @@ export class Viewer {
     this.#view.reset(options);
   }
 
-  /** From where the surface is looked at; null for the usual view, of the whole from the front. */
+  /** The place of the camera; null for the usual view, of the whole from the front. */
   get place(): ViewPlace | null {
     return this.#view.place;
   }
@@ -463,7 +463,7 @@ export class Viewer {
   }
 
   /**
-   * The view as a PNG, of so many pixels for each of CSS; see-through beside the surface where no
+   * The view as a PNG, with a number of pixels for each CSS pixel; transparent around the surface unless a
    * background is given.
    */
   picture(scale: number, background: string | null): Promise<Blob> {

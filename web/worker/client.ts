@@ -43,7 +43,7 @@ export class Stopped extends Error {
   }
 }
 
-/** Tells when it begins to have calls under way, and when there are none any more. */
+/** Called when calls begin to be under way, and when the last one has ended. */
 class TellingClient extends WorkerClient {
   onBusy: (busy: boolean) => void = () => {};
   #calls = 0;
@@ -66,7 +66,7 @@ interface Loaded {
 /** x, y, z each. */
 type Corners = [Vector, Vector, Vector];
 
-/** Whether what is enclosed is asked for: the smaller side, or one that is named. */
+/** Whether the enclosed region is wanted: the smaller side, or a named one. */
 export type AskedFill = boolean | Inside;
 
 /** Lines, and which side of the first one is inside; the smaller one where that is not said. */
@@ -75,15 +75,15 @@ export interface OutlinedShape {
   inside?: Inside;
 }
 
-/** What a curve is asked for, beside its value. */
+/** The parts of a curve's view that are wanted, beside its value. */
 export interface CurveRequest {
   /** The object that it belongs to; without one it is given back once it is seen. */
   object?: number;
   /** The number of points that are marked along the curve. */
   marks?: number;
-  /** What of the enclosed region is wanted. */
+  /** The part of the enclosed region that is wanted. */
   fill?: AskedFill;
-  /** Whether the path is asked for that it follows. */
+  /** Whether the path that the curve follows is wanted. */
   outlines?: boolean;
 }
 
@@ -129,9 +129,9 @@ export class EngineClient {
     () => new Worker(new URL('./engine.ts', import.meta.url), { type: 'module' }),
   );
   #loaded: Loaded | null = null;
-  /** The face whose corners were asked for last. */
+  /** The face of the last request for corners. */
   #asked: { face: number; corners: Promise<Corners> } | null = null;
-  /** By the ids of objects; null where there is no curve of the first value that was asked for. */
+  /** The curves by the ids of their objects; null if the first requested value gave no curve. */
   readonly #curves = new Map<number, Promise<RemoteCurve | null>>();
   /** Called when the worker ends by itself, as when memory runs out. */
   onStopped: (() => void) | null = null;
@@ -154,27 +154,26 @@ export class EngineClient {
     }
   }
 
-  /** Hears when calls are under way, and when there are none any more. */
+  /** Sets the listener that hears when calls begin to be under way, and when the last one has ended. */
   set onBusy(hear: (busy: boolean) => void) {
     this.#worker.onBusy = hear;
   }
 
   /**
-   * Gives up what is under way, which fails with `Stopped`. Where the worker is at a long call, another one
-   * takes its place, with the surface and loose curves: those of objects are traced again when they are asked
-   * for.
+   * Gives up what is under way, which fails with `Stopped`. If the worker is busy with a long call, another one
+   * replaces it, with the surface and loose curves. Curves of objects are traced again at their next request.
    */
   stop(): void {
     this.keepCurves([]);
     this.#worker.giveUp(new Stopped());
   }
 
-  /** What is asked of the surface itself. */
+  /** The surface's own calls. */
   get mesh(): RemoteMesh {
     return this.#loaded!.mesh;
   }
 
-  /** What the file is that the surface comes from; null of another surface. */
+  /** The properties of the file that the surface comes from; null for other surfaces. */
   get file(): FileInfo | null {
     return this.#loaded!.file;
   }
@@ -210,7 +209,7 @@ export class EngineClient {
     const before = object === undefined ? null : await this.#curves.get(object);
     const curve = before ?? (await this.#first(object, value));
     try {
-      // Both are asked at once: nothing comes in between.
+      // Both calls are sent at once, so that nothing comes in between.
       const [[view, marked], [filled, path]] = await both(
         both(
           before ? curve.set(value) : curve.view(),
@@ -239,7 +238,7 @@ export class EngineClient {
     void curve?.then((one) => one?.dispose()).catch(() => {});
   }
 
-  /** The points that tell the legs of an object's curve as it is; null for those that are the shortest. */
+  /** The points that describe the present legs of an object's curve; null for shortest paths. */
   async toldLegs(object: number): Promise<ToldLegs> {
     const curve = await this.#curves.get(object);
     return (await curve?.value())?.legs?.map(waypointsOf) ?? [];
@@ -277,7 +276,7 @@ export class EngineClient {
     return new LooseCurve(await this.mesh.curve(value));
   }
 
-  /** What an edit makes of the curve of a value, which is the object's from then on. */
+  /** The result of an edit of the curve of a value, which becomes the object's curve. */
   async edited(object: number, value: CurveOptions, edit: Edit): Promise<Edited> {
     return edited(this.mesh, await this.#curveOf(object, value), value, edit);
   }
@@ -361,8 +360,8 @@ export class EngineClient {
   }
 
   /**
-   * Where vectors of the tangent plane at `from` lead from `to`, once they are carried there, and their
-   * directions: the transport and the exp map in one call, for a drag.
+   * The ends and end directions of geodesics from `to` along vectors of the tangent plane at `from`, carried to
+   * `to`: the transport and the exp map in one call, for a drag.
    */
   async putDown(
     from: PointLike,
@@ -410,5 +409,5 @@ export class EngineClient {
   }
 }
 
-/** Both answers; where one fails the other's failure is no other one. */
+/** Both answers. If both fail, the second failure is not reported as unhandled. */
 const both = <A, B>(a: Promise<A>, b: Promise<B> | B): Promise<[A, B]> => Promise.all([a, b]);

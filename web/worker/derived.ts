@@ -13,7 +13,7 @@ export interface DerivedLines {
   fill: Fill | null;
 }
 
-/** What is inside is a side, or what holds the middle of a line. */
+/** The inside is a side of the first line, or the side that holds the middle of a line. */
 const outlined = (
   mesh: Mesh,
   outlines: (Outline | Path)[],
@@ -23,7 +23,7 @@ const outlined = (
   return mesh.regions([{ outlines, ...(told && { inside: told }) }])[0]!;
 };
 
-/** What lines enclose, with their inside to the left; null where they enclose nothing. */
+/** The boundary of what lines enclose, with the inside to its left; null if they enclose nothing. */
 function enclosed(mesh: Mesh, outlines: Outline[], inside?: Inside | undefined): Path[] | null {
   try {
     return outlined(mesh, outlines, inside).boundary();
@@ -33,7 +33,7 @@ function enclosed(mesh: Mesh, outlines: Outline[], inside?: Inside | undefined):
   }
 }
 
-/** Inwards is where closed lines enclose something, or else to their left. */
+/** Inwards is the enclosed side of closed lines; for other lines it is the left. */
 export function offsetOf(
   mesh: Mesh,
   outlines: Outline[],

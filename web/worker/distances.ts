@@ -1,4 +1,4 @@
-/** Distances from a point as the page draws them: told at the vertices, and as isolines. */
+/** Distances from a point as the page draws them: values at the vertices, and isolines. */
 import type { DistanceOptions, Mesh, PointLike } from 'karcher';
 import { levelLines, roundStep } from '../model/level_lines';
 import type { TracedDistances } from '../model/traced';

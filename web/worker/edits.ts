@@ -22,7 +22,7 @@ export interface Edited {
   point: number | null;
 }
 
-/** What an edit makes of the curve of a value; the curve may be changed for it. */
+/** The result of an edit of the curve of a value. The curve itself may change. */
 export async function edited(
   mesh: RemoteMesh,
   curve: RemoteCurve,

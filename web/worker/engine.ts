@@ -23,13 +23,13 @@ import { inPieces } from './pieces';
 interface Loaded {
   mesh: Mesh;
   arrays: MeshBlobs;
-  /** What a surface's file said; null for other surfaces. */
+  /** The properties of the surface's file; null for other surfaces. */
   file: FileInfo | null;
   /** The axis that seems to point up. */
   up: UpAxis;
 }
 
-/** What the page calls the stages of reading a file. */
+/** The page's names for the stages of reading a file. */
 const fileStages: Record<string, string> = {
   cutting: 'Cutting polygons',
   making: 'Making the surface',
@@ -40,7 +40,7 @@ const takenFrom = (mesh: Mesh) => ({
   triangles: mesh.triangles(),
 });
 
-/** What can be asked of the worker; the rest is asked of the mesh. */
+/** The worker's own calls; all others are calls of the mesh. */
 const calls = {
   async load(source: MeshSource, { progress = () => {} }: LongWorkOptions): Promise<Loaded> {
     progress(0, 'Starting the engine');

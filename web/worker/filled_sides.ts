@@ -1,6 +1,6 @@
 /**
- * Fills parts of faces that are told by their sides: a face is cut into upright strips at the ends of its sides,
- * within which no two sides cross, and every second piece of a strip, from below, is filled.
+ * Fills parts of faces that are given by their sides: a face is cut into upright strips at the ends of its
+ * sides, within which no two sides cross, and every second piece of a strip, from below, is filled.
  */
 
 /** Narrower strips, in weights, are not seen. */
@@ -31,7 +31,7 @@ export function filledSides(
 interface Side {
   left: number;
   right: number;
-  /** Its height at a place between its ends. */
+  /** The height of a side at a place between its ends. */
   at(x: number): number;
 }
 

@@ -1,10 +1,10 @@
-/** What lines enclose, as the page paints it: the engine's regions as triangles. */
+/** The regions that lines enclose, as the triangles that the page paints. */
 import { type Curve, KarcherError, type Mesh, type Region, type SurfacePoint } from 'karcher';
 import type { Inside } from '../model/figure';
 import type { Fill } from '../model/traced';
 import { filledSides } from './filled_sides';
 
-/** What a curve encloses, or several paths together: the smaller side, unless one is asked for. */
+/** The region that a curve, or several paths together, enclose: the smaller side, unless one is named. */
 export function fillOf(
   mesh: Mesh,
   lines: Curve | readonly SurfacePoint[][],
@@ -14,7 +14,7 @@ export function fillOf(
   return painted(() => mesh.regions([{ outlines, ...(inside && { inside }) }])[0]!);
 }
 
-/** A region as it is painted, or why there is none. */
+/** A region as it is painted, or the reason for having none. */
 export function painted(regionOf: () => Region): Fill {
   try {
     const region = regionOf();

@@ -7,12 +7,12 @@ export interface Opened {
   file: FileInfo;
 }
 
-/** A file of more pieces, as a cloud of crumbs is, is offered as a whole. */
+/** A file of more pieces, such as a cloud of crumbs, is offered as a whole. */
 const mostPieces = 1000;
 
 /**
- * The number of each triangle's piece, the largest piece first, and how many triangles each has; of pieces that
- * are as large the one with the first triangle.
+ * The number of each triangle's piece, and the number of triangles of each piece. Pieces are numbered from the
+ * largest; among equally large ones the one with the first triangle comes first.
  */
 export function piecesOf(
   triangles: Int32Array,
@@ -22,7 +22,7 @@ export function piecesOf(
   const rootOf = (vertex: number) => {
     let root = vertex;
     while (parents[root] !== root) {
-      // Half of the way is cut off each time, so that ways stay short.
+      // Each step halves the way to the root, so that ways stay short.
       parents[root] = parents[parents[root]!]!;
       root = parents[root]!;
     }
@@ -48,7 +48,7 @@ export function piecesOf(
 
 /**
  * A file that was read as a whole, with its pieces as its parts where it has none, and the mesh of the wanted
- * ones. The given mesh is disposed where another one is given back.
+ * ones. The given mesh is disposed of if another one is returned.
  */
 export async function inPieces(
   karcher: Karcher,

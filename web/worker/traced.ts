@@ -1,4 +1,4 @@
-/** What the engine gives, as the page draws it. */
+/** The engine's results as the page draws them. */
 import type { Circle, CurvePoints, CurveView, Ellipse, Path } from 'karcher';
 import { lostIntervals } from '../model/lost';
 import type { Fill, TracedCurve, TracedIsolines } from '../model/traced';
