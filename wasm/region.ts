@@ -3,7 +3,7 @@ import { KarcherError } from './errors.js';
 import type { EngineRegion } from './karcher-engine.mjs';
 import { regionShapeNames } from './options.js';
 import { Path } from './path.js';
-import { wirePoint, wirePoints } from './points.js';
+import { wirePoint, wirePointArrays, wirePoints } from './points.js';
 import type { SurfacePoint } from './types.js';
 
 /** A part of the surface. It keeps what it tells, needs no mesh and is not disposed of. */
@@ -75,7 +75,8 @@ function firstOf(sorted: Int32Array, value: number): number {
 }
 
 const wireOutline = (outline: unknown, what: string): Float64Array => {
-  const points = wirePoints(outline instanceof Path ? outline.points() : outline, what);
+  const points =
+    outline instanceof Path ? wirePointArrays(outline.data()) : wirePoints(outline, what);
   if (points.length > 4) return points;
   throw new KarcherError('badArgument', `${what} must have at least two points`);
 };
