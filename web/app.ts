@@ -58,7 +58,7 @@ import type { Surface } from './viewer/surface';
 import { Viewer } from './viewer/viewer';
 import { checkedUp } from './worker/checkup';
 
-/** Lets the browser start what was asked for, before work that holds the page up. */
+/** Lets the browser start its requests before work that holds the page up. */
 const breathe = () => new Promise((resolve) => setTimeout(resolve));
 
 /** An object beside the edited one, in the scene. */
@@ -91,7 +91,7 @@ function comparedDrawing(
   return [{ id: -state.drawing.active - 1, style, locked: true, lines, dots: [] }];
 }
 
-/** Several selected objects are told by a halo; a single one has its handles. */
+/** Several selected objects are shown by halos; a single one by its handles. */
 function showChosen(viewer: Viewer, { drawing, chosen }: State): void {
   const others = chosen.filter((id) => id !== drawing.active);
   viewer.showChosen(others, others.length > 0 && chosen.includes(drawing.active));
@@ -107,7 +107,7 @@ export async function start(): Promise<void> {
   if (isMethod(method)) editor.setMethod(method);
   const session = new Session();
   const opening = new Opening(editor, session);
-  // Who comes back to a drawing goes on as before; a link is to be drawn on.
+  // A user who comes back to a drawing continues as before; a link opens ready for drawing.
   const usualTool = location.hash === '' ? recall('tool') : null;
   // The engine loads while the graphics start, which takes as long.
   const first = opening.first();
@@ -164,7 +164,7 @@ export async function start(): Promise<void> {
     shorten: () => shorten(0),
     stop: () => session.stop(),
   });
-  /** What is painted, in the drawing's order. */
+  /** The painted regions, in the drawing's order. */
   const showRegions = () => {
     const { state } = editor;
     const { fill, others } = session.view;
@@ -305,7 +305,7 @@ export async function start(): Promise<void> {
     async chooseMethod(id) {
       chosen = id;
       const isReady = await opening.prepare(id);
-      // What takes long to prepare gives way to what was chosen since.
+      // A slow preparation gives way to a newer choice.
       if (isReady && chosen === id) editor.setMethod(id);
       else curvePanel.show(editor.state, session.view);
     },
@@ -383,7 +383,7 @@ export async function start(): Promise<void> {
     derivedPanel.show(state);
     cutPanel.show(state, session.view);
     showCut();
-    // Its figures are of what is selected.
+    // Its figures describe the selection.
     if (state.none === before.none) status.showHint(state, session.view);
     else status.show(state, session.view, session.client?.info ?? null);
     showChosen(viewer, state);
@@ -412,7 +412,7 @@ export async function start(): Promise<void> {
   viewer.onFrame(viewChanged);
   onKeeping((kept) => status.setKept(kept));
   window.addEventListener('hashchange', ({ newURL }) => {
-    // By now the page may have written another address over the one that was asked for.
+    // By now the page may have replaced the requested address by another one.
     const { hash } = new URL(newURL);
     const found = linkOf(hash);
     if (found && hash.slice(1) !== addressOf(editor.state, viewer.place)) void opening.link(found);

@@ -2,7 +2,7 @@
 
 import { formatInteger } from './panels/elements';
 
-/** What lies beside surfaces, and is not opened by itself: materials, buffers and pictures. */
+/** Files that belong to surfaces and are not opened by themselves: materials, buffers and pictures. */
 const companions = /\.(mtl|bin|png|jpe?g|webp|ktx2|basis|tga|bmp|gif|tiff?|dds|hdr|exr)$/i;
 const openable = /\.(obj|ply|stl|off|glb|gltf|json)$/i;
 const drawing = /\.json$/i;
@@ -12,7 +12,7 @@ export interface Dropped {
   /** Surfaces. */
   surfaces: File[];
   drawings: File[];
-  /** What is neither, nor belongs to a surface. */
+  /** Files that are neither surfaces nor drawings, and belong to no surface. */
   unknown: File[];
 }
 
@@ -21,7 +21,7 @@ export function sorted(files: readonly File[]): Dropped {
   const others = files.filter(({ name }) => !openable.test(name));
   const surfaces = known.filter(({ name }) => !drawing.test(name));
   const drawings = known.filter(({ name }) => drawing.test(name));
-  // By itself a file of another name is tried, too: its content may tell what it is.
+  // A single file with another ending is tried too, since its content may show its format.
   if (known.length === 0)
     return { surfaces: others.slice(0, 1), drawings, unknown: others.slice(1) };
   return { surfaces, drawings, unknown: others.filter(({ name }) => !companions.test(name)) };

@@ -8,7 +8,7 @@ import type { Vector } from './model/figure';
 import { arraysOf, type MeshArrays } from './model/mesh_blobs';
 import type { Viewer } from './viewer/viewer';
 
-/** What the page shows, as copies: for tests, and for a look from the browser's console. */
+/** Copies of what the page shows, for tests and for the browser's console. */
 export interface Inspection {
   /** Whether the engine has answered the newest state, control polygon included. */
   readonly settled: boolean;

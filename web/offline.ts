@@ -12,6 +12,6 @@ export function workOffline(): void {
   // The sources that are served while the page is developed change under its hand.
   if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return;
   const address = new URL('./service-worker.js', document.baseURI);
-  // Where it is refused, as in private windows of some browsers, the page works with a network.
+  // If it is refused, such as in private windows of some browsers, the page needs a network.
   navigator.serviceWorker.register(address, { updateViaCache: 'none' }).catch(() => {});
 }

@@ -38,7 +38,7 @@ import { EngineClient } from './worker/client';
 /** Larger ones would not fit into the engine's memory. */
 const largestFile = 1 << 30;
 
-/** How often an engine that stopped by itself is started again for one surface. */
+/** The number of times that an engine that stopped by itself is started again for one surface. */
 const mostRestarts = 2;
 
 /** A drawing for a new surface: from a link, or made from what was shown before. */
@@ -51,14 +51,14 @@ type Wanted = (surface: Surface, before: Surface | null) => Drawing | null;
 export class Opening {
   #running: AbortController | null = null;
   #restarts = 0;
-  /** How often another way to show the file was chosen: only the last one counts. */
+  /** The number of choices of another way to show the file, of which only the last one counts. */
   #turns = 0;
   #complaint: HTMLElement | null = null;
   /** Curves on files that this browser does not have, as links: shown once their file is opened. */
   readonly #awaited = new Map<string, string>();
   /** The last file that was opened, where the browser does not keep it. */
   #file: { key: string; file: File } | null = null;
-  /** What was done, before a reload, to the drawing that the page starts with. */
+  /** The history, from before a reload, of the drawing with which the page starts. */
   #history: { history: History; link: Link } | null = null;
   #viewer: Viewer | null = null;
   readonly #viewerReady = withResolvers<Viewer>();
@@ -180,7 +180,7 @@ export class Opening {
     const drawn = await drawnGeometry(drawnMesh(client, key));
     if (client !== this.session.client || !wanted()) return;
     this.editor.cancelDrag();
-    // As it is by now: it may have been edited in the meantime.
+    // The present drawing, which may have been edited in the meantime.
     const { drawing, standIn } = this.editor.state;
     const { triangles } = viewer.showSurface(drawn);
     viewer.resetView({ animated: false });
@@ -239,7 +239,8 @@ export class Opening {
   }
 
   /**
-   * What the address says, or what was last made here, or else the first of the examples: then true.
+   * Opens the drawing of the address, or the last one made here, or the first example, in which case it returns
+   * true.
    */
   async first(): Promise<boolean> {
     const found = startingLink();
@@ -420,7 +421,7 @@ function withResolvers<Value>() {
   return { promise, resolve };
 }
 
-/** What the page calls the engine's stages of long work. */
+/** The page's names for the engine's stages of long work. */
 const stageNames: Record<string, string> = { graph: 'Building the graph' };
 
 const stageName = (stage: string) => stageNames[stage] ?? 'Preparing';

@@ -136,14 +136,14 @@ export function linkOf(fragment: string): FoundLink | null {
   return kept && { ...kept, link: { ...kept.link, view } };
 }
 
-/** What this browser keeps of a surface. */
+/** The drawing that this browser keeps for a surface. */
 function keptLink(mesh: string | null): FoundLink | null {
   const inTab = found(linkOfWork(recallInTab('work') ?? ''), true);
   if (inTab?.link.mesh === mesh) return inTab;
   return found(recall(`document.${mesh}`), true);
 }
 
-/** What the page starts with: its address says it, or else what was last made in this browser. */
+/** The drawing with which the page starts: that of its address, or the last one made in this browser. */
 export function startingLink(): FoundLink | null {
   const fragment = location.hash.slice(1);
   const [before, after] = (recallInTab('overtaken') ?? '').split(' ');
@@ -158,7 +158,7 @@ export function startingLink(): FoundLink | null {
   return linkOf(newest) ?? last();
 }
 
-/** What this tab did to the drawing of a link, with the drawing as it was left. */
+/** The history in this tab of a link's drawing, with the drawing at its end. */
 export function workOn(link: Link): { link: Link; history: History } | null {
   const { mesh, method, drawing } = link;
   const work = method && readWork(recallInTab('work') ?? '', formatLink(mesh, method, drawing));

@@ -8,7 +8,7 @@
 /** Put in by the build: the page's files, and a name for all they hold. */
 declare const __KARCHER_FILES__: { readonly version: string; readonly files: readonly string[] };
 
-/** What is used of a service worker's scope; its types exclude those of a page. */
+/** The used parts of a service worker's scope, whose types exclude those of a page. */
 interface Scope {
   readonly registration: { readonly scope: string };
   readonly clients: { claim(): Promise<void> };
@@ -49,7 +49,7 @@ async function activate(): Promise<void> {
 
 async function page(request: Request): Promise<Response> {
   try {
-    // One of an older version, which the browser may have kept, would ask for files that are gone.
+    // A page of an older version, which the browser may have kept, would request files that are gone.
     return await fetch(request, { cache: 'no-cache' });
   } catch (error) {
     const { pathname } = new URL(request.url);
@@ -77,7 +77,7 @@ async function keepBook(): Promise<void> {
       listed.map((file) => new Request(addressOf(`book/${file}`), { cache: 'no-cache' })),
     );
   } catch (error) {
-    // What is not whole is tried again with the next page.
+    // An incomplete cache is filled again with the next page.
     await caches.delete(kept);
     throw error;
   }

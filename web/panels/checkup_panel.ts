@@ -9,11 +9,11 @@ import { showProgress } from './progress';
 export interface CheckedSurface {
   readonly info: Readonly<MeshInfo>;
   readonly arrays: MeshBlobs;
-  /** The file that the surface comes from; null where there is none. */
+  /** The file that the surface comes from; null for other surfaces. */
   readonly file: object | null;
 }
 
-/** The surface's check-up, made when it is asked for; the places that it tells of can be shown. */
+/** The surface's check-up, which runs on request. The places that it names can be shown. */
 export class CheckUpPanel {
   readonly #details = byId<HTMLDetailsElement>('checkup');
   readonly #found = byId('checkup-found');
@@ -107,7 +107,7 @@ export class CheckUpPanel {
     return button;
   }
 
-  /** So many of something, and a button that shows them; null for none. */
+  /** A count of something, and a button that shows it; null for none. */
   #row(count: number, one: string, lines: () => Float32Array[], many = `${one}s`) {
     if (count === 0) return null;
     const row = make('li');
@@ -133,7 +133,7 @@ export class CheckUpPanel {
 
 const degrees = (angle: number) => `${Number(angle.toPrecision(3))}°`;
 
-/** Lines of so many numbers each. */
+/** Splits numbers into lines of equal length. */
 function parts(lines: Float32Array | Float64Array, length: number): Float32Array[] {
   const count = Math.min(mostPlaces, lines.length / length);
   return Array.from({ length: count }, (_, i) =>

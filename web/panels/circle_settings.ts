@@ -28,7 +28,7 @@ function deviationOf({ curve }: View): string {
   return ` It is ${most} percent off.`;
 }
 
-/** What circles and ellipses have beside their handles: what they are drawn as, and their radii. */
+/** The settings of circles and ellipses beside their handles: their construction and their radii. */
 export class CircleSettings {
   readonly #group = byId('circle-settings');
   readonly #type = byId<HTMLSelectElement>('circle-type');

@@ -54,7 +54,7 @@ export class Clipboard {
     else if (!this.#add(text)) showNote('Nothing of a drawing was copied.');
   }
 
-  /** What is selected, as text; null where that is nothing. */
+  /** The selection as text; null if nothing is selected. */
   get #text(): string | null {
     const { mesh, drawing } = this.editor.state;
     // Objects are copied with what they are made of, which is not there elsewhere.
@@ -80,7 +80,7 @@ export class Clipboard {
     if (this.#add(text)) event.preventDefault();
   }
 
-  /** Adds what a text tells of objects; false where it tells of none. */
+  /** Adds the objects of a text; false if it holds none. */
   #add(text: string): boolean {
     try {
       const objects = pastedObjects(text, this.editor.state.mesh, this.triangles());

@@ -18,7 +18,7 @@ export class CombLegend {
   });
   readonly #factor = make('output', '', { id: 'comb-factor' });
   #on = false;
-  /** What the shown comb was made of. While that stays the same, so do the comb and its scale. */
+  /** The curve of which the shown comb was made. While that stays the same, so do the comb and its scale. */
   #shown: { lines: readonly Float32Array[]; object: number; surface: Surface | null } | null = null;
 
   constructor(

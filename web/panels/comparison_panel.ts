@@ -6,7 +6,7 @@ import { isMethod, type MethodId, methods } from '../model/methods';
 import { byId, formatInteger, write } from './elements';
 import { sentenceOf } from './messages';
 
-/** Chooses the method that the edited curve is compared with, and tells how far the two are apart. */
+/** Chooses the method with which the edited curve is compared, and shows the gap between the two. */
 export class ComparisonPanel {
   readonly #choice = byId<HTMLSelectElement>('compare');
   readonly #box = byId('comparison');
@@ -66,7 +66,7 @@ function short(value: number): string {
   return value < 100 ? value.toPrecision(2) : formatInteger(Math.round(value));
 }
 
-/** A gap in a unit; dots while it is measured, nothing where it cannot be told. */
+/** A gap in a unit; dots while it is measured, nothing if it is unknown. */
 function wordsOf(gap: Gap | null | undefined, which: keyof Gap, scale = 1): string {
   if (gap === undefined) return '…';
   return gap ? short(scale * gap[which]) : '';

@@ -10,12 +10,12 @@ import { make } from './elements';
 import { Menu } from './menu';
 import { hasOtherSide } from './object_panel';
 
-/** How long a finger rests, in milliseconds. */
+/** The time in milliseconds after which a resting finger opens the menu. */
 const restMilliseconds = 500;
 
 /**
- * What can be done with what lies at a place of the stage: by a click of the other button, a finger that
- * rests there, or the menu key for what is selected.
+ * The menu of actions for a place of the stage, which a click of the other button or a resting finger opens, or
+ * for the selection, which the menu key opens.
  */
 export class ContextMenu {
   readonly #menu = new Menu('context-menu');

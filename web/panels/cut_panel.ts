@@ -12,7 +12,7 @@ import { sentenceOf, showError } from './messages';
 import { NumberField } from './number_field';
 import { eye } from './object_rows';
 
-/** Colors of parts, told apart on light and dark surfaces. */
+/** Colors of parts that differ visibly on light and dark surfaces. */
 const partColors = ['#2f9e8f', '#d9480f', '#8a3ffc', '#c81e5b', '#0b8457', '#b58900'];
 
 export const partColor = (index: number) => partColors[index % partColors.length]!;

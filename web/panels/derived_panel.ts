@@ -43,7 +43,7 @@ const cornerNames: Record<CornerShape, string> = {
   bevel: 'Bevelled',
 };
 
-/** What is made of other objects: the buttons that make it, and how it is made. */
+/** Objects that are made of others: the buttons that make them, and their settings. */
 export class DerivedPanel {
   readonly #makers: readonly HTMLButtonElement[];
   readonly #actions: readonly [name: string, act: () => void][];
@@ -81,7 +81,7 @@ export class DerivedPanel {
     byId('expand').addEventListener('click', () => void expansion.expand());
   }
 
-  /** What can be made of what is selected, with what makes it. */
+  /** The objects that can be made of the selection, and the commands that make them. */
   get possible(): readonly [name: string, act: () => void][] {
     if (byId('makers-group').hidden) return [];
     return this.#actions.flatMap(([name, act], i) => {
@@ -152,7 +152,7 @@ export class DerivedPanel {
   }
 }
 
-/** One of several, as radio buttons in an element of that name. */
+/** A choice of one of several, as radio buttons in an element with a given name. */
 function choices<Choice extends string>(
   name: string,
   all: readonly Choice[],

@@ -10,7 +10,7 @@ import { nameOf } from './object_rows';
 /** How many numbers stand below the ramp, beside 0. */
 const mostTicks = 4;
 
-/** What the colors of distances mean, in numbers; one click takes all away. */
+/** The legend of the colors of distances; its button removes them. */
 export class DistanceLegend {
   readonly #legend: Legend;
   readonly #ticks = make('ol', '', { id: 'distance-ticks', className: 'ticks' });
@@ -30,7 +30,7 @@ export class DistanceLegend {
     );
   }
 
-  /** `on` also where the distances are asked for and not yet there. */
+  /** `on` is also true while the requested distances are not yet there. */
   show(shown: ShownDistances | null, on: boolean, state: State): void {
     this.#legend.shown = on;
     this.#legend.busy = on && !shown?.current;

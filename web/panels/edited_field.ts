@@ -1,4 +1,4 @@
-/** How a field's value is written and read; null where a text is none. */
+/** The writer and reader of a field's value; null for a text that is none. */
 export interface FieldFormat<Value> {
   read(text: string): Value | null;
   write(value: Value): string;

@@ -20,7 +20,7 @@ import { sharedSettings, showShared } from './shared_settings';
 /** The tolerance that is offered first, as a part of the surface's size. */
 const firstTolerance = 1e-4;
 
-/** How finely a curve is made: its samples, the marks along it, a B-spline's knots. */
+/** The fine settings of a curve: its samples, the marks along it, a B-spline's knots. */
 export class FineSettings {
   readonly #group = byId('fine-settings');
   readonly #sampling = byId<HTMLSelectElement>('sampling');

@@ -3,12 +3,12 @@ import { isEmpty, isRound, parameterOf } from '../model/figure';
 import { recall, remember } from '../model/storage';
 import { byId, write } from './elements';
 
-/** Longer lists are folded until they are asked for. */
+/** Longer lists are folded until the user opens them. */
 const longest = 6;
 
 /**
- * What is folded in the panel: the mathematics of curves, which is closed at first, and long lists of
- * points. As it is left it is found again.
+ * The folds of the panel: the mathematics of curves, which is closed at first, and long lists of points.
+ * Reloads keep them open or closed.
  */
 export class Folds {
   readonly #advanced = byId<HTMLDetailsElement>('fine');
@@ -38,7 +38,7 @@ export class Folds {
     this.#points.open = said ? said === 'open' : hasNumbers && count <= longest;
   }
 
-  /** The status line tells samples and times to who has it open. */
+  /** The status line shows samples and times while it is open. */
   #showAdvanced(): void {
     document.documentElement.toggleAttribute('data-advanced', this.#advanced.open);
   }

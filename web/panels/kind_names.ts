@@ -22,7 +22,7 @@ export const kindNames: Record<Kind, string> = {
   cut: 'Cut',
 };
 
-/** What a kind is, in a few words. */
+/** A description of a kind in a few words. */
 export const kindNotes: Record<Kind, string> = {
   bspline: 'A smooth curve near its control points; with weights, a NURBS curve',
   bezier: 'One segment from the first point to the last',

@@ -6,7 +6,7 @@ export interface LegendWords {
   /** The id of the menu's item that shows it. */
   item: string;
   title: string;
-  /** What its button does, and the key that does the same. */
+  /** The action of its button, and the key that does the same. */
   hides: string;
   key: string;
 }
@@ -49,7 +49,7 @@ export class Legend {
     this.#element.hidden = !shown;
   }
 
-  /** Whether what the legend tells is still to come. */
+  /** Whether the legend's contents are still being computed. */
   set busy(busy: boolean) {
     this.#element.setAttribute('aria-busy', `${busy}`);
   }

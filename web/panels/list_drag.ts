@@ -1,7 +1,7 @@
 /** A press that moves less, in CSS pixels, is a click. */
 const slop = 6;
 
-/** What is dragged: its row, the place it had, and the one it would have. */
+/** The dragged object: its row, its former place, and the one that it would take. */
 interface Dragged {
   row: HTMLElement;
   pointer: number;

@@ -11,7 +11,7 @@ export const reasons: Record<LostReason, string> = {
   limit: 'the search took too long',
   lowerNearby: 'the surface is too rough there to tell a minimum',
 };
-/** What can be done about it. */
+/** The advice for each reason. */
 const advice: Record<LostReason, string> = {
   indefinite:
     'The curve could go two ways here. Add a point between, or move points nearer together.',

@@ -31,7 +31,7 @@ function show(sentence: string, kind: 'error' | 'note'): HTMLElement {
   return message;
 }
 
-/** What went wrong, as a sentence of its own. */
+/** An error as a whole sentence. */
 export function sentenceOf(error: unknown): string {
   const text = error instanceof Error ? error.message : `${error}`;
   const sentence = text.charAt(0).toUpperCase() + text.slice(1);

@@ -2,7 +2,7 @@ import { EditedField, type FieldFormat } from './edited_field';
 
 export type NumberFormat = FieldFormat<number>;
 
-/** A field for a number, if not told otherwise a positive one of any size. */
+/** A field for a number, which by default is positive and of any size. */
 export class NumberField extends EditedField<number> {
   constructor(
     input: HTMLInputElement,

@@ -23,7 +23,7 @@ import { nameOf, ObjectRows } from './object_rows';
 import { showShared } from './shared_settings';
 import { onTheme, sceneColors } from './theme';
 
-/** Colors that are told apart on light and dark surfaces; null is the theme's. */
+/** Colors that differ visibly on light and dark surfaces; null is the theme's. */
 const colors: readonly [string | null, string][] = [
   [null, 'Default color'],
   ['#d9480f', 'Orange'],
@@ -35,7 +35,7 @@ const colors: readonly [string | null, string][] = [
   ['#f8f9fa', 'White'],
 ];
 
-/** How opaque a fill is at first. */
+/** The opacity of a new fill. */
 const firstFill = 0.5;
 
 const selectedFills = (state: State) => {
@@ -56,7 +56,7 @@ const hexOf = (color: string) =>
     .map((value) => Number(value).toString(16).padStart(2, '0'))
     .join('')}`;
 
-/** The group that these objects are all of; else null. */
+/** The group to which all of these objects belong, or null. */
 function wholeGroup(objects: readonly DrawnObject[], { drawing }: State): string | null {
   const { group } = objects[0]!;
   const members = drawing.objects.filter((object) => object.group === group);
@@ -128,7 +128,7 @@ export class ObjectPanel {
     this.#fillColor.addEventListener('change', () => {
       const fillColor = this.#fillColor.value;
       const none = selectedFills(editor.state).every((fill) => fill === 0);
-      // A color of what is not painted asks for it.
+      // Choosing a color for an inside that is not painted paints it.
       set(none ? { fillColor, fill: firstFill } : { fillColor });
     });
     this.#otherSide.addEventListener('click', () => editor.objects.turnInside(this.#targets));
@@ -239,7 +239,7 @@ export class ObjectPanel {
     return selectedObjects(this.editor.state);
   }
 
-  /** What the selected objects have in common; what they have not is left open. */
+  /** The properties that the selected objects have in common; others are left open. */
   #showStyle(objects: readonly DrawnObject[], selected: number): void {
     const last = objects.at(-1)!;
     const common = <Key extends keyof (LineStyle & FillStyle)>(key: Key) =>

@@ -14,7 +14,7 @@ const lock =
 const chevron =
   '<svg viewBox="0 0 20 20" aria-hidden="true"><path d="m7 5.500 5 4.500-5 4.500" /></svg>';
 
-/** What the page calls an object that has no name of its own. */
+/** The page's name for an object without a name. */
 export const nameOf = ({ id, name, figure }: DrawnObject) =>
   name || `${kindNames[figure.kind]} ${id}`;
 
@@ -42,7 +42,7 @@ export class ObjectRows {
 
   show(state: State): void {
     const { drawing, chosen } = state;
-    // What was only begun is in no list: a tool that is tried leaves nothing.
+    // An object that was only begun is in no list, since trying a tool leaves nothing.
     const objects = drawing.objects.filter(({ figure }) => !isEmpty(figure)).toReversed();
     const active = state.none ? null : drawing.active;
     this.#rows = rowsOf(objects, this.#folded);
@@ -211,7 +211,7 @@ export class ObjectRows {
   }
 }
 
-/** How many places up a key moves a row; 0 where it is none of these keys. */
+/** The number of places by which a key moves a row up; 0 for other keys. */
 function stepOf(event: KeyboardEvent): number {
   const step = (event.altKey && { ArrowUp: 1, ArrowDown: -1 }[event.key]) || 0;
   if (step === 0) return 0;

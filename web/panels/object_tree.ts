@@ -37,7 +37,7 @@ interface Unit {
   ids: number[];
 }
 
-/** What stands beside each other. */
+/** Items that stand beside each other. */
 export function unitsOf(rows: readonly ListedRow[]): Unit[] {
   return rows.flatMap((row): Unit[] => {
     if (row.type === 'group') return [{ group: row.group, ids: row.here.map(({ id }) => id) }];

@@ -140,7 +140,7 @@ interface Row {
   which: NonNullable<Selection>;
   name: string;
   value: string;
-  /** Where it lies, for who wants to know. */
+  /** The point's place, for users who want to know it. */
   place: string;
   slider: { point: ControlPoint; name: ParameterName } | null;
 }

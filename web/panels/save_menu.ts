@@ -84,7 +84,7 @@ export class SaveMenu {
     download(title, new Blob(await parts[format](), { type: types[format] }), format);
   }
 
-  /** Saves the drawing with the file of its surface, to be opened where nobody has that. */
+  /** Saves the drawing with the file of its surface, so that it opens where that file is missing. */
   async #saveWhole(): Promise<void> {
     const { state } = this.editor;
     const title = this.#title;
@@ -125,7 +125,7 @@ export class SaveMenu {
     }
   }
 
-  /** Saves what is seen, the surface too, in twice as many pixels. */
+  /** Saves the whole view, with the surface, in twice as many pixels. */
   async #savePicture(seeThrough: boolean): Promise<void> {
     const background = seeThrough ? null : sceneColors().stage;
     const title = this.#title;
@@ -187,7 +187,7 @@ export class SaveMenu {
     }
   }
 
-  /** What is seen now. */
+  /** The present view. */
   async #drawing(): Promise<SvgDrawing> {
     const { viewer } = this;
     const { view } = this.session;
@@ -267,7 +267,7 @@ const named = (object: DrawnObject) => ({
   object: { id: object.id, name: nameOf(object), opacity: object.opacity },
 });
 
-/** A line's style in an SVG, where dashes are told in pixels. */
+/** A line's style in an SVG, where dashes are in pixels. */
 function drawnStyle({ color, dash }: LineStyle, width: number, curve: string) {
   const lengths = { solid: null, dashed: [12, 8], dotted: [2, 6] }[dash];
   const dashes = lengths?.map((one) => (one * width) / defaultStyle.width).join(' ');

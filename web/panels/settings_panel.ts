@@ -9,7 +9,7 @@ import { sharedSettings, showShared } from './shared_settings';
 
 const degrees = ['1, linear', '2, quadratic', '3, cubic', '4, quartic', '5, quintic'];
 
-/** What a kind of curve has beside its points: closed or open, degree, knots. */
+/** The settings of a kind of curve beside its points: closed or open, degree, knots. */
 export class SettingsPanel {
   readonly #group = byId('settings');
   readonly #closed = byId<HTMLInputElement>('closed');

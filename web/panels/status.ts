@@ -133,26 +133,26 @@ export class Status {
     this.showHint(state, view);
   }
 
-  /** Says how far it is from one point of the surface to the other, or that one is there. */
+  /** Shows the distance between two points of the surface, or that the first one is set. */
   showRuled(ruled: Ruled | null, begun: boolean, state: State, view: View): void {
     [this.#ruled, this.#begun] = [ruled, begun];
     this.showHint(state, view);
   }
 
-  /** Sets the unit in which lengths are told. */
+  /** Sets the unit in which lengths are shown. */
   showUnit(unit: Unit, state: State, view: View): void {
     this.#unit = unit;
     write(byId('status-length'), state.none ? '' : measureOf(view, unit));
     this.showHint(state, view);
   }
 
-  /** What the next click does while what is selected is mirrored. */
+  /** Shows the purpose of the next click while the selection is mirrored. */
   showMirroring(hint: string, state: State, view: View): void {
     this.#mirroring = hint;
     this.showHint(state, view);
   }
 
-  /** Says what the pointer does where it is, unless there is something else to say. */
+  /** Shows what the pointer would do, unless there is a more important message. */
   showAim(words: string, state: State, view: View): void {
     if (words === this.#aim) return;
     this.#aim = words;
@@ -270,7 +270,7 @@ function qualityText(
 
 const formatShift = (edges: number) => `${edges.toPrecision(2)} edges`;
 
-/** What is worth knowing about a center that is not simply the center. */
+/** The remarks about a center that is not simply the center. */
 function centerHint({ status, uniqueness, otherMinima }: ShownCenter): string {
   if (status !== 'converged') return `No center was found: ${reasons[status as LostReason]}`;
   if (uniqueness !== 'notUnique' || otherMinima === 'notLooked') return '';
@@ -281,7 +281,7 @@ function centerHint({ status, uniqueness, otherMinima }: ShownCenter): string {
   return `Not the only center: ${are}, of energy ${shown}${more}`;
 }
 
-/** The number of other minima whose energies are told. */
+/** The number of other minima whose energies are shown. */
 const mostEnergies = 3;
 
 /** Whether the center is the only one. */
@@ -292,7 +292,7 @@ const uniquenessWords: Record<Uniqueness, string> = {
   notLooked: '',
 };
 
-/** What a curve consists of. */
+/** The parts of a curve, in words. */
 function countOf({ curve, isolines }: View): string {
   if (curve) return formatCount(curve.samples.count, 'sample');
   if (!isolines) return '';
@@ -314,7 +314,7 @@ function measureOf({ curve, isolines, center, fill }: View, unit: Unit): string 
   return drawn ? `length ${formatLength(drawn.length, unit)}${area}` : '';
 }
 
-/** The mathematics is told only to a user who has opened it. */
+/** The mathematics is shown only to a user who has opened it. */
 function measuredText(
   { parameter, length, wholeLength, tangent }: Measured,
   unit: Unit,

@@ -22,10 +22,10 @@ export interface SurfaceEvents {
 /** The most parts that a menu lists: a longer one is of no use. */
 const mostParts = 1000;
 
-/** What is shown of a surface. */
+/** The facts that the panel shows about a surface. */
 export interface ShownSurface {
   info: MeshInfo;
-  /** What is known of the file that the surface comes from; null where there is none. */
+  /** The facts about the file that the surface comes from; null for other surfaces. */
   file: FileInfo | null;
   /** The axis that seems to point up. */
   up: UpAxis;
@@ -106,7 +106,7 @@ export class SurfacePanel {
     this.#showFacts(info, file?.notRead ?? []);
   }
 
-  /** How a file is read: which of its parts, where it has several, and what points up. */
+  /** The options for reading a file: which of its parts, if it has several, and which axis points up. */
   #showReading(file: FileInfo | null, up: UpAxis): void {
     const reading = readingOf(this.#key);
     byId('reading').hidden = !file || !reading;

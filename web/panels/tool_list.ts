@@ -108,7 +108,7 @@ export class ToolRail {
     }
   }
 
-  /** Chooses the tool of a letter; false where there is none. */
+  /** Chooses the tool of a letter; false if no tool has it. */
   key(letter: string): boolean {
     const tool = this.tools.find(({ key }) => key === letter);
     tool?.choose();

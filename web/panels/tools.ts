@@ -14,7 +14,9 @@ import type { ViewMenu } from './view_menu';
 
 export interface ToolEvents {
   removeSelected(): void;
-  /** What opens the drawing again: also elsewhere where it is complete, and in any program where it is short. */
+  /**
+   * The address that opens the drawing again. A complete one does so elsewhere too, a short one in any program.
+   */
   link(): { address: string; complete: boolean; short: boolean };
   saveJson(): void;
   toggleSnapping(): void;
@@ -65,7 +67,7 @@ export class Tools {
     else editor.letGo();
   }
 
-  /** Zooms to what is selected, or else to all. */
+  /** Zooms to the selection, or to everything if nothing is selected. */
   #zoomToSelection(): void {
     const { viewer } = this;
     const { state } = this.editor;

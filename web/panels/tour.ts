@@ -39,7 +39,7 @@ const steps: readonly Step[] = [
   },
 ];
 
-/** Between the card, what it speaks of, and the window's edge, in CSS pixels. */
+/** The gap in CSS pixels between the card, the element that it explains, and the window's edge. */
 const gap = 14;
 
 /** A walk through the page in five steps, shown to who comes for the first time, until it is skipped. */
@@ -48,7 +48,7 @@ export class Tour {
   readonly #next = byId<HTMLButtonElement>('tour-next');
   #at = 0;
 
-  /** `reveal` shows the panel where it is drawn down; `isDrawn` tells whether anything is drawn. */
+  /** `reveal` shows the panel if it is drawn down; `isDrawn` says whether anything is drawn. */
   constructor(
     private readonly reveal: () => void,
     private readonly isDrawn: () => boolean,
@@ -124,7 +124,7 @@ export class Tour {
     about.classList.add('toured');
   }
 
-  /** Beside what is spoken of, or below, or above; a wide stage has it in a corner. */
+  /** The card lies beside, below or above the element that it explains; for a wide stage it is in a corner. */
   #place(): void {
     const about = this.#about;
     const { left, right, top, bottom, width } = about.getBoundingClientRect();

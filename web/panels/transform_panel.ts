@@ -53,7 +53,7 @@ export class TransformPanel {
     byId('mirror-now').addEventListener('click', () => void mirror.mirrorInSymmetry());
   }
 
-  /** How alike the sides of the surface are, where what is selected is mirrored in its symmetry. */
+  /** The similarity of the surface's two sides, while the selection is mirrored in its symmetry. */
   showMirror({ apart }: MirrorTool): void {
     byId('mirror-symmetric').hidden = apart === null;
     byId('mirror-apart').textContent =

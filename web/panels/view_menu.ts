@@ -21,7 +21,7 @@ const keptLooks = [
   ['hidden-lines', 'hiddenLines'],
 ] as const;
 
-/** How the surface is looked at: from where, with its triangles, light or dark. */
+/** The view of the surface: the camera's place, the triangles, light or dark. */
 export class ViewMenu {
   readonly #edges = byId<HTMLButtonElement>('edges');
   readonly #fileColors = byId<HTMLButtonElement>('file-colors');

@@ -1,6 +1,6 @@
 import { byId, make } from './elements';
 
-/** Asks which of several files is opened; null where none is chosen. */
+/** Asks which of several files to open; null if the user chooses none. */
 export function chooseFile(files: readonly File[]): Promise<File | null> {
   const dialog = byId<HTMLDialogElement>('which-dialog');
   // A second question takes the place of the first.

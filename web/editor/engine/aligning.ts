@@ -16,7 +16,7 @@ import type { Session } from './session';
  */
 export type Alignment = 'nearest' | 'even';
 
-/** What is moved as a whole: an object, the objects of a group, or a point as a figure of its own. */
+/** The things that move as a whole: an object, the objects of a group, or a point as its own figure. */
 type Part = readonly DrawnObject[];
 
 /** The fewest things that can be aligned: two are on a line anyway. */
@@ -106,7 +106,7 @@ async function middleOf(client: EngineClient, part: Part): Promise<SurfacePoint>
   return plain(point);
 }
 
-/** Where each place is to go; null for the line's ends, which stay. */
+/** The target of each place; null for the line's ends, which stay. */
 async function goalsOf(
   client: EngineClient,
   surface: Surface,

@@ -10,7 +10,7 @@ import type { EngineClient, LooseCurve } from '../../worker/client';
 import { directionOf } from './circle_drawing';
 import { drawnTangents } from './pen_drawing';
 
-/** How near the curve is brought to the pointer, as a part of the surface's diagonal. */
+/** The distance within which the curve is brought to the pointer, as a part of the surface's diagonal. */
 const nearEnough = 1e-7;
 
 const sum = (a: Vector, b: Vector): Vector => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
@@ -106,7 +106,7 @@ export class Bend {
   }
 }
 
-/** The value of one segment, as a curve of so many samples. */
+/** The value of one segment, as a curve with a number of samples. */
 export async function segmentValue(
   client: EngineClient,
   figure: Figure,

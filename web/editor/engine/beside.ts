@@ -24,19 +24,19 @@ export interface Beside {
   id: number;
   style: LineStyle;
   locked: boolean;
-  /** Its lines; there are none until it is traced. */
+  /** Its lines; empty until it is traced. */
   lines: readonly Float32Array[];
   /** The points that are drawn as dots. */
   points: readonly SurfacePoint[];
   /** A center of mass. */
   center: SurfacePoint | null;
-  /** What its lines enclose, where that is painted. */
+  /** The region that its lines enclose, if it is painted. */
   region: Region | null;
   /** The parts into which a cut divides the surface. */
   cut: ShownCut | null;
 }
 
-/** What the engine made of a figure by a method, and how good it is. */
+/** The engine's result for a figure by a method, and its quality. */
 interface Traced {
   method: MethodId;
   shown: Shown;
@@ -48,12 +48,12 @@ interface Traced {
 /** A drag's followers rest after each slow object for as many times as long as that took. */
 const restPart = 2;
 
-/** How many figures are remembered beyond those of the drawing: of steps that are taken back. */
+/** The number of figures remembered beyond those of the drawing, for steps that are undone. */
 export const mostRemembered = 64;
 
 /**
- * What the engine made of figures. A figure is a value, so what was traced of it holds for as long as
- * the figure itself is used, by whichever object, and after a step is taken back.
+ * The engine's results for figures. A figure is a value, so what was traced of it holds for as long as the
+ * figure itself is used, by whichever object, and after a step is taken back.
  */
 export class BesideObjects {
   readonly #traced = new Map<Figure, Traced>();
@@ -61,7 +61,7 @@ export class BesideObjects {
   #last: readonly Beside[] = [];
   /** The lines of figures of which others are made. */
   #outlines = new WeakMap<Figure, { method: MethodId; paths: readonly Path[] }>();
-  /** What was last made of objects that follow others: it is shown until the next is there. */
+  /** The last results for objects that follow others, which are shown until the next ones arrive. */
   readonly #lastOf = new Map<number, Traced>();
   #restUntil = 0;
   #timer: ReturnType<typeof setTimeout> | null = null;
@@ -82,8 +82,8 @@ export class BesideObjects {
   }
 
   /**
-   * What was made of a figure: it may be seen again, beside another one or edited. The oldest that no
-   * object of the drawing has any more are forgotten.
+   * What was made of a figure: it may be seen again, beside another one or edited. The oldest results that no
+   * object of the drawing uses are forgotten.
    */
   keep(figure: Figure, traced: Traced, drawing: State['drawing']): void {
     const { operands } = figure;
@@ -93,7 +93,7 @@ export class BesideObjects {
     this.#forgetAllBut(drawing);
   }
 
-  /** What was made of a figure by a method. */
+  /** The result for a figure by a method. */
   known(figure: Figure, method: MethodId, fill = false): Traced | null {
     const traced = this.#traced.get(figure);
     if (traced?.method !== method) return null;
@@ -108,7 +108,7 @@ export class BesideObjects {
     return this.#traced.get(figure)?.shown.fill?.region?.side ?? null;
   }
 
-  /** What lies beside the edited object; the very same list where nothing of it has changed. */
+  /** The objects beside the edited one; the same list as before if none has changed. */
   of({ drawing, method }: State): readonly Beside[] {
     const next = shownBeside(drawing).map((object) =>
       this.#besideOf(object, resolvedFigure(drawing, object), method),
@@ -118,7 +118,7 @@ export class BesideObjects {
     return this.#last;
   }
 
-  /** Traces one that is missing; false when there is none. */
+  /** Traces one missing figure; false if none is missing. */
   async trace(client: EngineClient, { drawing, method, dragging }: State): Promise<boolean> {
     const started = performance.now();
     const isMissing = (object: DrawnObject) =>

@@ -1,4 +1,4 @@
-/** What the engine makes of a circle or an ellipse: its lines, and the places of its handles. */
+/** The engine's results for a circle or an ellipse: its lines, and the places of its handles. */
 import type { FieldOptions, SurfacePoint } from 'karcher';
 import { acrossDirection, defaultAcross, reachAlong } from '../../model/circle';
 import type { Across, CircleForm, CircleShape, Vector } from '../../model/figure';

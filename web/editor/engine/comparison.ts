@@ -11,7 +11,7 @@ import type { View } from './view';
 /** The edited curve by a second method, beside the one that is shown. */
 export interface Compared {
   method: MethodId;
-  /** Null while there is none, or none can be made. */
+  /** Null while there is no comparison, or if none is possible. */
   polyline: Float32Array | null;
   /** How far the two are apart, in mean edges and as a part of the shown curve's length. */
   inEdges: Gap | null;
@@ -25,7 +25,7 @@ export interface Compared {
 /** A trace that takes longer, in milliseconds, waits until a drag has ended. */
 const longestOfDrag = 60;
 
-/** A comparison that was asked for, and its outcome. */
+/** A requested comparison, and its outcome. */
 interface Asked {
   figure: Figure;
   method: MethodId;
@@ -79,7 +79,7 @@ export class Comparison {
     this.update(state, this.session.view);
   }
 
-  /** Compares anew where what is shown has changed. */
+  /** Compares again if the shown curve has changed. */
   update(state: State, view: View): void {
     const { client } = this.session;
     const method = this.#method;

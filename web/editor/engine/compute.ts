@@ -14,7 +14,7 @@ import { drawDerived, type OutlinesOf } from './derived';
 import { drawnTangents, missingHandle } from './pen_drawing';
 import { type Shift, shiftBetween } from './shift';
 
-/** What the engine makes of a figure: a curve, isolines or a center, with a circle's handles. */
+/** The engine's result for a figure: a curve, isolines or a center, with a circle's handles. */
 export interface Shown {
   curve: TracedCurve | null;
   isolines: ShownIsolines | null;
@@ -24,9 +24,9 @@ export interface Shown {
   center: ShownCenter | null;
   /** The handles of the anchors, where the figure is a curve of the pen. */
   tangents: readonly DrawnTangents[] | null;
-  /** Why there is less than was asked for, as a sentence. */
+  /** A sentence that says why parts of the result are missing. */
   problem: string | null;
-  /** What its lines enclose; null where that was not asked for. */
+  /** The region that its lines enclose; null if it was not requested. */
   fill: Fill | null;
 }
 
@@ -51,7 +51,7 @@ export function polylinesOf({ curve, isolines }: Shown): Float32Array[] {
   return isolines?.lines.map(({ polyline }) => polyline) ?? [];
 }
 
-/** How a figure is computed. */
+/** The options for computing a figure. */
 export interface Computation {
   /** The id of its object, of which the engine keeps the curve. */
   object: number;
@@ -73,7 +73,7 @@ export interface Computation {
   outlinesOf?: OutlinesOf;
 }
 
-/** The paths of what is shown; null where they were not asked for. */
+/** The paths of the result; null if they were not requested. */
 export const outlinesShown = ({ curve, isolines }: Shown): readonly Path[] | null =>
   curve || isolines ? (curve ?? isolines)!.outlines : [];
 
@@ -127,7 +127,7 @@ function computeFigure(
     .then((curve) => ({ ...nothing, curve }));
 }
 
-/** The value that a figure's curve is traced of; null where it is none. */
+/** The value of a figure's curve; null for figures without one. */
 export async function curveValueOf(
   client: EngineClient,
   figure: Figure,
@@ -226,7 +226,7 @@ async function computeCircle(
   }
 }
 
-/** How good the first answer is; an exact isoline is exact by any method. */
+/** The quality of the first answer. An exact isoline is exact by any method. */
 export function qualityShown({ curve, isolines, center }: Shown, method: MethodId): Quality | null {
   if (isolines?.exact) return 'exact';
   return curve || isolines || center ? qualityOf(method) : null;

@@ -24,7 +24,7 @@ import { withoutAnchor } from './pen_removal';
 import type { Session } from './session';
 import type { CurveTool } from '../state/tool';
 
-/** How often an edit is begun anew because another one, such as a drag, overtook it. */
+/** The number of times that an edit starts again because another one, such as a drag, overtook it. */
 const mostAttempts = 20;
 
 /** A command, and what is selected after it. */
@@ -33,7 +33,7 @@ interface Step {
   selection: Selection;
 }
 
-/** What a command is to a B-spline's own knots; null where they have nothing to do with it. */
+/** The effect of a command on a B-spline's own knots; null if there is none. */
 function editOf(command: FigureCommand): Edit | null {
   switch (command.type) {
     case 'insert':
@@ -60,7 +60,7 @@ export class CurveEdits {
     private readonly session: Session,
   ) {}
 
-  /** Adds a control point after the others; what is locked or not shown gets none. */
+  /** Adds a control point after the others, unless the object is locked or hidden. */
   append(point: SurfacePoint): Promise<void> {
     const { editor } = this;
     if (!editor.isOpen || isDerived(editor.state.figure.kind)) editor.begin();
@@ -166,8 +166,8 @@ export class CurveEdits {
   }
 
   /**
-   * Does what a click on the edited curve asks for, at a place in the surface's coordinates; a click within
-   * that distance of a knot means the knot.
+   * Carries out a click on the edited curve, at a place in the surface's coordinates; a click within that
+   * distance of a knot means the knot.
    */
   atCurve(tool: CurveTool, near: Vector, within = 0): Promise<void> {
     return this.#inOrder(() => this.#atCurve(tool, near, within));
@@ -225,7 +225,7 @@ export class CurveEdits {
     this.editor.perform({ type: 'steps', steps }, { selection: null });
   }
 
-  /** Does what a click on another object asks for. */
+  /** Carries out a click on another object. */
   async atOther(tool: CurveTool, id: number): Promise<void> {
     if (tool === 'join') await this.join(id);
     else if (tool === 'look') this.editor.objects.takeLook(id);
@@ -287,7 +287,7 @@ export class CurveEdits {
         const asks = before?.kind === 'bspline' && after && !knotsFit(to);
         const edit = asks && editOf(step.command);
         const knots = edit ? await this.session.knotsAfter(before, edit) : null;
-        // Where something else was done in the meantime, the step comes after that.
+        // If another step was made in the meantime, this one comes after it.
         const late = this.editor.state.revision !== revision;
         if (late && attempt < mostAttempts) continue;
         if (knots && !late)
@@ -312,7 +312,7 @@ export class CurveEdits {
     this.#toggle('split');
   }
 
-  /** Makes ready to measure the curve, until something else is chosen or done. */
+  /** Prepares to measure the curve, until the user chooses or does something else. */
   chooseMeasure(): void {
     this.editor.select(null);
     this.#toggle('measure');

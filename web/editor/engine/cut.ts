@@ -1,4 +1,4 @@
-/** What the engine makes of a cut: the parts that the surface falls into, and what becomes of them. */
+/** The engine's results for a cut: the parts of the surface, and the user's choices for them. */
 import type { Path } from 'karcher';
 import { choicesOf } from '../../model/parts';
 import type { Figure } from '../../model/figure';
@@ -22,7 +22,7 @@ interface Made {
   parts: readonly SurfacePart[];
 }
 
-/** The last cut that each worker made: what is done with its parts needs no other cut. */
+/** The last cut of each worker. Choices for its parts need no new cut. */
 const lastOf = new WeakMap<EngineClient, Made>();
 
 /** Throws a sentence where there is nothing to cut along. */

@@ -1,4 +1,4 @@
-/** What the engine makes of a figure that is made of others. */
+/** The engine's results for figures that are made of others. */
 import type { Path } from 'karcher';
 import { isBoolean } from '../../model/derived';
 import type { Figure, Operand } from '../../model/figure';

@@ -10,7 +10,7 @@ import type { State } from '../state/state';
 import { Newest } from './newest';
 import type { Session } from './session';
 
-/** What distances are told from: an object's control point by its number, or its center. */
+/** The source of distances: an object's control point by its number, or its center. */
 interface Origin {
   object: number;
   handle: number | 'center';
@@ -20,7 +20,7 @@ export interface ShownDistances {
   traced: TracedDistances;
   origin: Origin;
   from: SurfacePoint;
-  /** Whether the distances are told from where the point is now. */
+  /** Whether the distances are those from the point's present place. */
   current: boolean;
 }
 
@@ -58,7 +58,7 @@ export class Distances {
     return this.#shown;
   }
 
-  /** Whether distances are shown, or asked for. */
+  /** Whether distances are shown or requested. */
   get on(): boolean {
     return this.#origin !== null;
   }
@@ -143,7 +143,7 @@ export class Distances {
     this.onChange(shown);
   }
 
-  /** What is selected now; null where that is no point and no center. */
+  /** The selected point or center; null if something else is selected. */
   #chosen(): Origin | null {
     const { figure, selection, drawing } = this.editor.state;
     const object = drawing.active;

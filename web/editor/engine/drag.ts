@@ -10,7 +10,7 @@ import type { Shown } from './compute';
  * fields: of a frame's 16 as much is left for the page.
  */
 const longestDraft = 8;
-/** So many steps in a row have to be slow: the first one also makes what later ones keep. */
+/** The number of consecutive steps that must be slow, since the first one also computes what later ones reuse. */
 const slowSteps = 2;
 
 /** Whether a curve by tolerance has more samples than it would have by their number. */
@@ -46,7 +46,7 @@ export class Drag {
   }
 }
 
-/** How a figure is traced for the time of its drag, so that each step is quick and the curve does not leap. */
+/** The options for tracing a figure during its drag, so that each step is quick and the curve does not leap. */
 export class HeldTracing {
   /** Whether a curve by tolerance has more samples than a fixed number would give it. */
   #manySamples = false;
@@ -94,8 +94,8 @@ export class HeldTracing {
   }
 
   /**
-   * While something is dragged, fewer samples than a tolerance takes will do, and a curve keeps the
-   * most levels that it has had: on release both are asked for again.
+   * During a drag fewer samples than the tolerance needs are enough, and a curve keeps the most levels that it
+   * has had. On release both are computed again.
    */
   traced({ figure, dragging }: State): { figure: Figure; coarse: boolean } {
     const { settings } = figure;

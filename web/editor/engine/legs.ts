@@ -4,7 +4,7 @@ import type { EngineClient } from '../../worker/client';
 
 export type Ends = readonly [SurfacePoint, SurfacePoint];
 
-/** What geodesics join beside a curve: neighbouring points, or a center of mass and its points. */
+/** The geodesics drawn beside a curve: between neighbouring points, or from a center of mass to its points. */
 export function endsOf(figure: Figure, center: SurfacePoint | null): Ends[] {
   const { kind, points, settings } = figure;
   if (isRound(kind) || kind === 'points' || kind === 'pen') return [];
@@ -21,7 +21,7 @@ const fewestKept = 64;
 
 /** Shortest paths that were traced once, by their ends. */
 export class Legs {
-  /** The path; null where there is none. */
+  /** The path; null if no path leads there. */
   readonly #known = new Map<string, Float32Array | null>();
   /** The paths that are shown in each place, which stay there while a drag outruns new ones. */
   #shown: { epoch: number; legs: (Float32Array | null)[] } = { epoch: -1, legs: [] };
@@ -42,7 +42,7 @@ export class Legs {
     return legs.filter((leg) => leg !== null);
   }
 
-  /** Traces one path that is missing; false when there is none. */
+  /** Traces one missing path; false if none is missing. */
   async trace(client: EngineClient, pairs: readonly Ends[]): Promise<boolean> {
     const missing = pairs.find((ends) => !this.#known.has(keyOf(ends)));
     if (!missing) return false;

@@ -3,7 +3,7 @@ import type { Measured } from '../../model/traced';
 import { Newest } from './newest';
 import type { Session } from './session';
 
-/** What is measured of the edited curve, at the newest place that was asked for. */
+/** Measures the edited curve at the newest requested place. */
 export class Measure {
   #shown: Measured | null = null;
   readonly #newest: Newest<Vector>;
@@ -27,7 +27,7 @@ export class Measure {
     this.#newest.push(near);
   }
 
-  /** What was measured holds no more. */
+  /** Discards the measurement, which no longer holds. */
   clear(): void {
     this.#newest.drop();
     if (this.#shown) this.#show(null);

@@ -21,12 +21,12 @@ export interface Placement {
   scale?: number;
 }
 
-/** What a placement leads to. */
+/** The result of a placement. */
 export interface Placed {
   command: Command;
   /** The figures of the objects, in their order. */
   figures: readonly Figure[];
-  /** What was carried along beside the objects: where it went, and its directions there. */
+  /** Places carried along beside the objects: their new points, and the directions there. */
   beside: CarriedTo;
 }
 
@@ -46,7 +46,7 @@ export const directionsOf = (carried: readonly Carried[]): Float64Array =>
 export const movableObjects = (drawing: Drawing, ids: readonly number[]): DrawnObject[] =>
   withSources(drawing, ids)
     .map((id) => objectOf(drawing, id)!)
-    // What is made of other objects is moved by moving its sources, whether these are seen or not.
+    // An object that is made of others moves with its sources, whether these are visible or not.
     .filter(({ id, visible }) => visible || !ids.includes(id))
     .filter(({ locked, figure }) => !locked && !isEmpty(figure) && !isDerived(figure.kind));
 
@@ -121,7 +121,7 @@ export class Move {
     return typeof placed === 'string' ? placed : placed.command;
   }
 
-  /** What the move leads to; a sentence where it cannot be made. */
+  /** The result of the move; a sentence if it is impossible. */
   async placed({ point = this.pivot, angle = 0, scale = 1 }: Placement): Promise<Placed | string> {
     const { client, pivot, carried, objects } = this;
     const stays = samePoint(point, pivot);

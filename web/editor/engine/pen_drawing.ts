@@ -55,8 +55,7 @@ export function missingHandle({ points }: Figure, drawn: readonly DrawnTangents[
 }
 
 /**
- * The place of a handle that is told; nothing where no way leads there, so that the others are found all the
- * same.
+ * The place of a stored handle; nothing if no way leads there, so that the other handles are still found.
  */
 async function tangentOf(
   client: EngineClient,

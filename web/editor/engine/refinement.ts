@@ -1,7 +1,7 @@
 import { EngineClient } from '../../worker/client';
 import { Newest } from './newest';
 
-/** What to compute, on whatever engine it is given, and what takes the answer. */
+/** A computation on a given engine, and the function that takes its answer. */
 export interface RefinementJob<Result> {
   compute(client: EngineClient): Promise<Result>;
   /** The revision that it belongs to; answers to another one are dropped. */
@@ -10,7 +10,7 @@ export interface RefinementJob<Result> {
   failed(error: unknown): void;
 }
 
-/** How often an engine that stopped by itself is made again for one surface. */
+/** The number of times that an engine that stopped by itself is started again for one surface. */
 const mostRestarts = 2;
 
 /**
@@ -44,7 +44,7 @@ export class Refinement<Result> {
     this.#newest.push(job);
   }
 
-  /** Drops what was asked for, because an edit goes on. */
+  /** Drops the request, because an edit goes on. */
   drop(): void {
     this.#wanted = -1;
     this.#newest.drop();

@@ -40,7 +40,7 @@ import { emptyView, type View } from './view';
 /** A shorter way is shown where it is shorter by more than this part. */
 const leastGain = 0.02;
 
-/** What is said in place of a curve whose computation was stopped. */
+/** The sentence in place of a curve whose computation was stopped. */
 const stoppedHint = 'it was stopped; an edit or another method computes it again';
 
 /** Legs rest for so many times as long as it took to show them, before they are shown again. */
@@ -89,16 +89,16 @@ export class Session {
   onView: (view: View) => void = () => {};
   /** Called when the engine begins to work, and when it has ended. */
   onBusy: (busy: boolean) => void = () => {};
-  /** Called with how far its work is, where that is told. */
+  /** Called with the progress of the engine's work, if it reports any. */
   onProgress: (done: number, stage: string) => void = () => {};
-  /** Called when an edit that was asked for can't be made. */
+  /** Called when a requested edit is impossible. */
   onFailure: (error: unknown) => void = () => {};
 
   get view(): View {
     return this.#view;
   }
 
-  /** What a figure becomes where its drag ends: with the legs that its last step drew out. */
+  /** The figure at the end of its drag, with the legs that its last step drew. */
   ended(figure: Figure): Figure {
     return this.#drag?.ended(figure) ?? figure;
   }
@@ -139,7 +139,7 @@ export class Session {
     return this.#client;
   }
 
-  /** Gives up what the engine is computing; only another figure or method asks for it again. */
+  /** Gives up the engine's computation. Only another figure or method starts it again. */
   stop(): void {
     this.#client?.stop();
   }
@@ -181,8 +181,7 @@ export class Session {
   }
 
   /**
-   * The problem with a spline that is not shown, as a sentence; null where there is none. What is
-   * shown stays.
+   * A sentence about the problem with a spline that is not shown; null if there is no problem. The view stays.
    */
   async problemWith(spline: Spline): Promise<string | null> {
     const [client, state] = [this.#client, this.#state];
@@ -292,17 +291,17 @@ export class Session {
         drag.told = figure.kind === 'pen' ? legsOfAnchors(told) : told;
       }
     } catch {
-      // The engine has stopped; what it owed is asked of the next one.
+      // The engine has stopped; its open requests go to the next one.
     }
   }
 
   #showTraced(state: State, traced: Shown, quality: Quality | null): void {
     const { visible, fill } = activeObject(state.drawing);
-    // What is enclosed may be known without being painted.
+    // The enclosed region may be known without being painted.
     const shown = visible ? { ...traced, fill: fill > 0 ? traced.fill : null } : nothing;
     // The shorter ways of another figure need not be shorter any more.
     const shorter = this.#compared === state.figure ? this.#view.shorter : [];
-    // What is hidden has no quality: else a better form would be asked for, and shown.
+    // Hidden objects have no quality; otherwise a better form would be computed and shown.
     const fresh = {
       ...{ quality: visible ? quality : null, refining: false },
       ...{ shift: null, notRefined: null, shorter },
@@ -330,7 +329,7 @@ export class Session {
     const [client, state] = [this.#client, this.#state];
     if (!client || !state || state.dragging || this.#compared === state.figure) return false;
     if (!isCurve(state.figure.kind)) return false;
-    // Without a curve there are no legs of it.
+    // Without a curve there are no legs.
     if (this.#view.problem) return false;
     const { figure, method, drawing } = state;
     this.#compared = figure;
@@ -377,7 +376,7 @@ export class Session {
     return false;
   }
 
-  /** What joins the points of the newest figure. */
+  /** The pairs of points that the newest figure's legs join. */
   #ends(): Ends[] {
     if (this.#view.curve && this.#view.curve.legs.length > 0) return [];
     return this.#state ? endsOf(this.#state.figure, this.#view.center?.point ?? null) : [];

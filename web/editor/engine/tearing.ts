@@ -6,7 +6,7 @@ import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
 
 /**
- * A leg that becomes so many times as long is torn. Where the surface is bent otherwise a figure is
+ * A leg counts as torn if it becomes this many times as long. Where the surface is bent otherwise a figure is
  * stretched, too, but by less; points on both sides of where shortest paths part go far apart at once.
  */
 const mostStretch = 4;

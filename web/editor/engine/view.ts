@@ -4,11 +4,11 @@ import type { Beside } from './beside';
 import { nothing, type Shown } from './compute';
 import type { Shift } from './shift';
 
-/** What the engine made of a state of the editor. */
+/** The engine's results for a state of the editor. */
 export interface View extends Shown {
   /** The revision that is shown. */
   revision: number;
-  /** How good what is shown is; null where the method has one quality only, or nothing is shown. */
+  /** The quality of what is shown; null if the method has only one, or if nothing is shown. */
   quality: Quality | null;
   /** Whether something better is awaited. */
   refining: boolean;
@@ -20,7 +20,7 @@ export interface View extends Shown {
   legs: readonly Float32Array[];
   /** Paths between neighbouring points that are shorter than the curve's legs, by more than rounding. */
   shorter: readonly ShorterLeg[];
-  /** The drawing's other objects, as far as they are shown. */
+  /** The visible ones among the drawing's other objects. */
   others: readonly Beside[];
   /** The polygon stands for the curve, which has too few points yet. */
   polygonOnly: boolean;

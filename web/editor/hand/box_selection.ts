@@ -3,7 +3,7 @@ import type { Viewer } from '../../viewer/viewer';
 import type { Editor } from '../state/editor';
 import type { Hold, Place } from './stage_pointer';
 
-/** How near to a line, in CSS pixels, a click means it. */
+/** The distance in CSS pixels within which a click means a line. */
 const reach = 7;
 
 /**
@@ -59,7 +59,7 @@ export class BoxSelection {
     this.editor.choose(edited ? [...others, active] : others);
   }
 
-  /** Points of the edited object that are seen in the box, by their numbers; none where all are. */
+  /** The numbers of the edited object's visible points in the box; empty if all of its points are in it. */
   #pointsIn(left: number, top: number, width: number, height: number): number[] {
     const { surface, box } = this.viewer;
     const { figure } = this.editor.state;

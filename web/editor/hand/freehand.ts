@@ -18,7 +18,7 @@ const leastStep = 1.5;
 /** A stroke that comes back so near, in CSS pixels, to where it began closes, if it is so much longer. */
 const closesWithin = { mouse: 10, touch: 18 };
 const leastLoop = 6;
-/** How often a fit is made stricter where its curve is too far off on the surface. */
+/** The number of times that a fit becomes stricter if its curve is too far off on the surface. */
 const mostRounds = 4;
 const stricter = 0.5;
 
@@ -78,7 +78,7 @@ export class FreehandGestures {
     };
   }
 
-  /** What was picked at a place, and where that is seen. */
+  /** The picked point at a place, and its position on the stage. */
   #at({ x, y }: Place, pick: Pick | null): Drawn | null {
     if (!pick) return null;
     const { left, top } = this.viewer.box;
@@ -156,7 +156,7 @@ export class FreehandGestures {
     return points;
   }
 
-  /** The curve of anchors as it would be seen; null where there is none. */
+  /** The curve of anchors as it would be drawn; null if there is none. */
   async #seen(points: readonly ControlPoint[], closed: boolean): Promise<SeenLine | null> {
     const { editor, session, viewer } = this;
     const { client } = session;

@@ -24,7 +24,7 @@ import { type Target, targetAt } from './targets';
 import { type Numbers, TransformGestures } from './transform_gestures';
 import { twoFingersMeanTheView } from './two_fingers';
 
-/** How near to a knot, in CSS pixels, a click means the knot. */
+/** The distance in CSS pixels within which a click means a knot. */
 const nearKnot = { mouse: 6, touch: 12 };
 
 /** Clicks that ask for an edit that the engine has a part in. */
@@ -41,11 +41,11 @@ export interface CurveClicks {
   rulerClicked(point: SurfacePoint): void;
   /** An anchor of the pen, by its number. */
   anchorRemoved(index: number): void;
-  /** What a click where the pointer is would do, in words; empty where that is not told. */
+  /** Words that say what a click at the pointer would do; empty if nothing is said. */
   aimed(words: string): void;
   /** Another object, by its id. */
   otherClicked(tool: CurveTool, id: number): void;
-  /** By its number in the view. */
+  /** The number of the object in the view. */
   shorterClicked(index: number): void;
   /** The pointer is over the surface while the tool mirrors, or a click was there. */
   mirrorAimed(point: SurfacePoint): void;
@@ -391,7 +391,7 @@ export class Gestures {
     if (target?.type === 'other' && !this.editor.refuses()) this.editor.setTool('insert');
   }
 
-  /** What a click there would be taken to; null where it places nothing. */
+  /** The target to which a click there snaps; null if the click places nothing. */
   #snapAt(place: { x: number; y: number; touch: boolean }, target: Target | null): Snapped | null {
     const { control } = this.#keys;
     const places =

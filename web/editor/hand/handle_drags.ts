@@ -14,7 +14,7 @@ import type { Snapped, Snapping } from './snapping';
 import { arrows } from './stage_keys';
 import { clickSlop } from './stage_pointer';
 
-/** What a drag of a handle began with. */
+/** The state at the start of a handle's drag. */
 interface Grabbed {
   x: number;
   y: number;
@@ -24,11 +24,11 @@ interface Grabbed {
   all: readonly DrawnTangents[];
   /** The points that a click leaves selected. */
   clicked: readonly number[] | null;
-  /** What a click on an anchor of the pen does. */
+  /** The effect of a click on an anchor of the pen. */
   action: PenAction | null;
 }
 
-/** What drags of handles share with the other gestures. */
+/** The parts of the page that drags of handles share with the other gestures. */
 interface Hand {
   readonly pen: PenGestures;
   readonly snapping: Snapping;

@@ -10,8 +10,8 @@ import type { View } from '../engine/view';
 import type { Selection, State } from '../state/state';
 
 /**
- * The handles of what is edited: one a control point, or those of a circle or an ellipse; none of
- * what is locked, not shown or not selected.
+ * The handles of the edited object: one for each control point, or those of a circle or an ellipse. Objects
+ * that are locked, hidden or not selected have none.
  */
 export function handlesOf(
   { drawing, figure, selection, more, none }: State,
@@ -103,7 +103,7 @@ function penHandles(
 
 const tangentId = (side: Side, anchor: number) => `${side}-${anchor}`;
 
-/** Which handle of an anchor an id means; null where it means something else. */
+/** The handle of an anchor that an id names; null if it names something else. */
 export function tangentOf(id: string): { side: Side; anchor: number } | null {
   const [, side, anchor] = /^(before|after)-(\d+)$/.exec(id) ?? [];
   return side ? { side: side as Side, anchor: Number(anchor) } : null;

@@ -27,10 +27,10 @@ export function toggleMirror(editor: Editor): void {
   else if (editor.state.chosen.length > 0) editor.setTool('mirror');
 }
 
-/** What is mirrored in: the geodesic of two clicks, the plane of three, or the plane of the surface's symmetry. */
+/** The mirror: the geodesic of two clicks, the plane of three, or the plane of the surface's symmetry. */
 export type MirrorIn = 'line' | 'plane' | 'symmetry';
 
-/** What the next click is for, by how many there were. */
+/** The purpose of the next click, by the number of earlier ones. */
 const hints: Record<MirrorIn, readonly string[]> = {
   line: [
     'Click the surface where the mirror line goes through',
@@ -55,7 +55,7 @@ export class MirrorTool {
   onChange: () => void = () => {};
   #in: MirrorIn = 'line';
   #clicked: SurfacePoint[] = [];
-  /** The surface's plane of symmetry; null where there is none, undefined while it is looked for. */
+  /** The surface's plane of symmetry; null if it has none, undefined while the search goes on. */
   #symmetry: Symmetry | null | undefined;
   /** The surface whose symmetry that is. */
   #of: Surface | null = null;
@@ -82,7 +82,7 @@ export class MirrorTool {
     this.#begin();
   }
 
-  /** What the next click does. */
+  /** The purpose of the next click, in words. */
   get hint(): string {
     if (this.#in === 'symmetry' && this.#symmetry === undefined) {
       return 'Looking for the plane in which the surface is symmetric';

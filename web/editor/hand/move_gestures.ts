@@ -99,9 +99,9 @@ export class MoveGestures {
     return Move.of(client, viewer.surface, objects, pivot).catch(() => null);
   }
 
-  /** Moves what is selected by so many CSS pixels; nudges are one step until `endNudge`. */
+  /** Moves the selection by a number of CSS pixels; nudges are one step until `endNudge`. */
   nudge(dx: number, dy: number): void {
-    // A nudge that fails is dropped: the next one begins anew.
+    // A nudge that fails is dropped; the next one starts from the beginning.
     this.#nudges = this.#nudges
       .then(() => this.#nudge(dx, dy))
       .catch(() => {
@@ -119,9 +119,9 @@ export class MoveGestures {
 
   async #nudge(dx: number, dy: number): Promise<void> {
     const { editor, viewer } = this;
-    // The move begins anew from the drawing as something else has left it.
+    // The move starts again from the drawing that another edit has left.
     if (this.#keyed?.revision !== editor.state.revision) this.#keyed = null;
-    // Whatever a pointer drags is none of the keys'.
+    // The keys do not move what a pointer drags.
     if (!this.#keyed && editor.state.dragging) return;
     this.#keyed ??= await this.#keyedMove();
     const keyed = this.#keyed;

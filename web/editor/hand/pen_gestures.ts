@@ -15,7 +15,7 @@ import type { Snapping } from './snapping';
 import type { Hold, Place } from './stage_pointer';
 import { targetAt } from './targets';
 
-/** How often a bend is corrected at each step of a drag, and at its end. */
+/** The number of corrections of a bend at each step of a drag, and at its end. */
 const whileDragged = 1;
 const atLast = 8;
 /** With Shift held handles keep to multiples of this angle. */
@@ -57,7 +57,7 @@ export class PenGestures {
     return isBent ? this.#bend(target.position) : null;
   }
 
-  /** What a click or a drag of the pen depends on. */
+  /** The state on which a click or a drag of the pen depends. */
   state(alt: boolean): PenState {
     const { figure, selection, chosen, drawing } = this.editor.state;
     return {

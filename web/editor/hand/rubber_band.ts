@@ -11,7 +11,10 @@ import type { Editor } from '../state/editor';
 /** How many places of a curved band are found. */
 const samples = 24;
 
-/** What a click would add: the way on the surface, or a curve out of the last anchor's handle, to the pointer. */
+/**
+ * The line that a click would add: the way on the surface, or a curve from the last anchor's handle, to the
+ * pointer.
+ */
 export class RubberBand {
   readonly #newest = new Newest<SurfacePoint>((point) => this.#show(point));
   #wanted: SurfacePoint | null = null;
@@ -30,7 +33,7 @@ export class RubberBand {
     else this.#hide();
   }
 
-  /** The last point of the curve that is drawn; null where a click begins another one, or adds none. */
+  /** The last point of the curve being drawn; null if a click begins another one or adds no point. */
   get #last(): ControlPoint | null {
     const { figure, selection, dragging, tool } = this.editor.state;
     const { kind, points, settings } = figure;

@@ -10,7 +10,7 @@ export interface Ruled {
   straight: number;
 }
 
-/** Two clicks on the surface: how far it is along it, and straight. A third click begins anew. */
+/** Measures between two clicks, along the surface and straight. A third click starts again. */
 export class Ruler {
   #from: SurfacePoint | null = null;
   #to: SurfacePoint | null = null;

@@ -5,7 +5,7 @@ import type { Pick } from '../../viewer/surface';
 import type { Viewer } from '../../viewer/viewer';
 import type { Editor } from '../state/editor';
 
-/** What a place is taken to. */
+/** The target to which a place snaps. */
 export type SnapKind = 'anchor' | 'point' | 'center' | 'curve' | 'vertex' | 'edge';
 
 export interface Snapped extends Pick {
@@ -13,7 +13,7 @@ export interface Snapped extends Pick {
   kind: SnapKind | null;
 }
 
-/** How near, in CSS pixels, what is snapped to must be. */
+/** The distance in CSS pixels within which places snap. */
 const within = { mouse: 9, touch: 18 };
 /** Triangles whose sides are seen shorter, in CSS pixels, are too small to aim at. */
 const leastSide = 30;

@@ -14,16 +14,16 @@ export interface Place {
   control: boolean;
 }
 
-/** What is done with a pointer from its press on. */
+/** The handlers of a pointer from its press on. */
 export interface Hold {
   /**
    * Hears of a drag at most once a frame: the newest place of the pointer, and all places since the last call.
    * A press that hardly moves is no drag.
    */
   drag(place: Place, way: readonly Place[]): void;
-  /** The pointer is up; `dragged` tells whether `drag` was called. */
+  /** The pointer is up; `dragged` says whether `drag` was called. */
   release(place: Place, dragged: boolean): void;
-  /** What was begun is taken back. */
+  /** The gesture is undone. */
   cancel(): void;
 }
 
@@ -57,7 +57,7 @@ export class StagePointer implements Held {
   #pressed: Pressed | null = null;
   #frame = 0;
 
-  /** `severalFingers` tells whether the view has the pointer. */
+  /** `severalFingers` says whether the view has the pointer. */
   constructor(
     private readonly stage: HTMLElement,
     private readonly severalFingers: () => boolean,

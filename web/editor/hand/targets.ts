@@ -5,7 +5,7 @@ import type { Pick } from '../../viewer/surface';
 import type { Viewer } from '../../viewer/viewer';
 import type { State } from '../state/state';
 
-/** What a click at a place of the window would act on. */
+/** The target of a click at a place of the window. */
 export type Target =
   /** The curve that is edited: a point is put on it there. */
   | { type: 'curve'; position: Vector3 }
@@ -15,7 +15,7 @@ export type Target =
   | { type: 'shorter'; index: number }
   | { type: 'surface'; pick: Pick };
 
-/** How near to a curve, in CSS pixels, its clicks are. */
+/** The distance in CSS pixels within which a click means a curve. */
 export const reach = { mouse: 7, touch: 16 };
 
 /** A click that measures the curve need not hit it. */

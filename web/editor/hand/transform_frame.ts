@@ -15,7 +15,7 @@ export interface TransformFrame {
   pivot: SurfacePoint;
   /** The frame's first axis, a unit vector in the plane of the pivot's face. */
   right: Vector;
-  /** From the pivot along that axis, and across it to its left. */
+  /** The sides of the frame, in coordinates from the pivot along the axis, and across it to the left. */
   box: { left: number; right: number; bottom: number; top: number };
 }
 
@@ -124,13 +124,13 @@ function extentsOf({ figure }: DrawnObject): { place: SurfacePoint; radius: numb
   }));
 }
 
-/** What a move carries along to carry the frame. */
+/** The points that a move carries along to carry the frame. */
 export const carriedFrame = ({ pivot, right }: TransformFrame): Carried[] => [
   { place: pivot, direction: null },
   { place: pivot, direction: right },
 ];
 
-/** The frame where it was carried to, with all that is in it so many times as large. */
+/** The frame at its new place, scaled like its contents. */
 export function frameAt(
   { box }: TransformFrame,
   { points, directions }: CarriedTo,

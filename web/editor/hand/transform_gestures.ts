@@ -46,7 +46,7 @@ const labels: Record<FrameHandle, string> = {
   'scale-4': 'Scale the selection, fourth corner',
 };
 
-/** A placement told by numbers: lengths along the frame's axes. */
+/** A placement by numbers: lengths along the frame's axes. */
 export interface Numbers extends Omit<Placement, 'point'> {
   x?: number;
   y?: number;
@@ -74,12 +74,12 @@ export class TransformGestures {
   readonly #newest = new Newest<Place>((place) => this.#dragTo(place));
   #frame: TransformFrame | null = null;
   #shown: ShownFrame | null = null;
-  /** What the frame was made for. */
+  /** The state for which the frame was computed. */
   #made: { drawing: Drawing; chosen: string; client: EngineClient } | null = null;
   /** Where the user put the pivot. */
   #pivot: { point: SurfacePoint; chosen: string } | null = null;
   #held: Hold | null = null;
-  /** What the arrow keys add up to, until they are let go. */
+  /** The sum of the arrow keys' moves, until they are released. */
   #keyed: {
     id: FrameHandle;
     frame: TransformFrame;
@@ -129,7 +129,7 @@ export class TransformGestures {
     if (this.#held) void this.#release(true);
   }
 
-  /** Shows the frame of the editor's state; it is made anew where something else has changed. */
+  /** Shows the frame of the editor's state, which is computed again if the state has changed otherwise. */
   show(): void {
     const { tool, drawing, chosen, dragging } = this.editor.state;
     const { client } = this.session;
@@ -221,7 +221,7 @@ export class TransformGestures {
     const log = client.mesh
       .logMap(frame.pivot, [from])
       .then(({ vectors }) => new Vector3().fromArray(vectors));
-    // Where they fail, the drag does nothing.
+    // If they fail, the drag does nothing.
     for (const promise of [move, log]) promise.catch(() => {});
     this.#held = { id, from, frame, move, log, stopped: false };
   }
@@ -329,7 +329,7 @@ export class TransformGestures {
     return true;
   }
 
-  /** The point so far along the frame's axes; null beyond the boundary. */
+  /** The point at given lengths along the frame's axes; null beyond the boundary. */
   async #pointAt(frame: TransformFrame, x: number, y: number): Promise<SurfacePoint | null> {
     const { client } = this.session;
     const { surface } = this.viewer;

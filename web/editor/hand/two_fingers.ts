@@ -1,4 +1,4 @@
-/** What a finger has hold of. */
+/** The thing that a finger holds. */
 export interface Held {
   /** The finger that moves a handle, by its pointer's number; null without one. */
   readonly heldBy: number | null;
@@ -24,7 +24,7 @@ export function twoFingersMeanTheView(stage: HTMLElement, held: Held): () => boo
       fingers.set(event.pointerId, event);
       if (!first || first.pointerId === event.pointerId) return;
       held.letGo();
-      // The view is told of the first finger, which came down on the handle.
+      // The view also receives the first finger, which came down on the handle.
       const { pointerId, clientX, clientY, isPrimary } = first;
       const again = { pointerId, clientX, clientY, isPrimary, pointerType: 'touch', buttons: 1 };
       stage.dispatchEvent(new PointerEvent('pointerdown', { ...again, bubbles: true }));

@@ -47,10 +47,10 @@ import { type CurveTool, isResting, type RestingTool } from './tool';
 /** The page's one state, and the only way to change it. */
 export class Editor {
   #state: State = firstState;
-  /** What is done to whole objects. */
+  /** The edits of whole objects. */
   readonly objects = new ObjectEdits(this);
   readonly #listeners: ((state: State, before: State) => void)[] = [];
-  /** What was done on each surface that was shown, by its key, and the drawing that it led to. */
+  /** The history on each surface that was shown, by its key, and the resulting drawing. */
   readonly #histories = new Map<string, History>();
   readonly #drawings = new Map<string, Drawing>();
   /** The drawing before the drag that is going on, and the drag as one command. */
@@ -63,7 +63,7 @@ export class Editor {
 
   /** Called where something other than the drag is done: a gesture lets go of what it drags. */
   onInterrupt: () => void = () => {};
-  /** What the edited figure becomes when a drag of its points ends. */
+  /** Returns the edited figure for the end of a drag of its points. */
   onEnded: (figure: Figure) => Figure = (figure) => figure;
   /** The side that a figure encloses, as it is shown: a drag keeps to it. */
   insideOf: (figure: Figure) => Inside | null = () => null;
@@ -161,7 +161,10 @@ export class Editor {
     this.#change({ drawing, dragging: false, dragged: noNumbers }, false);
   }
 
-  /** What makes the edited figure keep to the side that it encloses; null where it has one, or none. */
+  /**
+   * The edit that keeps the edited figure to the side that it encloses; null if it keeps to one already, or
+   * encloses none.
+   */
   #insideKept(): Command | null {
     const { id, figure } = this.active;
     const to = figure.inside ? null : this.insideOf(figure);
@@ -221,7 +224,7 @@ export class Editor {
     return this.#history.undone.length > 0;
   }
 
-  /** What was done on the surface that is shown. */
+  /** The history on the surface that is shown. */
   get history(): Readonly<History> {
     return this.#history;
   }
@@ -249,7 +252,7 @@ export class Editor {
     if (tool !== this.#state.tool) this.#change({ tool }, false);
   }
 
-  /** Who only tried a tool is left with nothing of it, and with nothing selected. */
+  /** Trying a tool leaves nothing in the drawing, and nothing selected. */
   #dropBegun(): void {
     this.cancelDrag();
     const { drawing } = this.#state;
@@ -356,7 +359,7 @@ export class Editor {
     if (last !== undefined) this.choose([...chosen.filter((id) => id !== last), last]);
   }
 
-  /** What is drawn next is another object. */
+  /** The next drawing becomes another object. */
   begin(kind?: Kind): void {
     this.interrupt();
     this.setTool('insert');

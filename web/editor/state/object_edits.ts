@@ -14,7 +14,7 @@ import { type Inside, isEmpty, opposite, type Figure } from '../../model/figure'
 import { type Selection, type State, selectedObjects } from './state';
 import type { CurveTool } from './tool';
 
-/** What edits of whole objects ask of the editor. */
+/** The parts of the editor that edits of whole objects use. */
 interface Editing {
   readonly state: State;
   perform(command: Command | null, part?: PartOfStep): void;
@@ -26,7 +26,7 @@ interface Editing {
   insideOf(figure: Figure): Inside | null;
 }
 
-/** What is selected after a step. */
+/** The selection after a step. */
 export interface PartOfStep {
   selection?: Selection;
   chosen?: readonly number[];
@@ -89,7 +89,7 @@ export class ObjectEdits {
     this.#editor.perform(restyling(this.#editor.state.drawing, ids, to), { none });
   }
 
-  /** Makes ready for a click on an object whose look those that are selected take, or for none. */
+  /** Prepares for a click on an object whose look the selected ones take, or ends that. */
   toggleLook(): void {
     if (this.#editor.state.tool === 'look') this.#editor.rest();
     else if (selectedObjects(this.#editor.state).length > 0) this.#editor.setTool('look');
@@ -102,7 +102,7 @@ export class ObjectEdits {
     this.#editor.rest();
   }
 
-  /** Moves an object so many places up in the order. */
+  /** Moves an object up in the order by a number of places. */
   raise(id: number, steps: number): void {
     this.#editor.interrupt();
     this.#editor.perform(reordering(this.#editor.state.drawing, id, steps));
@@ -119,7 +119,7 @@ export class ObjectEdits {
     this.#editor.perform(groupNaming(this.#editor.state.drawing, group, name));
   }
 
-  /** What closed lines of these objects enclose becomes what lies on their other side. */
+  /** Swaps the inside and the outside of these objects' closed lines. */
   turnInside(ids: readonly number[]): void {
     this.#editor.interrupt();
     const { objects } = this.#editor.state.drawing;

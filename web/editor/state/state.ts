@@ -18,7 +18,7 @@ export interface State {
   readonly base: Figure;
   /** Whether this surface stands in for one that could not be opened, and nothing was done on it. */
   readonly standIn: boolean;
-  /** What is selected of the edited object. */
+  /** The selected part of the edited object. */
   readonly selection: Selection;
   /** Points that are selected with the one of `selection`, by their numbers. */
   readonly more: readonly number[];
@@ -31,7 +31,7 @@ export interface State {
   readonly dragging: boolean;
   /** The numbers of the points that are dragged, or of the anchor that is drawn out. */
   readonly dragged: readonly number[];
-  /** What a click does; `split` and `join` are for one click. */
+  /** The tool, which determines what a click does; `split` and `join` are for one click. */
   readonly tool: CurveTool;
   /** Grows with every change of the drawing or the method. */
   readonly revision: number;
@@ -105,12 +105,12 @@ export function changedState(
   };
 }
 
-/** What is selected of the edited object once a step was taken back or done again. */
+/** The selected part of the edited object after a step was undone or redone. */
 export function selectionAfter(command: Command, drawing: Drawing, before: Selection): Selection {
   const edit = onlyEditOf(command, drawing.active);
   if (edit?.type === 'insert' || edit?.type === 'change') return edit.index;
   if (edit?.type === 'reorder') return edit.to;
-  // What was put last is gone: the curve goes on from the one before.
+  // The last added point is gone: the curve continues from the one before.
   if (edit?.type === 'remove' && edit.index > 0) return edit.index - 1;
   return edit?.type === 'circle' && edit.to ? before : null;
 }
