@@ -147,6 +147,16 @@ void Curve::set(CurveValue value) {
   if (segments_.count() * piecesPerSegment() < piecesBefore) {
     fieldSet_->trim();
   }
+  // Near fields hold no solver.
+  if (!isNear_) {
+    Array<PointField*> used;
+    for (const Segment& segment : segments_) {
+      for (const Piece& piece : segment.pieces) {
+        for (const auto& field : piece.fields_) used.push_back(field.get());
+      }
+    }
+    fieldSet_->use(used);
+  }
   fieldsMade_ += fieldSet_->made() - madeBefore;
 }
 

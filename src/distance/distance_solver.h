@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 
 #include "intrinsic/geometry.h"
@@ -75,6 +76,9 @@ class DistanceSolver {
   /// The arrival at the midpoint of an edge that is not on the boundary, by one of its half-edges.
   /// Final once its distance is <= reached(). Requires `keepMidpoints`.
   virtual MidpointArrival midpointOf(int) const { return {}; }
+
+  /// About how many bytes its values take.
+  virtual int64_t bytesHeld() const = 0;
   DistanceSolver& operator=(const DistanceSolver&) = delete;
 
  protected:

@@ -31,6 +31,10 @@ class GraphDistance final : public DistanceSolver {
     return logVectorAlong(geometry_, vertex, distance(vertex), direction(vertex));
   }
 
+  int64_t bytesHeld() const override {
+    return static_cast<int64_t>((distance_.size() + direction_.size()) * sizeof(double));
+  }
+
  private:
   using Entry = std::pair<double, int>;
 

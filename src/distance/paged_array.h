@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -47,6 +48,9 @@ class PagedArray {
       for (int i = page << kPageBits; i < end; ++i) visit(i);
     }
   }
+
+  /// The bytes of all pages.
+  int64_t bytesHeld() const { return static_cast<int64_t>(used_.size() * kBytes); }
 
   /// Removes every element, in time linear in what was touched. The pool keeps the memory.
   [[gnu::noinline]] void clear() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 #include "mesh/rounding.h"
 #include "mesh/types.h"
@@ -150,6 +151,10 @@ class WindowPool {
   void release(int block) {
     blocks_[block].next = free_;
     free_ = block;
+  }
+
+  int64_t bytesHeld() const {
+    return static_cast<int64_t>(blocks_.capacity() * sizeof(WindowBlock));
   }
 
   void clear() {

@@ -112,6 +112,10 @@ class WindowDistance final : public DistanceSolver {
   void keepImagesIn(Array<int> faces) { images_.keepIn(std::move(faces)); }
   const Array<SourceImage>& images() const { return images_.all(); }
 
+  int64_t bytesHeld() const override {
+    return vertices_.bytesHeld() + faces_.bytesHeld() + pool_.bytesHeld();
+  }
+
   void aimAt(const std::optional<PathAim>& aim) override { aim_ = aim; }
 
  private:

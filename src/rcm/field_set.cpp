@@ -95,6 +95,28 @@ void FieldSet::trim() {
   if (fields_.count() > 2 * held) dropSpare(static_cast<int>(held));
 }
 
+void FieldSet::use(const Array<PointField*>& fields, int64_t most) {
+  ++uses_;
+  for (PointField* field : fields) field->setLastUse(uses_);
+  int64_t bytes = 0;
+  Array<PointField*> others;
+  for (const auto& field : fields_) {
+    const int64_t held = field->bytesOfSolver();
+    bytes += held;
+    if (held > 0 && field->lastUse() != uses_) others.push_back(field.get());
+  }
+  if (bytes <= most) return;
+  std::stable_sort(others.begin(), others.end(), [](const PointField* a, const PointField* b) {
+    return a->lastUse() < b->lastUse();
+  });
+  for (PointField* field : others) {
+    if (bytes <= most) break;
+    bytes -= field->bytesOfSolver();
+    field->rest();
+  }
+  surface_.pages()->trim();
+}
+
 std::shared_ptr<FieldSet> trimmedAfter(std::shared_ptr<FieldSet> set) {
   FieldSet* const pointer = set.get();
   return {pointer, [set = std::move(set)](FieldSet*) { set->trim(); }};

@@ -107,7 +107,7 @@ FieldValue PointField::nearValue(int vertex) {
   return {-2 * logAlong(geometry, path_), distance * distance};
 }
 
-void PointField::makeLogField(const std::optional<PathAim>& aim) {
+void PointField::startSolver(const std::optional<PathAim>& aim) {
   if (!solver_) {
     estimator_ = estimatorOf(options_.solver);
     solver_ = makeDistanceSolver(surface_, options_);
@@ -115,13 +115,26 @@ void PointField::makeLogField(const std::optional<PathAim>& aim) {
     logVectors_.emplace(surface_.mesh().vertexCount(), surface_.pages());
   }
   logVectors_->clear();
-  ControlField::EvaluateMidpoint midpoint;
-  if (options_.solver == Solver::kExact && solver_->keepMidpoints())
-    midpoint = [this](int h) { return estimateMidpoint(h); };
+  hasMidpoints_ = options_.solver == Solver::kExact && solver_->keepMidpoints();
   solver_->aimAt(aim);
   isAimed_ = aim.has_value();
   solver_->setSource(point_);
+}
+
+void PointField::makeLogField(const std::optional<PathAim>& aim) {
+  startSolver(aim);
+  ControlField::EvaluateMidpoint midpoint;
+  if (hasMidpoints_) midpoint = [this](int h) { return estimateMidpoint(h); };
   field_.reset([this](int v) { return estimate(v); }, std::move(midpoint));
+}
+
+void PointField::rest() {
+  logVectors_.reset();
+  solver_.reset();
+}
+
+int64_t PointField::bytesOfSolver() const {
+  return !solver_ ? 0 : solver_->bytesHeld() + logVectors_->bytesHeld();
 }
 
 double PointField::distanceAt(int vertex) {
@@ -147,6 +160,7 @@ const Vec2& PointField::logVectorAt(int vertex) {
 }
 
 FieldValue PointField::estimate(int vertex) {
+  if (!solver_) startSolver();
   const Stencil stencil = stencils_->at(vertex);
   const auto squaredDistanceAt = [&](int v) {
     const double distance = distanceAt(v);
@@ -164,6 +178,7 @@ FieldValue PointField::estimate(int vertex) {
 }
 
 Vec2 PointField::estimateMidpoint(int halfedge) {
+  if (!solver_) startSolver();
   const Geometry& geometry = surface_.geometry();
   const int tail = surface_.mesh().tail(halfedge);
   const int head = surface_.mesh().head(halfedge);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -46,6 +47,16 @@ class PointField {
     return sightFrom(surface_.geometry(), sights_, vertex).has_value();
   }
 
+  /// Gives back the memory of a whole field's solver. Values that were read stay; the next one that
+  /// was not starts the solver anew, and is the same.
+  void rest();
+  /// About how many bytes that is.
+  int64_t bytesOfSolver() const;
+
+  /// The order in which the set (field_set.h) saw its fields in use, from 1; 0 for never.
+  int lastUse() const { return lastUse_; }
+  void setLastUse(int use) { lastUse_ = use; }
+
   /// Reading a value on another component than the point's throws Error kUnreachable.
   ControlField& field() { return field_; }
 
@@ -57,6 +68,7 @@ class PointField {
 
   void makePaperField();
   void makeLogField(const std::optional<PathAim>& aim = std::nullopt);
+  void startSolver(const std::optional<PathAim>& aim = std::nullopt);
   void makeNearField();
   FieldValue nearValue(int vertex);
   FieldValue valueBesideHub(int vertex);
@@ -70,6 +82,7 @@ class PointField {
   FieldOptions options_;
   SurfacePoint point_;
   bool isNear_ = false;
+  int lastUse_ = 0;
   ControlField field_;
   // These belong to near fields.
   SightSources sights_;
@@ -81,6 +94,7 @@ class PointField {
   Estimator estimator_ = Estimator::kLinear1;
   std::unique_ptr<DistanceSolver> solver_;
   bool isAimed_ = false;
+  bool hasMidpoints_ = false;
   StencilTable* stencils_ = nullptr;
   std::optional<PagedArray<LogEntry, 4>> logVectors_;
 };

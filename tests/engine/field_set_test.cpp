@@ -41,6 +41,41 @@ TEST(FieldSet, SparesAreMovedAndAFieldIsFoundWhereItWasMovedTo) {
   EXPECT_EQ(set.find(vertexPoint(mesh, 10)), nullptr);
 }
 
+/// Of fields beyond what a set may hold the longest unused rest, and read the same when they are
+/// woken up.
+TEST(FieldSet, FieldsThatAreNotInUseRestBeyondABudget) {
+  for (const FieldOptions& options : {kFast, kExact, FieldOptions{.solver = Solver::kGraph}}) {
+    Surface surface(bunnyMesh());
+    const TriangleMesh& mesh = surface.mesh();
+    FieldSet set(surface, options);
+    const Held held = fieldsAt(set, someVertices(mesh, 3));
+    Array<FieldValue> values;
+    for (const auto& field : held) values.push_back(field->field().at(900));
+    const int64_t all =
+        held[0]->bytesOfSolver() + held[1]->bytesOfSolver() + held[2]->bytesOfSolver();
+    set.use({held[1].get()}, all);
+    EXPECT_GT(held[0]->bytesOfSolver(), 0);
+    set.use({held[0].get()}, all);
+    set.use({held[2].get()}, all - 1);
+    EXPECT_GT(held[0]->bytesOfSolver(), 0);
+    EXPECT_EQ(held[1]->bytesOfSolver(), 0);
+    set.use({held[2].get()}, 0);
+    EXPECT_EQ(held[0]->bytesOfSolver(), 0);
+    EXPECT_GT(held[2]->bytesOfSolver(), 0) << "it is in use";
+    for (int i = 0; i < held.count(); ++i) {
+      EXPECT_EQ(held[i]->field().at(900).gradient, values[i].gradient);
+    }
+    EXPECT_EQ(held[0]->bytesOfSolver(), 0) << "values that were read stay";
+    PointField anew(surface, options);
+    anew.setPoint(held[0]->point());
+    for (const int vertex : {800, 1100, 500}) {
+      const FieldValue& value = held[0]->field().at(vertex);
+      EXPECT_EQ(value.gradient, anew.field().at(vertex).gradient);
+      EXPECT_EQ(value.squaredDistance, anew.field().at(vertex).squaredDistance);
+    }
+  }
+}
+
 TEST(FieldSet, IsWholeAfterAFieldThatCouldNotBeMade) {
   Surface surface(planeGrid(8, 8));
   const TriangleMesh& mesh = surface.mesh();
