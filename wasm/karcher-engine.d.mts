@@ -182,6 +182,7 @@ export interface EngineMesh {
     corners: number,
     miterLimit: number,
   ): EnginePath[];
+  distanceFromPaths(outlines: Float64Array[], points: Float64Array): Float64Array;
   /** Of each shape `counts` has the number of its outlines, `insides` a point, none, or 1 for the left of its first outline, 0 for the right. */
   regions(
     outlines: Float64Array[],

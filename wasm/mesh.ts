@@ -477,6 +477,25 @@ export class Mesh {
   }
 
   /**
+   * The exact geodesic distances of points from the nearest of paths, or of their points: NaN where no path
+   * leads. Throws `KarcherError` badArgument for a path without length, consecutive points without a face in
+   * common, and the limits of exact distances (see `distance`).
+   *
+   * @example
+   * ```ts
+   * const [far] = mesh.distanceFromPaths([path], [{ vertex: 12 }]);
+   * ```
+   */
+  distanceFromPaths(
+    paths: readonly Outline[],
+    points: readonly PointLike[] | PointArrays,
+  ): Float64Array {
+    const outlines = wireOutlines(paths);
+    const places = wirePointsOrArrays(points);
+    return this.#handle.call((mesh) => mesh.distanceFromPaths(outlines, places));
+  }
+
+  /**
    * The regions that shapes enclose, one a shape, or with `combine` one of all: union, intersection,
    * difference or exclusion. A shape is an outline, or several with what is inside. All
    * outlines may cross, touch and run along each other, the mesh's edges and its boundary; what lies

@@ -258,4 +258,26 @@ PathDistance::Distance PathDistance::at(const SurfacePoint& point) const {
   return best;
 }
 
+Array<double> distancesFromPaths(const Geometry& geometry, std::span<const SurfacePath> paths,
+                                 std::span<const SurfacePoint> points) {
+  Array<double> distances(points.size(), kInfinity);
+  bool isOpen = true;
+  for (double limit = 2 * geometry.meanEdge; isOpen; limit *= 2) {
+    if (limit > geometry.diagonal) limit = kInfinity;
+    const PathDistance field(geometry, paths, limit);
+    isOpen = false;
+    for (int i = 0; i < distances.count(); ++i) {
+      if (distances[i] < kInfinity) continue;
+      const double distance = field.at(points[static_cast<size_t>(i)]).value;
+      // What lies beyond the limit may have been reached by a longer way.
+      if (distance <= limit) {
+        distances[i] = distance;
+      } else {
+        isOpen = true;
+      }
+    }
+  }
+  return distances;
+}
+
 }  // namespace karcher

@@ -111,4 +111,9 @@ class PathDistance {
   Array<int> firstOfFace_;  ///< per entry of `faces_`, and one more
 };
 
+/// The distances of points from the nearest of paths; kInfinity where none of them leads. No
+/// farther than needed is searched. Throws Error as PathDistance does.
+Array<double> distancesFromPaths(const Geometry& geometry, std::span<const SurfacePath> paths,
+                                 std::span<const SurfacePoint> points);
+
 }  // namespace karcher

@@ -92,6 +92,8 @@ class MeshHandle {
   val isolines(const val& center, double radius, bool exact, const val& field);
   /// A list of paths. `side` is 1 for the left, -1 for the right, 0 for both.
   val offset(const val& outlines, double distance, int side, int corners, double miterLimit) const;
+  /// The distances of points from the nearest of the outlines; NaN where no path leads.
+  val distanceFromPaths(const val& outlines, const val& points) const;
   /// A list of {area, perimeter, boundary, share, triangles, sides}, one for each shape, with
   /// `isLeft`, or one for all. `counts` has the number of each shape's outlines, `insides` a point
   /// of each, none, or the side of its first outline: 1 for the left, 0 for the right.

@@ -1,6 +1,9 @@
+#include <cmath>
+
 #include "bindings/mesh_handle.h"
 #include "bindings/path.h"
 #include "curves/offset.h"
+#include "distance/path_distance.h"
 #include "mesh/sorted_numbers.h"
 #include "regions/cut.h"
 #include "regions/region.h"
@@ -172,6 +175,16 @@ val MeshHandle::offset(const val& outlines, double distance, int side, int corne
     list.set(count++, pathToJs(numbering_, mesh(), line.points, line.length, line.closed));
   }
   return list;
+}
+
+val MeshHandle::distanceFromPaths(const val& outlines, const val& points) const {
+  Array<double> distances =
+      distancesFromPaths(geometry(), pathsFromJs(numbering_, mesh(), outlines),
+                         pointsFromJs(numbering_, mesh(), points));
+  for (double& distance : distances) {
+    if (distance == kInfinity) distance = std::nan("");
+  }
+  return toJs(distances);
 }
 
 }  // namespace karcher::bindings

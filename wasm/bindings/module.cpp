@@ -78,6 +78,7 @@ EMSCRIPTEN_BINDINGS(karcher) {
       .function("ellipse", &Guarded<&MeshHandle::ellipse>::call)
       .function("isolines", &Guarded<&MeshHandle::isolines>::call)
       .function("offset", &Guarded<&MeshHandle::offset>::call)
+      .function("distanceFromPaths", &Guarded<&MeshHandle::distanceFromPaths>::call)
       .function("regions", &Guarded<&MeshHandle::regions>::call)
       .function("cut", &Guarded<&MeshHandle::cut>::call)
       .function("curve", &Guarded<&makeCurve>::call)

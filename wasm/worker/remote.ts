@@ -153,6 +153,7 @@ const meshMethods = namesOf<Record<MeshMethod, true>>({
   ellipse: true,
   isolines: true,
   offset: true,
+  distanceFromPaths: true,
   regions: true,
   cut: true,
   distance: true,
