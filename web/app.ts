@@ -166,13 +166,9 @@ export async function start(): Promise<void> {
   });
   /** The painted regions, in the drawing's order. */
   const showRegions = () => {
-    const { state } = editor;
-    const { fill, others } = session.view;
-    const painted = state.drawing.objects.flatMap((object) => {
-      const own = object.id === state.drawing.active && object.visible && object.fill > 0;
-      const region = own ? fill?.region : others.find(({ id }) => id === object.id)?.region;
+    const painted = session.painted(editor.state).map(({ object, region, pattern }) => {
       const { id, color, locked } = object;
-      return region ? [{ id, region, style: object, color, locked }] : [];
+      return { id, region, pattern, style: object, color, locked };
     });
     viewer.showRegions(painted);
   };

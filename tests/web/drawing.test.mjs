@@ -90,6 +90,11 @@ describe('a drawing', () => {
           opacity: one([0.05, 0.5, 1]),
           fill: one([0, 0.3, 1]),
           fillColor: random() < 0.5 ? null : '#d9480f',
+          ...one([
+            { pattern: 'solid', spacing: null },
+            { pattern: 'hatched', spacing: 0.01 },
+            { pattern: 'striped', spacing: 0.5 },
+          ]),
         }),
       turn: () => editor.objects.turnInside(some()),
       show: () => editor.objects.setProperties(some(), { visible: random() < 0.7 }),

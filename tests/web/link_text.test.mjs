@@ -63,8 +63,13 @@ describe('links', () => {
           opacity: 0.35,
           fill: 0.4,
           fillColor: '#0b8457',
+          pattern: 'striped',
+          spacing: 0.125,
         }),
-        drawing.newObject(5, pen, { width: 0.0275, onSurface: true }),
+        drawing.newObject(5, pen, {
+          ...{ width: 0.0275, onSurface: true, fill: 1 },
+          ...{ pattern: 'hatched', spacing: 2 },
+        }),
       ],
     };
     for (const mesh of ['bunny:1', 'file:1x-9:a b&c=#.obj']) {

@@ -22,12 +22,20 @@ export interface LineStyle {
   readonly opacity: number;
 }
 
+/** Hatched has lines of one distance, striped bands along the border. */
+export type FillPattern = 'solid' | 'hatched' | 'striped';
+
+export const fillPatterns: readonly FillPattern[] = ['solid', 'hatched', 'striped'];
+
 /** The paint of the inside of a closed line. */
 export interface FillStyle {
   /** How opaque it is, from 0, which is not at all, to 1. */
   readonly fill: number;
   /** `#rrggbb`; null is the line's color. */
   readonly fillColor: string | null;
+  readonly pattern: FillPattern;
+  /** From one line to the next, or the width of a band, in the surface's unit; null of what is solid. */
+  readonly spacing: number | null;
 }
 
 /** The properties of an object beside its figure. */
@@ -65,7 +73,12 @@ export const defaultStyle: LineStyle = {
   dash: 'solid',
   opacity: 1,
 };
-const defaultFill: FillStyle = { fill: 0, fillColor: null };
+const defaultFill: FillStyle = {
+  fill: 0,
+  fillColor: null,
+  pattern: 'solid',
+  spacing: null,
+};
 
 const defaultProperties: Properties = {
   name: '',
@@ -122,8 +135,8 @@ export function successorOf(drawing: Drawing, figure: Figure): DrawnObject {
 
 /** The style and paint of an object. */
 export function lookOf(object: LineStyle & FillStyle): LineStyle & FillStyle {
-  const { fill, fillColor } = object;
-  return { ...styleOf(object), fill, fillColor };
+  const { fill, fillColor, pattern, spacing } = object;
+  return { ...styleOf(object), fill, fillColor, pattern, spacing };
 }
 
 export function styleOf({ color, width, onSurface, dash, opacity }: LineStyle): LineStyle {

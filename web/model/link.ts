@@ -4,6 +4,7 @@
  * `&legs=0:face,b1,b2:face,b1,b2;3:…&tangents=0:before:after;…&samples=64&tolerance=0.001&marks=9&levels=2`
  * `&of=2,3&distance=2&side=outwards&parts=face,b1,b2,hidden;…&thickness=1`
  * `&circle=face,b1,b2;radius,x,y,z;across&circletype=exact&arcs=5`
+ * `&fill=0.5&fillcolor=0b8457&hatched=2` (or `striped=2`: the spacing)
  * `&name=…&hidden=1&locked=1&color=d9560b&width=6&dash=dotted&opacity=0.5&group=…&place=2`. A width in
  * the surface's unit is `band`. Legs are told by a
  * point's number and the points that its way to the next one goes through (of the pen's anchors: from
@@ -19,6 +20,8 @@ import {
   type DrawnObject,
   dashes,
   defaultStyle,
+  type FillPattern,
+  fillPatterns,
   indexOf,
   leastOpacity,
   newObject,
@@ -91,7 +94,7 @@ function objectFields(
 ): string[] {
   const parts = figureFields(figure, numberOf);
   const { name, visible, locked, color, width, onSurface, dash, opacity, group } = properties;
-  const { fill, fillColor } = properties;
+  const { fill, fillColor, pattern, spacing } = properties;
   if (name) parts.push(`name=${encodeName(name)}`);
   if (!visible) parts.push('hidden=1');
   if (locked) parts.push('locked=1');
@@ -102,6 +105,7 @@ function objectFields(
   if (opacity !== defaultStyle.opacity) parts.push(`opacity=${opacity}`);
   if (fill > 0) parts.push(`fill=${fill}`);
   if (fillColor) parts.push(`fillcolor=${fillColor.slice(1)}`);
+  if (pattern !== 'solid') parts.push(`${pattern}=${spacing}`);
   if (group !== null) parts.push(`group=${encodeName(group)}`);
   return parts;
 }
@@ -180,6 +184,8 @@ function parseProperties(fragment: string): Partial<Properties> {
   const opacity = Number(fields.get('opacity') ?? defaultStyle.opacity);
   const fill = Number(fields.get('fill') ?? 0);
   const fillColor = `#${fields.get('fillcolor')}`;
+  const spacingOf = (name: FillPattern) => Number(fields.get(name) ?? Number.NaN);
+  const pattern = fillPatterns.find((name) => isWithin(spacingOf(name), surfaceWidths)) ?? 'solid';
   return {
     name: shortened(fields.get('name') ?? '', longestName),
     visible: fields.get('hidden') !== '1',
@@ -191,6 +197,8 @@ function parseProperties(fragment: string): Partial<Properties> {
     opacity: isWithin(opacity, { least: leastOpacity, most: 1 }) ? opacity : defaultStyle.opacity,
     fill: fill >= 0 && fill <= 1 ? fill : 0,
     fillColor: isColor(fillColor) ? fillColor : null,
+    pattern,
+    spacing: pattern === 'solid' ? null : spacingOf(pattern),
     group: shortened(fields.get('group') ?? '', longestName) || null,
   };
 }

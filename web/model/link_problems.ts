@@ -90,6 +90,8 @@ const rules: Readonly<Record<string, Rule>> = {
     instead: 'the default color',
   },
   fill: within(0, 1, false, 'no fill'),
+  hatched: within(surfaceWidths.least, surfaceWidths.most, false, 'a solid fill'),
+  striped: within(surfaceWidths.least, surfaceWidths.most, false, 'a solid fill'),
   inside: oneOf(['left', 'right'], 'the smaller side'),
   fillcolor: {
     allows: (text) => isColor(`#${text}`),

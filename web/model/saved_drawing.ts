@@ -8,7 +8,9 @@ import {
   type Drawing,
   type DrawnObject,
   dashes,
+  type FillPattern,
   type FillStyle,
+  fillPatterns,
   type LineStyle,
   leastOpacity,
   surfaceWidths,
@@ -113,6 +115,8 @@ function readStyle(
     opacity = 1,
     fill = 0,
     fillColor = null,
+    pattern = 'solid',
+    spacing = null,
   }: Partial<Record<keyof (LineStyle & FillStyle), unknown>>,
   what: string,
 ) {
@@ -120,6 +124,7 @@ function readStyle(
     throw new Error(`the color of ${what} is ${shown(color)}, which is not a color`);
   if (fillColor !== null && !isColor(fillColor))
     throw new Error(`the fill of ${what} is ${shown(fillColor)}, which is not a color`);
+  const ownPattern = oneOf<FillPattern>(pattern, fillPatterns, `the pattern of ${what}`);
   const isOn = flag(onSurface, `'onSurface' of ${what}`);
   const { least, most } = isOn ? surfaceWidths : widthRange;
   return {
@@ -130,6 +135,11 @@ function readStyle(
     opacity: number(opacity, leastOpacity, 1, `the opacity of ${what}`),
     fill: number(fill, 0, 1, `the fill of ${what}`),
     fillColor,
+    pattern: ownPattern,
+    spacing:
+      ownPattern === 'solid'
+        ? null
+        : number(spacing, surfaceWidths.least, surfaceWidths.most, `the spacing of ${what}`),
   };
 }
 

@@ -11,9 +11,22 @@ export interface Region {
   /** Two numbers for each corner of a triangle: its second and third weight in the triangle's face. */
   corners: Float32Array;
   area: number;
+  /** Closed lines that have it to their left. */
+  boundary: readonly Path[];
   /** The side of the first line that it lies on; null of what is made of several regions. */
   side: Inside | null;
 }
+
+/** A region's triangles with distances at their corners, between which these are linear. */
+export interface Pattern {
+  faces: Int32Array;
+  /** As those of a region. */
+  corners: Float32Array;
+  values: Float32Array;
+}
+
+/** Lines nearer than the root of a region's area by so many times are not told apart: the fill is solid. */
+export const mostLines = 1000;
 
 /** The region that closed lines enclose, or a sentence that says why they enclose nothing. */
 export type Fill = { region: Region; problem: null } | { region: null; problem: string | null };

@@ -4,6 +4,7 @@ import {
   activeObject,
   type Dash,
   type DrawnObject,
+  type FillPattern,
   type FillStyle,
   type LineStyle,
   leastOpacity,
@@ -37,6 +38,12 @@ const colors: readonly [string | null, string][] = [
 
 /** The opacity of a new fill. */
 const firstFill = 0.5;
+
+/** From one line of a pattern to the next at first, in CSS pixels. */
+const usualSpacing = 12;
+
+const inSurfaceWidths = (value: number) =>
+  Math.min(surfaceWidths.most, Math.max(surfaceWidths.least, value));
 
 const selectedFills = (state: State) => {
   const ids = selectedObjects(state);
@@ -88,6 +95,8 @@ export class ObjectPanel {
   readonly #opacity: NumberField;
   readonly #fill: NumberField;
   readonly #fillColor = byId<HTMLInputElement>('fill-color');
+  readonly #pattern = byId<HTMLSelectElement>('pattern');
+  readonly #spacing: NumberField;
   readonly #otherSide = byId<HTMLButtonElement>('other-side');
   readonly #actions: readonly [HTMLButtonElement, (state: State) => boolean][];
   /** The theme's color of lines, written as fields of colors need it. */
@@ -131,6 +140,25 @@ export class ObjectPanel {
       // Choosing a color for an inside that is not painted paints it.
       set(none ? { fillColor, fill: firstFill } : { fillColor });
     });
+    this.#pattern.addEventListener('change', () => {
+      const pattern = this.#pattern.value as FillPattern;
+      const none = selectedFills(editor.state).every((fill) => fill === 0);
+      const { active } = editor;
+      const usual = Number((usualSpacing * reachOf(active)).toPrecision(2));
+      const spacing = pattern === 'solid' ? null : inSurfaceWidths(active.spacing ?? usual);
+      set({ pattern, spacing, ...(none && pattern !== 'solid' && { fill: firstFill }) });
+    });
+    this.#spacing = new NumberField(
+      byId<HTMLInputElement>('pattern-spacing'),
+      (spacing) => set({ spacing }),
+      {
+        read: (text) => {
+          const value = positiveNumber(text);
+          return value && inSurfaceWidths(value);
+        },
+        write: (value) => `${value}`,
+      },
+    );
     this.#otherSide.addEventListener('click', () => editor.objects.turnInside(this.#targets));
     this.#width = new NumberField(
       byId<HTMLInputElement>('width'),
@@ -263,6 +291,10 @@ export class ObjectPanel {
     showNumber(this.#fill, percentOf(common('fill')));
     const fillColor = common('fillColor') ?? common('color');
     if (fillColor !== undefined) this.#fillColor.value = fillColor ?? this.#themeColor;
+    const pattern = common('pattern');
+    showShared(this.#pattern, pattern);
+    byId('pattern-spacing').hidden = objects.some((object) => object.pattern === 'solid');
+    showNumber(this.#spacing, common('spacing') ?? undefined);
     showShared(this.#dash, common('dash'));
     const color = selected > 0 ? common('color') : undefined;
     for (const swatch of this.#swatches) {
@@ -272,8 +304,10 @@ export class ObjectPanel {
     const isOwn = color !== undefined && colors.every(([one]) => one !== color);
     this.#custom.classList.toggle('chosen', isOwn);
     if (color !== undefined) this.#custom.value = color ?? this.#themeColor;
-    const inputs = ['width', 'opacity', 'fill'].map((id) => byId<HTMLInputElement>(id));
-    const lists = [this.#widthUnit, this.#dash, this.#fillColor];
+    const inputs = ['width', 'opacity', 'fill', 'pattern-spacing'].map((id) =>
+      byId<HTMLInputElement>(id),
+    );
+    const lists = [this.#widthUnit, this.#dash, this.#fillColor, this.#pattern];
     this.#look.setAttribute('aria-pressed', `${this.editor.state.tool === 'look'}`);
     const controls = [...this.#swatches, this.#custom, this.#look, ...lists, ...inputs];
     for (const control of controls) control.disabled = selected === 0;

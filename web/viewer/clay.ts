@@ -10,6 +10,7 @@ import {
   ShaderMaterial,
   Vector3,
 } from 'three';
+import type { Bars } from './bars';
 import { rampForShader } from './color_ramp';
 import type { DrawnGeometry } from './drawn_geometry';
 import { hollowRadii } from './hollows';
@@ -81,6 +82,7 @@ const clay = {
     most: { value: 0 },
     colored: { value: false },
     opacity: { value: 1 },
+    bars: { value: new Vector3() },
   },
   vertexShader: `
     attribute float value;
@@ -117,7 +119,13 @@ const clay = {
     uniform float most;
     uniform bool colored;
     uniform float opacity;
+    uniform vec3 bars;
     ${varyings}
+    // How much is painted from the start up to a number of periods.
+    float paintedUpTo(float periods) {
+      float part = bars.z - bars.y;
+      return floor(periods) * part + clamp(fract(periods) - bars.y, 0.0, part);
+    }
     void main() {
       vec3 eye = normalize(vEye);
       vec3 normal = normalize(vNormal);
@@ -139,7 +147,14 @@ const clay = {
       float sunken = gl_FrontFacing ? vHollow : -vHollow;
       // Ridges are lit as they are: much lighter ones would be white.
       light *= 1.0 - relief * (sunken > 0.0 ? sunken : ${litRidges} * sunken);
-      gl_FragColor = vec4(clay * light + sky * (0.05 * gloss + 0.1 * rim), opacity);
+      float shown = opacity;
+      if (bars.x > 0.0) {
+        // Of the periods that a pixel has, the part that is painted.
+        float at = vValue / bars.x;
+        float wide = max(fwidth(at), 1e-4);
+        shown *= (paintedUpTo(at + 0.5 * wide) - paintedUpTo(at - 0.5 * wide)) / wide;
+      }
+      gl_FragColor = vec4(clay * light + sky * (0.05 * gloss + 0.1 * rim), shown);
       #include <colorspace_fragment>
     }`,
 };
@@ -162,14 +177,15 @@ export function clayMesh(geometry: BufferGeometry): Mesh {
   return new Mesh(geometry, materials);
 }
 
-/** The same clay of another color, over the surface that it lies on. */
-export function paint(color: Color, opacity: number): ShaderMaterial {
+/** The same clay of another color, over the surface that it lies on, or of its bars. */
+export function paint(color: Color, opacity: number, bars: Bars | null = null): ShaderMaterial {
   return new ShaderMaterial({
     ...clay,
     uniforms: {
       ...clay.uniforms,
       ...{ front: { value: color }, back: { value: color } },
       ...{ most: { value: 0 }, colored: { value: false }, opacity: { value: opacity } },
+      bars: { value: bars ? new Vector3(bars.period, bars.from, bars.to) : new Vector3() },
     },
     side: inner.visible ? DoubleSide : material.side,
     // Opaque ones count as transparent, so that they are not drawn before all that really are.

@@ -2,7 +2,8 @@ import type { SurfacePoint } from 'karcher';
 import { type BufferGeometry, Color, Group, Mesh, type ShaderMaterial, Vector3 } from 'three';
 import type { FillStyle } from '../model/drawing';
 import { isInTriangle } from '../model/parts';
-import type { Region } from '../model/traced';
+import type { Pattern, Region } from '../model/traced';
+import { type Bars, barsOf, paintedParts, partPainted } from './bars';
 import { paint } from './clay';
 import type { Surface } from './surface';
 import type { Vantage } from './vantage';
@@ -11,6 +12,8 @@ import type { Vantage } from './vantage';
 export interface PaintedRegion {
   id: number;
   region: Region;
+  /** What lines or bands are drawn by; null of a solid fill, undefined until it is made. */
+  pattern: Pattern | null | undefined;
   style: FillStyle;
   /** The color of the line, for a fill without a color of its own. */
   color: string | null;
@@ -23,7 +26,7 @@ export class Regions {
   #painted: readonly PaintedRegion[] = [];
   #surface: Surface | null = null;
   #color = new Color();
-  readonly #geometries = new Map<Region, BufferGeometry>();
+  readonly #geometries = new Map<Region | Pattern, BufferGeometry>();
 
   /** The color of lines without their own. */
   setColor(color: Color): void {
@@ -34,11 +37,11 @@ export class Regions {
   /** Whether the painted regions differ from those before. */
   show(painted: readonly PaintedRegion[], surface: Surface | null): void {
     if (surface === this.#surface && `${painted.map(keyOf)}` === `${this.#painted.map(keyOf)}`) {
-      if (painted.every(({ region }, i) => region === this.#painted[i]!.region)) return;
+      if (painted.every((one, i) => shapeOf(one) === shapeOf(this.#painted[i]!))) return;
     }
     if (surface !== this.#surface) this.#forget([]);
     [this.#painted, this.#surface] = [painted, surface];
-    this.#forget(painted.map(({ region }) => region));
+    this.#forget(painted.map(shapeOf));
     this.#paint();
   }
 
@@ -51,20 +54,26 @@ export class Regions {
   /** The triangles of each region that the surface does not hide, for a drawing on paper. */
   *seen(vantage: Vantage): Generator<{ painted: PaintedRegion; triangles: Float32Array }> {
     for (const painted of this.#painted) {
-      const places = this.#geometryOf(painted.region).getAttribute('position')
-        .array as Float32Array;
-      yield { painted, triangles: seenTriangles(places, vantage) };
+      const geometry = this.#geometryOf(painted);
+      const places = geometry.getAttribute('position').array as Float32Array;
+      const bars = painted.pattern ? barsOf(painted.style) : null;
+      const values = painted.pattern?.values ?? new Float32Array();
+      yield { painted, triangles: seenTriangles(places, vantage, bars && { ...bars, values }) };
     }
   }
 
   #paint(): void {
     for (const mesh of this.object.children) ((mesh as Mesh).material as ShaderMaterial).dispose();
     this.object.clear();
-    for (const [i, { region, style, color }] of this.#painted.entries()) {
+    for (const [i, one] of this.#painted.entries()) {
+      const { style, color, pattern } = one;
       const own = style.fillColor ?? color;
+      const bars = barsOf(style);
+      // Until its pattern is made a fill is as dark as that will be.
+      const opacity = bars && pattern === undefined ? partPainted(bars) * style.fill : style.fill;
       const mesh = new Mesh(
-        this.#geometryOf(region),
-        paint(own ? new Color(own) : this.#color, style.fill),
+        this.#geometryOf(one),
+        paint(own ? new Color(own) : this.#color, opacity, pattern ? bars : null),
       );
       // After the surface, and before all lines.
       mesh.renderOrder = 0.1 + i * 1e-4;
@@ -72,13 +81,17 @@ export class Regions {
     }
   }
 
-  #geometryOf(region: Region): BufferGeometry {
-    const geometry = this.#geometries.get(region) ?? this.#surface!.regionGeometry(region);
-    this.#geometries.set(region, geometry);
+  #geometryOf(painted: PaintedRegion): BufferGeometry {
+    const shape = shapeOf(painted);
+    const surface = this.#surface!;
+    const geometry =
+      this.#geometries.get(shape) ??
+      ('values' in shape ? surface.patternGeometry(shape) : surface.regionGeometry(shape));
+    this.#geometries.set(shape, geometry);
     return geometry;
   }
 
-  #forget(kept: readonly Region[]): void {
+  #forget(kept: readonly (Region | Pattern)[]): void {
     for (const [region, geometry] of this.#geometries) {
       if (kept.includes(region)) continue;
       geometry.dispose();
@@ -87,7 +100,14 @@ export class Regions {
   }
 }
 
-function seenTriangles(places: Float32Array, vantage: Vantage): Float32Array {
+/** What its triangles are of. */
+const shapeOf = ({ region, pattern }: PaintedRegion) => pattern ?? region;
+
+function seenTriangles(
+  places: Float32Array,
+  vantage: Vantage,
+  bars: (Bars & { values: Float32Array }) | null,
+): Float32Array {
   const count = places.length / 9;
   const triangles: number[] = [];
   const [place, middle] = [new Vector3(), new Vector3()];
@@ -103,15 +123,21 @@ function seenTriangles(places: Float32Array, vantage: Vantage): Float32Array {
     }) as [Place, Place, Place];
     // All triangles turn the same way, so that neighbors add up where they meet and do not cancel.
     const turn = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    triangles.push(...a, ...(turn < 0 ? [...c, ...b] : [...b, ...c]));
+    const corners = turn < 0 ? [0, 2, 1] : [0, 1, 2];
+    const onPaper = [a, b, c];
+    if (!bars) for (const k of corners) triangles.push(...onPaper[k]!);
+    else {
+      const valued = corners.map((k) => [...onPaper[k]!, bars.values[3 * i + k]!] as const);
+      triangles.push(...paintedParts(valued, bars));
+    }
   }
   return Float32Array.from(triangles);
 }
 
 type Place = readonly [number, number];
 
-const keyOf = ({ id, style: { fill, fillColor }, color, locked }: PaintedRegion) =>
-  `${id} ${fill} ${fillColor} ${color} ${locked}`;
+const keyOf = ({ id, style, color, locked }: PaintedRegion) =>
+  `${id} ${style.fill} ${style.fillColor} ${style.pattern} ${style.spacing} ${color} ${locked}`;
 
 /** Whether a point lies in a region. */
 export function holds({ whole, parts, corners }: Region, { face, bary }: SurfacePoint): boolean {

@@ -15,7 +15,7 @@ import { MeshBVH } from 'three-mesh-bvh';
 import { surfacePoint, type Vector } from '../model/figure';
 import type { MeshBlobs } from '../model/mesh_blobs';
 import type { SurfacePart } from '../model/parts';
-import type { Region } from '../model/traced';
+import type { Pattern, Region } from '../model/traced';
 import { clayMesh, edgeMaterial, paint, showClay, showTint, showValues } from './clay';
 import type { DrawnGeometry } from './drawn_geometry';
 import {
@@ -45,6 +45,9 @@ const unitWeights = [
   [0, 1, 0],
   [0, 0, 1],
 ] as const;
+
+/** Faces, and triangles in faces. */
+type Triangulated = Omit<Region, 'area' | 'side' | 'boundary'>;
 
 /** A surface in the scene: its triangles as drawn, and as hit by rays. */
 export class Surface {
@@ -137,7 +140,7 @@ export class Surface {
   }
 
   /** The triangles of a region. */
-  regionGeometry({ whole, parts, corners }: Omit<Region, 'area' | 'side'>): BufferGeometry {
+  regionGeometry({ whole, parts, corners }: Triangulated): BufferGeometry {
     const count = 3 * (whole.length + parts.length);
     const [positions, normals] = [new Float32Array(3 * count), new Float32Array(3 * count)];
     const bent = new Float32Array(hollowWidths * count);
@@ -172,6 +175,13 @@ export class Surface {
       new BufferAttribute(Int8Array.from(bent, Math.round), hollowWidths, true),
     );
     geometry.boundingSphere = new Sphere(new Vector3(), 1);
+    return geometry;
+  }
+
+  /** The triangles of a pattern, with its distances. */
+  patternGeometry({ faces, corners, values }: Pattern): BufferGeometry {
+    const geometry = this.regionGeometry({ whole: new Int32Array(), parts: faces, corners });
+    geometry.setAttribute('value', new BufferAttribute(values, 1));
     return geometry;
   }
 

@@ -18,6 +18,7 @@ import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-wor
 import type { BooleanKind, Offset } from '../model/derived';
 import type { Inside, Vector } from '../model/figure';
 import { type ToldLegs, withDrawnLegs } from '../model/legs';
+import type { FillPattern } from '../model/drawing';
 import type { MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
 import type { SurfacePart } from '../model/parts';
@@ -25,6 +26,8 @@ import { waypointsOf } from '../model/splines';
 import type {
   Fill,
   Measured,
+  Pattern,
+  Region,
   ShorterLeg,
   TracedCurve,
   TracedDistances,
@@ -384,6 +387,13 @@ export class EngineClient {
   #fill(lines: RemoteCurve | Path[], fill: AskedFill): Promise<Fill> {
     const inside = typeof fill === 'string' ? fill : null;
     return this.#worker.call('fill', [this.mesh, lines, inside]) as Promise<Fill>;
+  }
+
+  /** What a region's lines or bands are drawn by; null where they cannot be. */
+  pattern(region: Region, kind: FillPattern, spacing: number): Promise<Pattern | null> {
+    const { whole, parts, corners, area, boundary } = region;
+    const args = [this.mesh, { whole, parts, corners, area, boundary }, kind, spacing];
+    return this.#worker.call('pattern', args) as Promise<Pattern | null>;
   }
 
   async #timed(trace: () => Promise<Ellipse>, fill: AskedFill): Promise<TracedCurve> {

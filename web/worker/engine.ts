@@ -18,6 +18,7 @@ import { cutParts } from './cut';
 import { combined, offsetOf } from './derived';
 import { tracedDistances } from './distances';
 import { fillOf } from './fills';
+import { patternOf } from './patterns';
 import { inPieces } from './pieces';
 
 interface Loaded {
@@ -72,6 +73,7 @@ const calls = {
   distances: (mesh: Mesh, from: PointLike, options: DistanceOptions) =>
     tracedDistances(mesh, from, options),
   fill: fillOf,
+  pattern: patternOf,
   offset: offsetOf,
   combined,
   cut: cutParts,

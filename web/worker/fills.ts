@@ -25,7 +25,10 @@ export function painted(regionOf: () => Region): Fill {
     let next = 0;
     for (let face = 0; face < share.length; face++) if (share[face] === 1) faces[next++] = face;
     const filled = filledSides(triangles, sides);
-    return { region: { whole: faces, ...filled, area: region.area, side }, problem: null };
+    return {
+      region: { whole: faces, ...filled, area: region.area, boundary: region.boundary(), side },
+      problem: null,
+    };
   } catch (error) {
     if (error instanceof KarcherError) return { region: null, problem: error.message };
     throw error;

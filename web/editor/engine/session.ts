@@ -14,7 +14,7 @@ import type { DrawnBefore } from '../../model/legs';
 import { methodOptions, type Quality, refinedOptions } from '../../model/methods';
 import { legsOfAnchors } from '../../model/pen_legs';
 import { curveOptions, splineFrom, splineOf, usesLegs } from '../../model/splines';
-import type { Measured } from '../../model/traced';
+import type { Measured, Pattern } from '../../model/traced';
 import { type EngineClient, Stopped } from '../../worker/client';
 import type { Edit } from '../../worker/edits';
 import { asksFill, BesideObjects } from './beside';
@@ -34,6 +34,7 @@ import { shorterLegs } from './shorter_legs';
 import type { State } from '../state/state';
 import { type Ends, endsOf, Legs } from './legs';
 import { Newest } from './newest';
+import { type Patterned, Patterns } from './patterns';
 import { Refinement } from './refinement';
 import { emptyView, type View } from './view';
 
@@ -75,12 +76,14 @@ export class Session {
   #legsRest = 0;
   #legsUnseen = false;
   readonly #others = new BesideObjects(() => this.#newest.wake());
+  readonly #patterns = new Patterns();
   readonly #refinement = new Refinement<Shown>();
   readonly #newest = new Newest<State>(
     (state) => this.#trace(state),
     async () =>
       (await this.#traceLeg()) ||
       (await this.#traceOther()) ||
+      (await this.#makePattern()) ||
       (await this.#compareLegs()) ||
       this.#refine(),
   );
@@ -413,6 +416,27 @@ export class Session {
     if (client !== this.#client) return false;
     if (traced) this.#show(this.#beside(this.#view));
     return traced;
+  }
+
+  /** The regions that are painted, in the drawing's order. */
+  painted({ drawing }: State): (Patterned & { pattern: Pattern | null | undefined })[] {
+    const { fill, others } = this.#view;
+    return drawing.objects.flatMap((object) => {
+      const own = object.id === drawing.active && object.visible && object.fill > 0;
+      const region = own ? fill?.region : others.find(({ id }) => id === object.id)?.region;
+      if (!region) return [];
+      return [{ object, region, pattern: this.#patterns.of({ object, region }) }];
+    });
+  }
+
+  /** While the hand drags, fills are solid. */
+  async #makePattern(): Promise<boolean> {
+    const [client, state] = [this.#client, this.#state];
+    if (!client || client.closed || !state || state.dragging) return false;
+    const made = await this.#patterns.make(client, this.painted(state));
+    if (client !== this.#client) return false;
+    if (made) this.#show({});
+    return made;
   }
 
   async #traceLeg(): Promise<boolean> {

@@ -1,0 +1,94 @@
+// Fills that are hatched or striped, by distances: on the page, in files, links and the history.
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { browserOfSuite, Tab } from './browser.mjs';
+
+describe('patterns of fills', () => {
+  const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
+
+  const square = [
+    [-90, -90],
+    [90, -90],
+    [90, 90],
+    [-90, 90],
+  ];
+  async function drawn(mesh) {
+    const tab = await Tab.open(browser, `mesh=${mesh}&kind=polyline`);
+    await tab.click(...square);
+    await tab.page.locator('#closed').check();
+    await tab.settled();
+    return tab;
+  }
+  async function choose(tab, pattern, spacing) {
+    await tab.page.locator('#pattern').selectOption(pattern);
+    if (spacing !== undefined) {
+      await tab.page.locator('#pattern-spacing').fill(`${spacing}`);
+      await tab.page.keyboard.press('Enter');
+    }
+    await tab.page.locator('#pattern').blur();
+    await tab.settled();
+  }
+  /** The area of the painted triangles of an SVG, in pixels. */
+  async function paintedArea(tab) {
+    const { text } = await tab.save('SVG');
+    const [, path] = /<path fill="[^"]+" fill-opacity="[^"]+" d="([^"]*)"/.exec(text);
+    return path
+      .split('Z')
+      .slice(0, -1)
+      .reduce((sum, triangle) => {
+        const [ax, ay, bx, by, cx, cy] = triangle.match(/-?[\d.]+/g).map(Number);
+        return sum + ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)) / 2;
+      }, 0);
+  }
+
+  test('cover the part of the area that they should, of a plane', async () => {
+    const tab = await drawn('plane:grid:200');
+    await tab.page.locator('#fill').fill('50');
+    await tab.page.keyboard.press('Enter');
+    await tab.settled();
+    const whole = await paintedArea(tab);
+    const { region } = (await tab.view()).fill;
+    const side = Math.sqrt(region.area);
+    await choose(tab, 'hatched', side / 16);
+    const hatched = (await paintedArea(tab)) / whole;
+    assert.ok(Math.abs(hatched - 1 / 4) < 0.02, `${hatched}`);
+    // Of four bands along the border of a square the first and the third.
+    await choose(tab, 'striped', side / 8);
+    const striped = (await paintedArea(tab)) / whole;
+    assert.ok(Math.abs(striped - (1 - 9 / 16 + 4 / 16 - 1 / 16)) < 0.02, `${striped}`);
+    await tab.close();
+  });
+
+  test('are undone, follow a drag, and come back with the page and by a link', async () => {
+    const tab = await drawn('sphere:1500');
+    const before = JSON.stringify((await tab.state()).drawing);
+    await choose(tab, 'hatched');
+    const [{ fill, pattern, spacing }] = (await tab.state()).drawing.objects;
+    assert.deepEqual([fill, pattern], [0.5, 'hatched']);
+    assert.ok(spacing > 0);
+    const from = await tab.handle('Control point 1 of 4');
+    await tab.drag(from, { x: from.x - 30, y: from.y - 20 });
+    const shown = await paintedArea(tab);
+    await tab.pastSaving();
+    await tab.page.reload();
+    await tab.settled();
+    assert.equal((await tab.state()).drawing.objects[0].pattern, 'hatched');
+    assert.ok(Math.abs((await paintedArea(tab)) / shown - 1) < 1e-6);
+    for (let step = 0; step < 2; step++) await tab.page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.equal(JSON.stringify((await tab.state()).drawing), before);
+    await tab.close();
+  });
+
+  test('stay solid where there would be too many lines to tell apart', async () => {
+    const tab = await drawn('plane:grid:200');
+    await choose(tab, 'solid');
+    await tab.page.locator('#fill').fill('50');
+    await tab.page.keyboard.press('Enter');
+    await tab.settled();
+    const whole = await paintedArea(tab);
+    await choose(tab, 'striped', 1e-9);
+    assert.ok(Math.abs((await paintedArea(tab)) / whole - 1) < 1e-6);
+    await tab.close();
+  });
+});

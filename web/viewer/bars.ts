@@ -1,0 +1,58 @@
+/** Lines and bands of equal distance, by which a pattern is painted. */
+import type { FillStyle } from '../model/drawing';
+
+/** Of each period of distance the part between two parts of it is painted. */
+export interface Bars {
+  period: number;
+  from: number;
+  to: number;
+}
+
+/** Null of a solid fill. Lines are a quarter of their spacing wide; the first band lies along the border. */
+export function barsOf({ pattern, spacing }: Pick<FillStyle, 'pattern' | 'spacing'>): Bars | null {
+  if (pattern === 'solid' || spacing === null) return null;
+  return pattern === 'hatched'
+    ? { period: spacing, from: 0.375, to: 0.625 }
+    : { period: 2 * spacing, from: 0, to: 0.5 };
+}
+
+export const partPainted = ({ from, to }: Bars) => to - from;
+
+/** A place on paper, and its distance. */
+type Valued = readonly [number, number, number];
+
+/** A triangle with more bars is painted as it is: it is far smaller on paper than one of them is wide. */
+const mostBars = 64;
+
+/** The triangles that are painted of one with distances at its corners: x and y of each corner. */
+export function paintedParts(triangle: readonly Valued[], { period, from, to }: Bars): number[] {
+  const values = triangle.map(([, , value]) => value / period);
+  const first = Math.floor(Math.min(...values));
+  const last = Math.floor(Math.max(...values));
+  if (!(last - first < mostBars)) return triangle.flatMap((corner) => corner.slice(0, 2));
+  const triangles: number[] = [];
+  for (let bar = first; bar <= last; bar++) {
+    const above = clipped(triangle, (bar + from) * period, 1);
+    const part = clipped(above, (bar + to) * period, -1);
+    for (let i = 2; i < part.length; i++) {
+      for (const [x, y] of [part[0]!, part[i - 1]!, part[i]!]) triangles.push(x, y);
+    }
+  }
+  return triangles;
+}
+
+/** What is left of a polygon where its distance is above a limit, or below with the sign -1. */
+function clipped(polygon: readonly Valued[], limit: number, sign: 1 | -1): Valued[] {
+  const heights = polygon.map(([, , value]) => sign * (value - limit));
+  const left: Valued[] = [];
+  for (const [i, corner] of polygon.entries()) {
+    const next = (i + 1) % polygon.length;
+    const [here, there] = [heights[i]!, heights[next]!];
+    if (here >= 0) left.push(corner);
+    if (here >= 0 === there >= 0) continue;
+    const part = here / (here - there);
+    const [x, y, value] = corner.map((of, k) => of + part * (polygon[next]![k]! - of));
+    left.push([x!, y!, value!]);
+  }
+  return left;
+}
