@@ -283,7 +283,7 @@ export class Curve {
     this.#edit((curve) => curve.insertPoint(curve.pointCount(), wire));
   }
 
-  /** Makes the point the one of number `i`; those from there on move up by one. */
+  /** Inserts the point as number `i`; the numbers of those from there on grow by one. */
   insertPoint(i: number, point: PointLike): void {
     const index = checkInteger(i, 'the number of the control point');
     const wire = wirePoint(point);

@@ -54,8 +54,8 @@ export type CurveLevels = number | 'auto' | 'limit';
 /** Levels that a curve takes by itself, within a tolerance. */
 export interface LevelsTolerance {
   /**
-   * How far levels may move a curve whose center of mass is safe without them, in mean edges: .02 is
-   * `auto`, 0 leaves that curve as it is, and Infinity makes a draft, as quick as can be, of it.
+   * How far levels may move a curve whose center of mass is safe without them, in mean edges: .02 is `auto`, 0
+   * leaves that curve as it is, and Infinity makes it a draft, as quick as possible.
    */
   tolerance: number;
 }

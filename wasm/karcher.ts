@@ -22,8 +22,8 @@ export class Karcher {
    * Reads a mesh from an OBJ file, as text or as its bytes (UTF-8).
    *
    * Polygons are cut into triangles, vertices of no face are dropped, and what is no surface is mended
-   * where that is safe (`MeshOptions`, `RepairKind`); `info.repairs` tells, and `fileMarks` what the file
-   * says of parts, materials and colors. Vertices and faces keep the
+   * where that is safe (`MeshOptions`, `RepairKind`); `info.repairs` lists the repairs, and `fileMarks` the
+   * file's parts, materials and colors. Vertices and faces keep the
    * file's order, faces counting triangles: a point keeps its place, whatever became of its face.
    *
    * Throws `KarcherError`: badFile (no OBJ, or no faces), badIndex, notFinite, badArgument (a

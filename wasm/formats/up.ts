@@ -17,9 +17,9 @@ const usual: Readonly<Record<MeshFormat, UpAxis>> = {
 };
 
 /**
- * Which axis of a file's coordinates points up, y or z: that on which the surface stands, on a flat
- * sole or on the rim of a hole that is open below. Where neither is clear, what is usual for the
- * format; for glTF, which says it, y.
+ * The axis of a file's coordinates that points up, y or z: the one along which the surface stands, on a flat
+ * sole or on the rim of a hole that is open below. If neither is clear, it is the usual one of the format; for
+ * glTF, which prescribes it, y.
  */
 export function guessUp(
   positions: ArrayLike<number>,

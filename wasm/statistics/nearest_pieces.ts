@@ -16,7 +16,10 @@ export interface Piece {
 /** Numbers of corners stay below this; two make a key that a double holds exactly. */
 const mostCorners = 2 ** 26;
 
-/** A part of a squared distance: by less no site is nearer, since errors of rounding are of that size. */
+/**
+ * The relative difference of squared distances that counts as rounding: a site must be nearer by more than
+ * this.
+ */
 const rounding = 1e-12;
 
 export class NearestPieces {

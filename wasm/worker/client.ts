@@ -61,7 +61,7 @@ export class WorkerClient {
   readonly #origins = new WeakMap<object, Origin>();
   /** The objects that a new worker must create again, in the order of their creation. */
   readonly #kept = new Set<Origin>();
-  /** Whether all of them can be. */
+  /** Whether a new worker can create all of them again. */
   #keepsAll = true;
   #isRestarting = false;
   #hasAnswered = false;

@@ -124,7 +124,7 @@ export interface Figure {
   readonly inside?: Inside;
   /** Used only by figures that are made of others. */
   readonly derived?: Derived;
-  /** These, where they are put in (`resolvedFigure`); never saved. */
+  /** The figures of these, if they are filled in (`resolvedFigure`); never saved. */
   readonly operands?: readonly Operand[];
 }
 

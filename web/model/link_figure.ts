@@ -156,7 +156,7 @@ export function parseFigure(fragment: string): Figure {
   });
 }
 
-/** Legs by the numbers of their points; those that are said wrongly are left out. */
+/** Legs by the numbers of their points; faulty ones are left out. */
 function parseLegs(text: string): Map<number, SurfacePoint[]> {
   const legs = new Map<number, SurfacePoint[]>();
   for (const part of text.split(';')) {

@@ -12,7 +12,7 @@ export interface LostInterval {
   reason: LostReason;
   /** How many samples of it are not converged. */
   samples: number;
-  /** Where the sample nearest to its middle is. */
+  /** The place of the sample nearest to its middle. */
   position: [number, number, number];
 }
 

@@ -93,7 +93,7 @@ export class ListDrag {
     const { from, to, moves } = dragged;
     this.#let();
     if (!moves) return;
-    // The click that follows the drag is no click on a row.
+    // The click that follows a drag does not count as a click on a row.
     const stop = (event: Event) => event.stopPropagation();
     this.list.addEventListener('click', stop, { capture: true, once: true });
     setTimeout(() => this.list.removeEventListener('click', stop, { capture: true }));

@@ -50,7 +50,10 @@ export class Drag {
 export class HeldTracing {
   /** Whether a curve by tolerance has more samples than a fixed number would give it. */
   #manySamples = false;
-  /** How many levels a curve of automatic levels has between drags, and in a drag the most that it has had. */
+  /**
+   * The number of levels of a curve with automatic levels: between drags the present one, in a drag the largest
+   * so far.
+   */
   #levels: number | 'limit' = 0;
   /** Whether a curve of no levels is dragged as a draft, which takes some: its own steps were slow. */
   #draft = false;

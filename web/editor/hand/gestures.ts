@@ -155,7 +155,7 @@ export class Gestures {
     });
   }
 
-  /** Takes back what the pointer has begun; what it does until it is up is no click. */
+  /** Undoes the pointer's gesture; until it is released, its events do not make a click. */
   letGo(): void {
     this.#press = null;
     this.#drags.letGo();

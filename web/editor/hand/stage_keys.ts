@@ -61,7 +61,7 @@ export class StageKeys {
     if (event.target !== stage || event.altKey) return;
     const arrow = arrows[event.key];
     if (event.ctrlKey || event.metaKey) {
-      // The view's, whatever is selected.
+      // These keys move the view, whatever is selected.
       if (!arrow) return;
       if (event.shiftKey) viewer.pan(panPixels * arrow[0], panPixels * arrow[1]);
       else this.#turn(arrow);
