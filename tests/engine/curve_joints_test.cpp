@@ -139,6 +139,36 @@ TEST(CurveJoints, OfAutomaticLevelsAreSmoothOnATorus) {
   expectSmoothJoints(irregularTorus(5000, 1, 6), irregularTorus(20000, 1, 6), 32);
 }
 
+/// Where a polygon turns by 180 degrees, the derivative of its centripetal Catmull-Rom curve is 0,
+/// whatever the lengths of the legs: the curve of the plane turns back there, and so it does on a
+/// surface.
+TEST(CurveJoints, OfACatmullRomCurveTurnBackWhereItsLegsDo) {
+  Surface surface(planeGrid(20, 20));
+  const TriangleMesh& mesh = surface.mesh();
+  for (const double back : {2.0, 5.0, 9.0}) {
+    SCOPED_TRACE(back);
+    Array<SurfacePoint> points;
+    const Vec3 turn(14.3, 9.1, 0);
+    for (const Vec3& place : {Vec3(5.3, 3.1, 0), Vec3(8.3, 9.1, 0), turn,
+                              Vec3(turn - Vec3(back, 0, 0)), Vec3(6.3, 15.1, 0)}) {
+      points.push_back(nearestPoint(mesh, place));
+    }
+    const Curve curve(surface, ofLevelZero({CurveKind::kCatmullRom}, 129, kFast), points);
+    const auto before = [&](int steps) -> Vec3 {
+      const auto& samples = curve.samples(1);
+      return position(mesh, samples[samples.count() - 1 - steps].point) - turn;
+    };
+    const auto after = [&](int steps) -> Vec3 {
+      return position(mesh, curve.samples(2)[steps].point) - turn;
+    };
+    EXPECT_LT(before(0).norm(), 1e-9);
+    for (const auto& side : {before(1), after(1)}) EXPECT_LT(side.normalized().x(), -0.9);
+    // It comes to a stand: twice the time is four times the way.
+    EXPECT_NEAR(before(2).norm() / before(1).norm(), 4, 0.1);
+    EXPECT_NEAR(after(2).norm() / after(1).norm(), 4, 0.1);
+  }
+}
+
 TEST(CurveJoints, HaveTheAnglesOfTheirHandles) {
   Surface surface(meshOf(relaxedSphere(8000, 5)));
   Random random(33);
