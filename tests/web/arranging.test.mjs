@@ -42,6 +42,121 @@ describe('the order of objects, and the menu at a place', () => {
     await tab.close();
   });
 
+  test('copies of a group are one group too, whichever of its members are hidden or locked', async () => {
+    const tab = await Tab.open(browser, fragment);
+    const { page } = tab;
+    const rows = page.locator('#objects > li');
+    const names = page.locator('#objects .object');
+    const groupRows = page.locator('#objects .group-row .group-name');
+    const drawing = async () => (await tab.state()).drawing;
+    const groups = async () => (await drawing()).objects.map(({ group }) => group);
+    const leaveCopy = async () => {
+      await page.locator('#tool-select').click();
+      const { x, y } = await tab.onCurve(0.5);
+      await page.keyboard.down('Alt');
+      await tab.drag({ x, y }, { x: x + 25, y: y + 15 });
+      await page.keyboard.up('Alt');
+      await tab.settled();
+    };
+    await names.nth(0).click();
+    await names.nth(1).click({ modifiers: ['Shift'] });
+    await names.nth(2).click({ modifiers: ['Shift'] });
+    await page.keyboard.press('Control+g');
+    await groupRows.first().click();
+    const grouped = await drawing();
+    await leaveCopy();
+    const [first, second] = ['Group 1', 'Group 2'].map((group) => Array(3).fill(group));
+    assert.deepEqual(await groups(), [...second, ...first]);
+    assert.equal(await groupRows.count(), 2);
+    await page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.deepEqual((await drawing()).objects, grouped.objects);
+
+    // The second is hidden, and goes where the others go. The first is locked, and stays as it is, without a copy.
+    await rows.nth(2).locator('button').nth(1).click();
+    await rows.nth(3).locator('button').nth(2).click();
+    await names.nth(0).click();
+    const mixed = await drawing();
+    const told = (objects) => objects.map(({ visible, locked }) => [visible, locked]);
+    assert.deepEqual(told(mixed.objects), [
+      [true, true],
+      [false, false],
+      [true, false],
+    ]);
+    const takeBack = async () => {
+      await page.keyboard.press('Control+z');
+      await tab.settled();
+      assert.deepEqual((await drawing()).objects, mixed.objects);
+      await groupRows.first().click();
+    };
+    await leaveCopy();
+    assert.deepEqual(await groups(), [...second.slice(1), ...first]);
+    const { objects: apart } = await drawing();
+    assert.deepEqual(told(apart), [...told(mixed.objects).slice(1), ...told(mixed.objects)]);
+    const isMoved = (object) =>
+      JSON.stringify(object.figure) !==
+      JSON.stringify(mixed.objects.find(({ id }) => id === object.id).figure);
+    assert.deepEqual(apart.slice(2).map(isMoved), [false, true, true]);
+    await takeBack();
+    await page.keyboard.press('Control+d');
+    await tab.settled();
+    assert.deepEqual(await groups(), [...first, ...second]);
+    assert.deepEqual(told((await drawing()).objects).slice(3), told(mixed.objects));
+    await takeBack();
+    await page.keyboard.press('Delete');
+    await page.getByText('What is locked is not deleted.').first().waitFor();
+    assert.deepEqual(
+      (await drawing()).objects.filter(({ name }) => name).map(({ name }) => name),
+      ['First'],
+    );
+    await takeBack();
+    await page.locator('#ungroup').click();
+    assert.deepEqual(await groups(), [null, null, null]);
+    await takeBack();
+    await tab.close();
+  });
+
+  test('a group whose members are no neighbors has a row above each run, and is one group', async () => {
+    const grouped = (faces, name) => `${other(faces, name)}${encodeURIComponent('&group=A')}`;
+    const lines = `mesh=sphere:1500&kind=polyline&points=${at([20, 40])}&name=Third&group=A&place=2`;
+    const tab = await Tab.open(
+      browser,
+      [lines, grouped([60, 90], 'First'), other([10, 500], 'Second')].join('&'),
+    );
+    const { page } = tab;
+    const objects = async () => (await tab.state()).drawing.objects;
+    const told = async () => (await objects()).map(({ name, group }) => `${name} ${group}`);
+    const groupRows = page.locator('#objects .group-row');
+    const before = await objects();
+    assert.deepEqual(await told(), ['First A', 'Second null', 'Third A']);
+    assert.equal(await groupRows.count(), 2);
+    for (const row of [0, 1]) {
+      await groupRows.nth(row).locator('.group-name').click();
+      assert.deepEqual((await tab.state()).chosen, [1, 3]);
+    }
+    for (const copy of ['Control+d', 'Control+c']) {
+      await page.keyboard.press(copy);
+      if (copy === 'Control+c') await page.keyboard.press('Control+v');
+      await page.waitForFunction(() => window.karcherPage.state().drawing.objects.length === 5);
+      await tab.settled();
+      assert.deepEqual((await told()).slice(0, 3), ['First A', 'Second null', 'Third A']);
+      assert.equal(new Set((await objects()).slice(3).map(({ group }) => group)).size, 1);
+      assert.equal(await groupRows.count(), 3);
+      await page.keyboard.press('Control+z');
+      assert.deepEqual(await objects(), before);
+      await groupRows.first().locator('.group-name').click();
+    }
+    await page.keyboard.press('Delete');
+    assert.deepEqual(await told(), ['Second null', ' null']);
+    await page.keyboard.press('Control+z');
+    assert.deepEqual(await objects(), before);
+    await groupRows.nth(1).locator('.group-name').click();
+    await page.keyboard.press('Control+g');
+    assert.deepEqual(await told(), ['Second null', 'First Group 1', 'Third Group 1']);
+    assert.equal(await groupRows.count(), 1);
+    await tab.close();
+  });
+
   test('a group has a row, which selects, folds, renames, hides, locks and moves its members', async () => {
     const tab = await Tab.open(browser, fragment);
     const { page } = tab;

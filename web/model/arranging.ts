@@ -209,7 +209,15 @@ export function duplication(drawing: Drawing, ids: readonly number[]) {
   return addition(drawing, named);
 }
 
-/** Copies of objects, each below its own, which stay where those were when they are moved. */
+/** Where the neighbors begin that are of a group with the object at a place. */
+function footOfGroup({ objects }: Drawing, place: number): number {
+  const { group } = objects[place]!;
+  let foot = place;
+  while (group !== null && objects[foot - 1]?.group === group) foot--;
+  return foot;
+}
+
+/** Copies of objects, each below its own or its group, which stay where those were when they are moved. */
 export function leavingCopies(drawing: Drawing, ids: readonly number[]): Command | null {
   const copied = drawing.objects.filter(({ id, figure }) => ids.includes(id) && !isEmpty(figure));
   const groups = freshGroups(drawing, copied);
@@ -220,7 +228,7 @@ export function leavingCopies(drawing: Drawing, ids: readonly number[]): Command
     const name = object.name && freeName(object.name, taken);
     taken.add(name);
     const group = object.group === null ? null : groups.get(object.group)!;
-    const index = indexOf(drawing, object.id) + i;
+    const index = footOfGroup(drawing, indexOf(drawing, object.id)) + i;
     const own = withSourceIds(object, (id) => copyOf.get(id) ?? id);
     return { type: 'add', index, object: { ...own, id: first + i, name, group } };
   });

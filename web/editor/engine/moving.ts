@@ -43,12 +43,16 @@ export const directionsOf = (carried: readonly Carried[]): Float64Array =>
   Float64Array.from(carried.flatMap(({ direction }) => direction ?? [0, 0, 0]));
 
 /** The objects of a drawing that may be moved, among these. */
-export const movableObjects = (drawing: Drawing, ids: readonly number[]): DrawnObject[] =>
-  withSources(drawing, ids)
-    .map((id) => objectOf(drawing, id)!)
-    // An object that is made of others moves with its sources, whether these are visible or not.
-    .filter(({ id, visible }) => visible || !ids.includes(id))
-    .filter(({ locked, figure }) => !locked && !isEmpty(figure) && !isDerived(figure.kind));
+export function movableObjects(drawing: Drawing, ids: readonly number[]): DrawnObject[] {
+  const objects = withSources(drawing, ids).map((id) => objectOf(drawing, id)!);
+  const seen = new Set(objects.flatMap(({ visible, group }) => (visible && group ? [group] : [])));
+  return (
+    objects
+      // An object that is made of others moves with its sources, and a group as a whole, whether all are visible or not.
+      .filter(({ id, visible, group }) => visible || !ids.includes(id) || seen.has(group ?? ''))
+      .filter(({ locked, figure }) => !locked && !isEmpty(figure) && !isDerived(figure.kind))
+  );
+}
 
 /** Replaces the figures of objects, as one step. */
 export const replacing = (objects: readonly DrawnObject[], to: readonly Figure[]): Command => ({

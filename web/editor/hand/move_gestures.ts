@@ -1,5 +1,7 @@
 import { leavingCopies } from '../../model/arranging';
 import type { Command } from '../../model/commands';
+import { isDerived } from '../../model/derived';
+import { objectOf } from '../../model/drawing';
 import { placesOf } from '../../model/moving';
 import { withSources } from '../../model/sources';
 import type { Viewer } from '../../viewer/viewer';
@@ -177,7 +179,13 @@ export class MoveGestures {
   #leaving(command: Command): Command {
     const { drawing, chosen } = this.editor.state;
     const ids = chosen.length > 0 ? chosen : [drawing.active];
-    const copies = leavingCopies(this.editor.baseDrawing, withSources(drawing, ids));
+    const moved = new Set(movableObjects(drawing, ids).map(({ id }) => id));
+    // What is made of others goes with them, and what stays needs no copy.
+    const copied = withSources(drawing, ids).filter((id) => {
+      const { figure, locked } = objectOf(drawing, id)!;
+      return moved.has(id) || (isDerived(figure.kind) && !locked);
+    });
+    const copies = leavingCopies(this.editor.baseDrawing, copied);
     return copies ? { type: 'steps', steps: [copies, command] } : command;
   }
 
