@@ -389,6 +389,9 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
   const RefinedPolygon& polygon = next.polygon;
   Piece& piece = next.segments[j].pieces[part.index];
   piece.part_ = part;
+  const bool isOpen = !next.value.options.shape.closed;
+  piece.isFirst_ = isOpen && j == 0 && part.index == 0;
+  piece.isLast_ = isOpen && j + 1 == next.segments.count() && part.index + 1 == part.count;
   piece.basis_ = layout.basis;
   piece.isTraced_ = false;
   const Array<char>& isSubdivided = workspace_->isSubdivided;
@@ -407,7 +410,8 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
   }
   const auto isAlike = [&](const Piece& other) {
     return other.isTraced_ && other.isSubdivided_ == piece.isSubdivided_ &&
-           other.part_ == piece.part_ && areSame(other.points_, piece.points_) &&
+           other.part_ == piece.part_ && other.isFirst_ == piece.isFirst_ &&
+           other.isLast_ == piece.isLast_ && areSame(other.points_, piece.points_) &&
            other.basis_ == piece.basis_ && other.pointWeights_ == piece.pointWeights_;
   };
   if (keep) {

@@ -54,6 +54,8 @@ class Curve {
     std::shared_ptr<TracedPiece> traced_;
     bool isTraced_ = false;
     bool isSubdivided_ = false;
+    bool isFirst_ = false;  ///< of an open curve
+    bool isLast_ = false;
     Array<std::shared_ptr<PointField>> fields_;  ///< of the points, once they were asked for
   };
 
@@ -197,6 +199,7 @@ class Curve {
   static BasisWriter basisOf(const Piece& piece);
   void findSamples(const Next& next, Piece& piece, int segment);
   void findAveragedSamples(const Next& next, Piece& piece, int segment);
+  static std::optional<SurfacePoint> knownEnd(const Next& next, const Piece& piece, double t);
   SurfacePoint centerOf(const Next& next, const SurfacePoint& point);
   void layOwnSubdivision(Piece& piece);
   void layBridges(const Next& next, Piece& piece);

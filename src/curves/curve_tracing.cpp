@@ -91,14 +91,18 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
     if (piece.isSubdivided_) {
       // The neighbouring pieces may be centers of mass, and these begin and end at the same
       // centers.
-      piece.traced_->samples.front().point = centerOf(next, piece.points_.front());
-      piece.traced_->samples.back().point = centerOf(next, piece.points_.back());
+      const std::optional<SurfacePoint> first = knownEnd(next, piece, 0);
+      const std::optional<SurfacePoint> last = knownEnd(next, piece, 1);
+      piece.traced_->samples.front().point = first ? *first : centerOf(next, piece.points_.front());
+      piece.traced_->samples.back().point = last ? *last : centerOf(next, piece.points_.back());
     }
     return;
   }
   workspace_->fields.clear();
   for (const auto& field : piece.fields_) workspace_->fields.push_back(field.get());
   SegmentFields& fields = blendFields();
+  fields.first = knownEnd(next, piece, 0);
+  fields.last = knownEnd(next, piece, 1);
   Array<CurveSample>& samples = piece.traced_->samples;
   const Method method = options.field.method;
   if (options.tolerance > 0) {
@@ -107,6 +111,17 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   } else {
     samples = traceSegment(fields, piece.table_->samples, method, std::move(samples));
   }
+}
+
+/// The center at a piece's end that is an end of an open curve where one point has all the weight:
+/// that point, by definition. Its field, an estimate, is zero beside it. Joints of pieces are
+/// searched in the fields, as what lies around them is. So is all of the paper's method.
+std::optional<SurfacePoint> Curve::knownEnd(const Next& next, const Piece& piece, double t) {
+  const bool isEnd = t == 0 ? piece.isFirst_ : piece.isLast_;
+  if (!isEnd || next.value.options.field.method == Method::kPaper) return std::nullopt;
+  const Array<double> weights = piece.weights(t);
+  const std::optional<int> only = onlyOne(weights);
+  return only ? std::optional(piece.points_[*only]) : std::nullopt;
 }
 
 /// The center of mass of one point by its field, at which the adjacent pieces begin or end:

@@ -40,6 +40,8 @@ class AdaptiveTrace {
       : geometry_(fields.blend.geometry()),
         points_(fields.points),
         fields_(fields.blend),
+        first_(fields.first),
+        last_(fields.last),
         basis_(basis),
         method_(method),
         tolerance_(tolerance * geometry_.diagonal),
@@ -47,8 +49,8 @@ class AdaptiveTrace {
         workspace_(workspace) {}
 
   void run(const Array<double>& nodes) {
-    samples_.assign(1, fromHeaviest(0));
-    const CurveSample last = fromHeaviest(1);
+    samples_.assign(1, first_ ? CurveSample{0, *first_} : fromHeaviest(0));
+    const CurveSample last = last_ ? CurveSample{1, *last_} : fromHeaviest(1);
     const int pieces = nodes.count() + 1;
     const int wanted = std::max(kFewestIntervals, kIntervalsAPoint * points_.count());
     const int intervals = std::max((wanted + pieces - 1) / pieces, kIntervalsAPoint);
@@ -181,6 +183,8 @@ class AdaptiveTrace {
   const Geometry& geometry_;
   const Array<PointField*>& points_;
   FieldBlend& fields_;
+  const std::optional<SurfacePoint>& first_;
+  const std::optional<SurfacePoint>& last_;
   const BasisWriter& basis_;
   Method method_;
   double tolerance_;

@@ -13,6 +13,14 @@ int heaviest(Weights weights) {
   return i;
 }
 
+std::optional<int> onlyOne(Weights weights) {
+  const int only = heaviest(weights);
+  for (int i = 0; i < static_cast<int>(weights.size()); ++i) {
+    if (i != only && std::abs(weights[i]) > kWeightSumTolerance) return std::nullopt;
+  }
+  return only;
+}
+
 void append(WeightTable& table, double t, const Array<double>& weights) {
   table.t.push_back(t);
   table.points = weights.count();
@@ -50,6 +58,8 @@ void SegmentFields::setPoints(const Array<PointField*>& ofPoints) {
   fields.clear();
   for (PointField* point : points) fields.push_back(&point->field());
   blend.setFields(fields);
+  first.reset();
+  last.reset();
 }
 
 Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method,
@@ -64,6 +74,12 @@ Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table,
     sample.t = table.t[i];
     // The ends are found from their control points alone, so that adjacent segments find the same.
     const bool isEnd = i == 0 || i == last;
+    if (const auto& known = i == 0 ? fields.first : fields.last; isEnd && known) {
+      sample.point = *known;
+      sample.status = SampleStatus::kConverged;
+      start = &sample.point;
+      continue;
+    }
     if (isEnd) start = &points[heaviest(table.row(i))]->point();
     CenterOfMass center = findCenter(fields.blend, table.row(i), *start, method);
     if (center.status != Status::kConverged) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "curves/trace/sample_status.h"
 #include "rcm/center_search.h"
@@ -51,17 +52,24 @@ WeightTable tabulate(const Basis& basis, int count);
 /// The index of the largest weight; if several are equal, the first.
 int heaviest(Weights weights);
 
+/// The index of the only weight that is not 0, if there is one: the mean is that point.
+std::optional<int> onlyOne(Weights weights);
+
 /// The control points of a segment and the blend of their fields. All stages of tracing share the
 /// blend's values in the faces that the segment passes.
 struct SegmentFields {
   SegmentFields(Surface& surface, const Array<PointField*>& ofPoints)
       : points(ofPoints), blend(surface.geometry(), controlFields(ofPoints)) {}
 
-  /// Replaces the points by those of another segment, and keeps the memory.
+  /// Replaces the points by those of another segment, of which no end is known, and keeps the
+  /// memory.
   void setPoints(const Array<PointField*>& ofPoints);
 
   Array<PointField*> points;
   FieldBlend blend;
+  /// The centers at the segment's ends, if they are known, which no search replaces.
+  std::optional<SurfacePoint> first;
+  std::optional<SurfacePoint> last;
   // Scratch memory.
   Array<ControlField*> fields;
   Array<int> restarts;
