@@ -23,9 +23,9 @@ import type {
  * - `polyline`: paths from point to point, the exact shortest ones unless `legs` says otherwise;
  * - `custom`: one segment with a basis of your own.
  *
- * A curve that should pass through a control point does so exactly on a plane, and if it is a
- * `polyline`. On a curved mesh its fields are estimates, and it passes within a few hundredths of a
- * mean edge.
+ * A curve that should pass through a control point does so exactly on a plane, at the ends of an open
+ * curve, and if it is a `polyline`. Elsewhere on a curved mesh its fields are estimates, and it passes
+ * within a few hundredths of a mean edge.
  */
 export type CurveKind =
   | 'bspline'

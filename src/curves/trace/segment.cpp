@@ -14,11 +14,9 @@ int heaviest(Weights weights) {
 }
 
 std::optional<int> onlyOne(Weights weights) {
-  const int only = heaviest(weights);
-  for (int i = 0; i < static_cast<int>(weights.size()); ++i) {
-    if (i != only && std::abs(weights[i]) > kWeightSumTolerance) return std::nullopt;
-  }
-  return only;
+  const auto isSome = [](double weight) { return std::abs(weight) > kWeightSumTolerance; };
+  if (std::count_if(weights.begin(), weights.end(), isSome) != 1) return std::nullopt;
+  return heaviest(weights);
 }
 
 void append(WeightTable& table, double t, const Array<double>& weights) {
