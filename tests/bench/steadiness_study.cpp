@@ -116,7 +116,8 @@ void printDrags(Surface& surface, const Options& options, Plots& plots) {
       "\n| spacing | levels | shiver | largest leap | left out | their leap | beyond | passing "
       "averages | their leap | other shiver | its largest leap | bridged | lost | release | to "
       "auto "
-      "on release | step | 90 %% of them | beside the last | allocations | its stages |\n"
+      "on release | step | 90 %% of them | step / the last, of ms | allocations | its stages, ms "
+      "|\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | "
       "--- | --- | --- | --- | --- |\n");
   for (const double spacing : options.spacings) {

@@ -225,7 +225,6 @@ TEST(Uniqueness, WhatIsCertainHoldsForAThousandStarts) {
     const Array<double> distances =
         distancesFrom(*makeDistanceSolver(surface, {Method::kKarcher, Solver::kExact}), mean.point,
                       surface.mesh().vertexCount());
-    int outside = 0;
     for (int s = 0; s < starts; ++s) {
       const SurfacePoint start{random.index(surface.mesh().faceCount()), Vec3::Constant(1.0 / 3)};
       // The whole of the start's face lies in the ball.
@@ -239,7 +238,6 @@ TEST(Uniqueness, WhatIsCertainHoldsForAThousandStarts) {
         EXPECT_EQ(end.status, Status::kConverged);
         EXPECT_LE((there - center).norm(), 0.1 * geometry.meanEdge);
       } else if (end.status == Status::kConverged) {
-        ++outside;
         const bool isSame = (there - center).norm() <= 0.1 * geometry.meanEdge;
         EXPECT_TRUE(isSame || blend.energy(end.point, weights) > zero.energy);
       }
