@@ -149,13 +149,12 @@ void Curve::set(CurveValue value) {
   }
   // Near fields hold no solver.
   if (!isNear_) {
-    Array<PointField*> used;
     for (const Segment& segment : segments_) {
       for (const Piece& piece : segment.pieces) {
-        for (const auto& field : piece.fields_) used.push_back(field.get());
+        for (const auto& field : piece.fields_) fieldSet_->use(*field);
       }
     }
-    fieldSet_->use(used);
+    fieldSet_->restUnused();
   }
   fieldsMade_ += fieldSet_->made() - madeBefore;
 }

@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
-#include <set>
-#include <utility>
 
 #include "curves/automatic_levels.h"
 #include "curves/curve.h"
@@ -63,10 +62,14 @@ bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
   bool areShortest = true;
   {
     PointField field(surface(), fieldSet_->options());
-    // By the first point and the number of legs: the segments of a B-spline share most.
-    std::set<std::pair<int, int>> known;
+    // The pairs of points that were tested: by the first one, a bit for each number of legs.
+    // Segments share pairs of few legs.
+    Array<uint64_t> tested(polygon.points.size());
     const auto isShortest = [&](const SegmentLayout& segment, int from, int to) {
-      if (!known.emplace(segment.points[from], to - from).second) return true;
+      const uint64_t bit = to - from < 64 ? uint64_t{1} << (to - from) : 0;
+      uint64_t& bits = tested[segment.points[from]];
+      if ((bits & bit) != 0) return true;
+      bits |= bit;
       const double tight = tightLength(geometry, polygon, segment, from, to, workspace_->levels);
       const SurfacePoint& start = polygon.points[segment.points[from]].point;
       const SurfacePoint& end = polygon.points[segment.points[to]].point;

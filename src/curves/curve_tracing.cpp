@@ -86,13 +86,13 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
     *piece.traced_ = traceLeg(surface().mesh(), next.legs[segment], samples);
     return;
   }
+  const std::optional<SurfacePoint> first = knownEnd(next, piece, 0);
+  const std::optional<SurfacePoint> last = knownEnd(next, piece, 1);
   if (!isOfCenters(options, next.levels) || piece.isSubdivided_) {
     findAveragedSamples(next, piece, segment);
     if (piece.isSubdivided_) {
       // The neighbouring pieces may be centers of mass, and these begin and end at the same
       // centers.
-      const std::optional<SurfacePoint> first = knownEnd(next, piece, 0);
-      const std::optional<SurfacePoint> last = knownEnd(next, piece, 1);
       piece.traced_->samples.front().point = first ? *first : centerOf(next, piece.points_.front());
       piece.traced_->samples.back().point = last ? *last : centerOf(next, piece.points_.back());
     }
@@ -101,8 +101,8 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   workspace_->fields.clear();
   for (const auto& field : piece.fields_) workspace_->fields.push_back(field.get());
   SegmentFields& fields = blendFields();
-  fields.first = knownEnd(next, piece, 0);
-  fields.last = knownEnd(next, piece, 1);
+  fields.first = first;
+  fields.last = last;
   Array<CurveSample>& samples = piece.traced_->samples;
   const Method method = options.field.method;
   if (options.tolerance > 0) {

@@ -13,20 +13,18 @@ SurfacePoint checkedPoint(int faceCount, int face, const Vec3& bary) {
                                           ": the mesh has " + std::to_string(faceCount) +
                                           " faces, numbered from 0");
   }
-  // A name is made for an error only: that would take longer than all else of a point.
-  const auto name = [&] {
-    return "the point (" + inSentence(bary[0]) + ", " + inSentence(bary[1]) + ", " +
-           inSentence(bary[2]) + ") in face " + std::to_string(face);
-  };
-  if (!bary.allFinite()) {
-    throw Error(ErrorCode::kNotFinite, name() + " has a weight that is not a finite number");
-  }
   // Raycasts in floats and weights of nine digits are allowed for.
-  if (bary.minCoeff() < -kFloatRounding || std::abs(bary.sum() - 1) > kFloatRounding) {
-    throw Error(ErrorCode::kBadPoint,
-                name() + " lies outside it: the weights must be at least 0 and sum to 1");
+  const bool isFinite = bary.allFinite();
+  if (isFinite && bary.minCoeff() >= -kFloatRounding &&
+      std::abs(bary.sum() - 1) <= kFloatRounding) {
+    return clampedPoint(face, bary);
   }
-  return clampedPoint(face, bary);
+  // The point is named for an error only: that takes longer than all else of a point.
+  throw Error(isFinite ? ErrorCode::kBadPoint : ErrorCode::kNotFinite,
+              "the point (" + inSentence(bary[0]) + ", " + inSentence(bary[1]) + ", " +
+                  inSentence(bary[2]) + ") in face " + std::to_string(face) +
+                  (isFinite ? " lies outside it: the weights must be at least 0 and sum to 1"
+                            : " has a weight that is not a finite number"));
 }
 
 SurfacePoint vertexPoint(const TriangleMesh& mesh, int vertex) {

@@ -95,26 +95,23 @@ void FieldSet::trim() {
   if (fields_.count() > 2 * held) dropSpare(static_cast<int>(held));
 }
 
-void FieldSet::use(const Array<PointField*>& fields, int64_t most) {
-  ++uses_;
-  for (PointField* field : fields) field->setLastUse(uses_);
+void FieldSet::restUnused(int64_t most) {
   int64_t bytes = 0;
-  Array<PointField*> others;
-  for (const auto& field : fields_) {
-    const int64_t held = field->bytesOfSolver();
-    bytes += held;
-    if (held > 0 && field->lastUse() != uses_) others.push_back(field.get());
+  for (const auto& field : fields_) bytes += field->bytesOfSolver();
+  const bool isTooMuch = bytes > most;
+  while (bytes > most) {
+    PointField* longestUnused = nullptr;
+    for (const auto& field : fields_) {
+      if (field->bytesOfSolver() == 0 || field->lastUse() == uses_) continue;
+      if (!longestUnused || field->lastUse() < longestUnused->lastUse())
+        longestUnused = field.get();
+    }
+    if (!longestUnused) break;
+    bytes -= longestUnused->bytesOfSolver();
+    longestUnused->rest();
   }
-  if (bytes <= most) return;
-  std::stable_sort(others.begin(), others.end(), [](const PointField* a, const PointField* b) {
-    return a->lastUse() < b->lastUse();
-  });
-  for (PointField* field : others) {
-    if (bytes <= most) break;
-    bytes -= field->bytesOfSolver();
-    field->rest();
-  }
-  surface_.pages()->trim();
+  ++uses_;
+  if (isTooMuch) surface_.pages()->trim();
 }
 
 std::shared_ptr<FieldSet> trimmedAfter(std::shared_ptr<FieldSet> set) {

@@ -40,9 +40,12 @@ class FieldSet {
   /// The most bytes that the solvers of all fields together hold, beside those in use.
   static constexpr int64_t kMostBytes = int64_t{1} << 29;
 
-  /// These fields are in use, as those of the curve that was set last. Of the others some rest
-  /// (PointField::rest), the longest unused ones first, as long as all hold more than `most` bytes.
-  void use(const Array<PointField*>& fields, int64_t most = kMostBytes);
+  /// The field is in use, as those of the curve that is set.
+  void use(PointField& field) const { field.setLastUse(uses_); }
+
+  /// Ends this use. Of the fields that are not in it some rest (PointField::rest), the longest
+  /// unused ones first, as long as all hold more than `most` bytes.
+  void restUnused(int64_t most = kMostBytes);
 
   /// The number of fields.
   int count() const { return fields_.count(); }
@@ -77,7 +80,7 @@ class FieldSet {
   std::unordered_map<Key, int, Hash> placeOf_;
   int next_ = 0;  ///< where the search for a spare field continues
   int made_ = 0;
-  int uses_ = 0;
+  int uses_ = 1;
 };
 
 /// The same set for a curve, which may hold many fields. When the last copy of the pointer is

@@ -53,13 +53,17 @@ TEST(FieldSet, FieldsThatAreNotInUseRestBeyondABudget) {
     for (const auto& field : held) values.push_back(field->field().at(900));
     const int64_t all =
         held[0]->bytesOfSolver() + held[1]->bytesOfSolver() + held[2]->bytesOfSolver();
-    set.use({held[1].get()}, all);
+    set.use(*held[1]);
+    set.restUnused(all);
     EXPECT_GT(held[0]->bytesOfSolver(), 0);
-    set.use({held[0].get()}, all);
-    set.use({held[2].get()}, all - 1);
+    set.use(*held[0]);
+    set.restUnused(all);
+    set.use(*held[2]);
+    set.restUnused(all - 1);
     EXPECT_GT(held[0]->bytesOfSolver(), 0);
     EXPECT_EQ(held[1]->bytesOfSolver(), 0);
-    set.use({held[2].get()}, 0);
+    set.use(*held[2]);
+    set.restUnused(0);
     EXPECT_EQ(held[0]->bytesOfSolver(), 0);
     EXPECT_GT(held[2]->bytesOfSolver(), 0) << "it is in use";
     for (int i = 0; i < held.count(); ++i) {

@@ -181,6 +181,14 @@ describe('every control is hit where it is clicked', () => {
         await tab.settled();
         assert.equal((await tab.state()).figure.kind, await radio.getAttribute('value'));
       }
+      await page.locator('#fill').fill('50');
+      await page.locator('#fill').press('Enter');
+      await page.locator('#pattern').selectOption('hatched');
+      await page.locator('#pattern-spacing').waitFor();
+      await tab.settled();
+      await controls.look('a hatched fill');
+      await page.locator('#stage').focus();
+      for (const _ of ['the pattern', 'the fill']) await page.keyboard.press('Control+z');
       for (const maker of ['Offset', 'Cut']) {
         await page.locator('#stage').focus();
         await page.keyboard.press('Control+z');

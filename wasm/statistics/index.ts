@@ -17,7 +17,8 @@ export {
   hessianAt,
   weightDerivatives,
 } from './energy.js';
-export { type Site, type VoronoiBorder, type VoronoiDiagram, voronoi } from './voronoi.js';
+export { type Site, type VoronoiDiagram, voronoi } from './voronoi.js';
+export type { VoronoiBorder } from './voronoi_cells.js';
 
 /** The start and the end of a search for a robust mean. */
 export interface RobustOptions {

@@ -1,22 +1,13 @@
 import { checkArray } from '../check.js';
 import { KarcherError } from '../errors.js';
-import type { Path } from '../path.js';
 import type { Region } from '../region.js';
 import type { DistanceOptions, PointLike } from '../types.js';
 import type { AnyMesh } from './energy.js';
 import { NearestPieces } from './nearest_pieces.js';
-import { areasOf, bordersOf, regionOf } from './voronoi_cells.js';
+import { areasOf, bordersOf, regionOf, type VoronoiBorder } from './voronoi_cells.js';
 
 /** A site of a Voronoi diagram: a point, or several of which the nearest counts. */
 export type Site = PointLike | readonly PointLike[];
-
-/** A line on which two sites are equally near and all others farther. */
-export interface VoronoiBorder {
-  /** The numbers of the two sites, the lower one first. Its cell lies to the left of the path. */
-  between: [number, number];
-  /** The line, from triangle to triangle. */
-  path: Path;
-}
 
 /** The parts of a surface that are nearest to each of several sites. It needs no mesh and is not disposed of. */
 export interface VoronoiDiagram {

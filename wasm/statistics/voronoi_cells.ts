@@ -2,7 +2,14 @@ import type { EnginePath } from '../karcher-engine.mjs';
 import { Path } from '../path.js';
 import { Region } from '../region.js';
 import type { NearestPieces } from './nearest_pieces.js';
-import type { VoronoiBorder } from './voronoi.js';
+
+/** A line on which two sites are equally near and all others farther. */
+export interface VoronoiBorder {
+  /** The numbers of the two sites, the lower one first. Its cell lies to the left of the path. */
+  between: [number, number];
+  /** The line, from triangle to triangle. */
+  path: Path;
+}
 
 /** A side of a piece in its triangle, counterclockwise. */
 interface Side {

@@ -125,6 +125,10 @@ function readStyle(
   if (fillColor !== null && !isColor(fillColor))
     throw new Error(`the fill of ${what} is ${shown(fillColor)}, which is not a color`);
   const ownPattern = oneOf<FillPattern>(pattern, fillPatterns, `the pattern of ${what}`);
+  const ownSpacing =
+    ownPattern === 'solid' && spacing === null
+      ? null
+      : number(spacing, surfaceWidths.least, surfaceWidths.most, `the spacing of ${what}`);
   const isOn = flag(onSurface, `'onSurface' of ${what}`);
   const { least, most } = isOn ? surfaceWidths : widthRange;
   return {
@@ -136,10 +140,8 @@ function readStyle(
     fill: number(fill, 0, 1, `the fill of ${what}`),
     fillColor,
     pattern: ownPattern,
-    spacing:
-      ownPattern === 'solid'
-        ? null
-        : number(spacing, surfaceWidths.least, surfaceWidths.most, `the spacing of ${what}`),
+    // A solid fill has no spacing, so that equal drawings have equal texts.
+    spacing: ownPattern === 'solid' ? null : ownSpacing,
   };
 }
 

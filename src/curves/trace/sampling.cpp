@@ -38,10 +38,9 @@ class AdaptiveTrace {
   AdaptiveTrace(SegmentFields& fields, const BasisWriter& basis, Method method, double tolerance,
                 SamplingWorkspace& workspace, Array<CurveSample>& samples)
       : geometry_(fields.blend.geometry()),
+        segment_(fields),
         points_(fields.points),
         fields_(fields.blend),
-        first_(fields.first),
-        last_(fields.last),
         basis_(basis),
         method_(method),
         tolerance_(tolerance * geometry_.diagonal),
@@ -49,8 +48,8 @@ class AdaptiveTrace {
         workspace_(workspace) {}
 
   void run(const Array<double>& nodes) {
-    samples_.assign(1, first_ ? CurveSample{0, *first_} : fromHeaviest(0));
-    const CurveSample last = last_ ? CurveSample{1, *last_} : fromHeaviest(1);
+    samples_.assign(1, fromHeaviest(0));
+    const CurveSample last = fromHeaviest(1);
     const int pieces = nodes.count() + 1;
     const int wanted = std::max(kFewestIntervals, kIntervalsAPoint * points_.count());
     const int intervals = std::max((wanted + pieces - 1) / pieces, kIntervalsAPoint);
@@ -160,6 +159,7 @@ class AdaptiveTrace {
   }
 
   CurveSample fromHeaviest(double t) {
+    if (const SurfacePoint* known = segment_.known(t)) return {t, *known};
     const Array<double>& weights = weightsAt(t);
     return find(t, weights, points_[heaviest(weights)]->point());
   }
@@ -181,10 +181,9 @@ class AdaptiveTrace {
   }
 
   const Geometry& geometry_;
+  const SegmentFields& segment_;
   const Array<PointField*>& points_;
   FieldBlend& fields_;
-  const std::optional<SurfacePoint>& first_;
-  const std::optional<SurfacePoint>& last_;
   const BasisWriter& basis_;
   Method method_;
   double tolerance_;

@@ -72,9 +72,8 @@ Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table,
     sample.t = table.t[i];
     // The ends are found from their control points alone, so that adjacent segments find the same.
     const bool isEnd = i == 0 || i == last;
-    if (const auto& known = i == 0 ? fields.first : fields.last; isEnd && known) {
-      sample.point = *known;
-      sample.status = SampleStatus::kConverged;
+    if (const SurfacePoint* known = fields.known(sample.t)) {
+      sample = {sample.t, *known};
       start = &sample.point;
       continue;
     }

@@ -65,9 +65,15 @@ struct SegmentFields {
   /// memory.
   void setPoints(const Array<PointField*>& ofPoints);
 
+  /// The center at a parameter that is an end, if it is known: no search replaces it.
+  const SurfacePoint* known(double t) const {
+    const std::optional<SurfacePoint>& end = t == 0 ? first : last;
+    return (t == 0 || t == 1) && end ? &*end : nullptr;
+  }
+
   Array<PointField*> points;
   FieldBlend blend;
-  /// The centers at the segment's ends, if they are known, which no search replaces.
+  /// The known centers at both ends.
   std::optional<SurfacePoint> first;
   std::optional<SurfacePoint> last;
   // Scratch memory.
