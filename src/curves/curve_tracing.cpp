@@ -113,9 +113,9 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   }
 }
 
-/// The center at a piece's end that is an end of an open curve where one point has all the weight:
-/// that point, by definition. Its field, an estimate, is zero beside it. Joints of pieces are
-/// searched in the fields, as what lies around them is. So is all of the paper's method.
+/// The center at an end of an open curve, if one point has all the weight there: that point, by
+/// definition. Its field is an estimate, and is zero only near it. Joints of pieces are searched in
+/// the fields, as the samples on both sides are. The paper's method searches all.
 std::optional<SurfacePoint> Curve::knownEnd(const Next& next, const Piece& piece, double t) {
   const bool isEnd = t == 0 ? piece.isFirst_ : piece.isLast_;
   if (!isEnd || next.value.options.field.method == Method::kPaper) return std::nullopt;

@@ -328,6 +328,10 @@ export class Tab {
 
   /** The middle of a handle, in the window's pixels. */
   async handle(name) {
+    // Handles follow the state with the next frame.
+    await this.page.evaluate(
+      () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+    );
     const box = await this.page.getByRole('button', { name, exact: false }).boundingBox();
     return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
   }

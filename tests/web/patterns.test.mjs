@@ -89,6 +89,14 @@ describe('patterns of fills', () => {
     const whole = await paintedArea(tab);
     await choose(tab, 'striped', 1e-9);
     assert.ok(Math.abs((await paintedArea(tab)) / whole - 1) < 1e-6);
+    const hint = () => tab.page.locator('#hint').textContent();
+    assert.match(await hint(), /stays solid.*more than 1,000 lines/);
+    await choose(tab, 'striped', 0.000125);
+    const spacing = tab.page.locator('#pattern-spacing');
+    assert.equal(await spacing.inputValue(), '0.000125');
+    assert.ok(await spacing.evaluate((input) => input.scrollWidth <= input.clientWidth));
+    await choose(tab, 'striped', 0.1);
+    assert.doesNotMatch(await hint(), /solid/);
     await tab.close();
   });
 });

@@ -25,8 +25,12 @@ export interface Pattern {
   values: Float32Array;
 }
 
-/** Lines nearer than the root of a region's area by so many times are not told apart: the fill is solid. */
+/** The most lines or bands of a pattern, by the root of its region's area. */
 export const mostLines = 1000;
+
+/** Whether a pattern has too many lines to be drawn: the fill is solid then. */
+export const isTooFine = (spacing: number, { area }: Pick<Region, 'area'>) =>
+  !(Math.sqrt(area) <= mostLines * spacing);
 
 /** The region that closed lines enclose, or a sentence that says why they enclose nothing. */
 export type Fill = { region: Region; problem: null } | { region: null; problem: string | null };

@@ -6,6 +6,7 @@ import type { Ruled } from '../editor/hand/ruler';
 import type { Editor } from '../editor/state/editor';
 import type { Selection, State } from '../editor/state/state';
 import { isDerived } from '../model/derived';
+import { activeObject, type Drawing } from '../model/drawing';
 import {
   type Figure,
   isEmpty,
@@ -17,7 +18,7 @@ import {
 import type { LostReason } from '../model/lost';
 import type { Quality } from '../model/methods';
 import { penWords } from '../model/pen_hints';
-import type { Measured } from '../model/traced';
+import { isTooFine, type Measured, mostLines } from '../model/traced';
 import { formatArea, formatLength, type Unit } from '../model/units';
 import { byId, formatCount, formatInteger, write } from './elements';
 import { kindNames } from './kind_names';
@@ -196,7 +197,7 @@ function nameOf(kind: Kind, selection: Selection, more: number): string {
 }
 
 function hintOf(
-  { mesh, figure, tool, chosen, selection, none }: State,
+  { mesh, drawing, figure, tool, chosen, selection, none }: State,
   view: View,
   measured: Measured | null,
   mirroring: string,
@@ -219,6 +220,8 @@ function hintOf(
   }
   if (view.problem) return sentenceOf(view.problem);
   if (view.fill?.problem) return `Nothing is filled: ${view.fill.problem}`;
+  const fine = fineHint(drawing, view);
+  if (fine) return fine;
   const { kind, points, circle } = figure;
   if (tool === 'select' && chosen.length === 0 && selection === null) {
     const blank = isEmpty(figure) && view.others.length === 0;
@@ -242,6 +245,16 @@ function hintOf(
 
 const dragHint = 'Drag a line or a point, or pick a tool';
 const drawHint = 'Choose a tool to draw';
+
+/** Words about a pattern that is not drawn. */
+function fineHint(drawing: Drawing, { fill }: View): string {
+  const { pattern, spacing } = activeObject(drawing);
+  if (pattern === 'solid' || spacing === null || !fill?.region) return '';
+  const most = formatInteger(mostLines);
+  return isTooFine(spacing, fill.region)
+    ? `The fill stays solid: with this spacing it would have more than ${most} lines`
+    : '';
+}
 
 /** Words about legs that were drawn out by a drag. */
 function shorterHint({ kind }: Figure, { shorter }: View): string {

@@ -1,7 +1,7 @@
 /** Regions as their triangles, with distances by which lines and bands are drawn on them. */
 import { KarcherError, type Mesh, type SurfacePoint } from 'karcher';
 import type { FillPattern } from '../model/drawing';
-import { mostLines, type Pattern, type Region } from '../model/traced';
+import { isTooFine, type Pattern, type Region } from '../model/traced';
 
 /** Sides of triangles, as a part of the spacing: distances are linear in each triangle. */
 const sidePart = 1 / 3;
@@ -34,7 +34,7 @@ export function patternOf(
   kind: Exclude<FillPattern, 'solid'>,
   spacing: number,
 ): Pattern | null {
-  if (!(Math.sqrt(region.area) <= mostLines * spacing)) return null;
+  if (isTooFine(spacing, region)) return null;
   const side = Math.max(sidePart * spacing, Math.sqrt((2 * region.area) / mostTriangles));
   const triangles = mesh.triangles();
   const pieces = new Pieces(side, triangles);
