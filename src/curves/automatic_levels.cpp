@@ -10,12 +10,12 @@
 namespace karcher {
 namespace {
 
-/// The least convexity of a safe piece, half of the plane's: on the sphere legs then reach over at
-/// most 67 degrees.
+/// The least convexity of a safe piece, half of that on the plane: on the sphere, its legs reach
+/// over at most 67 degrees.
 constexpr double kLeastConvexity = 0.5;
 
-/// The largest detail on a leg of a safe piece, in radians. By the study of steadiness, curves
-/// beyond it begin to turn visibly more than their limit.
+/// The largest detail on a leg of a safe piece, in radians. In the study of steadiness, curves with
+/// more detail turn visibly more than their limit.
 constexpr double kMostDetail = 0.2;
 
 /// The most edges that a leg of a quick curve crosses: about three edge lengths.
@@ -24,8 +24,8 @@ constexpr double kFewEdges = 9;
 /// The factor on the estimate of a deviation.
 constexpr double kDeviationMargin = 1.5;
 
-/// The ratio of the legs of a curve's pieces at level 0 to those of its polygon: a Catmull-Rom
-/// curve's Bezier polygons have legs of a third.
+/// The ratio of the legs of a curve's pieces at level 0 to those of its polygon. A Catmull-Rom
+/// curve's Bezier polygons have legs a third as long.
 double partOfLeg(const CurveShape& shape) {
   return shape.kind == CurveKind::kCatmullRom ? 1.0 / 3 : 1;
 }
@@ -36,7 +36,7 @@ int legsOfPiece(const CurveShape& shape, int points) {
   return shape.kind == CurveKind::kCatmullRom ? 3 : points - 1;
 }
 
-/// The root of the mean square of the edges that a leg crosses after these levels.
+/// The root mean square of the number of edges that a leg crosses after these levels.
 double edgesOfLeg(const CurveShape& shape, const Array<SurfacePath>& legs, int levels) {
   double squares = 0;
   for (const SurfacePath& leg : legs) {
@@ -46,7 +46,7 @@ double edgesOfLeg(const CurveShape& shape, const Array<SurfacePath>& legs, int l
   return std::ldexp(std::sqrt(squares), -levels);
 }
 
-/// Writes the weights of a piece's points; none if they do not count.
+/// Writes the weights of a piece's points, or none if the points are not weighted.
 void takeWeights(const RefinedPolygon& polygon, const SegmentLayout& piece,
                  Array<double>& weights) {
   weights.clear();
@@ -72,7 +72,7 @@ int levelsToSafety(const Geometry& geometry, const CurveShape& shape, int points
                    const Array<SurfacePath>& legs) {
   double detail = 0;
   for (const SurfacePath& leg : legs) detail = std::max(detail, detailAlong(geometry, leg));
-  // The square of a leg falls by a factor of 4 at each level.
+  // Each level divides the square of a leg by 4.
   detail *= partOfLeg(shape) * partOfLeg(shape);
   int levels = 0;
   while (mayTakeLevels(shape, points, levels + 1) &&

@@ -15,10 +15,11 @@ namespace karcher {
 namespace {
 
 constexpr int kFewestArcs = 3;
-/// The number of fitting arcs of a full turn before any is cut, and of an ellipse's arcs.
+/// The number of fitting arcs of a full turn before any is divided, and the number of an ellipse's
+/// arcs.
 constexpr int kFirstArcs = 7;
 constexpr int kMostCuts = 4;
-constexpr int kMostParts = 4;  ///< of one arc at a time
+constexpr int kMostParts = 4;  ///< the most parts of one arc in one round
 constexpr int kFewestSamples = 5;
 
 void checkRadiusIsPositive(double radius) {
@@ -91,7 +92,7 @@ class Center {
 /// noise.
 constexpr double kLeastRoundings = 1e6;
 
-/// Throws Error kBadArgument for a radius that doubles cannot resolve at the center.
+/// Throws Error kBadArgument for a radius that doubles do not resolve at the center.
 void checkRadiusIsTold(const Geometry& geometry, const SurfacePoint& center, double radius) {
   const TriangleMesh& mesh = *geometry.mesh;
   const PointLocation location = locate(mesh, center);
@@ -107,7 +108,7 @@ void checkRadiusIsTold(const Geometry& geometry, const SurfacePoint& center, dou
   }
   const double rounding =
       std::numeric_limits<double>::epsilon() * position(mesh, center).cwiseAbs().maxCoeff();
-  // Walks do not resolve a smaller part of an edge.
+  // A chain of computations does not resolve a smaller part of an edge.
   const double least = std::max(kChainRounding * longest, kLeastRoundings * rounding);
   if (radius >= least) return;
   throw Error(ErrorCode::kBadArgument, "the radius " + inSentence(radius) +
@@ -173,8 +174,8 @@ CurveOptions optionsOfArcs(const Array<Arc>& arcs, const CircleOptions& options)
   return result;
 }
 
-/// Whether a disk around the center holds no other vertex, by distances that have grown beyond it:
-/// the surface is the plane there, or about a vertex the cone.
+/// Whether the disk around the center holds no other vertex, judged by distances that extend beyond
+/// it. The surface is then the plane there, or the cone about a vertex.
 bool isPlain(const TriangleMesh& mesh, const WindowDistance& distance, double radius) {
   const PointLocation location = locate(mesh, distance.source());
   const int own = location.simplex == Simplex::kVertex ? location.vertex : -1;
@@ -183,8 +184,8 @@ bool isPlain(const TriangleMesh& mesh, const WindowDistance& distance, double ra
   return plain;
 }
 
-/// The samples of an arc in such a disk: the centers of mass of its control points are those of the
-/// plane that the disk is rolled out on.
+/// The samples of an arc in such a disk: the centers of mass of its control points are those in the
+/// plane onto which the disk unrolls.
 Array<CurveSample> planeArc(const Center& from, const ArcPoint (&control)[3],
                             const SurfacePoint& start, const SurfacePoint& end, double middleWeight,
                             int count) {
@@ -297,8 +298,8 @@ Array<double> deviationsOf(const Geometry& geometry, const SurfacePoint& center,
   return deviations;
 }
 
-/// The number of parts into which each arc is cut: the worst are cut first, as long as more arcs
-/// are allowed.
+/// The number of parts into which each arc is divided. The arcs of the largest deviation are
+/// divided first, as long as more arcs are allowed.
 Array<int> partsOfArcs(const Array<double>& deviations, double tolerance) {
   const int count = deviations.count();
   Array<int> parts;
@@ -326,8 +327,8 @@ Array<double> cutInto(const Array<int>& parts, const Array<double>& directions) 
   return result;
 }
 
-/// The number of samples of each arc that keeps those of the widest one as dense as in a seventh of
-/// a turn.
+/// The number of samples of each arc. The widest arc gets them as densely as a seventh of a turn
+/// does.
 int samplesOfArcs(const Array<double>& directions, int samples) {
   double widest = 0;
   for (int j = 0; j + 1 < directions.count(); ++j) {
@@ -347,7 +348,7 @@ GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double 
   from.checkIsInside();
   checkRadiusIsTold(surface.geometry(), center, radius);
   const double turn = from.totalAngle();
-  // An arc is narrower than half a turn of the plane, however much angle there is at a vertex.
+  // An arc is narrower than half a turn of the plane, however large the angle at a vertex is.
   const int fewest = static_cast<int>(turn / kPi) + 1;
   const int fitting =
       std::max(kFirstArcs, static_cast<int>(std::ceil(kFirstArcs * turn / (2 * kPi))));

@@ -17,20 +17,21 @@
 namespace karcher {
 namespace {
 
-/// Runs that end at the ends of strips are known to this part of the distance: chords are shorter.
+/// A run's end that is this near to a strip's end, in distances of the offset, is taken to be that
+/// end. Chords are shorter.
 constexpr double kNearEnd = 0.1;
 
 enum Side { kLeftSide, kRightSide };
 
-/// The ends of the strips at a place where a path is divided: perpendiculars, by side.
+/// The perpendiculars at which strips end, where a path is divided; by side.
 struct Division {
-  int index = 0;  ///< of the path's point
+  int index = 0;  ///< the index of the path's point
   SurfacePath before[2];
   SurfacePath after[2];
-  SurfacePath tip[2];  ///< from the end of `before` to that of `after`, or nothing
+  SurfacePath tip[2];  ///< the tip from the end of `before` to that of `after`, or nothing
 };
 
-/// Where two polylines of geodesics first meet.
+/// The first point that two polylines of geodesics share.
 struct Meeting {
   int first = 0;
   int second = 0;
@@ -105,7 +106,7 @@ class CorneredOffset {
     };
     Array<Isoline> result;
     for (Array<int>& loop : boundaryOf(all, region)) {
-      // A loop with a part that is not wanted begins after such a part.
+      // A loop that has an unwanted part is made to begin after such a part.
       const auto other = std::find_if_not(loop.begin(), loop.end(), isWanted);
       const bool closed = other == loop.end();
       if (!closed) std::rotate(loop.begin(), other, loop.end());
@@ -136,7 +137,7 @@ class CorneredOffset {
     Vec3 end;
   };
 
-  /// The divisions of a path. A path that needs none has none, nor one that cannot be divided.
+  /// The divisions of a path; none if it needs none or cannot be divided.
   Array<Division> divide(const Array<SurfacePoint>& points, bool closed) const {
     const int last = points.count() - 1;
     Array<Division> divisions;
@@ -183,7 +184,7 @@ class CorneredOffset {
     return std::abs(kPi - std::abs(angle) * 2 * kPi / fan.total);
   }
 
-  /// None if it comes to the boundary of the surface.
+  /// The division at a point; none if it would meet the boundary of the surface.
   std::optional<Division> divisionAt(const Array<SurfacePoint>& points, int index,
                                      const SurfacePoint& before) const {
     const SurfacePoint& point = points[index];
@@ -265,7 +266,7 @@ class CorneredOffset {
     }
   }
 
-  /// A piece between divisions, or to an end of a path.
+  /// Adds the piece of a path between two divisions, or between one and an end of the path.
   void addPiece(const SurfacePath& path, const Division* from, const Division* to) {
     Piece piece;
     piece.field =
@@ -296,8 +297,8 @@ class CorneredOffset {
     }
   }
 
-  /// Leads the end of a run to that of a strip, if it is near. A run knows it up to the height of a
-  /// chord.
+  /// Leads the end of a run to the end of a strip if that is near. The run has missed it by at most
+  /// the height of a chord.
   void leadToEnd(Array<SurfacePoint>& run, const SurfacePath* one, const SurfacePath* other) const {
     for (const SurfacePath* end : {one, other}) {
       if (end == nullptr || run.count() < 3) continue;
@@ -318,7 +319,7 @@ class CorneredOffset {
       try {
         region = combined(region, enclosed(all, tip, FillRule::kEvenOdd), Boolean::kUnion);
       } catch (const Error& error) {
-        // The lines of a tip may go round a handle that is no wider: then they enclose nothing.
+        // The lines of a tip may go round a handle as wide as the tip; they enclose nothing then.
         if (error.code() != ErrorCode::kBadArgument) throw;
       }
     }
@@ -347,7 +348,8 @@ class CorneredOffset {
   OffsetCorners corners_;
   std::vector<Piece> pieces_;
   Array<SurfacePath> lines_;
-  Array<uint8_t> sideOf_;  ///< by line: 1 of the left, 2 of the right, 4 round an end
+  /// a bit set for each line: 1 for the left side, 2 for the right, 4 round an end
+  Array<uint8_t> sideOf_;
   Array<PathRange> tips_;
 };
 

@@ -7,28 +7,30 @@
 
 /// Offsets with mitred or bevelled corners.
 ///
-/// Paths are divided at their corners, and where they have turned by a right angle since, so that
-/// no piece comes back in front of its own end. What lies within the distance of a piece, but not
-/// in front of its ends, is its strip. At a corner a gap is left between two strips on the outer
-/// side: a mitre continues the sides of both by geodesics until they meet, a bevel joins their
-/// ends. The offset is the boundary of all strips and tips together, found in the surface cut by
-/// their lines into cells (regions/arrangement.h): a cell is inside if a point of it is.
+/// A path is divided at its corners and after each further turn by a right angle, so that no piece
+/// turns back to the area in front of its own end. A piece's strip is the part of the surface
+/// within the distance of the piece, without the parts in front of its ends. At a corner a gap is
+/// left between two strips on the outer side: a mitre continues the sides of both by geodesics
+/// until they meet, a bevel joins their ends. The offset is the boundary of the union of all strips
+/// and tips. It is found on the surface divided by their lines into cells (regions/arrangement.h):
+/// a cell is inside if one of its points is.
 ///
 /// Corners at which a connection or a side ends at the boundary of the surface stay round, and so
 /// do turns by less than kLeastCorner.
 namespace karcher {
 
-/// The field of an offset extends a little beyond the line, so that chords outside of it are
-/// measured, too.
+/// The field of an offset reaches this many times its distance, so that chords outside the line can
+/// be measured.
 inline constexpr double kOffsetReach = 1.1;
 
-/// The tip of a mitre over a smaller turn, in radians, is within kOffsetTolerance of the arc.
+/// The least turn, in radians, that gets a mitre: the tip over a smaller turn is within
+/// kOffsetTolerance of the arc.
 inline const double kLeastCorner = std::sqrt(8 * kOffsetTolerance);
 
-/// The vertices of the surface, times the pieces between corners.
+/// The largest product of the number of vertices and the number of pieces between corners.
 inline constexpr int64_t kMostCorneredVertices = 20'000'000;
 
-/// A line of points at one distance, or a part of it whose shortest connections arrive from one
+/// A line of points at one distance, or the part of it whose shortest connections arrive from one
 /// side. Nearer points lie on its left.
 struct OffsetRun {
   Array<SurfacePoint> points;

@@ -26,7 +26,7 @@ bool areSame(const Array<SurfacePoint>& a, const Array<SurfacePoint>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), isSame);
 }
 
-/// Whether traces of a curve with the one options are valid with the other.
+/// Whether traces of a curve with either options are valid with the other.
 bool traceAlike(const CurveOptions& a, const CurveOptions& b) {
   return a.samples == b.samples && a.tolerance == b.tolerance && a.geometry == b.geometry &&
          a.shape.kind == b.shape.kind && (a.levels == kLimitLevels) == (b.levels == kLimitLevels);
@@ -50,7 +50,7 @@ void checkOptions(const CurveOptions& options) {
   }
 }
 
-/// Throws if legs are given, but not one from each point to the next.
+/// Throws if legs are given, but their number is not that of the pairs of consecutive points.
 void checkLegCount(const CurveValue& value) {
   const int wanted = legCount(value.options.shape, value.points.count());
   if (value.legs.empty() || value.legs.count() == wanted) return;
@@ -58,7 +58,7 @@ void checkLegCount(const CurveValue& value) {
                                            " legs, not " + std::to_string(value.legs.count()));
 }
 
-/// Whether the end of a leg is at a control point.
+/// Whether the end of a leg is the control point.
 bool isAt(const TriangleMesh& mesh, const SurfacePoint& end, const SurfacePoint& point) {
   return isSame(end, point) || (position(mesh, end) - position(mesh, point)).norm() == 0;
 }
@@ -71,9 +71,9 @@ double legsLength(const RefinedPolygon& polygon, const SegmentLayout& piece) {
   return length;
 }
 
-/// The number of even samples whose chords stay within a tolerance of a polynomial curve: its
-/// second derivative is at most 2 n (n - 1) times its control polygon's length, and a chord over 1
-/// / m of it deviates by at most an eighth of that over m^2.
+/// The number of even samples whose chords stay within a tolerance of a polynomial curve. The
+/// second derivative is at most 2 n (n - 1) times the control polygon's length, and a chord over 1
+/// / m of the curve deviates by at most an eighth of that over m^2.
 int samplesWithin(double tolerance, int degree, double polygonLength) {
   constexpr int kMost = 1024;
   const double chords = std::sqrt(degree * (degree - 1) / 4.0 * polygonLength / tolerance);
@@ -86,7 +86,7 @@ SurfacePath shortestLeg(const Geometry& geometry, const CurveOptions& options,
   SurfacePath leg;
   if (options.shape.kind != CurveKind::kPolyline) {
     FindPathWorkspace workspace;
-    // The points lie on one component.
+    // The points lie on one component, so that there is a path.
     findPath(geometry, from, to, workspace, leg);
     return leg;
   }
@@ -120,7 +120,7 @@ void Curve::set(CurveValue value) {
   next_.value = std::move(value);
   check(next_.value);
   if (!(next_.value.options.field == fieldSet_->options())) {
-    // With other field options nothing of this curve can be kept; its fields are released before
+    // With other field options no part of this curve can be kept. Its fields are released before
     // their set.
     Curve other(fieldSets_, std::move(next_.value), clock_);
     segments_.clear();
@@ -176,7 +176,7 @@ void Curve::make(Next& next) {
   timed(times_.fields);
   trace(next);
   if (!jumpsAtLevelZero(next)) return;
-  // The curve of level 0 is not safe after all.
+  // The curve of level 0 turns out not to be safe.
   next.jumps = true;
   releaseFields(next.segments);
   makeSegments(next);
@@ -223,8 +223,8 @@ void Curve::check(const CurveValue& value) const {
   checkLegCount(value);
 }
 
-/// Continues the legs that do not reach their points to these. A leg that no strip of faces
-/// continues becomes the shortest, and so does one that the curve does not use.
+/// Continues the legs that do not reach their points, up to these. A leg becomes the shortest if no
+/// strip of faces continues it, or if the curve does not use it.
 void Curve::continueLegs(CurveValue& value) {
   const Geometry& geometry = surface().geometry();
   StripWorkspace& workspace = workspace_->averaging.strip;
@@ -243,8 +243,8 @@ void Curve::continueLegs(CurveValue& value) {
   }
 }
 
-/// Writes the legs of a value, with shortest ones for those that it leaves out. `legs` may be this
-/// curve's own if that is empty.
+/// Writes the legs of a value; those that it omits are the shortest. `legs` may be this curve's own
+/// if that is empty.
 void Curve::takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const {
   const Geometry& geometry = surface().geometry();
   const int points = value.points.count();
@@ -259,7 +259,7 @@ void Curve::takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const {
       legs[i] = value.legs[i];
       continue;
     }
-    // The leg is the shortest one, which may be known.
+    // The leg is the shortest one, which this curve may have already.
     const bool isKnown = i < known && isPolyline == wasPolyline &&
                          (value_.legs.empty() || value_.legs[i].points.empty()) &&
                          isSame(legs_[i].start(), from) && isSame(legs_[i].end(), to);
@@ -293,7 +293,8 @@ void Curve::makeSegments(Next& next) {
     findSubdivided(next);
   }
   const int pieces = 1 << next.levels;
-  // A polyline's pieces are not compared by their legs, which are the curve.
+  // A polyline's legs are the curve, but pieces are not compared by legs; so they are kept only if
+  // both values leave the legs out.
   const bool keep =
       traceAlike(options, value_.options) && next.isNear == isNear_ &&
       (shape.kind != CurveKind::kPolyline || (next.value.legs.empty() && value_.legs.empty()));
@@ -311,12 +312,11 @@ void Curve::makeSegments(Next& next) {
 }
 
 /// Finds the pieces that are their own subdivision: each crosses a face that is larger than the
-/// piece, and a corner of its faces is not in sight of its points. Such a corner is far away,
-/// across creases or many faces, and matters little to the curve. The piece itself lies in a few
-/// faces, where its subdivision is the same curve except at the edges between them, and needs no
-/// field. Curves with a caller's levels or exact fields are centers of mass whatever they cost. So
-/// are B-splines, whose pieces have joints that are no control points, where a center and an
-/// average differ.
+/// piece, and its points do not see a corner of its faces. Such a corner is far away, across
+/// creases or many faces, and matters little to the curve. The piece itself lies in a few faces,
+/// where its subdivision is the same curve except at the edges between them, and needs no field.
+/// Curves with a caller's levels or exact fields are always centers of mass. So are B-splines: some
+/// of their joints are not control points, and at these a center and an average differ.
 void Curve::findSubdivided(const Next& next) {
   const RefinedPolygon& polygon = next.polygon;
   Array<char>& isSubdivided = workspace_->isSubdivided;
@@ -344,7 +344,7 @@ bool Curve::seesFaces(const Next& next, const SegmentLayout& piece) {
     for (int k = 1; k < piece.points.count(); ++k) {
       const int leg = piece.points[k - 1];
       for (int i = along.begin[leg]; i < along.begin[leg + 1]; ++i) {
-        // A face along a leg shares two corners with the one before, which are seen.
+        // A face along a leg shares two corners with the previous face. These are seen.
         const int before = i > along.begin[leg] ? along.faces[i - 1] : -1;
         for (int corner = 0; corner < 3; ++corner) {
           const int vertex = mesh.corner(along.faces[i], corner);
@@ -368,7 +368,7 @@ void Curve::layKnots(const Next& next) {
   gaps.assign(static_cast<size_t>(spans), 1);
   if (shape.centripetal) {
     const auto distanceBetween = [&](const SurfacePoint& from, const SurfacePoint& to) {
-      // The field is kept until its piece has it.
+      // The field is kept until its piece takes it.
       workspace_->ofKnots.push_back(fieldSet_->at(from));
       return distanceTo(to, *workspace_->ofKnots.back());
     };
@@ -382,7 +382,8 @@ void Curve::layKnots(const Next& next) {
   spaceKnots(workspace_->spacings, shape.closed, workspace_->layout);
 }
 
-/// Sets piece `part` of segment j: an equal one of this curve, or one that must be traced.
+/// Sets piece `part` of segment j to an equal piece of this curve, or to one that is yet to be
+/// traced.
 void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const PartOfSegment& part,
                       bool keep) {
   const RefinedPolygon& polygon = next.polygon;
@@ -403,7 +404,7 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
     piece.points_.push_back(polygon.points[i].point);
     if (polygon.weighted) piece.pointWeights_.push_back(polygon.points[i].weight);
   }
-  const Piece* before = nullptr;  // which may have the same weights
+  const Piece* before = nullptr;  // the piece of the same number, which may have the same weights
   if (keep && j < segments_.count() && part.index < segments_[j].pieces.count()) {
     before = &segments_[j].pieces[part.index];
   }
@@ -415,7 +416,7 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
   };
   if (keep) {
     const Piece* alike = before && isAlike(*before) ? before : nullptr;
-    // Inserted and removed points have shifted the segments of others.
+    // If points were inserted or removed, an equal piece may belong to another segment.
     for (int i = 0; !alike && i < segments_.count(); ++i) {
       const Array<Piece>& pieces = segments_[i].pieces;
       if (part.index < pieces.count() && isAlike(pieces[part.index])) alike = &pieces[part.index];
@@ -438,7 +439,8 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
 void Curve::makeTables(const Next& next, const SegmentLayout& layout, Piece& piece) {
   const CurveOptions& options = next.value.options;
   const SegmentBasis& basis = piece.basis_;
-  // Adaptive sampling computes weights as needed, but a caller's basis is checked nevertheless.
+  // Adaptive sampling computes weights as needed, but a caller's basis must be checked
+  // nevertheless.
   const bool hasTolerance = options.tolerance > 0 && isOfCenters(options, next.levels);
   if (hasTolerance && piece.isSubdivided_) {
     const double tolerance = options.tolerance * surface().geometry().diagonal;

@@ -16,16 +16,16 @@ namespace karcher {
 
 /// The durations of the last edit's stages, in the clock's unit; 0 without a clock.
 struct StageTimes {
-  double polygon = 0;  ///< legs and levels
+  double polygon = 0;  ///< the duration of legs and levels
   double fields = 0;
   double samples = 0;
   double bridges = 0;
   double joins = 0;
 };
 
-/// The curve of a value (curve_value.h) on a surface. All edits set another value.
+/// The curve of a value (curve_value.h) on a surface. Every edit sets another value.
 ///
-/// Its parameter runs from 0 to segmentCount(): the number of a segment plus t in [0, 1].
+/// The parameter runs from 0 to segmentCount(): the number of a segment plus t in [0, 1].
 class Curve {
  public:
   /// A piece of a segment (piece.h): a center of mass of a few points of the refined polygon.
@@ -36,8 +36,8 @@ class Curve {
     const Array<CurveSample>& samples() const { return traced_->samples; }
     const Array<Bridge>& bridges() const { return traced_->bridges; }
     const JoinedPath& path() const { return traced_->path; }
-    /// Whether the piece is its own subdivision: it crosses a face larger than itself, a corner of
-    /// which its points do not see (findSubdivided).
+    /// Whether the piece is its own subdivision: it crosses a face larger than itself, and its
+    /// points do not see a corner of it (findSubdivided).
     bool isSubdivided() const { return isSubdivided_; }
     /// The points' weights at t in [0, 1] of the piece.
     Array<double> weights(double t) const;
@@ -48,15 +48,15 @@ class Curve {
     Array<double> pointWeights_;  ///< empty if the basis is not rational
     SegmentBasis basis_;
     PartOfSegment part_;
-    /// Of the basis alone, and with the points' weights; pieces share them.
+    /// The weights by the basis alone, and those with the points' weights. Pieces share them.
     std::shared_ptr<PieceWeights> basisTable_;
     std::shared_ptr<const PieceWeights> table_;
     std::shared_ptr<TracedPiece> traced_;
     bool isTraced_ = false;
     bool isSubdivided_ = false;
-    bool isFirst_ = false;  ///< of an open curve
+    bool isFirst_ = false;  ///< whether it is the first piece of an open curve
     bool isLast_ = false;
-    Array<std::shared_ptr<PointField>> fields_;  ///< of the points, once they were asked for
+    Array<std::shared_ptr<PointField>> fields_;  ///< the points' fields, once requested
   };
 
   /// The surface must outlive the curve. Throws as `set` does.
@@ -73,9 +73,9 @@ class Curve {
   /// what `checkGivenShape` throws, and what a basis of the caller's throws.
   void set(CurveValue value);
 
-  // Edits: `set` to the value after them.
+  // Edits set the value that results from them.
   void movePoint(int i, const SurfacePoint& point) { set(withPointPlaced(value_, i, point)); }
-  /// Moves a point as a drag does: its legs are continued from where they lie.
+  /// Moves a point as a drag does: its legs are continued from their present course.
   void dragPoint(int i, const SurfacePoint& point) {
     set(withPointDragged(value_, i, point, usesLegs(options()) ? legs() : usedLegs()));
   }
@@ -89,18 +89,19 @@ class Curve {
   void setBeta(int i, double beta) { set(withBeta(value_, i, beta)); }
 
   const CurveValue& value() const { return value_; }
-  /// The legs of the control polygon as they lie on the surface.
+  /// The legs of the control polygon on the surface.
   const Array<SurfacePath>& legs();
-  /// The same if the curve uses them, else none.
+  /// The same legs if the curve uses them, else none.
   const Array<SurfacePath>& usedLegs() const;
-  /// The number of levels, also if the options leave it to the curve; 0 if a Catmull-Rom curve's
+  /// The number of levels, also if the options let the curve choose it; 0 if a Catmull-Rom curve's
   /// handle would lie beyond the surface's boundary.
   int levels() const { return levels_; }
-  /// The estimated largest distance by which the levels move it from its curve of level 0 (Eq. 4),
-  /// in the mesh's units; 0 without levels. NaN if that curve is not safe (automatic_levels.h), so
+  /// The estimated largest distance, in the mesh's units, between the curve and its curve of level
+  /// 0 (Eq. 4); 0 without levels. NaN if the curve of level 0 is not safe (automatic_levels.h), so
   /// that the distance has no meaning.
   double deviation();
-  /// Whether its points are centers of mass; else they lie on legs or are averages of two points.
+  /// Whether its points are centers of mass. Otherwise they lie on legs or are averages of two
+  /// points.
   bool isOfCenters() const { return isOfCenters(options(), levels()); }
 
   Surface& surface() const { return fieldSet_->surface(); }
@@ -115,7 +116,7 @@ class Curve {
   /// The intervals of a segment where it is no center of mass.
   const Array<Bridge>& bridges(int segment) const { return segments_[segment].whole->bridges; }
 
-  /// The same for all segments.
+  /// The number of pieces of a segment, the same for all segments.
   int piecesPerSegment() const { return 1 << levels_; }
   const Piece& piece(int segment, int k) const { return segments_[segment].pieces[k]; }
   /// The fields of a piece's points.
@@ -126,17 +127,16 @@ class Curve {
   /// The weights of these points at t, at level 0.
   Array<double> weights(int segment, double t) const { return piece(segment, 0).weights(t); }
 
-  /// The number of fields that edits created or moved so far, which is the work that edits should
-  /// avoid.
+  /// The number of fields that edits have created or moved so far. A good edit adds few.
   int fieldsMade() const { return fieldsMade_; }
 
-  /// The stages of the last edit, where the curve has a clock.
+  /// The durations of the last edit's stages, if the curve has a clock.
   const StageTimes& times() const { return times_; }
 
  private:
   struct Segment {
     Array<Piece> pieces;
-    Array<int> points;  ///< of level 0
+    Array<int> points;  ///< the control points at level 0
     std::shared_ptr<TracedSegment> whole;
   };
   /// The curve of another value, until it replaces this one. Then it holds the replaced state,
@@ -144,13 +144,13 @@ class Curve {
   struct Next {
     CurveValue value;
     int levels = 0;
-    bool isNear = false;  ///< whether its fields are near ones
-    bool jumps = false;   ///< at level 0, which was judged safe
+    bool isNear = false;  ///< whether the fields are near ones
+    bool jumps = false;   ///< whether the curve jumps at level 0, although it was judged safe
     Array<SurfacePath> legs;
     Array<Segment> segments;
     RefinedPolygon polygon;
   };
-  /// Scratch memory of edits. What it holds means nothing between them.
+  /// Scratch memory of edits. No edit relies on its earlier contents.
   struct Workspace {
     AveragingWorkspace averaging;
     LeggedPolygon polygon;
@@ -159,10 +159,11 @@ class Curve {
     LevelsWorkspace levels;
     RefinedPolygon control;  ///< the control polygon, by which levels are chosen
     FacesAlongLegs along;
-    Array<char> isSubdivided;                    ///< of the pieces of the refined polygon
-    Array<std::shared_ptr<PointField>> near;     ///< the fields that told that
-    Array<std::shared_ptr<PointField>> ofKnots;  ///< those by which knots are spaced
-    /// The last layout of a curve of level 0, of so many points, but for the knots between them.
+    Array<char> isSubdivided;  ///< whether each piece of the refined polygon is its own subdivision
+    Array<std::shared_ptr<PointField>> near;     ///< the fields that decided `isSubdivided`
+    Array<std::shared_ptr<PointField>> ofKnots;  ///< the fields by which knots are spaced
+    /// The last layout of a curve of level 0 with `layoutPoints` points, except for the spacing of
+    /// knots.
     Array<SegmentLayout> layout;
     CurveShape layoutShape;
     int layoutPoints = 0;

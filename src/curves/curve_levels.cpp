@@ -7,12 +7,12 @@
 #include "curves/automatic_levels.h"
 #include "curves/curve.h"
 
-// Which levels a curve has, and the polygon of its pieces.
+// The levels of a curve, and the polygon of its pieces.
 namespace karcher {
 namespace {
 
-/// The part by which a field's distance may differ from the length of the same path: twice the
-/// usual largest error of fast fields.
+/// The relative difference allowed between a field's distance and the length of the same path:
+/// twice the usual largest error of fast fields.
 constexpr double kSameLength = 0.02;
 
 }  // namespace
@@ -43,7 +43,7 @@ RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<Surfac
   takeControlPolygon(value, polygon);
   polygon.legs = legs;
   if (shape.kind == CurveKind::kCatmullRom) {
-    // The legs, which are known, space the knots, and not the distances of fields.
+    // The known legs space the knots, instead of the distances of fields.
     Array<double>& gaps = workspace_->gaps;
     gaps.clear();
     for (const SurfacePath& leg : legs) gaps.push_back(leg.length());
@@ -54,16 +54,17 @@ RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<Surfac
 }
 
 /// Whether the shortest paths between the points of a segment and its ends are those to which the
-/// legs are pulled tight, by the fields of level 0. Shorter ones go another way, for instance round
-/// a tube, and centers of mass would jump to these. Longer ones are errors of the field, since
-/// these are paths. The fields' memory is given back, since the curve may need no others.
+/// legs are pulled tight, by the fields of level 0. Paths that are shorter go another way, for
+/// instance round a tube, and centers of mass would jump to these. A larger distance is an error of
+/// the field, since the tightened leg is a path. This releases the fields' memory, since the curve
+/// may need no others.
 bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
   const Geometry& geometry = surface().geometry();
   bool areShortest = true;
   {
     PointField field(surface(), fieldSet_->options());
-    // The pairs of points that were tested: by the first one, a bit for each number of legs.
-    // Segments share pairs of few legs.
+    // The pairs of points that were tested: for the first point, a bit for each number of legs to
+    // the second. Segments share pairs that few legs separate.
     Array<uint64_t> tested(polygon.points.size());
     const auto isShortest = [&](const SegmentLayout& segment, int from, int to) {
       const uint64_t bit = to - from < 64 ? uint64_t{1} << (to - from) : 0;
@@ -146,7 +147,7 @@ void Curve::makePolygon(Next& next) {
   while (next.levels > 0) {
     if (!refinePolygon(geometry, shape, next.value.points, next.legs, next.levels,
                        workspace_->averaging, next.polygon)) {
-      // A curve whose handles lie beyond the boundary is the center of all its points.
+      // A curve with a handle beyond the boundary is the center of all its points.
       next.levels = 0;
     } else if (isAutomatic && mayTakeLevels(shape, count, next.levels + 1) &&
                !isSafe(geometry, next.polygon, workspace_->levels)) {
@@ -159,7 +160,7 @@ void Curve::makePolygon(Next& next) {
   next.polygon.legs.clear();
 }
 
-/// Whether a curve with automatic levels has none, and has bridges.
+/// Whether a curve with automatic levels has no levels, but bridges.
 bool Curve::jumpsAtLevelZero(const Next& next) const {
   if (next.levels > 0 || !mayHaveLevels(next.value.options)) return false;
   if (next.value.options.levels != kAutomaticLevels) return false;

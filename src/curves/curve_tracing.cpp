@@ -8,8 +8,8 @@
 /// Tracing of a curve's pieces.
 namespace karcher {
 
-/// Gives fields to each piece that must be traced: existing fields of its points stay, then this
-/// curve's old ones are released, and spare fields are moved to the other points.
+/// Gives fields to each piece that must be traced: existing fields at its points stay; then this
+/// curve's old ones are released; then spare fields are moved to the other points.
 void Curve::makeFields(Next& next) {
   if (!isOfCenters(next.value.options, next.levels)) return;
   const auto forEach = [&](const auto& work) {
@@ -35,7 +35,7 @@ void Curve::makeFields(Next& next) {
   workspace_->ofKnots.clear();
 }
 
-/// Blends the fields that the workspace has.
+/// Blends the fields that the workspace holds.
 SegmentFields& Curve::blendFields() {
   const Array<PointField*>& fields = workspace_->fields;
   std::optional<SegmentFields>& blend = workspace_->blend;
@@ -91,8 +91,7 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   if (!isOfCenters(options, next.levels) || piece.isSubdivided_) {
     findAveragedSamples(next, piece, segment);
     if (piece.isSubdivided_) {
-      // The neighbouring pieces may be centers of mass, and these begin and end at the same
-      // centers.
+      // The neighbouring pieces may be centers of mass, which begin and end at these centers.
       piece.traced_->samples.front().point = first ? *first : centerOf(next, piece.points_.front());
       piece.traced_->samples.back().point = last ? *last : centerOf(next, piece.points_.back());
     }
@@ -113,9 +112,9 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   }
 }
 
-/// The center at an end of an open curve, if one point has all the weight there: that point, by
-/// definition. Its field is an estimate, and is zero only near it. Joints of pieces are searched in
-/// the fields, as the samples on both sides are. The paper's method searches all.
+/// The center at an end of an open curve, if one point has all the weight there: by definition it
+/// is that point, while its estimated field is zero only near it. At joints of pieces, the fields
+/// are searched instead, as for the samples on both sides. The paper's method searches everywhere.
 std::optional<SurfacePoint> Curve::knownEnd(const Next& next, const Piece& piece, double t) {
   const bool isEnd = t == 0 ? piece.isFirst_ : piece.isLast_;
   if (!isEnd || next.value.options.field.method == Method::kPaper) return std::nullopt;
@@ -124,8 +123,8 @@ std::optional<SurfacePoint> Curve::knownEnd(const Next& next, const Piece& piece
   return only ? std::optional(piece.points_[*only]) : std::nullopt;
 }
 
-/// The center of mass of one point by its field, at which the adjacent pieces begin or end:
-/// the interpolated field has its zero up to a hundredth of an edge from the point.
+/// The center of mass of one point by its field, at which the adjacent pieces begin or end. The
+/// zero of the interpolated field lies up to a hundredth of an edge from the point.
 SurfacePoint Curve::centerOf(const Next& next, const SurfacePoint& point) {
   const std::shared_ptr<PointField> field = fieldSet_->at(point, next.isNear);
   workspace_->fields.assign(1, field.get());
@@ -149,7 +148,7 @@ void Curve::findAveragedSamples(const Next& next, Piece& piece, int segment) {
   }
 }
 
-/// Marks a piece that is its own subdivision: a bridge from end to end, through its samples.
+/// Marks a piece as its own subdivision: its one bridge leads from end to end, through its samples.
 void Curve::layOwnSubdivision(Piece& piece) {
   TracedPiece& traced = *piece.traced_;
   traced.bridges.resize(1);
@@ -201,7 +200,7 @@ void Curve::layBridges(const Next& next, Piece& piece) {
 
 void Curve::join(const Next& next, Piece& piece) {
   const CurveOptions& options = next.value.options;
-  // A polyline's paths were found with its samples.
+  // A polyline's paths have been found with its samples.
   if (options.shape.kind == CurveKind::kPolyline) return;
   const BasisWriter basis = basisOf(piece);
   std::optional<EdgeCrossings> crossings;

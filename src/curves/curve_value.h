@@ -13,27 +13,27 @@ namespace karcher {
 /// The fewest levels at which the pieces of the curve are safe centers of mass
 /// (automatic_levels.h).
 inline constexpr int kAutomaticLevels = -1;
-/// The subdivision curve itself, by averages of two points alone, which many levels approach. It
-/// needs no fields, and is no center of mass.
+/// The subdivision curve itself, which the curves of many levels approach. It consists of averages
+/// of two points, needs no fields, and is no center of mass.
 inline constexpr int kLimitLevels = -2;
 
 struct CurveOptions {
   CurveShape shape;
-  int samples = 128;  ///< for each segment, at t = i / (samples - 1)
+  int samples = 128;  ///< the number for each segment, at t = i / (samples - 1)
   FieldOptions field;
-  /// If positive, the largest distance of the curve from the geodesics between samples, as a part
-  /// of the bounding box's diagonal (sampling.h), which then determines the number of samples.
+  /// If positive, the largest distance of the curve from the geodesics between samples, relative to
+  /// the bounding box's diagonal (sampling.h). It then determines the number of samples.
   double tolerance = 0;
   CurveGeometry geometry = CurveGeometry::kGeodesic;
   /// The number of subdivisions of the control polygon before its pieces are averaged (levels.h): 0
-  /// to 8, kAutomaticLevels or kLimitLevels. 0 is the curve of Mancinelli and Puppo, one center of
-  /// mass of all the points of a segment.
+  /// to 8, kAutomaticLevels or kLimitLevels. 0 is the curve of Mancinelli and Puppo, in which each
+  /// segment is one center of mass of all its points.
   int levels = kAutomaticLevels;
-  /// The fewest levels that kAutomaticLevels takes, 0 to 8, so that a drag does not lose levels
-  /// that it had.
+  /// The fewest levels that kAutomaticLevels takes, 0 to 8. With it a drag keeps the levels that
+  /// the curve had.
   int leastLevels = 0;
   /// The largest move by kAutomaticLevels of a curve that is a safe center of mass without levels,
-  /// in mean edges. 0: not at all. Infinity: the quickest draft of the curve.
+  /// in mean edges. With 0 the curve does not move; with infinity it is the quickest draft.
   double levelsTolerance = kLevelsTolerance;
 };
 
@@ -42,9 +42,9 @@ struct CurveValue {
   Array<SurfacePoint> points;
   /// The legs of the control polygon: none, or one from each point to the next, and for a closed
   /// curve also from the last to the first. A path without points stands for the shortest one;
-  /// others are used as they are. The curve continues a leg that does not reach its points to
-  /// these, as if its ends had been dragged there, whether or not it stays the shortest. Except for
-  /// polylines, curves of level 0 ignore legs.
+  /// others are used unchanged. The curve continues a leg that does not reach its points, as if its
+  /// ends had been dragged there, whether or not it stays the shortest. Except for polylines,
+  /// curves of level 0 ignore legs.
   Array<SurfacePath> legs;
 };
 
@@ -54,25 +54,25 @@ bool mayHaveLevels(const CurveOptions& options);
 /// Whether a curve follows the legs of its control polygon, or consists of them.
 bool usesLegs(const CurveOptions& options);
 
-/// Replaces a value's leg by the shortest one, which the value leaves out.
+/// Empties a leg, which then stands for the shortest one.
 void makeShortest(SurfacePath& leg);
 
 /// Throws Error kBadIndex for a control point that does not exist.
 void checkIndex(const CurveValue& value, int i);
 
-/// The value with a control point elsewhere: the legs that meet at it become the shortest. Throws
+/// The value with a control point elsewhere. The legs that meet at it become the shortest. Throws
 /// Error kBadIndex.
 CurveValue withPointPlaced(CurveValue value, int i, const SurfacePoint& point);
 
-/// The same for a drag: the legs that meet at the point stay where they lie, so that the curve
-/// continues them. `legs` are the curve's, if it uses them.
+/// The value after a control point was dragged. The legs that meet at it are left where they are,
+/// so that the curve continues them. `legs` are the curve's, if it uses them.
 CurveValue withPointDragged(CurveValue value, int i, const SurfacePoint& point,
                             const Array<SurfacePath>& legs);
 
 // The value after other edits. Weights and betas stay with their points, and those of a new point
 // are 1; a caller's own knots are kept as far as possible (knots.h). A leg is kept if its ends are
-// still neighbours, in either direction; others are the shortest. Each throws Error kBadIndex for a
-// point that does not exist.
+// still neighbours, in either direction; all others become the shortest. Each function throws Error
+// kBadIndex for a point that does not exist.
 CurveValue withPointInserted(CurveValue value, int i, const SurfacePoint& point);
 CurveValue withPointRemoved(CurveValue value, int i);
 /// Moves point `from` in the order so that its number becomes `to`.

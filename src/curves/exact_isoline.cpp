@@ -7,15 +7,15 @@
 #include "mesh/rounding.h"
 #include "mesh/sorted_numbers.h"
 
-/// In a face, the points nearer than the radius are the union of the parts of disks that images
-/// reach. Its border consists of arcs. Each circle is cut where it crosses the face's edges and its
-/// own image's rays, and from the pieces inside both, the parts that another image undercuts are
-/// removed, cut by that image's circle and rays. The arcs of all faces are then joined where their
-/// ends meet.
+/// In a face, the points nearer than the radius form a union: each image contributes the part of
+/// its disk that it reaches. The union's border consists of arcs. Each circle is cut where it
+/// crosses the face's edges and its own image's rays. From the pieces inside both, the parts that
+/// another image undercuts are removed, cut by that image's circle and rays. The arcs of all faces
+/// are then joined where their ends meet.
 namespace karcher {
 namespace {
 
-/// Ends of arcs this near to each other, in mean edges, may be one point: if an arc grazes an edge
+/// Ends of arcs at most this far apart, in mean edges, may be one point: if an arc grazes an edge
 /// or a ray, its end moves by the square root of the rounding. The nearest ends are joined first.
 constexpr double kMeet = 1e-3;
 
@@ -84,7 +84,7 @@ class FaceArcs {
     });
   }
 
-  /// Removes from the pieces what another image undercuts.
+  /// Removes from the pieces the parts that another image undercuts.
   void takeUndercut(const SourceImage& own, double radius, const SourceImage& other) {
     cuts_.clear();
     cutByCircle(own, radius, other);
@@ -103,7 +103,7 @@ class FaceArcs {
     });
   }
 
-  /// Appends the parts between cuts whose middle is kept; adjacent ones become one piece.
+  /// Appends the parts between cuts whose middle is kept. Adjacent parts become one piece.
   template <typename IsKept>
   void keepPieces(const Array<Piece>& from, double radius, const IsKept& isKept) {
     for (const Piece& piece : from) {
@@ -169,8 +169,8 @@ class FaceArcs {
     cuts_.push_back(angle < 0 ? angle + 2 * kPi : angle);
   }
 
-  /// Whether another image has a shorter path to a point of the circle; among equal ones the first
-  /// counts.
+  /// Whether another image has a shorter path to a point of the circle. Among equally short ones
+  /// the first image counts.
   bool undercuts(const SourceImage& other, const SourceImage& own, const Vec2& x) const {
     if (!holds(other, x, rounding_)) return false;
     const double way = other.offset + (x - other.source).norm();
@@ -209,14 +209,14 @@ class ArcChains {
     const auto follow = [&](int end) {
       Isoline line;
       line.closed = false;
-      // Goes from one end of an arc to the other, and on to the end that meets it.
+      // Follow an arc from one end to the other, and go on to the end that meets it.
       while (end >= 0 && !used[end / 2]) {
         used[end / 2] = 1;
         appendArc(end, line);
         end = partner_[end ^ 1];
       }
       line.closed = end >= 0 || arcs_[first_ / 2].isCircle;
-      // This is a scrap whose two ends met other arcs' ends too early.
+      // The line is a scrap: its two ends met the ends of other arcs too early.
       if (!line.closed && line.length <= kMeet * geometry_.meanEdge) return;
       if (line.closed) line.points.push_back(line.points.front());
       isolines.push_back(std::move(line));
@@ -246,7 +246,7 @@ class ArcChains {
   }
 
   /// Pairs each end with the nearest free one, the nearest pairs first. Ends within a radius are
-  /// paired before the radius grows: most ends meet up to rounding, and few are left when the
+  /// paired before the radius grows. Most ends meet up to rounding, so that few are left when the
   /// radius is so large that it contains every end of a narrow face.
   void pairEnds() {
     const int count = 2 * arcs_.count();
@@ -266,7 +266,7 @@ class ArcChains {
     }
   }
 
-  /// Pairs free ends in the order of x.
+  /// Pairs free ends in ascending order of x.
   void pairWithin(double meet, const Array<Vec3>& places, const Array<int>& order) {
     struct Pair {
       double distance;
@@ -354,8 +354,8 @@ Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& sourc
   for (int i = 0; i < images.count();) {
     int end = i;
     while (end < images.count() && images[end].face == images[i].face) ++end;
-    // A face without a point at the radius has not kept all images, so that some would not be
-    // undercut.
+    // A face without a point at the radius has dropped images, so that the others would not be
+    // undercut there.
     if (!isNearer(images[i].face)) faceArcs.append(images.data() + i, images.data() + end, arcs);
     i = end;
   }

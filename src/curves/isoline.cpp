@@ -33,7 +33,8 @@ class LinearIsolines {
  private:
   bool isInside(int vertex) const { return values_[vertex] < level_; }
 
-  /// The half-edge of a face along which the values rise through the level, or fall; -1 for none.
+  /// The half-edge of a face along which the values rise (or else fall) through the level; -1 for
+  /// none.
   int crossedHalfedge(int face, bool rising) const {
     for (int h = 3 * face; h < 3 * face + 3; ++h) {
       if (isInside(mesh_.tail(h)) == rising && isInside(mesh_.head(h)) != rising) return h;
@@ -52,7 +53,7 @@ class LinearIsolines {
     return (mesh_.positions[mesh_.head(h)] - mesh_.positions[mesh_.tail(h)]).norm();
   }
 
-  /// Each face is left once, so the walk ends: at its first face or at the boundary.
+  /// Each face is left once, so that the walk ends at its first face or at the boundary.
   void follow(int entry) {
     Isoline line;
     line.closed = false;
@@ -72,7 +73,7 @@ class LinearIsolines {
       line.points.push_back(point);
       h = mesh_.twin[exit];
     }
-    // Shorter lines go around a vertex whose value is the level up to rounding.
+    // Shorter lines go around a vertex whose value equals the level up to rounding.
     if (line.length > kChainRounding * longestEdge) isolines_.push_back(std::move(line));
   }
 

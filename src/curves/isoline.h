@@ -5,11 +5,12 @@
 /// Isolines: lines of points at one distance from a source, with which circles are compared.
 namespace karcher {
 
-/// A line on the surface, or one of several. Consecutive points share a face; a crossing of an edge
-/// may be given in both of its faces.
+/// A line on the surface, or one of several. Consecutive points share a face. The crossing of an
+/// edge may be given twice, once in each of its faces.
 struct Isoline {
   Array<SurfacePoint> points;
-  bool closed = true;  ///< the last point is the first one; else both ends lie on the boundary
+  /// whether the last point is the first one; if not, both ends lie on the boundary
+  bool closed = true;
   double length = 0;
 };
 

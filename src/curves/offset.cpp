@@ -17,22 +17,22 @@
 namespace karcher {
 namespace {
 
-/// Sides of pieces of faces are at most this part of the distance: the arc over such a chord is
+/// The longest side of a piece of a face, relative to the distance. The arc over such a chord is
 /// 8.7e-4 of its radius high.
 constexpr double kLongestSide = 1.0 / 12;
 
-/// The shortest sides that are divided where several points of the isoline lie on one, for instance
-/// in the tip of a gap. A chord that cuts the tip off is wrong by half of this.
+/// The shortest side that is still divided if the isoline crosses it several times, for instance in
+/// the tip of a gap. A chord that cuts the tip off is wrong by half of this.
 constexpr double kShortestSide = kLongestSide / 128;
 
-/// The number of steps of a search for the extremum on a side. Each leaves 0.62 of the interval.
+/// The number of steps of a search for the extremum on a side. Each keeps 0.62 of the interval.
 constexpr int kExtremumSteps = 14;
 
 /// The most halvings of a chord that deviates from the distance.
 constexpr int kMostChordHalvings = 14;
 
-/// A corner of a piece of a face. Weights are multiples of powers of two, without rounding, so that
-/// they are equal in all pieces at the corner.
+/// A corner of a piece of a face. Its weights are multiples of powers of two, without rounding, so
+/// that all pieces at the corner have equal ones.
 struct PieceCorner {
   Vec3 bary;
   Vec2 place;
@@ -45,7 +45,8 @@ struct Piece {
   const PieceCorner& operator[](int k) const { return corners[k]; }
 };
 
-/// Names the side of a piece that the isoline crosses, by the same numbers in both of its pieces.
+/// The name of the side of a piece that the isoline crosses. It has the same numbers in both pieces
+/// at the side.
 using CrossingKey = std::array<double, 5>;
 
 struct LinePoint {
@@ -53,7 +54,7 @@ struct LinePoint {
   SideOfPath side = SideOfPath::kEnd;
 };
 
-/// The isoline in a piece, from crossing to crossing, with nearer points on the left.
+/// The part of the isoline in a piece, from crossing to crossing, with nearer points on the left.
 struct Strand {
   int from = 0;
   int to = 0;
@@ -105,7 +106,7 @@ class OffsetTracer {
     return lines;
   }
 
-  /// Where the side changes between neighbours of a line.
+  /// The point between two neighbours of a line at which the side changes.
   LinePoint changeBetween(const LinePoint& a, const LinePoint& b) const {
     LinePoint near = a;
     LinePoint far = b;
@@ -135,7 +136,7 @@ class OffsetTracer {
       lengths[k] = (corners[(k + 1) % 3].place - corners[k].place).norm();
       if (lengths[k] > lengths[longest]) longest = k;
     }
-    // Beyond the limit of the field, distances are at least the limit.
+    // Beyond the limit of the field, distances are taken to be the limit.
     const double atMiddle = std::min(field_.at(face, middle).value, kOffsetReach * distance_);
     if (std::abs(atMiddle - distance_) > radius * (1 + 1e-9)) return;
     int halved = lengths[longest] > kLongestSide * distance_ ? longest : -1;
@@ -161,7 +162,7 @@ class OffsetTracer {
     return {bary, pointInFace(geometry_, {face, bary}), distanceAt(face, bary)};
   }
 
-  /// On edges both faces are queried in one order, so that both have the same value.
+  /// Both faces at an edge query it in the same order, so that they get the same value.
   double distanceAt(int face, const Vec3& bary) const {
     for (int k = 0; k < 3; ++k) {
       if (bary[k] == 0) return atEdge(edgeOf(face, k), alongEdge(face, k, bary)).value;
@@ -189,8 +190,8 @@ class OffsetTracer {
     return there.value < here.value ? there : here;
   }
 
-  /// A side of a piece, equal in both of its pieces: from the parameter `from` to `to` of an edge
-  /// of the mesh, or from 0 to 1 inside a face.
+  /// A side of a piece, equal in both pieces at it: from the parameter `from` to `to` of an edge of
+  /// the mesh, or from 0 to 1 inside a face.
   struct Side {
     int halfedge = -1;
     int face = -1;
@@ -233,12 +234,12 @@ class OffsetTracer {
     return field_.at(side.face, side.start + t * side.way).value;
   }
 
-  /// Whether the isoline crosses a side between two corners that are both nearer, or neither, and
-  /// the side is not short.
+  /// Whether the isoline crosses a side that is not short, although its corners are both nearer or
+  /// both farther.
   bool hidesCrossings(int face, const PieceCorner& a, const PieceCorner& b, double length) const {
     const bool nearer = isNearer(a.distance);
     if (nearer != isNearer(b.distance) || length <= kShortestSide * distance_) return false;
-    // Distances of two points differ by at most the length of the way between them.
+    // The distances of two points differ by at most the length of a path between them.
     const double known = std::min(a.distance, kOffsetReach * distance_) +
                          std::min(b.distance, kOffsetReach * distance_) - 2 * distance_;
     if (std::abs(known) > length) return false;
@@ -278,7 +279,7 @@ class OffsetTracer {
     return crossings_.count() - 1;
   }
 
-  /// The place between two numbers at which values pass the distance.
+  /// The place between two numbers at which the values pass the distance.
   template <class Value>
   double cut(double from, double to, double atFrom, double atTo, const Value& valueAt) const {
     const auto beyond = [&](double value) {
@@ -298,8 +299,8 @@ class OffsetTracer {
     for (int k = 0; k < 3; ++k) {
       const bool here = isNearer(corners[k].distance);
       if (here == isNearer(corners[(k + 1) % 3].distance)) continue;
-      // Nearer points lie on the left, so that the line begins where the counterclockwise boundary
-      // leaves them.
+      // Nearer points lie on the left, so that the line begins where it leaves them in
+      // counterclockwise order along the boundary.
       (here ? leave : enter) = k;
     }
     if (enter < 0) return;
@@ -314,13 +315,13 @@ class OffsetTracer {
     strands_.push_back(std::move(strand));
   }
 
-  /// Appends the points between two others that chords need to stay at the distance.
+  /// Appends points between two others, so that the chords stay at the distance.
   void refine(int face, const Vec2& from, const Vec2& to, int halvings, Array<LinePoint>& inner) {
     const Vec2 middle = (from + to) / 2;
     const double atMiddle = field_.at(face, middle).value;
     if (halvings == 0 || std::abs(atMiddle - distance_) <= kOffsetTolerance * distance_) return;
     const Vec2 chord = to - from;
-    // The search leaves nearer points to the right, and approaches them to the left.
+    // If the middle is nearer, search away from the nearer points, else towards them.
     const double sign = isNearer(atMiddle) ? 1 : -1;
     const Vec2 aside = sign * Vec2(chord.y(), -chord.x());
     double reach = 1;
@@ -335,7 +336,8 @@ class OffsetTracer {
         isNearer(atReach) == isNearer(atMiddle)) {
       return;
     }
-    // If the whole step is on one side, its end is the best, since the line may run along an edge.
+    // If the whole step stays on one side, its end is the best point, since the line may run along
+    // an edge.
     const bool passes = isNearer(atReach) != isNearer(atMiddle);
     const double part = passes ? cut(0, reach, atMiddle, atReach, value) : reach;
     const Vec2 place = middle + part * aside;
@@ -366,7 +368,7 @@ Array<SurfacePoint> pointsOf(const Array<LinePoint>& line) {
   return points;
 }
 
-/// The parts of a line between changes of the side.
+/// Appends the parts of a line between changes of the side.
 void appendRuns(const OffsetTracer& tracer, Array<LinePoint> line, bool closed,
                 Array<OffsetRun>& runs) {
   const auto changes = [](const LinePoint& a, const LinePoint& b) { return a.side != b.side; };

@@ -6,7 +6,7 @@
 namespace karcher {
 namespace {
 
-/// A leg over at most this many faces, about an edge length, sees only the mesh itself.
+/// The most faces of a leg, about an edge length, over which it sees only the mesh itself.
 constexpr int kFewFaces = 4;
 
 /// The number of even parts of a piece's parameter that are examined.
@@ -49,7 +49,7 @@ void growJacobiField(const ConvexityWorkspace& along, double from, bool onward,
     const double after = derivative - along.curvatures[face] * middle * length;
     field += (derivative + after) / 2 * length;
     derivative = after;
-    // Beyond a conjugate point the distance has a crease.
+    // The distance has a crease beyond a conjugate point.
     if (!(field > 0)) derivative = -kInfinity;
     convexities[i] = field > 0 ? distance * derivative / field : -kInfinity;
   }
@@ -62,7 +62,7 @@ double curvatureOf(const Geometry& geometry, int face) {
   double curvature = 0;
   for (int h = 3 * face; h < 3 * face + 3; ++h) {
     const int vertex = mesh.tail(h);
-    // The boundary's own curvature is that of its line.
+    // The curvature at a boundary vertex is that of the boundary line.
     if (mesh.onBoundary[vertex]) continue;
     const double defect = 2 * kPi - geometry.totalAngle[vertex];
     curvature += defect * geometry.cornerAngle[h] / geometry.totalAngle[vertex];

@@ -9,12 +9,12 @@ namespace karcher {
 
 /// Scratch memory, which can be reused.
 struct ConvexityWorkspace {
-  // Along the legs of one piece.
+  // Data along the legs of one piece.
   Array<double> places;      ///< lengths from the first point at which a face begins or ends
   Array<double> curvatures;  ///< curvature per area of the face after each place but the last
   Array<double> points;      ///< the places of the piece's points
   Array<double>
-      convexities;  ///< by points: the convexities of their squared distances at each place
+      convexities;  ///< for each point, the convexities of its squared distance at each place
   Array<double> weights;
 };
 
@@ -23,7 +23,7 @@ struct ConvexityWorkspace {
 double curvatureOf(const Geometry& geometry, int face);
 
 /// The least second derivative, across the legs, of the energies whose minima are the points of a
-/// piece, relative to the plane's. While it is positive the minima move continuously.
+/// piece, relative to the plane's. While it is positive, the minima move continuously.
 ///
 /// Half the squared distance from a point has the second derivative d J'(d) / J(d) across a
 /// geodesic at the distance d, where J is the Jacobi field with J(0) = 0, J'(0) = 1, J'' = -K J (M.
@@ -35,7 +35,8 @@ double leastConvexity(const Geometry& geometry, const Array<SurfacePath>& legs,
 
 /// The detail along a leg, in radians: the part of its curvature by which adjacent faces differ,
 /// times the square of the leg's length. A center of mass that sees the leg turns by this much more
-/// than the surface. It vanishes with the edges on a smooth surface, and grows on a rough one.
+/// than the surface. As edges become shorter it tends to zero on a smooth surface, and grows on a
+/// rough one.
 double detailAlong(const Geometry& geometry, const SurfacePath& leg);
 
 }  // namespace karcher

@@ -13,7 +13,7 @@ namespace {
 /// The number of even parts of a segment's parameter that are examined.
 constexpr int kParts = 8;
 
-/// A vector turned to the right.
+/// The vector turned to the right.
 Vec2 turned(const Vec2& v) { return {v.y(), -v.x()}; }
 
 /// The mean curvature per area along a leg.
@@ -27,7 +27,7 @@ double meanAlong(const Geometry& geometry, const SurfacePath& leg) {
   return leg.length() > 0 ? sum / leg.length() : 0;
 }
 
-/// The angle by which one leg turns from the straight continuation of the one before it.
+/// The angle by which a leg turns from the straight continuation of the previous leg.
 double turningBetween(const Geometry& geometry, const SurfacePath& before,
                       const SurfacePath& after) {
   if (before.length() == 0 || after.length() == 0) return 0;
@@ -50,7 +50,7 @@ void unroll(const Geometry& geometry, const Array<SurfacePath>& legs, const Segm
   }
 }
 
-/// The share of the later point in an average of the pyramid; row 1 averages the points.
+/// The share of the later point in an average of the pyramid. Row 1 averages the control points.
 double shareAt(const SegmentBasis& basis, int degree, int row, int i, double t) {
   if (basis.form == BasisForm::kBernstein || basis.form == BasisForm::kCatmullRom) return t;
   const auto knot = [&](int k) {
@@ -60,7 +60,7 @@ double shareAt(const SegmentBasis& basis, int degree, int row, int i, double t) 
   return (t - left) / (knot(i + degree + 1) - left);
 }
 
-/// A handle of a Catmull-Rom curve and its move: from p along a vector whose own move is given.
+/// A handle of a Catmull-Rom curve, and its move by the curvature.
 struct Handle {
   Vec2 point;
   Vec2 move;
@@ -78,7 +78,7 @@ void takeHandles(const SegmentBasis& basis, double curvature, DeviationWorkspace
   const Vec2 p = row[start];
   const Vec2 q = row[start + 1];
   const double spans[] = {-basis.numbers[0], basis.numbers[3] - 1};
-  // From `at` towards `other`, with the point beyond `at` if there is one.
+  // The handle from `at` towards `other`; `beyond` is the point on the other side of `at`, if any.
   const auto handle = [&](const Vec2& at, const Vec2& other, const Vec2* beyond, double span) {
     Handle way = log(at, other);
     if (beyond) {

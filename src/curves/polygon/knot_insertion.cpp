@@ -9,7 +9,7 @@ namespace {
 
 int countOf(const ControlPolygon& polygon) { return polygon.points.count(); }
 
-/// The span of a knot vector in which u lies, the last one if several are empty, and the index of
+/// The span of a knot vector in which u lies (the last one if several are empty), and the index of
 /// its knot.
 struct KnotPlace {
   int place = 0;
@@ -18,21 +18,22 @@ struct KnotPlace {
 
 KnotPlace placeOf(const ControlPolygon& polygon, double u) {
   const Array<double>& knots = polygon.knots;
-  // The last knot of the vector that is not beyond u, numbered as a span.
+  // The last knot of the vector that is at most u, as the number of a span.
   const auto last = knots.end() - (polygon.closed ? 2 : 1);
   const auto beyond = std::upper_bound(knots.begin(), last + 1, u);
   const int place = static_cast<int>(beyond - knots.begin());
   return {place, place - 1 - (polygon.closed ? 0 : polygon.degree)};
 }
 
-/// `insertKnot` for a closed curve of fewer than p points: new points extend more than once around,
-/// so that the knots of several turns affect each. The curve is unrolled over these turns.
+/// `insertKnot` for a closed curve of fewer than p points. New points extend more than once around,
+/// so that the knots of several turns affect each of them. The curve is unrolled over these turns.
 int insertAround(const Geometry& geometry, ControlPolygon& polygon, double u) {
   const int p = polygon.degree;
   const int n = countOf(polygon);
   const auto [place, span] = placeOf(polygon, u);
   const double period = polygon.knots.back() - polygon.knots.front();
-  // The turn whose points have no knots before the first turn, and one after it.
+  // The points of this turn and of later ones depend on no knots before the unrolled ones. One more
+  // turn follows it.
   const int turn = (p + n) / (n + 1);
   const int turns = turn + 2;
   ControlPolygon open;
@@ -88,7 +89,7 @@ int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u) {
     return average(geometry, old(i - 1), old(i), (u - start) / (knot(i) - start));
   };
   const int first = span + 1;
-  const int end = span + p - repeats;  // the last of the new points
+  const int end = span + p - repeats;  // the number of the last new point
   Array<WeightedPoint> points(static_cast<size_t>(n) + 1);
   if (polygon.closed) {
     for (int i = first; i <= span + n + 1; ++i) {
@@ -144,7 +145,7 @@ ControlPolygon partBefore(const Geometry& geometry, ControlPolygon open, double 
 ControlPolygon partAfter(const Geometry& geometry, ControlPolygon open, double u) {
   insertFully(geometry, open, u);
   const auto beyond = std::upper_bound(open.knots.begin(), open.knots.end(), u);
-  // The curve passes the point before the last p of the knots.
+  // The curve passes through the point before the last p of the knots.
   const int point = static_cast<int>(beyond - open.knots.begin()) - open.degree - 1;
   Array<double> knots(static_cast<size_t>(open.degree) + 1, u);
   knots.insert(knots.end(), beyond, open.knots.end());

@@ -7,7 +7,8 @@ namespace karcher {
 /// The faces along the legs of a refined polygon. The object can be reused.
 struct FacesAlongLegs {
   Array<int> faces;
-  Array<int> begin;       ///< leg k has faces[begin[k]] up to faces[begin[k + 1]]
+  /// the index of each leg's first face: leg k has faces[begin[k]] up to faces[begin[k + 1]]
+  Array<int> begin;
   Array<double> longest;  ///< the longest edge of each leg's faces
 };
 

@@ -9,10 +9,10 @@ namespace karcher {
 /// The points of a piece and the legs between them.
 struct LeggedPolygon {
   Array<WeightedPoint> points;
-  Array<SurfacePath> legs;  ///< one fewer
+  Array<SurfacePath> legs;  ///< the legs, one fewer than points
 };
 
-/// The average of both ends of a leg, and its length from the leg's start.
+/// The average of both ends of a leg, and the length of the leg from its start to the average.
 struct LegAverage {
   WeightedPoint point;
   double at = 0;

@@ -11,7 +11,7 @@
 namespace karcher {
 namespace {
 
-/// The most averages in one curve, since every step of a drag computes all of them.
+/// The most averages in one curve. Every step of a drag computes all of them.
 constexpr double kMostAverages = 1e6;
 
 bool isBezier(CurveKind kind) { return kind == CurveKind::kBezier || kind == CurveKind::kRational; }
@@ -55,7 +55,7 @@ struct Written {
 
 void appendPiece(const LeggedPolygon& polygon, RefinedPolygon& out, Written& written) {
   const int degree = polygon.points.count() - 1;
-  // A piece starts at the end of the one before.
+  // A piece starts at the end of the previous one.
   const int first = std::max(written.points - 1, 0);
   SegmentLayout& layout = out.pieces[written.pieces++];
   layout.basis = {BasisForm::kBernstein, degree};
@@ -81,7 +81,7 @@ void appendPieces(const Geometry& geometry, const LeggedPolygon& polygon, int le
   appendPieces(geometry, halves.second, levels - 1, workspace, out, written);
 }
 
-/// Sets the sizes for the pieces of a number of Bezier curves of a degree.
+/// Sets the sizes for the pieces of this number of Bezier curves of a degree.
 void makeRoom(int curves, int degree, int levels, AveragingWorkspace& workspace,
               RefinedPolygon& out) {
   const auto pieces = static_cast<size_t>(curves) << levels;
@@ -156,7 +156,7 @@ bool refinePolygon(const Geometry& geometry, const CurveShape& shape,
       }
     }
     if (shape.closed) {
-      // Its ends are one point, so that both find the zero of that point's field.
+      // Both ends are one point, so that both find the zero of that point's field.
       refined.pieces.back().points.back() = 0;
       refined.points.pop_back();
     }

@@ -8,12 +8,12 @@
 
 /// Refine, then average.
 ///
-/// A center of mass of far points is rough on a rough surface: their squared distances have creases
-/// everywhere. So the control polygon is subdivided first, by averages of two points along its
-/// legs, and each piece of the curve is a center of mass of its own near points. On the plane this
-/// is the same curve; elsewhere more levels bring it nearer to the subdivision curve of C.
-/// Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive Bezier Splines on Surface
-/// Meshes" (2022).
+/// A center of mass of distant points is rough on a rough surface, since their squared distances
+/// have creases everywhere. So the control polygon is subdivided first, by averages of two points
+/// along its legs, and each piece of the curve is a center of mass of its own near points. On the
+/// plane this is the same curve. Elsewhere, more levels bring it nearer to the subdivision curve of
+/// C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive Bezier Splines on
+/// Surface Meshes" (2022).
 ///
 /// No average searches for a path: its path is straightened from parts of the legs that it joins,
 /// so that the curve moves continuously with the legs.
@@ -21,26 +21,27 @@ namespace karcher {
 
 inline constexpr int kMostLevels = 8;
 
-/// Whether a kind of curve can be subdivided by averages of two points. The others are one center
-/// of mass of all their points.
+/// Whether a kind of curve can be subdivided by averages of two points. Curves of other kinds are
+/// one center of mass of all their points.
 bool takesLevels(CurveKind kind);
 
 /// The pieces of a curve after some levels: each a center of mass of a few points.
 struct RefinedPolygon {
   Array<WeightedPoint> points;
-  /// 2^levels for each segment of the curve, in order; their points are numbers of `points`.
+  /// The pieces in order, 2^levels for each segment of the curve. Their points are numbers of
+  /// `points`.
   Array<SegmentLayout> pieces;
   /// The legs from each point to the next, and for a closed B-spline also from the last to the
   /// first.
   Array<SurfacePath> legs;
-  bool weighted = false;  ///< whether the points' weights count
+  bool weighted = false;  ///< whether the points have weights that matter
 };
 
 /// Throws Error kBadArgument for levels outside 0 to 8, for a kind that takes none, and for
 /// excessive work (Bezier curves of very many points).
 void checkLevels(const CurveShape& shape, int points, int levels);
 
-/// Whether `checkLevels` does not throw.
+/// Whether `checkLevels` accepts these levels.
 bool mayTakeLevels(const CurveShape& shape, int points, int levels);
 
 /// The two halves of a Bezier polygon, by de Casteljau's algorithm.
@@ -52,7 +53,7 @@ struct BezierHalves {
 /// Scratch memory of averages, which can be reused.
 struct AveragingWorkspace {
   StripWorkspace strip;
-  LeggedPolygon row;  ///< a row of a pyramid, which may have unused legs at its end
+  LeggedPolygon row;  ///< a row of a pyramid; its list of legs may be longer than needed
   Array<LegAverage> averages;
   SurfacePath inner;
   LeggedPolygon polygon;
@@ -63,14 +64,15 @@ struct AveragingWorkspace {
 
 /// Subdivides a control polygon `levels` >= 1 times. `legs` are paths from each point to the next,
 /// and for a closed curve also from the last to the first.
-/// - Bezier curves, rational ones too, by de Casteljau's algorithm at 1/2;
-/// - B-splines by a knot in the middle of each span: a new point is the repeated average of its
+/// - Bezier curves, rational ones too, are divided by de Casteljau's algorithm at 1/2;
+/// - B-splines get a knot in the middle of each span: a new point is the repeated average of its
 ///   parents, from both ends of their row towards its middle (subdivision.h), with the weights of
 ///   the knot insertion. In degrees up to 3, with even knots, that is Lane and Riesenfeld's
 ///   algorithm;
-/// - Catmull-Rom curves as cubic Bezier curves, with handles by log and exp maps at the points. The
-///   result of reversed points and legs is the reversed result. Writes to `refined`. Returns false
-///   if a handle would lie beyond the surface's boundary.
+/// - Catmull-Rom curves are divided as cubic Bezier curves, with handles by log and exp maps at the
+///   points.
+/// The result of reversed points and legs is the reversed result. Writes to `refined`. Returns
+/// false if a handle would lie beyond the surface's boundary.
 bool refinePolygon(const Geometry& geometry, const CurveShape& shape,
                    const Array<SurfacePoint>& points, const Array<SurfacePath>& legs, int levels,
                    AveragingWorkspace& workspace, RefinedPolygon& refined);
@@ -82,8 +84,8 @@ void halve(const Geometry& geometry, const LeggedPolygon& polygon, AveragingWork
 /// Writes the polygon of a piece.
 void takePolygon(const RefinedPolygon& refined, const SegmentLayout& piece, LeggedPolygon& polygon);
 
-/// The point of a piece at t in [0, 1] by averages of two points alone, in de Casteljau's or de
-/// Boor's pyramid. For many levels it is a point of the subdivision curve.
+/// The point of a piece at t in [0, 1], by averages of two points alone, in de Casteljau's or de
+/// Boor's pyramid. With many levels it is a point of the subdivision curve.
 SurfacePoint averageAt(const Geometry& geometry, const SegmentBasis& basis,
                        const LeggedPolygon& polygon, double t, AveragingWorkspace& workspace);
 

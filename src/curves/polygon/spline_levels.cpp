@@ -10,10 +10,10 @@
 namespace karcher {
 namespace {
 
-/// The row of a knot insertion for the new control point whose knots are new_[j + 1], ...,
-/// new_[j + p]: its weights of the p + 1 old points of span `span`, as the blossom of that span's
+/// The row of a knot insertion for the new control point whose knots are new_[j + 1], ..., new_[j +
+/// p]. It has the weights of the p + 1 old points of span `span`, by the blossom of that span's
 /// polynomial (E. Cohen, T. Lyche, R. Riesenfeld, "Discrete B-splines and subdivision techniques",
-/// 1980). `old(k)` and `refined(k)` give knots.
+/// 1980). `old(k)` and `refined(k)` return knots.
 template <class Old, class Refined>
 Array<double> insertionRow(const Old& old, const Refined& refined, int degree, int span, int j) {
   // This computes de Boor's pyramid row by row, on unit vectors.
@@ -41,7 +41,7 @@ Array<double> insertionRow(const Old& old, const Refined& refined, int degree, i
   return row;
 }
 
-/// Knots with one more in the middle of each span, and the parents of the points for them.
+/// Knots with one more in the middle of each span, and the parents of the new points.
 class KnotHalving {
  public:
   KnotHalving(const Array<double>& knots, int points, int degree, bool closed)
@@ -76,8 +76,8 @@ class KnotHalving {
     return knots;
   }
 
-  /// The outer spans are halved, too, so that the first and the last points approach the curve;
-  /// unneeded outer knots are left out.
+  /// The outer spans are halved, too, so that the first and the last points approach the curve.
+  /// Outer knots that are not needed are left out.
   Array<double> openHalved() const {
     Array<double> all = everySpanHalved();
     const auto first = std::upper_bound(all.begin(), all.end(), old_[degree_]) - 1 - degree_;
@@ -91,8 +91,8 @@ class KnotHalving {
   }
 
   /// The old span whose polynomial gives new point j: the first in the new point's support, or a
-  /// later one that is far wider. Weights extrapolated from a narrow span beside wide ones would be
-  /// lost to rounding.
+  /// later one that is much wider. Weights extrapolated from a narrow span beside wide ones would
+  /// lose their digits.
   template <class Refined>
   int spanFor(const Refined& refined, int j) const {
     constexpr double kFarWider = 2;
@@ -159,7 +159,7 @@ void layOutLevels(const CurveShape& shape, int points, int levels, SplineWorkspa
   workspace.points = points;
 }
 
-/// Computes one level from the one before.
+/// Computes one level from the previous one.
 class SplineLevelStep {
  public:
   SplineLevelStep(const Geometry& geometry, const SplineLevel& old, bool closed,
@@ -253,7 +253,7 @@ class SplineLevelStep {
   void writeLeg(int to, int j, SplineLevel& next) {
     const Anchor& start = next.anchors[2 * j + 1];
     const Anchor& end = next.anchors[2 * to];
-    // Past the end of a closed curve the numbers of parents restart.
+    // Past the end of a closed curve, the numbers of parents restart.
     const int parent = end.parent + (to <= j ? count_ : 0);
     SurfacePath& path = next.legs[j];
     Chain chain(mesh_, path);

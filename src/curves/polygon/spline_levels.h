@@ -6,17 +6,18 @@
 /// Levels of B-splines: a knot in the middle of each span.
 namespace karcher {
 
-/// A control polygon with its legs, and its relation to that of the level before.
+/// A control polygon with its legs, and its relation to that of the previous level.
 struct SplineLevel {
-  /// The consecutive points of the level before that a point averages.
+  /// The consecutive points of the previous level whose average a point is.
   struct Parents {
-    int first = 0;  ///< may continue past the end of a closed curve, or be negative
+    /// the number of the first parent; it may be negative or go past the end of a closed curve
+    int first = 0;
     Array<double> weights;
   };
-  /// A path from a point to one of its parents, along which legs are led.
+  /// A path from a point to one of its parents. Legs are led along it.
   struct Anchor {
     SurfacePath path;
-    int parent = 0;  ///< counted as `Parents::first`
+    int parent = 0;  ///< the parent's number, as in `Parents::first`
   };
 
   Array<WeightedPoint> points;
@@ -28,17 +29,17 @@ struct SplineLevel {
 };
 
 /// Scratch memory of a B-spline's levels. Knots and weights are kept for the next curve of the same
-/// shape: a drag changes neither.
+/// shape, since a drag changes neither.
 struct SplineWorkspace {
   /// The average so far, from one end of the parents.
   struct Side {
     WeightedPoint point;
-    int parent = 0;        ///< the last one averaged
-    SurfacePath toParent;  ///< of no length at first
+    int parent = 0;        ///< the number of the last parent averaged
+    SurfacePath toParent;  ///< the path to that parent, at first of no length
   };
 
   CurveShape shape;
-  int points = 0;  ///< 0: `levels` and `pieces` are of no shape yet
+  int points = 0;  ///< 0: `levels` and `pieces` have not been computed
   /// The levels, from the control polygon itself on.
   Array<SplineLevel> levels;
   /// The segments of the last level.
@@ -48,10 +49,10 @@ struct SplineWorkspace {
   Side far;
 };
 
-/// Subdivides a B-spline's control polygon `levels` times by a knot in the middle of each span. A
-/// new point is the repeated average of its parents, with the weights of the knot insertion. `legs`
-/// are those of `refinePolygon` (levels.h), which this is a part of. Writes to the workspace's
-/// levels and pieces.
+/// Subdivides a B-spline's control polygon `levels` times, as a part of `refinePolygon` (levels.h),
+/// with the same `legs`. Each time adds a knot in the middle of each span. A new point is the
+/// repeated average of its parents, with the weights of the knot insertion. Writes to the
+/// workspace's levels and pieces.
 void refineSpline(const Geometry& geometry, const CurveShape& shape,
                   const Array<WeightedPoint>& points, const Array<SurfacePath>& legs, int levels,
                   StripWorkspace& strip, SplineWorkspace& workspace);

@@ -18,7 +18,7 @@ WeightedPoint merged(const Geometry& geometry, const WeightedPoint& a, const Wei
   return {averageAlongGeodesic(geometry, a.point, b.point, b.weight / sum, workspace), sum};
 }
 
-/// The average of points of positive weight, from both ends of the list.
+/// The average of points of positive weight, taken from both ends of the list.
 WeightedPoint foldedFromEnds(const Geometry& geometry, const Array<WeightedPoint>& points,
                              SubdivisionWorkspace& workspace) {
   int left = 0;
@@ -38,7 +38,7 @@ WeightedPoint foldedFromEnds(const Geometry& geometry, const Array<WeightedPoint
   return merged(geometry, first, last, workspace);
 }
 
-using Polygon = std::span<const SurfacePath>;  ///< its edges
+using Polygon = std::span<const SurfacePath>;  ///< a polygon's edges
 
 double lengthOf(const Polygon& polygon) {
   double sum = 0;
@@ -54,7 +54,7 @@ std::span<T> firstOf(Array<T>& edges, size_t count) {
 }
 
 /// De Casteljau's triangle at 1/2. Halves of shortest paths are shortest paths, so that the edges
-/// of both polygons are known and only those inside the triangle are searched.
+/// of both polygons are known and only those inside the triangle need a search.
 void split(const Geometry& geometry, const Polygon& polygon, SubdivisionWorkspace& workspace,
            SubdivisionWorkspace::Parts& parts) {
   const size_t edges = polygon.size();
@@ -136,7 +136,7 @@ SurfacePoint repeatedAverage(const Geometry& geometry, const Array<SurfacePoint>
   Array<WeightedPoint>& negative = workspace.negative;
   positive.clear();
   negative.clear();
-  // A long Bézier curve weighs points far from the parameter by next to nothing.
+  // A Bezier curve of many points gives those far from the parameter almost no weight.
   for (int i = 0; i < points.count(); ++i) {
     if (weights[i] > kChainRounding) positive.push_back({points[i], weights[i]});
     if (weights[i] < -kChainRounding) negative.push_back({points[i], -weights[i]});

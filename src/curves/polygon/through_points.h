@@ -9,15 +9,15 @@ namespace karcher {
 
 /// The inner control points of a cubic Bezier curve, as ends of straightest geodesics.
 struct BezierHandles {
-  SurfacePath after;   ///< from the curve's start
-  SurfacePath before;  ///< from its end
+  SurfacePath after;   ///< the path from the curve's start to the first handle
+  SurfacePath before;  ///< the path from the curve's end to the second handle
 };
 
 /// Scratch memory of handles, which can be reused.
 struct HandleWorkspace {
   Array<double> gaps;
   Array<double> spacings;
-  Array<BezierHandles> handles;  ///< by the segments of the curve
+  Array<BezierHandles> handles;  ///< the handles of each segment of the curve
 };
 
 /// Finds the handles of a curve through points. `legs` are paths from each point to the next, and

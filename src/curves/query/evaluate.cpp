@@ -21,7 +21,7 @@ int sampleAfter(const Array<CurveSample>& samples, double t) {
 struct PathPiece {
   SurfacePath path;
   double s = 0;
-  double duration = 1;  ///< between the samples, in t
+  double duration = 1;  ///< the difference of t between the samples
 };
 
 /// A parameter as one of a segment's pieces and t in [0, 1] of it.
@@ -64,7 +64,7 @@ FieldBlend blendOf(Curve& curve, const PieceParameter& at) {
 
 /// The center at a parameter between two samples, found as in the search for jumps (jumps.h): t is
 /// bisected, and each search starts at the earlier end of its part. A search from a more distant
-/// sample might find another minimum.
+/// sample could find another minimum.
 CurveSample centerBetween(const Curve& curve, FieldBlend& fields, const PieceParameter& at,
                           CurveSample from, CurveSample to) {
   const TriangleMesh& mesh = curve.surface().mesh();
@@ -93,7 +93,7 @@ Array<double> weightDerivatives(const Curve::Piece& piece, double t) {
   const Array<double> before = piece.weights(middle - kStep);
   const Array<double> here = piece.weights(middle);
   const Array<double> after = piece.weights(middle + kStep);
-  // This differentiates the parabola through the three at t.
+  // This differentiates the parabola through the three values at t.
   const double away = (t - middle) / kStep;
   Array<double> result;
   for (int i = 0; i < here.count(); ++i) {

@@ -16,8 +16,8 @@ struct CurvePoint {
 /// The derivative of a curve with respect to its parameter.
 struct CurveTangent {
   CurvePoint at;
-  Vec2 inFace = Vec2::Zero();   ///< in the frame of at.point.face
-  Vec3 inSpace = Vec3::Zero();  ///< the same vector
+  Vec2 inFace = Vec2::Zero();   ///< the derivative in the frame of at.point.face
+  Vec3 inSpace = Vec3::Zero();  ///< the same vector in space
 };
 
 /// A parameter as a segment and t in [0, 1]. A joint is the start of the later segment; the end of

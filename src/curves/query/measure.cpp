@@ -50,7 +50,7 @@ CurveLine lineOf(const Curve& curve) {
   for (int j = 0; j < curve.segmentCount(); ++j) {
     const Array<CurveSample>& samples = curve.samples(j);
     const JoinedPath& path = curve.path(j);
-    int first = line.path.points.count();  // the first of the points that lead to a sample
+    int first = line.path.points.count();  // the number of the first point that leads to a sample
     for (int i = 0; i < path.line.points.count(); ++i) {
       const Vec3 here = position(mesh, path.line.points[i]);
       const double step = line.path.points.empty() ? 0 : (here - line.positions.back()).norm();
@@ -80,7 +80,7 @@ CurveLine lineOf(const Curve& curve) {
 double lengthAt(const Curve& curve, const CurveLine& line, double parameter) {
   const SegmentParameter at = segmentParameter(curve, parameter);
   const double inside = at.segment + at.t;
-  // Once around a closed curve counts as its end, although the point is that of its start.
+  // On a closed curve, a whole turn counts as the end, although its point is the start.
   if (parameter > 0 && inside == 0) return line.path.lengths.back();
   return between(line.path.lengths, placeOf(line.parameters, inside));
 }

@@ -6,8 +6,8 @@
 /// its samples.
 namespace karcher {
 
-/// The vertices of a joined curve, each with its position, the curve's parameter there (between
-/// samples in proportion to length) and the length from the curve's start.
+/// The vertices of a joined curve. Each has its position, the curve's parameter (between samples,
+/// in proportion to length) and the length from the curve's start.
 struct CurveLine {
   SurfacePath path;
   // The positions of the path's points.
@@ -17,22 +17,22 @@ struct CurveLine {
 
 CurveLine lineOf(const Curve& curve);
 
-/// The length from the start to a parameter, as for `segmentParameter`. Once around a closed curve
-/// it is the whole length.
+/// The length from the start to a parameter, as for `segmentParameter`. After a whole turn of a
+/// closed curve it is the whole length.
 double lengthAt(const Curve& curve, const CurveLine& line, double parameter);
 
-/// The point at a length from the start, on the line. Throws Error kBadArgument outside the curve;
-/// on a closed curve the length may go around.
+/// The point at a length from the start, on the line. On a closed curve the length may exceed a
+/// turn. Throws Error kBadArgument for a length outside an open curve.
 CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double length);
 
-/// `count` points with equal lengths between consecutive ones, including both ends of an open
-/// curve, and starting at the start of a closed one. Throws Error kBadArgument for less than 2 or
-/// more than 1,000,000.
+/// `count` points with equal lengths between consecutive ones. They include both ends of an open
+/// curve, and begin at the start of a closed one. Throws Error kBadArgument for less than 2 or more
+/// than 1,000,000.
 Array<CurvePoint> equallySpaced(const Curve& curve, const CurveLine& line, int count);
 
 struct NearestOnCurve {
   CurvePoint at;
-  double distance = 0;  ///< in space
+  double distance = 0;  ///< the distance in space
 };
 
 /// The point of the curve nearest in space to a place: the lowest of the minima in the intervals

@@ -8,15 +8,15 @@
 /// The traced line bounds the curve's distance in each interval between samples. The intervals that
 /// may hold the nearest point are searched, the most promising first. Bisection leads to parts
 /// inside one face of the mesh, where the curve is smooth and nearly straight and golden sections
-/// find the minimum; at edges the curve may jump by a small part of them, with a minimum on either
-/// side.
+/// find the minimum. At edges the curve may jump by a small part of an edge, with a minimum on
+/// either side.
 namespace karcher {
 namespace {
 
 /// The largest assumed ratio of a curve's length to its chord, between samples and between the ends
 /// of a part.
 constexpr double kBend = 2;
-/// An interval between samples is divided at least this many times.
+/// The least number of times that an interval between samples is divided.
 constexpr int kFewestCuts = 3;
 /// The relative precision of the parameter.
 constexpr double kPrecision = 1e-13;

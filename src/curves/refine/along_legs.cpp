@@ -9,8 +9,8 @@
 namespace karcher {
 namespace {
 
-/// The legs from the start of a run of legs through an average on each to its end, which are one
-/// more.
+/// The legs from the start of a run of legs to its end, through an average on each leg. They are
+/// one more than the run has.
 Array<SurfacePath> legsOver(const Geometry& geometry, const Array<SurfacePath>& run,
                             const Array<LegAverage>& averages) {
   const TriangleMesh& mesh = *geometry.mesh;
@@ -42,7 +42,7 @@ int insertKnot(const Geometry& geometry, PolygonWithLegs& whole, double u) {
   if (old.closed && n < p) whole.legs.clear();
   if (whole.legs.empty()) return first;
 
-  // The new points lie on the legs from first - 1 on, one on each.
+  // The new points lie on the legs from first - 1 on, one point on each.
   const auto knot = [&](int j) { return knotOfSpan(old.knots, p, old.closed, j); };
   const int end = first + p - multiplicity(old, u);
   Array<SurfacePath> run;
@@ -94,7 +94,7 @@ PolygonWithLegs cutOpen(const Geometry& geometry, PolygonWithLegs closed, double
   insertFully(geometry, closed, u);
   const Array<double>& knots = closed.polygon.knots;
   const double start = u == knots.back() ? knots.front() : u;
-  // The leg from the point at which the curve is cut.
+  // The first leg is the one from the point at which the curve is cut.
   const auto beyond = std::upper_bound(knots.begin(), knots.end(), start);
   const int first = static_cast<int>(beyond - knots.begin()) - 1;
   closed.polygon = cutOpen(geometry, std::move(closed.polygon), u);

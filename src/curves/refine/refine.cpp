@@ -24,7 +24,7 @@ Array<WeightedPoint> weightedPoints(const Curve& curve) {
   return points;
 }
 
-/// Sets points and weights; weights that are all 1 are left out.
+/// Sets points and weights. Weights that are all 1 are omitted.
 void setPoints(CurveParts& parts, const Array<WeightedPoint>& points) {
   parts.points.clear();
   parts.shape.weights.clear();
@@ -91,8 +91,8 @@ PolygonWithLegs splineOf(LeggedPolygon bezier) {
           std::move(bezier.legs)};
 }
 
-/// Betas from their logarithms; a common factor does not change the curve. The largest is 1, unless
-/// the least would be too small for a beta: then both are equally far from 1 in ratio.
+/// Sets betas from their logarithms. A common factor does not change the curve, so the largest is
+/// 1. If the least would be too small for a beta, both are equally far from 1 in ratio.
 void setBetas(Array<double>& logs) {
   const auto [least, most] = std::minmax_element(logs.begin(), logs.end());
   const double range = *most - *least;
@@ -103,15 +103,15 @@ void setBetas(Array<double>& logs) {
            inSentence(std::ceil(range / std::log(10.0))) + "; betas go from 1e-12 to 1e12");
   }
   const double unit = range <= limit ? *most : (*least + *most) / 2;
-  // Rounding must not lead beyond the limits.
+  // Rounding must not exceed the limits.
   for (double& beta : logs) {
     beta = std::clamp(std::exp(beta - unit), kLeastWeight, 1 / kLeastWeight);
   }
 }
 
 /// A curve in barycentric form is p / q with polynomials of the degree of its nodes. With other
-/// nodes it interpolates its points there, with betas |q| times those of a polynomial: here for
-/// `nodes` nodes, evenly from `from` to `to`.
+/// nodes it interpolates its own points there, with betas |q| times those of a polynomial. The new
+/// nodes are `nodes` even ones `from` to `to`.
 CurveParts barycentricPart(Curve& curve, double from, double to, int nodes) {
   Array<double> betas = curve.shape().betas;
   betas.resize(static_cast<size_t>(curve.pointCount()), 1);
@@ -152,8 +152,8 @@ CurveParts barycentricPart(Curve& curve, double from, double to, int nodes) {
   refuse("a curve with its own basis can be neither refined, split nor joined");
 }
 
-/// A point of a Catmull-Rom curve or polyline, and the two parts of the leg that it cuts: shortest
-/// legs if the leg was.
+/// A point of a Catmull-Rom curve or polyline, and the two parts of the leg that it cuts. They are
+/// shortest if the leg was.
 struct CutThroughPoints {
   SurfacePoint point;
   SurfacePath before;
@@ -201,7 +201,7 @@ Array<CurveParts> splitThroughPoint(Curve& curve, const SegmentParameter& at) {
   if (!atPoint) cut = cutThroughPoints(curve, at);
   Array<CurveParts> parts;
   if (curve.shape().closed) {
-    // The part leads once around, from the cut to itself.
+    // The part leads from the cut once around to the cut.
     parts.push_back(partThrough(curve, atPoint ? before : before + 1, before + last + 1));
   } else {
     parts.push_back(partThrough(curve, 0, before));
@@ -215,7 +215,8 @@ Array<CurveParts> splitThroughPoint(Curve& curve, const SegmentParameter& at) {
 }
 
 /// The legs of two curves in sequence, the first of which ends at `end`, with `between` shortest
-/// ones in between; if that is 0 the curves meet there. None if neither has any.
+/// ones in between. If that is 0, the curves meet there. The result is empty if neither curve has
+/// legs.
 Array<SurfacePath> joinedLegs(const Geometry& geometry, Array<SurfacePath> first, int firstCount,
                               Array<SurfacePath> second, int secondCount, int between,
                               const SurfacePoint& end) {
@@ -327,7 +328,7 @@ Array<CurveParts> splitAt(Curve& curve, double parameter) {
   const bool atStart = at.segment == 0 && at.t == 0;
   const bool atEnd = at.segment == curve.segmentCount() - 1 && at.t == 1;
   const bool onePiece = isBezier(shape.kind) || shape.kind == CurveKind::kBarycentric;
-  // A closed curve of one segment is only continuous where it starts.
+  // A closed curve of one segment is only continuous at its start.
   if ((!shape.closed || onePiece) && (atStart || atEnd)) {
     refuse("the curve cannot be split at " + inSentence(parameter) +
            ", its end; it runs from 0 to " + std::to_string(curve.segmentCount()));

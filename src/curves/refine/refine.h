@@ -2,7 +2,7 @@
 
 #include "curves/curve.h"
 
-/// Inserting control points on a curve, splitting and joining curves. On the plane each operation
+/// Control points inserted on a curve, and curves split and joined. On the plane each operation
 /// leaves the curve unchanged wherever a construction exists that does (knot_insertion.h).
 namespace karcher {
 
@@ -22,11 +22,12 @@ struct RefinedCurve {
 /// The curve with one more control point, at a parameter (curve.h):
 /// - B-splines: a knot is inserted there, and the knots become the curve's own;
 /// - Bezier curves: the degree is raised, whatever the parameter; all inner points are new;
-/// - barycentric curves: the degree is raised; all inner points are new points of the curve, and
-///   the betas those that leave it as it is;
+/// - barycentric curves: the degree is raised; all inner points are new points on the curve, with
+///   betas that leave it unchanged;
 /// - Catmull-Rom curves and polylines: the new point lies on the curve; it changes a Catmull-Rom
-///   curve a little. Throws Error kBadArgument if none can be inserted: the knot is repeated too
-///   often, there already is a control point, or the basis is the caller's own.
+///   curve a little.
+/// Throws Error kBadArgument if no point can be inserted: the knot is repeated too often, there
+/// already is a control point, or the basis is the caller's own.
 RefinedCurve withPointOnCurve(Curve& curve, double parameter);
 
 /// The curves before and after a parameter; a closed B-spline, Catmull-Rom curve or polyline gives
@@ -38,9 +39,9 @@ Array<CurveParts> splitAt(Curve& curve, double parameter);
 
 /// One curve along two open curves of the same kind. A common end point is kept once. B-splines,
 /// and Bezier curves of degree 1 to 5, become one B-spline that runs along both, with a geodesic
-/// between them if they do not meet; for other kinds it is the curve through the points of both.
-/// Throws Error kBadArgument if kinds or degrees differ, a curve is closed, or the basis is the
-/// caller's own; kUnreachable.
+/// between them if they do not meet; for other kinds, the result is the curve through the points of
+/// both. Throws Error kBadArgument if kinds or degrees differ, a curve is closed, or the basis is
+/// the caller's own; kUnreachable if the points lie on several components.
 CurveParts joined(const Curve& first, const Curve& second);
 
 }  // namespace karcher

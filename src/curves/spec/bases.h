@@ -11,7 +11,7 @@ namespace karcher {
 /// Bernstein polynomials of degree `degree` >= 0 at t in [0, 1], by de Casteljau's recurrence:
 /// degree + 1 weights.
 Array<double> bernsteinBasis(int degree, double t);
-/// The same, written to `weights`.
+/// The same weights, written to `weights`.
 void bernsteinBasis(int degree, double t, Array<double>& weights);
 
 /// The uniform cubic B-spline on one segment, t in [0, 1]: 4 weights.
@@ -23,13 +23,13 @@ std::array<double, 4> uniformCubicWeights(double t);
 /// empty, and degree <= span < knots.count() - degree - 1. The weights belong to the control points
 /// span - degree to span.
 Array<double> bsplineBasis(const Array<double>& knots, int degree, int span, double u);
-/// The same, written to `weights`.
+/// The same weights, written to `weights`.
 void bsplineBasis(const Array<double>& knots, int degree, int span, double u,
                   Array<double>& weights);
 
 /// A rational basis: w_i N_i / sum_j w_j N_j, where N is another basis. All w_i are positive.
 Array<double> rationalBasis(Array<double> basis, const Array<double>& pointWeights);
-/// The same, in place of the other basis.
+/// The same, in place of the given basis.
 void makeRational(const Array<double>& pointWeights, Array<double>& basis);
 
 /// Rational interpolation in barycentric form: proportional to (-1)^i beta_i / (t - i / n) for n +
@@ -37,12 +37,12 @@ void makeRational(const Array<double>& pointWeights, Array<double>& basis);
 /// control tools for rational Bezier curve design", 2021). Equal betas give Berrut's interpolant,
 /// binomial coefficients the interpolating polynomial.
 Array<double> barycentricBasis(const Array<double>& betas, double t);
-/// The same, written to `weights`.
+/// The same weights, written to `weights`.
 void barycentricBasis(const Array<double>& betas, double t, Array<double>& weights);
 
-/// Catmull-Rom: the curve through four points between the second and the third, with knots
-/// (ascending) at the points and u between the middle two, as Barry and Goldman's pyramid of affine
-/// averages: 4 weights, of which the outer ones may be negative, in the memory of `weights`.
+/// The Catmull-Rom basis: the curve through four points between the second and the third, with
+/// ascending knots at the points and u between the middle two, as Barry and Goldman's pyramid of
+/// affine averages. Writes 4 weights, of which the outer ones may be negative, to `weights`.
 void catmullRomBasis(const Array<double>& knots, double u, Array<double>& weights);
 
 }  // namespace karcher

@@ -9,8 +9,8 @@ namespace karcher {
 namespace {
 
 /// A segment that blends `numbers`, one for each weight of the basis. A number may occur several
-/// times, in a segment that goes all around a closed curve. Its points are then in the same order
-/// as in the other segments, so that these agree where they meet.
+/// times in a segment that goes all around a closed curve. Its points are then in the same order as
+/// in the other segments, so that these agree where they meet.
 SegmentLayout segmentOf(SegmentBasis basis, const Array<int>& numbers) {
   SegmentLayout segment;
   for (const int number : numbers) {
@@ -47,12 +47,12 @@ Array<SegmentLayout> bsplineSegments(const CurveShape& shape, int points) {
     SegmentBasis basis{BasisForm::kBSpline, degree};
     bool uniform = degree == 3;
     for (int k = -degree; k <= degree + 1; ++k) {
-      // The outermost two are placeholders on which no weight depends.
+      // The outermost two knots are placeholders on which no weight depends.
       const int used = std::clamp(k, 1 - degree, degree);
       basis.numbers.push_back((knot(j + used) - start) / length);
       uniform = uniform && basis.numbers.back() == used;
     }
-    // The weights of this basis at a joint are the same numbers from both sides.
+    // At a joint, the weights of this basis are the same numbers from both sides.
     if (uniform) basis = {BasisForm::kUniformCubic, degree};
     segments.push_back(segmentOf(std::move(basis), consecutive(j, degree + 1, points)));
   }

@@ -16,7 +16,7 @@ struct SegmentLayout {
 void catmullRomSpacings(const Array<double>& gaps, bool centripetal, Array<double>& spacings);
 
 /// The segments of a curve with a shape that `checkShape` accepts. A segment runs from t = 0 to 1,
-/// and its end is the start of the next one; empty spans are left out. A Catmull-Rom curve's knots
+/// and its end is the start of the next one. Empty spans are left out. A Catmull-Rom curve's knots
 /// are even.
 Array<SegmentLayout> layOut(const CurveShape& shape, int points);
 

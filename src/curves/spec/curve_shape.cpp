@@ -9,7 +9,7 @@
 namespace karcher {
 namespace {
 
-/// The most points of a curve of one segment, since each sample weighs all of them.
+/// The most points of a curve of one segment. Each sample weighs all of them.
 constexpr int kMostPointsASegment = 1000;
 
 /// The shape's name in a sentence: "a cubic B-spline".

@@ -12,19 +12,19 @@
 namespace karcher {
 
 enum class CurveKind {
-  kBSpline,      ///< B-spline of degree 1 to 5; with weights a NURBS curve
+  kBSpline,      ///< a B-spline of degree 1 to 5; with weights, a NURBS curve
   kBezier,       ///< one segment of degree (points - 1)
-  kRational,     ///< the same with a weight for each point
+  kRational,     ///< a Bezier curve with a weight for each point
   kBarycentric,  ///< one rational segment through the points, shaped by a beta for each point
-  kCatmullRom,   ///< a segment between each two points, through them, C1
+  kCatmullRom,   ///< a segment between each two consecutive points, through them, C1
   kPolyline,     ///< shortest paths from point to point
-  kOwn,          ///< one segment with a caller's basis
+  kOwn,          ///< one segment with the caller's basis
 };
 inline constexpr CurveKind kCurveKinds[] = {
     CurveKind::kBSpline,    CurveKind::kBezier,   CurveKind::kRational, CurveKind::kBarycentric,
     CurveKind::kCatmullRom, CurveKind::kPolyline, CurveKind::kOwn};
 
-/// The name of a kind for callers: "catmullrom".
+/// The name of a kind in the interface: "catmullrom".
 const char* curveKindName(CurveKind kind);
 
 inline constexpr int kMostSplineDegree = 5;
@@ -34,27 +34,29 @@ inline constexpr double kLeastWeight = 1e-12;
 
 /// The knots of a B-spline (knots.h).
 enum class KnotRule {
-  kUniform,  ///< evenly spaced
-  kClamped,  ///< evenly spaced inside, repeated at the ends; open curves only
-  kOwn,      ///< the caller's
+  kUniform,  ///< evenly spaced knots
+  kClamped,  ///< knots evenly spaced inside and repeated at the ends; open curves only
+  kOwn,      ///< the caller's knots
 };
 
-/// A caller's basis: the weights, one for each control point and summing to 1, for a number of
-/// points and t in [0, 1].
+/// A caller's basis: a function from the number of points and t in [0, 1] to one weight for each
+/// control point, summing to 1.
 using OwnBasis = std::function<Array<double>(int points, double t)>;
 
 struct CurveShape {
   CurveKind kind = CurveKind::kBSpline;
   bool closed = false;
-  int degree = 3;  ///< of a B-spline
+  int degree = 3;  ///< the degree of a B-spline
   KnotRule knotRule = KnotRule::kUniform;
-  Array<double> knots = {};  ///< with KnotRule::kOwn
+  Array<double> knots = {};  ///< the knots with KnotRule::kOwn
   /// Whether a Catmull-Rom curve's knots are spaced by the square roots of the points' geodesic
-  /// distances, or evenly.
+  /// distances. Otherwise they are even.
   bool centripetal = true;
-  Array<double> weights = {};  ///< kBSpline, kRational: positive, one for each point; empty: all 1
-  Array<double> betas = {};  ///< kBarycentric: positive, one for each point; empty: all 1 (Berrut)
-  std::shared_ptr<const OwnBasis> basis = {};  ///< kOwn
+  /// of kBSpline and kRational: one positive weight for each point; if empty, all are 1
+  Array<double> weights = {};
+  /// of kBarycentric: one positive beta for each point; if empty, all are 1 (Berrut)
+  Array<double> betas = {};
+  std::shared_ptr<const OwnBasis> basis = {};  ///< the basis of kOwn
 };
 
 inline bool takesWeights(CurveKind kind) {
@@ -71,11 +73,11 @@ inline int legCount(const CurveShape& shape, int points) {
 /// numbers is out of range: kTooFewPoints, kNotFinite, kBadArgument.
 void checkShape(const CurveShape& shape, int points);
 
-/// Checks as `checkShape` does, and throws kBadArgument if the shape sets a property that its kind
-/// does not use.
+/// Checks a shape as `checkShape` does. Throws kBadArgument also if it sets a property that its
+/// kind does not use.
 void checkGivenShape(const CurveShape& shape, int points);
 
-/// The knots of a B-spline with that many points, by its rule.
+/// The knots of a B-spline with this number of points, by its rule.
 Array<double> knotsOf(const CurveShape& shape, int points);
 
 // The shape after an edit of a curve of `points` points. Weights and betas stay with their points;
@@ -90,7 +92,7 @@ CurveShape withWeight(CurveShape shape, int points, int i, double weight);
 CurveShape withBeta(CurveShape shape, int points, int i, double beta);
 CurveShape reversed(CurveShape shape);
 
-/// Reorders entries for the reversed curve; a closed curve keeps its first point.
+/// Reorders entries for the reversed curve. A closed curve keeps its first point.
 template <class T>
 void reverseEntries(Array<T>& array, bool closed) {
   std::reverse(array.begin() + (closed && !array.empty() ? 1 : 0), array.end());

@@ -8,7 +8,7 @@
 namespace karcher {
 namespace {
 
-/// Knots go up to this, and spans down to its inverse, so that quotients stay finite.
+/// The largest knot. Spans are at least its inverse, so that quotients stay finite.
 constexpr double kMostKnot = 1e100;
 
 /// k modulo n, from 0 to n - 1.
@@ -26,8 +26,7 @@ Array<double> knotsOfSpans(double first, const Array<double>& spans) {
   return knots;
 }
 
-/// The middle span of control point i's support: any span of a closed curve, and one that bounds
-/// segments of an open curve.
+/// The middle span of control point i's support; for an open curve, the nearest of its spans.
 int middleSpan(int i, int degree, bool closed, int spans) {
   const int middle = i - (degree + 1) / 2;
   return closed ? wrapped(middle, spans) : std::clamp(middle, 0, spans - 1);
@@ -37,7 +36,7 @@ void checkRepeats(const Array<double>& knots, int degree, bool closed) {
   const int first = closed ? 0 : degree;
   const int last = knots.count() - 1 - (closed ? 0 : degree);
   for (int k = 0; k < knots.count(); ++k) {
-    // Of a closed curve's knots the last is the first again.
+    // The last knot of a closed curve is the first one again.
     if (closed && k == last) break;
     int repeats = 0;
     for (const double knot : knots) repeats += knot == knots[k];
@@ -140,7 +139,7 @@ Array<double> knotsWithoutPoint(const Array<double>& knots, int degree, bool clo
   const int spans = spanCount(knots, degree, closed);
   Array<double> result = knots;
   if (closed) {
-    // This is never the first or the last knot, which are the same.
+    // This knot is never the first or the last, which are the same.
     const int k = middleSpan(i, degree, closed, spans);
     result.erase(result.begin() + std::max(k, 1));
   } else {
@@ -154,7 +153,8 @@ Array<double> reversedKnots(const Array<double>& knots, int degree, bool closed)
   Array<double> spans = spansOf(knots);
   std::reverse(spans.begin(), spans.end());
   if (closed) {
-    // Span j blends the points j to j + p, which become n - j - p to n - j: span n - j - p.
+    // Span j blends the points j to j + p. These become n - j - p to n - j, the points of span n -
+    // j - p.
     std::rotate(spans.begin(), spans.begin() + wrapped(degree - 1, spans.count()), spans.end());
   }
   return knotsOfSpans(knots.front(), spans);

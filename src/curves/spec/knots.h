@@ -37,11 +37,11 @@ Array<double> knotsWithoutPoint(const Array<double>& knots, int degree, bool clo
 /// its first point.
 Array<double> reversedKnots(const Array<double>& knots, int degree, bool closed);
 
-/// Closed knots with the spans of the open ones, and further spans of their mean length across the
+/// Closed knots: the spans of the open ones, and further spans of their mean length across the
 /// join.
 Array<double> closedKnots(const Array<double>& open, int degree);
 
-/// Open knots with the first spans of the closed ones.
+/// Open knots: the first spans of the closed ones.
 Array<double> openKnots(const Array<double>& closed, int degree);
 
 }  // namespace karcher

@@ -10,13 +10,13 @@ enum class BasisForm { kBernstein, kUniformCubic, kBSpline, kBarycentric, kCatmu
 /// The basis of one segment as data, so that segments with equal bases can share their weights.
 struct SegmentBasis {
   BasisForm form = BasisForm::kBernstein;
-  int degree = 1;  ///< kBernstein, kBSpline
+  int degree = 1;  ///< the degree of kBernstein and kBSpline
   /// kBSpline: 2 degree + 2 knots around the span, of which [degree] is 0 and [degree + 1] is 1;
   /// kCatmullRom: 4 knots, the middle ones 0 and 1; kBarycentric: betas.
   Array<double> numbers = {};
   std::shared_ptr<const OwnBasis> own = {};
-  /// Adds `factor` times weight `from` of the basis to point `to` of the segment. No folds: weight
-  /// i belongs to point i.
+  /// A fold adds `factor` times weight `from` of the basis to point `to` of the segment. Without
+  /// folds, weight i belongs to point i.
   struct Fold {
     int from = 0;
     int to = 0;
@@ -24,7 +24,7 @@ struct SegmentBasis {
     bool operator==(const Fold&) const = default;
   };
   Array<Fold> folds = {};
-  int points = 0;  ///< weights that the segment has after folding
+  int points = 0;  ///< the number of the segment's weights after folding
 
   bool operator==(const SegmentBasis&) const = default;
 };
@@ -33,7 +33,7 @@ struct SegmentBasis {
 /// those of a caller's basis do not.
 Array<double> weightsAt(const SegmentBasis& basis, double t);
 
-/// Writes to `weights` the same, times the points' weights if there are any, divided by their sum.
+/// Writes to `weights` the same, times the points' weights if any, divided by their sum.
 void weightsAt(const SegmentBasis& basis, const Array<double>& pointWeights, double t,
                Array<double>& weights);
 

@@ -9,7 +9,7 @@ namespace karcher {
 /// its minimum until that one ends. This function also searches from the segment's end to its start
 /// and takes the minimum of lower energy at each sample. The curve is then the same in both
 /// directions, and changes from one minimum to another where both have the same energy. `back` is
-/// scratch.
+/// scratch memory.
 void takeBestBranches(SegmentFields& fields, const WeightTable& table, Method method,
                       Array<CurveSample>& samples, Array<CurveSample>& back);
 

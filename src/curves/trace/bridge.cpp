@@ -8,7 +8,7 @@
 namespace karcher {
 namespace {
 
-/// Over a shorter part of the segment the subdivision curve is no better than its chord.
+/// The part of a segment below which the subdivision curve is no better than its chord.
 constexpr double kShortInterval = 1.0 / 32;
 constexpr int kMostPieces = 8;
 
@@ -61,8 +61,8 @@ class BridgeBuilder {
     for (const PointField* point : points) points_.push_back(point->point());
   }
 
-  /// The line between the ends; null ends are those of the subdivision curve. Between neighbouring
-  /// samples it is straight.
+  /// The line between the ends. A null end is that of the subdivision curve. Between neighbouring
+  /// samples the line is straight.
   const ParametricLine& build(double t0, double t1, const SurfacePoint* from,
                               const SurfacePoint* to, bool betweenNeighbours) {
     ParametricLine& line = workspace_.line;
@@ -116,8 +116,9 @@ class BridgeBuilder {
     }
   }
 
-  /// The weights of the control points of the cubic Bezier curve that interpolates the basis at
-  /// four parameters of [t0, t1]: the curve itself where the basis is of degree 3 at most.
+  /// Finds the weights of the control points of the cubic Bezier curve that interpolates the basis
+  /// at four parameters of [t0, t1]. If the degree of the basis is at most 3, this is the curve
+  /// itself.
   void findBezierWeights(double t0, double t1) {
     auto& [first, second, third, last] = workspace_.bezier;
     weightsAt(basis_, pointWeights_, t0, first);
@@ -209,8 +210,8 @@ void bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
   const bool isWhole =
       workspace.jumps.empty() && std::all_of(samples.begin(), samples.end(), isConverged);
   if (isWhole) return;
-  // Samples that a tolerance placed are dense enough for the branch that they follow; a search
-  // whose answer depends on its start has none.
+  // Samples that a tolerance placed are dense enough for the branch that they follow. A search
+  // whose result depends on its start has no such branch.
   if (table != nullptr && goesOnWhereIndefinite(method)) {
     takeBestBranches(fields, table->samples, method, samples, workspace.back);
     lookForJumps();

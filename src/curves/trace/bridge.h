@@ -8,8 +8,8 @@
 /// Bridges over the gaps of curves.
 ///
 /// Where control points lie too far apart, there is no center of mass, or it jumps from one local
-/// minimum to another. Over the interval from the last sample before to the first one after, the
-/// curve follows a bridge instead: the subdivision curve of the segment's own control points
+/// minimum to another. From the last sample before such a gap to the first one after it, the curve
+/// follows a bridge instead: the subdivision curve of the segment's own control points
 /// (subdivision.h), with its ends moved to those two samples. So the curve is continuous
 /// everywhere, and its samples show where and why it is no center of mass.
 namespace karcher {
@@ -31,7 +31,8 @@ inline SampleStatus statusOn(const Bridge& bridge) {
 
 /// Scratch memory, which can be reused.
 struct BridgeWorkspace {
-  /// An interval between two samples that needs a bridge. An end that is not kept is lost itself.
+  /// An interval between two samples that needs a bridge. An end that is not kept is no center
+  /// itself.
   struct Interval {
     int first = 0;
     int last = 0;
@@ -45,11 +46,11 @@ struct BridgeWorkspace {
   Array<CurveSample> back;
   Array<Interval> intervals;
   SubdivisionWorkspace subdivision;
-  Array<SurfacePoint> points;  ///< of the segment
+  Array<SurfacePoint> points;  ///< the segment's control points
   Array<SurfacePoint> polygon;
-  std::array<Array<double>, 4> bezier;  ///< weights of a cubic's control points
+  std::array<Array<double>, 4> bezier;  ///< the weights of a cubic's control points
   SurfacePath chord;
-  ParametricLine line;  ///< of the current bridge
+  ParametricLine line;  ///< the line of the current bridge
 };
 
 /// The bridge's point at t, clamped to [t0, t1].
@@ -59,20 +60,20 @@ SurfacePoint pointAt(const TriangleMesh& mesh, const Bridge& bridge, double t);
 void appendPart(const TriangleMesh& mesh, const Bridge& bridge, double from, double to,
                 Array<SurfacePoint>& out);
 
-/// The bridge over t, or none.
+/// The bridge over t, or null.
 const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 
-/// Makes a traced segment whole and writes its bridges, ascending in t: finds where its samples
-/// (two at least, ascending in t) are not converged or jump, bridges these intervals, and moves the
+/// Completes a traced segment and writes its bridges, ascending in t: finds where its samples (two
+/// at least, ascending in t) are not converged or jump, bridges these intervals, and moves the
 /// samples inside onto the bridges with the status kBridged.
 ///
 /// Between two neighbouring samples a bridge is the geodesic that joins them.
 ///
-/// `basis` and `pointWeights` give the weights (segment_basis.h); where all weight is on one
-/// control point, a bridge passes through that point. `table` has the weights with which
-/// `traceSegment` found the samples; it is null if a tolerance placed them. With a table, a segment
-/// that breaks is also traced backwards (branches.h), except by the paper's method; samples that a
-/// tolerance placed stay where they are.
+/// `basis` and `pointWeights` give the weights (segment_basis.h). If one control point has all the
+/// weight, a bridge passes through it. `table` has the weights with which `traceSegment` found the
+/// samples; it is null if a tolerance placed them. With a table, a segment that breaks is also
+/// traced backwards (branches.h), except by the paper's method. Samples that a tolerance placed
+/// stay where they are.
 void bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
                    const Array<double>& pointWeights, const PieceWeights* table, Method method,
                    Array<CurveSample>& samples, BridgeWorkspace& workspace, Array<Bridge>& bridges);

@@ -7,7 +7,7 @@ namespace karcher {
 namespace {
 
 /// Calls visit(f) for the faces that hold a point: one inside a face, two on an edge, all around a
-/// vertex. Stops if it returns true.
+/// vertex. Stops when visit returns true.
 template <class Visit>
 bool visitFacesAt(const TriangleMesh& mesh, const SurfacePoint& point, const Visit& visit) {
   const PointLocation place = locate(mesh, point);
@@ -22,8 +22,8 @@ bool visitFacesAt(const TriangleMesh& mesh, const SurfacePoint& point, const Vis
   return twin >= 0 && visit(faceOf(twin));
 }
 
-/// Whether the points share a face, or else the half-edge from a face of `a` to a face of `b`, or
-/// -1.
+/// Whether two points a and b share a face; otherwise the half-edge from a face of `a` to a face of
+/// `b`, or -1.
 struct Passage {
   bool sharesFace = false;
   int halfedge = -1;

@@ -27,8 +27,8 @@ class EdgeCrossings {
 
   /// Appends the crossings between two converged samples, in ascending t, and the later sample. If
   /// the samples' faces do not share an edge, more samples are found and appended. Returns false
-  /// and changes nothing if 2^-kMostBisections of the interval is too coarse to decide which edges
-  /// the curve crosses, as near a vertex.
+  /// and changes nothing if the curve's edges cannot be decided within 2^-kMostBisections of the
+  /// interval, as near a vertex.
   bool append(const CurveSample& from, const CurveSample& to, Array<SurfacePoint>& out);
 
   /// The result of the last call: the crossings, on edges, and the samples between them.
@@ -39,9 +39,9 @@ class EdgeCrossings {
  private:
   bool appendBetween(const CurveSample& from, const CurveSample& to, int bisections);
   bool appendCrossing(int h, double t0, double t1);
-  /// Appends the crossing of an edge, or of one half of it if faces are cut. If the curve passes
-  /// the edge's line between t0 and t1 only by rounding, the crossing is at the nearer of them, or
-  /// none.
+  /// Appends the crossing of an edge, or of one half of it if faces are divided. If only rounding
+  /// takes the curve past the edge's line between t0 and t1, the crossing is at the nearer of them,
+  /// or is omitted.
   bool appendCrossing(int h, int half, double t0, double t1, bool orNearest);
 
   const Geometry& geometry_;

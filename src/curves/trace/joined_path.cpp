@@ -31,7 +31,7 @@ void joinSamples(Surface& surface, const Array<CurveSample>& samples, const Arra
     } else if (crossings && samples[i - 1].status == SampleStatus::kConverged &&
                samples[i].status == SampleStatus::kConverged &&
                crossings->append(samples[i - 1], samples[i], points)) {
-      // The curve itself.
+      // The path follows the curve itself.
     } else {
       appendGeodesic(geometry, from, to, workspace, points);
     }

@@ -7,7 +7,7 @@ namespace karcher {
 
 /// The connection between consecutive samples.
 enum class CurveGeometry {
-  kGeodesic,  ///< the locally shortest path
+  kGeodesic,  ///< a locally shortest path
   kExact,     ///< the curve's own crossings of edges (edge_crossings.h)
 };
 
@@ -15,14 +15,13 @@ enum class CurveGeometry {
 /// crossings, and along bridges.
 struct JoinedPath {
   SurfacePath line;
-  /// For each point, the number of the sample to which its piece leads.
+  /// The number of the sample to which each point's piece leads.
   Array<int> sample;
-  /// For each point, whether its piece lies on a bridge or leads to a sample that is not converged.
+  /// Whether each point's piece lies on a bridge or leads to a sample that is not converged.
   Array<uint8_t> unconverged;
 };
 
-/// Writes to `path`. With `crossings` the path is exact, and geodesics close the gaps that they
-/// leave.
+/// Writes to `path`. With `crossings` the path is exact, and geodesics close the remaining gaps.
 void joinSamples(Surface& surface, const Array<CurveSample>& samples, const Array<Bridge>& bridges,
                  EdgeCrossings* crossings, StripWorkspace& workspace, JoinedPath& path);
 JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,

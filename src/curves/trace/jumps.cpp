@@ -8,9 +8,10 @@
 namespace karcher {
 namespace {
 
-/// The most divisions of a step, enough for one across a whole large surface.
+/// The most divisions of a step, enough for a step across a large surface.
 constexpr int kMostDivisions = 200'000;
-/// A step in a face that comes nearer to an edge than this part of its length may bend across it.
+/// The margin of an edge, relative to the length of a step in a face. A step that comes nearer may
+/// bend across the edge.
 constexpr double kEdgeMargin = 0.25;
 
 class JumpSearch {
@@ -27,7 +28,7 @@ class JumpSearch {
         weights_(weights) {}
 
   /// Whether and how the curve from one converged sample to the next breaks, in either direction.
-  /// `middle` has the weights in the middle, or none.
+  /// `middle` has the weights in the middle, or is empty.
   std::optional<SampleStatus> run(const CurveSample& from, const CurveSample& to, Weights middle) {
     if (!middle.empty() && isContinuous(from.point, to.point, middle)) return std::nullopt;
     bool differ = false;
@@ -38,13 +39,13 @@ class JumpSearch {
   }
 
  private:
-  /// Searches start at the earlier end of a step, at the later one, or at both as long as they find
-  /// the same.
+  /// Searches start at the earlier end of a step, at the later one, or at both while these find the
+  /// same center.
   enum class Direction { kForwards, kBackwards, kBoth };
 
-  /// Follows the curve along a step. In both directions, it sets `differ` and stops where they find
+  /// Follows the curve along a step. With kBoth, it sets `differ` and stops where the searches find
   /// different centers. `middle` has the weights in the middle of the step if they are known to be
-  /// inconclusive, or none.
+  /// inconclusive, or is empty.
   std::optional<SampleStatus> follow(const CurveSample& from, const CurveSample& to, Weights middle,
                                      Direction direction, bool* differ = nullptr) {
     waiting_.assign(1, {{from.t, from.point}, {to.t, to.point}});
@@ -99,9 +100,9 @@ class JumpSearch {
     return staysInCell(from, to, middle) || crossesAnEdge(from, to, middle);
   }
 
-  /// In one cell the zero of the field moves continuously, and stays the center there if the step
-  /// keeps away from the edges, so that no other cell has a deeper zero, and its middle, by the
-  /// weights there, lies between its ends.
+  /// In one cell the zero of the field moves continuously. It stays the center if the step keeps
+  /// away from the edges, so that no other cell has a deeper zero, and if the zero for the weights
+  /// in its middle lies between its ends.
   bool staysInCell(const SurfacePoint& from, const SurfacePoint& to, Weights middleWeights) const {
     if (from.face != to.face) return false;
     const Cells& cells = fields_.cells();
@@ -132,9 +133,9 @@ class JumpSearch {
     return length(zero.bary - (a + b) / 2) < margin;
   }
 
-  /// From one face into the next over the edge between them: where the zeros of both faces' fields
-  /// in the middle lie side by side, between the ends of the step and away from the other edges,
-  /// the zero passes from one to the other without a jump.
+  /// From one face into the next over the edge between them, the zero passes without a jump if,
+  /// with the weights in the middle, the zeros of both faces' fields lie side by side, between the
+  /// ends of the step and away from the other edges.
   bool crossesAnEdge(const SurfacePoint& from, const SurfacePoint& to,
                      Weights middleWeights) const {
     if (fields_.cells().cut() || from.face == to.face) return false;
@@ -162,7 +163,7 @@ class JumpSearch {
   }
 
   /// The largest distance between the zeros of both faces when the zero reaches half-edge h. In the
-  /// other face the values at the ends are turned relative to each other (CellZero::holonomy); if
+  /// other face the values at the ends are turned relative to each other (CellZero::holonomy). If
   /// they are opposite, and so cancel at the edge, the rest is perpendicular to them.
   double gapAtEdge(int h, const CellZero& zero) const {
     const Vec2& tail = zero.field.corner[cornerOf(h)];
@@ -178,7 +179,7 @@ class JumpSearch {
     return lengthInFace(faceOf(h), {-along - up, along, up});
   }
 
-  /// A point of a half-edge's face, possibly outside it, with the half-edge as x axis.
+  /// A point of a half-edge's face (or of its plane), with the half-edge as x axis.
   Vec2 besideEdge(int h, const Vec3& bary) const {
     const int face = faceOf(h);
     return rotateBack(
@@ -186,7 +187,7 @@ class JumpSearch {
         pointInFace(geometry_, {face, bary}) - cornerInFace(geometry_, face, cornerOf(h)));
   }
 
-  /// The same in the frame of the half-edge's twin.
+  /// The same point in the frame of the half-edge's twin.
   Vec2 acrossEdge(int h, const Vec3& bary) const {
     return Vec2(geometry_.edgeLength[h], 0) - besideEdge(h, bary);
   }
@@ -199,13 +200,13 @@ class JumpSearch {
                     bary[cornerOf(next(h))] * area / geometry_.edgeLength[edges[1]]);
   }
 
-  /// Whether no face across the other two edges can have a zero, too.
+  /// Whether no face across the other two edges can have a zero.
   static bool isAlone(int h, const CellZero& zero) {
     return isTheOnlyZero(zero, std::min(zero.bary[cornerOf(h)], zero.bary[cornerOf(next(h))]) / 2);
   }
 
   /// Whether the values at the ends of each edge make angles so far from 0 and pi that no adjacent
-  /// face has a zero, nor would after as much turning again (isTheOnlyZero).
+  /// face has a zero, and would have none if they turned as much again (isTheOnlyZero).
   static bool turnsBesideNoEdge(const CellZero& zero) {
     constexpr double kRoom = 2;
     const double bound = kRoom * kRoom * zero.holonomy * zero.holonomy;

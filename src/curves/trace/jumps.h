@@ -5,15 +5,15 @@
 
 namespace karcher {
 
-/// A step is a jump if it stays longer than this, in mean edges, however finely t is divided. Much
-/// shorter steps occur at every edge, where the interpolated field is discontinuous.
+/// The longest step, in mean edges, that is no jump: a jump stays longer however finely t is
+/// divided. Much shorter steps occur at every edge, where the interpolated field is discontinuous.
 inline constexpr double kLongestStep = 0.05;
 /// The finest division of t.
 inline constexpr double kFinestDivision = 1e-9;
 
-/// A step between two samples over which the centers of mass break.
+/// A step between two samples at which the centers of mass break.
 struct Jump {
-  int step = 0;  ///< the number of its first sample
+  int step = 0;  ///< the number of the step's first sample
   SampleStatus reason = SampleStatus::kJump;
 };
 
@@ -21,8 +21,8 @@ inline bool isConverged(const CurveSample& sample) {
   return sample.status == SampleStatus::kConverged;
 }
 
-/// The steps between converged samples that break, in order, written to `jumps`. Steps well inside
-/// a face, or shorter than half of `kLongestStep`, need no check; others are divided until their
+/// Writes to `jumps` the steps between converged samples that break, in order. Steps well inside a
+/// face, or shorter than half of `kLongestStep`, need no check; others are divided until their
 /// parts are such steps.
 ///
 /// `basis` and `pointWeights` give the weights (segment_basis.h). `table` has those at the samples

@@ -96,11 +96,11 @@ void mergePieces(const Array<const TracedPiece*>& pieces, int even, TracedSegmen
         moved.line.path.lengths.push_back(before + bridge.line.path.lengths[i]);
       }
     }
-    // The start of a piece equals the end of the one before.
+    // The start of a piece equals the end of the previous one.
     const int last = piece.samples.count() - 1;
     int next = even > 0 ? firstBehind(even, k, count) : 0;
     if (k == 0) whole.samples.push_back(piece.samples[0]);
-    // The points before a joint that is no sample lead to the sample after it.
+    // The points before a joint that is no sample lead to the next sample.
     const int first = whole.samples.count();
     const auto inWhole = [&](int sample) { return sample == 0 ? 0 : first + sample - 1; };
     for (int i = 1; i <= last; ++i) {

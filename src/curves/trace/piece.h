@@ -6,20 +6,19 @@
 #include "curves/spec/curve_layout.h"
 #include "curves/trace/joined_path.h"
 
-/// A piece of a curve: one center of mass of a few points. A segment of a curve of level 0 has one
-/// piece, others have 2^levels.
+/// A piece of a curve: one center of mass of a few points. A segment at level 0 has one piece,
+/// otherwise 2^levels.
 namespace karcher {
 
-/// The part of a segment that a piece is: number `index` of `count` equal parts.
+/// The part of a segment that a piece covers: number `index` of `count` equal parts.
 struct PartOfSegment {
   int index = 0;
   int count = 1;
   bool operator==(const PartOfSegment&) const = default;
 };
 
-/// The piece's parameters for evenly spaced samples of the segment: those that lie in the piece,
-/// and both its ends. Table rows are at t in [0, 1] of the piece. Writes to `table`; `row` is
-/// scratch memory.
+/// Writes to `table` the piece's parameters for evenly spaced samples of the segment: those in the
+/// piece, and both its ends. Its rows are at t in [0, 1] of the piece. `row` is scratch memory.
 void tabulatePiece(const SegmentBasis& basis, int samples, const PartOfSegment& part,
                    Array<double>& row, PieceWeights& table);
 
@@ -28,13 +27,13 @@ PieceWeights weighted(const PieceWeights& weights, const Array<double>& pointWei
 
 /// A traced piece.
 struct TracedPiece {
-  Array<CurveSample> samples;  ///< in t of the piece, both ends included
-  /// The intervals where it is no center of mass.
+  Array<CurveSample> samples;  ///< the samples in t of the piece, both ends included
+  /// The intervals in which it is no center of mass.
   Array<Bridge> bridges;
   JoinedPath path;
 };
 
-/// A traced segment, in its t.
+/// A traced segment, with t of the segment.
 using TracedSegment = TracedPiece;
 
 /// Writes a segment's pieces one after the other to `whole`. `even` is the number of evenly spaced

@@ -13,7 +13,7 @@ SampleStatus sampleStatus(Status ofSearch) {
     case Status::kNoProgress:
       return SampleStatus::kNoProgress;
     case Status::kLimit:
-    case Status::kLowerNearby:  // of means only
+    case Status::kLowerNearby:  // a status of means only
       break;
   }
   return SampleStatus::kLimit;

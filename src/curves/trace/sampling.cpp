@@ -9,8 +9,8 @@
 namespace karcher {
 namespace {
 
-/// The intervals of a segment before any bisection, for each control point; fewer would miss a bend
-/// between their ends.
+/// The number of intervals of a segment, for each control point, before any bisection. Fewer would
+/// miss a bend between their ends.
 constexpr int kIntervalsAPoint = 2;
 constexpr int kFewestIntervals = 8;
 constexpr int kMostBisections = 20;
@@ -18,8 +18,8 @@ constexpr int kMostBisections = 20;
 constexpr int kLooksAFace = 3;
 constexpr int kFewestLooks = 12;
 constexpr int kMostLooks = 256;
-/// A step between two evaluations in different faces that is longer than this many even ones is
-/// divided.
+/// The longest step between two evaluations in different faces, relative to even steps. Longer ones
+/// are divided.
 constexpr double kLongestOfSteps = 1.5;
 constexpr int kMostHalvings = 4;
 /// The most bisections where samples do not converge: at the border of an interval, and inside.
@@ -90,9 +90,9 @@ class AdaptiveTrace {
     Vec3 off = Vec3::Zero();
   };
 
-  /// Whether the curve stays near the geodesic, evaluated in each face that this crosses, since the
-  /// curve may bend or jump at the edges. Between two evaluations the curve may deviate further by
-  /// as much as it changes from one to the other.
+  /// Whether the curve stays near the geodesic. It is evaluated in each face that the geodesic
+  /// crosses, since it may bend or jump at the edges. Between two evaluations the curve may deviate
+  /// further by as much as it changes from one to the other.
   bool isFine(const CurveSample& from, const CurveSample& middle, const CurveSample& to) {
     workspace_.path.points.assign(1, from.point);
     if (!appendLocalPath(geometry_, from.point, to.point, workspace_.strip, workspace_.path.points))
@@ -113,8 +113,7 @@ class AdaptiveTrace {
     return true;
   }
 
-  /// Between two evaluations the curve may pass a face, if it moves fast or if their faces do not
-  /// meet.
+  /// Between two evaluations, a fast curve may pass a face, and so may one whose faces do not meet.
   bool isFineBetween(const Look& from, const Look& to, int divisions) {
     if (to.sample.status != SampleStatus::kConverged) return false;
     const int face = from.sample.point.face;
@@ -144,7 +143,7 @@ class AdaptiveTrace {
     return result;
   }
 
-  /// The vector in space from the geodesic's nearest point.
+  /// The vector in space from the geodesic's nearest point to p.
   Vec3 offGeodesic(const Vec3& p) const {
     const TriangleMesh& mesh = *geometry_.mesh;
     Vec3 nearest = Vec3::Constant(kInfinity);

@@ -4,7 +4,7 @@
 #include "intrinsic/strip_path.h"
 #include "intrinsic/surface_path.h"
 
-/// Sampling to a tolerance.
+/// Samples of a curve to a tolerance.
 namespace karcher {
 
 /// Throws Error kBadArgument for a tolerance outside 1e-7 to 1.
@@ -17,12 +17,12 @@ struct SamplingWorkspace {
   StripWorkspace strip;
 };
 
-/// Samples of a segment by bisection of t, until between two neighbouring ones the curve lies
-/// within the tolerance, as a part of the bounding box's diagonal, of the geodesic that joins them.
-/// If the curve jumps at an edge of the mesh (kLongestStep in jumps.h), samples approach the jump
-/// as closely as the tolerance needs, and a geodesic crosses it. The curve is evaluated 12 to 256
-/// times between two samples, three times for each face that the geodesic crosses, and more often
-/// where it moves fast or between faces without a common edge; the largest change between two
+/// Samples of a segment by bisection of t. It stops when the curve between two neighbouring samples
+/// lies within the tolerance, relative to the bounding box's diagonal, of the geodesic that joins
+/// them. If the curve jumps at an edge of the mesh (kLongestStep in jumps.h), samples approach the
+/// jump as closely as the tolerance needs, and a geodesic crosses it. The curve is evaluated 12 to
+/// 256 times between two samples: three times for each face that the geodesic crosses, and more
+/// often where it moves fast or between faces without a common edge. The largest change between two
 /// evaluations counts as deviation, too. This is no proof, since an excursion of the basis between
 /// two evaluations is missed. In tests no curve exceeded a tolerance of 1e-3 or 1e-4, and one of
 /// fifty exceeded 1e-5.

@@ -31,7 +31,7 @@ using BasisWriter = std::function<void(double t, Array<double>& weights)>;
 struct WeightTable {
   int points = 0;
   Array<double> t;
-  Array<double> weights;  ///< row by row, `points` for each sample
+  Array<double> weights;  ///< the weights row by row, `points` for each sample
 
   Weights row(int sample) const {
     return {weights.data() + static_cast<ptrdiff_t>(sample) * points, static_cast<size_t>(points)};
@@ -49,10 +49,10 @@ void append(WeightTable& table, double t, const Array<double>& weights);
 /// The table at `count` >= 2 parameters, evenly spaced from 0 to 1.
 WeightTable tabulate(const Basis& basis, int count);
 
-/// The index of the largest weight; if several are equal, the first.
+/// The index of the largest weight, the first if several are equal.
 int heaviest(Weights weights);
 
-/// The index of the only weight that is not 0, if there is one: the mean is that point.
+/// The index of the only nonzero weight, if only one is nonzero: the mean is that point.
 std::optional<int> onlyOne(Weights weights);
 
 /// The control points of a segment and the blend of their fields. All stages of tracing share the
@@ -61,11 +61,10 @@ struct SegmentFields {
   SegmentFields(Surface& surface, const Array<PointField*>& ofPoints)
       : points(ofPoints), blend(surface.geometry(), controlFields(ofPoints)) {}
 
-  /// Replaces the points by those of another segment, of which no end is known, and keeps the
-  /// memory.
+  /// Replaces the points by those of another segment, and forgets the known ends. Memory is kept.
   void setPoints(const Array<PointField*>& ofPoints);
 
-  /// The center at a parameter that is an end, if it is known: no search replaces it.
+  /// The known center at a parameter that is an end, or null. It replaces a search.
   const SurfacePoint* known(double t) const {
     const std::optional<SurfacePoint>& end = t == 0 ? first : last;
     return (t == 0 || t == 1) && end ? &*end : nullptr;
@@ -82,16 +81,16 @@ struct SegmentFields {
 };
 
 /// Writes to `order` the control points at which a failed search for a center of mass restarts:
-/// those of positive weight, the heaviest first, which is left out at the ends of a segment, where
-/// it has been tried. A search that continues where the Hessian is not positive definite tries only
-/// the heaviest.
+/// those of positive weight, the heaviest first. At the ends of a segment the heaviest is omitted,
+/// since the search began there. A search that continues where the Hessian is not positive definite
+/// tries only the heaviest.
 void findRestarts(Weights weights, Method method, bool isEnd, Array<int>& order);
 
 /// One sample per row of the table. The search for the first and the last sample starts at the
-/// control point of largest weight, each other one at the last converged sample; a search that
-/// fails starts again at the control points of `findRestarts`. So the result depends only on the
-/// fields and the weights, and the end of one segment is the start of the next. The result reuses
-/// the memory of `samples`. If `backwards`, the search goes from the last row to the first.
+/// control point of largest weight, each other one at the last converged sample. A failed search
+/// starts again at the control points of `findRestarts`. So the result depends only on the fields
+/// and the weights, and the end of one segment is the start of the next. The result reuses the
+/// memory of `samples`. If `backwards`, the search goes from the last row to the first.
 Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method,
                                 Array<CurveSample> samples = {}, bool backwards = false);
 
