@@ -16,7 +16,9 @@ import { readColors } from './view/theme_colors';
 import { TransportSection } from './view/transport_section';
 import { Turns } from './view/turns';
 
-/** For tests: `?detail=0.05` has every mesh smaller, `?antialias=off` lines rougher. */
+/**
+ * Options for tests: `?detail=0.05` makes every mesh smaller, `?antialias=off` makes lines rougher.
+ */
 const parameters = new URLSearchParams(location.search);
 
 declare global {
@@ -40,7 +42,7 @@ function start(): void {
   const detail = Number(parameters.get('detail') ?? 1);
   const shown = detail < 1 ? smallFigures(detail, 17) : figures;
   const claims = new ClaimsSection();
-  // Asked for all at once: a section that is made tells nothing yet.
+  // Reads all sections at once: a new one has no measurements yet.
   const measured = () => {
     claims.show(Object.assign({}, ...sections.map((section) => section.measured())));
   };
@@ -50,7 +52,7 @@ function start(): void {
   const table = new TableSection(
     detail < 1 ? smallRows(detail) : tableRows,
     build.version,
-    // Numbers of other meshes say nothing of these.
+    // Numbers of larger meshes do not apply to these.
     detail < 1 ? null : savedReport,
   );
   const carried = new CarriedSection(context, detail);

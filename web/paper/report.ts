@@ -19,7 +19,7 @@ import { runTable } from './table/run';
 const figure = (value: number | null, digits: number) =>
   value === null ? '–' : value === 0 ? '0' : value.toPrecision(digits);
 
-/** The numbers of a line as cells of a table; a line that failed has its reason. */
+/** The numbers of a line as cells of a table; a failed line has its reason there. */
 export function cells(line: LineResult): string[] {
   if (!line.ok) return [`failed: ${line.reason}`, ...heads.slice(2).map(() => '')];
   const { drag } = line;
@@ -44,7 +44,9 @@ export function cells(line: LineResult): string[] {
   ];
 }
 
-/** The residual and the energy by exact paths, and over how many samples where some were lost. */
+/**
+ * The residual and the energy by exact paths, and the number of measured samples if some were lost.
+ */
 function ruled({ ruler }: MethodResult): [string, string] {
   const residual = figure(ruler?.residual?.median ?? null, 3);
   const over = ruler && ruler.measured < ruler.of ? ` over ${ruler.measured} of ${ruler.of}` : '';
@@ -56,7 +58,10 @@ const markdownTable = (rows: readonly string[][]) =>
     .map((row) => `| ${row.join(' | ')} |`)
     .join('\n');
 
-/** First what is the same for all methods, by exact paths; then what is told from a reference. */
+/**
+ * First the measures by exact paths, which are the same for all methods, then those against a
+ * reference.
+ */
 const heads = [
   ...[
     '',
@@ -74,10 +79,10 @@ const heads = [
   ...['prepare ms', 'trace ms'],
 ];
 
-/** Where leaps under a drag are what a figure is about; elsewhere they would take long. */
+/** Figures about leaps in a drag; in other figures this measurement would take too long. */
 const draggedFigures: ReadonlySet<string> = new Set(['far']);
 
-/** What a figure's report has: its numbers, as Markdown and as they are. */
+/** A figure's report: its numbers, as Markdown and as data. */
 export interface FiguresReport {
   text: string;
   panels: Measured['panels'];
@@ -123,7 +128,7 @@ export async function report(
   return { text: `${parts.join('\n\n')}\n`, panels };
 }
 
-/** Measures Table 1 in these rows and writes it as Markdown. */
+/** Measures these rows of Table 1 and writes them as Markdown. */
 export async function tableReport(
   options: { rows: readonly TableRow[]; samples: number; budgetMs: number },
   tell: (what: string) => void = () => {},
@@ -180,7 +185,7 @@ export function claimsReport(claims: readonly JudgedClaim[]): string {
   return `## Claims\n\n${markdownTable([heads, ...rows])}\n`;
 }
 
-/** What each method did on meshes of a folder as Markdown. */
+/** The results of each method on a folder's meshes, as Markdown. */
 export function meshesReport(meshes: readonly MeshFinding[]): string {
   const heads = [
     'mesh',

@@ -1,6 +1,6 @@
 import type { Build } from './saved';
 
-// Put in by vite.config.ts.
+// vite.config.ts replaces this name by the value.
 declare const __KARCHER_BUILD__: string;
 declare const __KARCHER_SOURCES__: string;
 

@@ -10,7 +10,7 @@ const order: readonly Verdict[] = [
   ...(['holds', 'depends', 'does not', 'settled here', 'open', 'not measured here'] as const),
 ];
 
-/** Verdicts of several claims, where it says another word. */
+/** Words for verdicts of several claims, where they differ from those of one. */
 const ofSeveral: Partial<Record<Verdict, string>> = {
   ...{ holds: 'hold', depends: 'depend', 'does not': 'do not' },
 };
@@ -34,7 +34,7 @@ export class ClaimsSection {
     this.show({});
   }
 
-  /** Judges what the report leaves open by the panels that were measured on the page. */
+  /** Judges the claims that the report leaves open by the panels that were measured on the page. */
   show(panels: Measured['panels']): void {
     const live = judge({ panels, table: [], studies: {}, meshes: null, load: null });
     const rows = live.map((row): ShownClaim => {
@@ -53,9 +53,9 @@ export class ClaimsSection {
 }
 
 interface ShownClaim extends SavedClaim {
-  /** Whether it was judged by what this page measured. */
+  /** Whether the measurements of this page decided the verdict. */
   live: boolean;
-  /** Whether the code has changed since. */
+  /** Whether the code has changed since the verdict. */
   older: boolean;
 }
 

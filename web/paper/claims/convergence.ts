@@ -13,13 +13,15 @@ export interface ConvergencePoint {
   method: LineId;
   triangles: number;
   meanEdge: number;
-  /** Root mean square distance of the samples from the true curve, over those that converged; null of none. */
+  /**
+   * Root mean square distance of the converged samples from the true curve; null if none converged.
+   */
   error: number | null;
   lost: number;
   samples: number;
 }
 
-/** Those that make curves of more than two points. */
+/** The methods that trace curves of more than two points. */
 export const plottedMethods: readonly LineId[] = [
   'vectorHeat',
   'affineHeat',
@@ -48,7 +50,10 @@ const weightedSum = (places: readonly Vector[], weights: ArrayLike<number>): Vec
   places.reduce<Vector>((sum, place, i) => add(sum, scaled(place, weights[i]!)), [0, 0, 0]);
 const unit = (a: Vector): Vector => scaled(a, 1 / length(a));
 
-/** On the unit sphere logarithm and exponential are in closed form, and the mean is their fixed point. */
+/**
+ * The sphere's logarithm and exponential have closed forms, and a fixed-point iteration finds the
+ * mean.
+ */
 export function sphereCurve(): SmoothCurve {
   const points = [0, 1, 2, 3].map((i) =>
     unit([-0.5 + 0.33 * i, i % 2 ? 0.31 : -0.27, 0.83 + 0.05 * i]),
@@ -76,8 +81,8 @@ export function sphereCurve(): SmoothCurve {
 }
 
 /**
- * On the torus a circle round the tube is a geodesic: of points on one, near each other, the center of
- * mass lies on it, at the mean of their angles. The circle runs between the mesh's own.
+ * A circle around the tube of a torus is a geodesic: the center of mass of nearby points on it is
+ * the point at the mean of their angles. The mesh has no vertices on this circle.
  */
 export function torusCurve(): SmoothCurve {
   const { major, minor } = torusRadii;
@@ -98,7 +103,7 @@ export function torusCurve(): SmoothCurve {
   };
 }
 
-/** The point of the mesh above a point of the smooth surface: the one that is projected to it. */
+/** The mesh's point that is projected to this place of the smooth surface. */
 function pointAbove(mesh: Mesh, nearest: NearestPoints, curve: SmoothCurve, place: Vector) {
   let target = place;
   let found: SurfacePoint = nearest.point(target);
@@ -109,7 +114,7 @@ function pointAbove(mesh: Mesh, nearest: NearestPoints, curve: SmoothCurve, plac
   return found;
 }
 
-/** The error of every method on meshes of growing size. Every number is of the same curve. */
+/** The error of every method on meshes of growing size, always for the same curve. */
 export async function convergence(
   peers: Peers,
   {

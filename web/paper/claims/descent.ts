@@ -8,14 +8,14 @@ import { Scene } from '../lab/scene';
 import { studySeed } from './seed';
 import { middle } from './words';
 
-/** Paths between pairs of points, as Figure 3 has one. */
+/** Paths between pairs of points, such as the one in Figure 3. */
 export interface DescentFinding {
   mesh: 'coarse' | 'fine';
-  /** Pairs in which both descent and the paper's method found a path. */
+  /** Number of pairs for which both descent and the paper's method found a path. */
   pairs: number;
-  /** Of these, those in which descent is the farther one from the exact path. */
+  /** Number of these pairs for which descent is the farther one from the exact path. */
   worse: number;
-  /** Medians over the pairs of the median distance from the exact path, in mean edges. */
+  /** The median over the pairs of the path's median distance from the exact path, in mean edges. */
   descent: number;
   paper: number;
   ours: number;
@@ -63,7 +63,7 @@ function randomPoint({ mesh }: Scene, random: () => number): SurfacePoint {
   return { face, bary: [1 - a, a * (1 - b), a * b] };
 }
 
-/** How far each path is from the exact one, its median; null where one of them was not found. */
+/** The median distance of each path from the exact one; null if one of the paths was not found. */
 async function distances(
   peers: Peers,
   scene: Scene,

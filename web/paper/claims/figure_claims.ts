@@ -9,16 +9,19 @@ const median = (evidence: Evidence, panel: string, id: LineId) =>
   evidence.deviation(panel, id).median;
 
 /**
- * In radians: a curve whose turning noise is up to a degree a sample looks smooth, as samples are a pixel or
- * two apart.
+ * Bound in radians: a curve whose turning noise is up to a degree a sample looks smooth, as samples
+ * are a pixel or two apart.
  */
 const smoothTurning = Math.PI / 180;
 
-/** Of two numbers that are alike, the larger is at most so many times the smaller. */
+/** The largest ratio of two numbers that count as alike. */
 const alike = 2;
 const areAlike = (a: number, b: number) => Math.max(a, b) <= alike * Math.min(a, b);
 
-/** Whether something happened more often (1), less often (-1) or as often as even chances give, within two deviations. */
+/**
+ * Whether something happened more often (1), less often (-1) or as often (0) as even chances
+ * predict, within two standard deviations.
+ */
 function moreThanChance(count: number, of: number): number {
   const beyond = count - of / 2;
   return Math.abs(beyond) > Math.sqrt(of) ? Math.sign(beyond) : 0;
@@ -169,7 +172,7 @@ export const figureClaims: readonly Claim[] = [
       const { result } = averages;
       const residual = result.ruler?.residual?.median ?? null;
       const embedded = result.prepareMs !== null;
-      // Out of time, on a busy machine say, is not a failure.
+      // A method that ran out of time, perhaps on a busy machine, has not failed.
       if (!embedded && /^stopped after/.test(result.reason ?? '')) {
         throw new NotMeasured(`weighted averages on the armadillo: ${result.reason}`);
       }
@@ -217,7 +220,7 @@ export const figureClaims: readonly Claim[] = [
         throw new NotMeasured(`the paper’s method on a large mesh, which failed: ${paper.reason}`);
       }
       if (!evidence.timesDecide()) return { verdict: 'open', measured };
-      // Ten a second.
+      // A drag is fluent at ten steps a second.
       if (paper.dragMs <= 100) return { verdict: 'holds', measured };
       return {
         verdict: 'depends',

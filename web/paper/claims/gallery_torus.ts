@@ -3,7 +3,7 @@ import type { Peers } from 'karcher/peers';
 import { galleryFigure } from '../figures/splines';
 import { NearestPoints } from '../lab/nearest';
 
-/** The gallery's torus with so many triangles, and its control points. */
+/** The gallery's torus with this many triangles, and its control points. */
 export function galleryTorus(
   peers: Peers,
   triangles: number,

@@ -5,17 +5,17 @@ import { num, sum } from './words';
 
 const lost = (evidence: Evidence, panel: string, id: LineId) => evidence.lost(panel, id).lost;
 
-/** Leaps; a method that failed has no curve that could. */
+/** The number of leaps of a line; none is counted for a method that failed and has no curve. */
 const breaks = (evidence: Evidence, panel: string, id: LineId) =>
   evidence.line(panel, id).breaks ?? 0;
 
-/** A curve on the plane that turns by less than this is one that does not wiggle, in radians a sample. */
+/** The turning in radians a sample below which a curve on the plane does not wiggle. */
 const wiggle = 0.01;
 
 interface Stability {
   lost: number;
   samples: number;
-  /** Of the samples that are not lost; null where there is none. */
+  /** Residual of the samples that are not lost; null if all are lost. */
   residual: number | null;
 }
 
@@ -27,16 +27,21 @@ function stabilityOf(evidence: Evidence, panel: string, id: LineId): Stability {
 const stabilityText = ({ lost, samples, residual }: Stability) =>
   `${lost} of ${samples}${residual === null ? '' : ` (${num(residual)} h)`}`;
 
-/** Whether the first loses fewer samples or, of as many, has the smaller residual. */
+/**
+ * Whether the first loses fewer samples or, if both lose the same number, has the smaller residual.
+ */
 function isSteadier(a: Stability, b: Stability): boolean {
   if (a.lost !== b.lost) return a.lost < b.lost;
   return a.residual !== null && b.residual !== null && a.residual < b.residual;
 }
 
-/** A method that loses a larger part of its samples is not resilient. */
+/** The largest part of its samples that a resilient method loses. */
 const mostLost = 0.05;
 
-/** The armadillo, if it is among the meshes of a folder: what the paper's method loses there at the worst. */
+/**
+ * The largest number of samples that the paper's method loses on the armadillo, if the folder of
+ * meshes has it.
+ */
 function armadillo({ all: { meshes } }: Evidence): { lost: number | null; measured: string } {
   const found = meshes?.find(({ name }) => name.startsWith('armadillo'));
   const wanted = [
@@ -68,7 +73,7 @@ function armadillo({ all: { meshes } }: Evidence): { lost: number | null; measur
   };
 }
 
-/** Sections 5.1 to 6: what the method cannot do, and what is open. */
+/** Sections 5.1 to 6: the method's limits and the open questions. */
 export const limitClaims: readonly Claim[] = [
   {
     id: 'too-far',

@@ -13,10 +13,10 @@ import {
 } from 'karcher/peers';
 import { randomFrom } from '../../model/random';
 
-/** The compared methods; of the paper's own, with k = 6 and with exact distances. */
+/** The compared methods; the paper's own appears with k = 6 and with exact distances. */
 export type MeshMethod = ComparedMethod | 'paperExact';
 
-/** What each method did on a mesh from a folder: a B-spline of points that are given, or seeded. */
+/** The results of each method on a mesh from a folder, for a B-spline of given or seeded points. */
 export interface MeshFinding {
   name: string;
   triangles: number;
@@ -24,7 +24,7 @@ export interface MeshFinding {
 }
 
 const meshMethods: readonly MeshMethod[] = comparedMethods.flatMap((method): MeshMethod[] => {
-  // It joins two points only.
+  // Descent joins only two points.
   if (method === 'descent') return [];
   return method === 'paper' ? ['paper', 'paperExact'] : [method];
 });
@@ -46,8 +46,8 @@ const samples = 64;
 const wandering = 7;
 
 /**
- * Control points for a mesh of which nothing is known: from a random place straight ahead, a tenth of the
- * diagonal each, to the left and to the right by turns.
+ * Control points for an unknown mesh: a walk from a random place, in straight legs of a tenth of
+ * the diagonal that turn left and right alternately.
  */
 export function wanderingPoints(mesh: Mesh, seed: number): SurfacePoint[] {
   const random = randomFrom(seed);
@@ -67,7 +67,7 @@ export function wanderingPoints(mesh: Mesh, seed: number): SurfacePoint[] {
   return result;
 }
 
-/** Compares the methods on a mesh; with control points where there are some. */
+/** Compares the methods on a mesh, with the given control points or with seeded ones. */
 export async function judgeMesh(
   peers: Peers,
   name: string,

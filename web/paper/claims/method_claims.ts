@@ -6,7 +6,7 @@ import type { Claim, Evidence } from './types';
 import { NotMeasured } from './types';
 import { middle, ms, num, percent, sum } from './words';
 
-/** Samples lost in all panels that show both methods. */
+/** The number of samples lost in all panels that show both methods. */
 function lostOf(evidence: Evidence, ids: readonly LineId[]) {
   const panels = evidence.panelsWith(...ids);
   return ids.map((id) => {
@@ -20,8 +20,9 @@ function lostOf(evidence: Evidence, ids: readonly LineId[]) {
 }
 
 /**
- * The panels in which the first method's residual is below the second's, and those in which it is above;
- * a method that failed has the largest. Panels without a difference are in neither list.
+ * The panels in which the first method's residual is below the second's, and those in which it is
+ * above. A method that failed counts as the largest; panels with equal residuals are in neither
+ * list.
  */
 export function nearer(evidence: Evidence, first: LineId, second: LineId) {
   const panels = evidence.panelsWith(first, second);
@@ -41,7 +42,9 @@ export function nearer(evidence: Evidence, first: LineId, second: LineId) {
   };
 }
 
-/** How many times as long the paper's method takes for a curve with its fields as weighted averages. */
+/**
+ * The ratio of the times for a curve with its fields: the paper's method over weighted averages.
+ */
 function slowerThanAverages(evidence: Evidence) {
   const isWhole = (panel: string) =>
     (['paper', 'weightedAverages'] as const).every((id) => evidence.line(panel, id).ok);
@@ -61,8 +64,8 @@ function slowerThanAverages(evidence: Evidence) {
 }
 
 /**
- * The same on the meshes of a folder, once for each way of finding the paper's distances; nothing where none
- * was given.
+ * The same on the meshes of a folder, once for each way of finding the paper's distances; an empty
+ * list if no folder was given.
  */
 function nearerOnMeshes({ all: { meshes } }: Evidence) {
   const shown = (meshes ?? []).flatMap((mesh) => {
@@ -97,10 +100,10 @@ const meshMethodsShown = [
   ['bSurf', 'b/Surf'],
 ] as const satisfies readonly [MeshMethod, string][];
 
-/** Up to so many times as long is 'slightly slower'. */
+/** The largest ratio of times that counts as 'slightly slower'. */
 const slightly = 2;
 
-/** The slope of the logarithms of times by triangles. */
+/** The slope of the logarithm of time against the logarithm of triangles. */
 function growth(points: readonly [number, number][]): number {
   if (points.length < 2) throw new NotMeasured('two sizes');
   const logs = points.map(([x, y]) => [Math.log(x), Math.log(y)] as const);
@@ -117,7 +120,10 @@ const growthMethods = [
   ['leveled', 'our default'],
 ] as const;
 
-/** How the paper's method grows beside another, at the sizes at which neither failed; none if these are not two. */
+/**
+ * Compares the growth of the paper's method with another's over the sizes at which neither failed;
+ * null if fewer than two sizes remain.
+ */
 function comparedGrowth(rows: Studies['growth'], method: 'vectorHeat' | 'weightedAverages') {
   const timesOf = (id: string) =>
     new Map(
@@ -146,13 +152,13 @@ function comparedGrowth(rows: Studies['growth'], method: 'vectorHeat' | 'weighte
   return [{ name, paper, slope, result, words }];
 }
 
-/** Of two radii that are not far from each other the larger is at most so many times the smaller. */
+/** The largest ratio of two radii that count as not far from each other. */
 const farTimes = 2;
 
 const surfaceOf = ({ surface, noise }: Studies['radius'][number]) =>
   noise > 0 ? `${surface} with bumps of ${num(noise)} h` : `smooth ${surface}`;
 
-/** With up to so many iterations a search is one of few. */
+/** The largest number of iterations that counts as few. */
 const fewSteps = 10;
 
 type NewtonSum = 'searches' | 'converged' | 'traced' | 'shortened' | 'needed' | 'stuck' | 'inside';

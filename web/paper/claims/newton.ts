@@ -7,39 +7,48 @@ import { roughened } from './roughness';
 import { studySeed } from './seed';
 import { middle, sum } from './words';
 
-/** What Newton's method did on a mesh: sums over all of its searches. */
+/** Statistics of Newton's method on a mesh, over all of its searches. */
 export interface NewtonFinding {
   mesh: string;
   triangles: number;
   distances: 'exact' | 'k = 6';
-  /** From where the curve's last sample was found, or from the point with the largest weight. */
+  /**
+   * The start of a search: the place of the curve's last sample, or the point with the largest
+   * weight.
+   */
   start: 'warm' | 'cold';
-  /** With how many searches the others sum up. */
+  /** The number of searches. */
   searches: number;
   converged: number;
-  /** Of iterations, of all searches: the median, of 99 in a hundred, and the most. */
+  /** Iterations of a search: the median, the 99th percentile and the maximum. */
   half: number;
   nearlyAll: number;
   most: number;
-  /** Geodesics that were traced, taken to a joint before their end, had to be, and had no better joint. */
+  /**
+   * Geodesics that were traced; those shortened to a joint, those that had to be, and those without
+   * a better joint.
+   */
   traced: number;
   shortened: number;
   needed: number;
   stuck: number;
-  /** Of searches that converged: those that a zero inside a triangle ended. */
+  /** Converged searches that ended at a zero inside a triangle. */
   inside: number;
-  /** The order of convergence in the last three iterations before the end: the median; null of too few. */
+  /**
+   * The median order of convergence over the last three iterations before the end; null for too few
+   * searches.
+   */
   order: number | null;
 }
 
 const curvesAMesh = 12;
 const samplesACurve = 65;
-/** From a control point to the next, in diagonals. */
+/** The distance from a control point to the next, in diagonals. */
 const leg = 0.1;
-/** Orders of convergence of fewer searches are chance. */
+/** Fewer searches than this say nothing about the order of convergence. */
 const leastOrders = 20;
 
-/** The noise is in mean edges. */
+/** The meshes of the study, with noise in mean edges. */
 const meshes: Record<string, { spec: MeshSpec; noise?: number }> = {
   'a coarse sphere': { spec: { kind: 'shape', name: 'sphere', triangles: 1_000 } },
   'a sphere': { spec: { kind: 'shape', name: 'sphere', triangles: 20_000 } },
@@ -56,7 +65,7 @@ const meshes: Record<string, { spec: MeshSpec; noise?: number }> = {
   },
 };
 
-/** Four points, each so far from the last one in a direction at random, within the surface. */
+/** Four points, each a leg in a random direction from the last one, within the surface. */
 function polygon(mesh: Mesh, random: () => number): SurfacePoint[] {
   const [a, b] = [Math.sqrt(random()), random()];
   const face = Math.floor(mesh.info.triangles * random());
@@ -106,7 +115,7 @@ function searchesOn(
   const warm = start === 'warm';
   return Array.from({ length: curves }, () => {
     const found = peers.newtonSteps(mesh, polygon(mesh, random), weights, { solver, warm });
-    // The first has no warm start.
+    // The first sample has no warm start.
     return warm ? found.slice(1) : found;
   }).flat();
 }

@@ -8,13 +8,14 @@ import { studySeed } from './seed';
 const { at, cross, dot, length, subtract } = vectors;
 
 /**
- * Four random points in a geodesic ball of a radius, with bumps of so many mean edges: how often the paper's
- * method finds a center of mass from any of them, and from all four the same one.
+ * Four random points in a geodesic ball of a radius, on a surface with bumps of some mean edges:
+ * how often the paper's method finds a center of mass from each of them, and how often the same one
+ * from all four.
  */
 export interface RadiusPoint {
   surface: 'sphere' | 'torus';
   noise: number;
-  /** The radius at which Karcher's condition ends on the surface, bumps and all. */
+  /** The radius at which Karcher's condition ends on the bumpy surface. */
   condition: number;
   radius: number;
   cases: number;
@@ -24,7 +25,7 @@ export interface RadiusPoint {
 
 const triangles = 5_000;
 const noises = [0, 0.2, 0.4];
-/** In those at which Karcher's condition ends on the smooth surface. */
+/** Radii in units of the one at which Karcher's condition ends on the smooth surface. */
 const radii = [0.5, 0.75, 1, 1.25, 1.5, 1.75, 2, 2.5];
 const casesARadius = 12;
 
@@ -44,7 +45,7 @@ const smooth = {
 export const conditionOf = (curvature: number, injectivity: number): number =>
   Math.min(injectivity, Math.PI / (2 * Math.sqrt(curvature))) / 2;
 
-/** The largest angle that is missing at a vertex, over a third of the area around it. */
+/** The largest curvature of a vertex: its angle defect over a third of the area around it. */
 export function largestCurvature(mesh: Mesh): number {
   const positions = mesh.positions();
   const faces = mesh.triangles();
@@ -108,7 +109,10 @@ function count(mesh: Mesh, radius: number, cases: number, random: () => number) 
   return { found, same };
 }
 
-/** Four points in the geodesic ball around a random one, even in its polar coordinates' disk. */
+/**
+ * Four points in the geodesic ball around a random one, uniform in the disk of its polar
+ * coordinates.
+ */
 function ball(mesh: Mesh, radius: number, random: () => number): SurfacePoint[] {
   const [a, b] = [Math.sqrt(random()), random()];
   const center: SurfacePoint = {

@@ -10,16 +10,16 @@ import { studySeed } from './seed';
 import { measured, splineBy } from './spline';
 import { middle } from './words';
 
-/** What a method does on a surface with noise. */
+/** Results of a method on a surface with noise. */
 export interface RoughnessPoint {
-  /** In mean edges. */
+  /** Height of the noise in mean edges. */
   noise: number;
   method: LineId;
   lost: number;
   samples: number;
-  /** By exact paths, in mean edges: the median. */
+  /** The median residual by exact paths, in mean edges. */
   residual: number | null;
-  /** Against the curve of exact log vectors. */
+  /** Turning noise against the curve of exact log vectors. */
   turning: number | null;
 }
 
@@ -39,9 +39,9 @@ export function roughened(karcher: Karcher, mesh: Mesh, noise: number, seed: num
   return karcher.meshFromArrays(positions, mesh.triangles());
 }
 
-/** What a method does on a rough surface where control points lie so far apart. */
+/** Results of a method on a rough surface with control points at a given spacing. */
 export interface SpreadPoint {
-  /** From each control point to the next, in mean edges: the median. */
+  /** The median distance from each control point to the next, in mean edges. */
   apart: number;
   noise: number;
   method: LineId;
@@ -50,11 +50,11 @@ export interface SpreadPoint {
   samples: number;
 }
 
-/** From each control point to the next along the torus, in degrees. */
+/** The angle from each control point to the next along the torus, in degrees. */
 const spreads: readonly number[] = [8, 16, 32, 64, 96, 112];
 const spreadSamples = 65;
 
-/** One segment of a B-spline on rough tori, whose four control points lie ever farther apart. */
+/** One segment of a B-spline on rough tori, with its four control points at growing distances. */
 export async function spread(
   peers: Peers,
   {
@@ -103,7 +103,7 @@ function inBall(random: () => number): [number, number, number] {
   }
 }
 
-/** The gallery's B-spline on a torus of so many triangles with ever more noise. */
+/** The gallery's B-spline on a torus of this many triangles with growing noise. */
 export async function roughness(
   peers: Peers,
   {

@@ -4,33 +4,33 @@ import type { JudgedClaim, Measured } from './types';
 
 /** Where and when something was measured. */
 interface Origin {
-  /** YYYY-MM-DD. */
+  /** The date as YYYY-MM-DD. */
   date: string;
   machine: string;
   version: string;
-  /** Digest of the sources that decide the numbers; reports from before it was saved have none. */
+  /** Digest of the sources that decide the numbers; older reports have none. */
   sources?: string;
-  /** Of the random numbers of its studies. */
+  /** The seed of the random numbers of the studies. */
   seed: number;
 }
 
 export interface SavedPlots extends Origin, Pick<Studies, 'convergence' | 'roughness'> {}
 
-/** A verdict; one whose numbers are of another day than the report's says of which. */
+/** A verdict; it has a date of its own if its numbers were not measured with the report's. */
 export interface SavedClaim extends JudgedClaim {
   renewed?: Pick<Origin, 'date' | 'version' | 'sources'>;
 }
 
-/** The verdicts that `npm run paper -- --save` kept, with what they depend on. */
+/** The verdicts that `npm run paper -- --save` saved, with the numbers that they depend on. */
 export interface SavedReport extends Origin {
   claims: SavedClaim[];
-  /** What the page plots; reports from before there were plots have none. */
+  /** The numbers of the page's plots; older reports have none. */
   plots?: SavedPlots;
-  /** What the figures' lines were measured to be, by `figure/panel`. */
+  /** The measurements of the figures' lines, by `figure/panel`. */
   panels?: Measured['panels'];
-  /** Table 1 with so many samples a segment. */
+  /** Table 1 with this many samples a segment. */
   table?: { samples: number; cells: TableCell[] } | null;
-  /** What the claims are judged by besides; reports from before it was kept have none. */
+  /** Further measurements that the claims are judged by; older reports have none. */
   studies?: Measured['studies'];
   meshes?: Measured['meshes'];
   load?: Measured['load'];
@@ -38,12 +38,14 @@ export interface SavedReport extends Origin {
 
 /** The code that a page was built from. */
 export interface Build {
-  /** The version and the commit. */
+  /** The version and its commit. */
   version: string;
   sources: string;
 }
 
-/** Whether the code has changed since something was measured; without a digest the commit tells. */
+/**
+ * Whether the code has changed since something was measured; without a digest the commit decides.
+ */
 export function isOlder(
   { version, sources }: Pick<Origin, 'version' | 'sources'>,
   build: Build,
@@ -51,9 +53,9 @@ export function isOlder(
   return sources === undefined ? version !== build.version : sources !== build.sources;
 }
 
-/** When and where saved numbers were measured. */
+/** The place and time of saved numbers, in words. */
 export const originWords = ({ date, version, machine }: Origin) =>
   `Measured on ${date} by version ${version} on ${machine}`;
 
-/** What is said of it. */
+/** The note beside numbers of older code. */
 export const olderNote = 'of an older version of the code';

@@ -1,6 +1,6 @@
 import type { SavedReport } from './saved';
 
-/** The report in this checkout, if there is one: a page can be built without. */
+/** The report in this checkout; a page can be built without it. */
 const found = import.meta.glob<SavedReport>('../../../docs/paper-report.json', {
   eager: true,
   import: 'default',

@@ -1,2 +1,2 @@
-/** Every random number of the studies is of this seed. */
+/** The seed of every random number of the studies. */
 export const studySeed = 16;

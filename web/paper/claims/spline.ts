@@ -10,7 +10,7 @@ export interface Spline {
   of: number;
 }
 
-/** A method's B-spline, or that of our default, which has as many levels as it needs. */
+/** The B-spline of a method; our default takes as many levels as it needs. */
 export async function splineBy(
   peers: Peers,
   mesh: Mesh,
@@ -30,7 +30,7 @@ export async function splineBy(
   return { samples, lost, of: samples.count };
 }
 
-/** What a spline's samples are worth by exact paths, and how they turn beside a true curve. */
+/** The accuracy of a spline's samples by exact paths, and their turning beside a true curve. */
 export async function measured(
   mesh: Mesh,
   ruler: Ruler,

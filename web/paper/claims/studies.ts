@@ -10,7 +10,7 @@ import { type RoughnessPoint, roughness, type SpreadPoint, spread } from './roug
 import { studySeed } from './seed';
 import { middle } from './words';
 
-/** What the figures do not measure and the claims ask for. */
+/** Measurements that the claims need and the figures do not have. */
 export interface Studies {
   /** Points in balls of growing radius, on smooth surfaces and on bumpy ones. */
   radius: RadiusPoint[];
@@ -20,16 +20,24 @@ export interface Studies {
   oneCenter: { fieldsMs: number; centerMs: number };
   /** Milliseconds of a drag with 256 samples a segment: the field, and the searches a segment. */
   update: { fieldMs: number; segmentMs: number; triangles: number };
-  /** Milliseconds of the fields when a weight of a rational curve changes; of all that is done anew. */
+  /**
+   * Milliseconds of the fields when a weight of a rational curve changes, and of all the work that
+   * this change causes.
+   */
   reweigh: { fieldsMs: number; updateMs: number };
-  /** Circles of arcs on a sphere: the largest difference from the radius, as a part of it, by Eq. 4 (level 0)
-   * and by our default. */
+  /**
+   * Circles of arcs on a sphere: the largest difference from the radius, as a fraction of it, by
+   * Eq. 4 (level 0) and by our default.
+   */
   arcs: { arcs: number; worst: number; byDefault: number }[];
-  /** Weights of random points: how many are found again as the center of mass. */
+  /**
+   * Weights of random points: in how many cases the points' center of mass has the weights that it
+   * was made with.
+   */
   inverse: { cases: number; minima: number; back: number; farthest: number };
-  /** B-splines on a torus with noise of a height in mean edges. */
+  /** B-splines on a torus with noise of growing height, in mean edges. */
   roughness: RoughnessPoint[];
-  /** The same where control points lie ever farther apart. */
+  /** B-splines on a rough torus with control points at growing distances. */
   spread: SpreadPoint[];
   /** Paths between random pairs of points. */
   descent: DescentFinding[];
@@ -53,7 +61,7 @@ function timed<Result>(work: () => Result): [Result, number] {
   return [result, performance.now() - start];
 }
 
-/** Weights of sum 1, each at least a twentieth. */
+/** Random weights with sum 1, each at least a twentieth. */
 function randomWeights(random: () => number, count: number): number[] {
   const raw = Array.from({ length: count }, () => 0.05 + random());
   const sum = raw.reduce((a, b) => a + b);
@@ -164,7 +172,7 @@ function inverse(peers: Peers): Studies['inverse'] {
 /** Triangles of the tori. */
 const growthSizes: readonly number[] = [5_000, 20_000, 80_000, 240_000];
 
-/** After so long a method has failed to make a curve. */
+/** The time after which a method counts as failed. */
 const growthBudgetMs = 120_000;
 const growthMethods = ['vectorHeat', 'weightedAverages', 'paper', 'karcher', 'leveled'] as const;
 
@@ -197,7 +205,7 @@ async function large(peers: Peers): Promise<Studies['large']> {
   return result;
 }
 
-/** Each study by its name, and what it is of. */
+/** Each study by its name, with a description. */
 const studies: {
   [Name in keyof Studies]: [string, (peers: Peers) => Studies[Name] | Promise<Studies[Name]>];
 } = {

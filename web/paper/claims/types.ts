@@ -3,29 +3,29 @@ import type { TableCell } from '../table/rows';
 import type { MeshFinding } from './meshes';
 import type { Studies } from './studies';
 
-/** What was measured for the claims: numbers only, as a report keeps them. */
+/** The measurements for the claims: numbers only, as a report stores them. */
 export interface Measured {
   /** The lines of each panel, by `figure/panel`. */
   panels: Record<string, LineNumbers[]>;
   table: TableCell[];
   studies: Partial<Studies>;
-  /** Of meshes that the project does not hold; null where no folder of them was given. */
+  /** Results on meshes outside the project; null if no folder of them was given. */
   meshes: MeshFinding[] | null;
-  /** How busy the machine was; null where nobody looked. */
+  /** How busy the machine was; null if this was not measured. */
   load: MachineLoad | null;
 }
 
-/** The most that a machine had to do at once while it measured, in threads that wanted to run. */
+/** The largest number of threads that wanted to run at once during the measurement. */
 export interface MachineLoad {
   most: number;
   cores: number;
 }
 
-/** Whether every thread had a core of its own, so that times are those of the work. */
+/** Whether every thread had a core of its own, so that times measure the work. */
 const isQuiet = (load: MachineLoad | null): boolean => load !== null && load.most <= load.cores;
 
 /**
- * - `settled here`: what the paper leaves open has an answer in this project;
+ * - `settled here`: this project answers a question that the paper leaves open;
  * - `open`: it depends on times, and the machine was not quiet.
  */
 export type Verdict =
@@ -36,10 +36,10 @@ export type Verdict =
   | 'open'
   | 'not measured here';
 
-/** What the measurements say of a claim. */
+/** What the measurements say about a claim. */
 export interface Finding {
   verdict: Verdict;
-  /** On what it depends. */
+  /** The condition on which the verdict depends. */
   on?: string;
   /** The numbers, in words. */
   measured: string;
@@ -47,13 +47,13 @@ export interface Finding {
 
 export interface Claim {
   id: string;
-  /** Where the paper says it. */
+  /** The place in the paper. */
   where: string;
-  /** In our words. */
+  /** The claim in our words. */
   claim: string;
   /** The figure of the page that shows it. */
   figure?: string;
-  /** Throws `NotMeasured` where the numbers that it needs are missing. */
+  /** Throws `NotMeasured` if a number that it needs is missing. */
   judge(evidence: Evidence): Finding;
 }
 
@@ -67,16 +67,16 @@ export interface JudgedClaim extends Finding {
 
 export class NotMeasured extends Error {}
 
-/** Reads the measurements. Every reader throws `NotMeasured` for what is not there. */
+/** Reads the measurements. Every reader throws `NotMeasured` if they lack the number. */
 export class Evidence {
-  /** Methods that failed, where all of their samples were counted as lost for it. */
+  /** Methods that failed, with the reason: all of their samples count as lost. */
   readonly failed = new Map<string, string>();
-  /** Whether a judgement was left out since the machine was not quiet. */
+  /** Whether a judgement was left open because the machine was not quiet. */
   heldOpen = false;
 
   constructor(readonly all: Measured) {}
 
-  /** Whether times may decide: on a busy machine they tell what else it had to do. */
+  /** Whether times may decide: on a busy machine they also measure its other work. */
   timesDecide(): boolean {
     const quiet = isQuiet(this.all.load);
     if (!quiet) this.heldOpen = true;
@@ -89,14 +89,14 @@ export class Evidence {
     return line;
   }
 
-  /** A line of a method that did not fail. */
+  /** A line whose method did not fail. */
   #whole(panel: string, id: LineId): LineNumbers {
     const line = this.line(panel, id);
     if (!line.ok) throw new NotMeasured(`${id} of ${panel}, which failed: ${line.reason}`);
     return line;
   }
 
-  /** How many samples a line lost: all that others have in the panel, if its method failed. */
+  /** The number of samples a line lost; a failed method loses as many as the panel has. */
   lost(panel: string, id: LineId): { lost: number; own: number; samples: number } {
     const { ok, reason, samples, lost, lostByOwnRule } = this.line(panel, id);
     if (ok) {

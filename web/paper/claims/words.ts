@@ -1,6 +1,6 @@
 /** Numbers in sentences. */
 
-/** Two digits. */
+/** A number with two digits. */
 export function num(value: number | null): string {
   if (value === null) return 'not measured';
   if (value === 0) return '0';
@@ -12,13 +12,13 @@ export function num(value: number | null): string {
 
 export const ms = (value: number | null): string => (value === null ? '–' : `${num(value)} ms`);
 
-/** Radians in degrees. */
+/** An angle in radians, written in degrees. */
 export const degrees = (angle: number): string => `${num((180 / Math.PI) * angle)}°`;
 
 export const percent = (part: number): string => `${num(100 * part)} %`;
 
 export const sum = (values: readonly number[]): number => values.reduce((a, b) => a + b, 0);
 
-/** The one in the middle; of an even number the larger of the two there. */
+/** The median; of an even number of values the upper one. */
 export const middle = (values: readonly number[]): number =>
   values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)]!;

@@ -3,13 +3,15 @@ import type { Measured } from '../claims/types';
 import { lineStyles } from './lines';
 import type { Figure, LineId, LineNumbers } from './types';
 
-/** What a caption can quote of a line that was measured. */
+/** Measurements of a line that a caption can quote. */
 const quoted: Record<string, (line: LineNumbers | undefined) => string | undefined> = {
   turn: (line) => (line?.sharpestTurn ? `${line.sharpestTurn.degrees.toFixed(1)}°` : undefined),
   at: (line) => line?.sharpestTurn?.t.toFixed(3),
 };
 
-/** The caption, in which `{panel/line what}` is what was measured there: no number is written by hand. */
+/**
+ * The caption with `{panel/line what}` replaced by the measurement: no number is written by hand.
+ */
 function filled({ id, caption }: Figure, panels: Measured['panels']): string {
   return caption.replace(/\{(\w+)\/(\w+) (\w+)\}/g, (_, panel, name, what) => {
     const line = panels[`${id}/${panel}`]?.find((one) => one.id === name);
@@ -17,7 +19,7 @@ function filled({ id, caption }: Figure, panels: Measured['panels']): string {
   });
 }
 
-/** How a line of the paper's method is set up; null of others. */
+/** The settings of a line of the paper's method; null for other lines. */
 function setUpOf(id: LineId): string | null {
   const { options } = lineStyles[id];
   if (options?.method !== 'paper') return null;
@@ -34,8 +36,8 @@ function setUpOf(id: LineId): string | null {
 }
 
 /**
- * A figure's caption, and how the paper's method is set up in it. Its numbers are those of the saved report,
- * or of `measured`.
+ * A figure's caption with the settings of the paper's method. Its numbers come from the saved
+ * report, or from `measured`.
  */
 export function captionOf(
   figure: Figure,

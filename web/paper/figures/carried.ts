@@ -5,9 +5,9 @@ import type { MeshSpec, Vector } from './types';
 export interface CarriedSide {
   title: string;
   mesh: MeshSpec;
-  /** Three or four of them, in the order of the corners, near these places. */
+  /** Three or four control points near these places, in the order of the corners. */
   points: Vector[];
-  /** From where it is seen. */
+  /** The direction to the camera. */
   from: Vector;
 }
 
@@ -31,17 +31,14 @@ export const carriedSides: { source: CarriedSide; target: CarriedSide } = {
   },
 };
 
-/** Where the drawing's middle lies on the source. */
+/** The place of the drawing's middle on the source. */
 export const carriedMiddle: Vector = onTorus(90, 60);
 
-/** The size of the drawing, in units of the source, and how many points a side of it has. */
+/** The size of the drawing, in units of the source, and the number of points on each side of it. */
 export const carriedSize = 0.26;
 const pointsASide = 10;
 
-/**
- * The drawing in the plane, in units of its size: a star of five points and a circle about it, each
- * closed.
- */
+/** The drawing in the plane, in units of its size: a five-pointed star in a circle, both closed. */
 export function drawingInPlane(): [number, number][][] {
   const tip = (k: number): [number, number] => {
     const radius = k % 2 === 0 ? 1 : 0.42;

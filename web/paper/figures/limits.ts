@@ -63,7 +63,7 @@ const methods: LineId[] = [
   'leveled',
 ];
 
-/** In the unit square. */
+/** Control points in the unit square. */
 export const planeSpline: Vector[] = [
   [0.16, 0.3, 0],
   [0.28, 0.72, 0],

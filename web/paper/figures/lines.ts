@@ -3,13 +3,13 @@ import type { LineId } from './types';
 
 export interface LineStyle {
   label: string;
-  /** The custom property of its color (paper.css). */
+  /** The custom property with its color (paper.css). */
   color: string;
-  /** In CSS pixels. */
+  /** Width in CSS pixels. */
   width: number;
-  /** Where the surface hides it, it is not drawn at all. */
+  /** The line is not drawn at all where the surface hides it. */
   opaque?: boolean;
-  /** The method that traces it, if one does. */
+  /** The method that traces the line, if one does. */
   options?: MethodOptions;
 }
 
@@ -114,14 +114,14 @@ export const lineStyles: Record<LineId, LineStyle> = {
   isolineExact: { label: 'Exact isoline', color: '--line-exact', width: 2 },
 };
 
-/** How a line of the figures is traced. */
+/** The method that traces a line of the figures. */
 export function methodOf(id: LineId): MethodOptions {
   const { options } = lineStyles[id];
   if (!options) throw new Error(`the line ${id} is by no method`);
   return options;
 }
 
-/** Methods whose preparation or samples take long: they get a worker of their own. */
+/** Methods with a long preparation or slow samples: they get a worker of their own. */
 export const slowLines: ReadonlySet<LineId> = new Set([
   'vectorHeat',
   'vectorHeatDelaunay',

@@ -16,7 +16,7 @@ const methods: LineId[] = [
   'exactLogs',
 ];
 
-/** It would lie over all that agree with it. */
+/** The reference would cover all lines that agree with it. */
 const reference: LineId[] = ['exactLogs'];
 const hidden: LineId[] = [...reference, 'paperGraph2'];
 

@@ -2,11 +2,13 @@ import type { Vector } from './types';
 
 /** Places near the built-in surfaces, by coordinates that are easy to think in. */
 
-/** Of the built-in torus, about the z axis. */
+/** The radii of the built-in torus, which lies around the z axis. */
 export const torusRadii = { major: 1, minor: 0.4 };
 
-/** On the built-in torus: longitude, and angle round the tube
- * from the outer equator, in degrees. */
+/**
+ * A place on the built-in torus by its longitude and its angle around the tube from the outer
+ * equator, in degrees.
+ */
 export function onTorus(longitude: number, around: number): Vector {
   const [u, v] = [longitude, around].map((degrees) => (degrees * Math.PI) / 180) as [
     number,
@@ -17,13 +19,13 @@ export function onTorus(longitude: number, around: number): Vector {
   return [ring * Math.cos(u), ring * Math.sin(u), minor * Math.sin(v)];
 }
 
-/** On the unit sphere, by degrees from the z axis' foot point to the right and up. */
+/** A place on the unit sphere by its degrees to the right and up from the foot of the z axis. */
 export function onSphere(right: number, up: number): Vector {
   const [a, b] = [right, up].map((degrees) => (degrees * Math.PI) / 180) as [number, number];
   return [Math.cos(b) * Math.sin(a), Math.sin(b), Math.cos(b) * Math.cos(a)];
 }
 
-/** Over the knotted tube, along the trefoil and to the right of it, in degrees and units. */
+/** A place over the knotted tube by its degrees along the trefoil and its distance to the right. */
 export function onKnot(degrees: number, right: number): Vector {
   const t = (degrees * Math.PI) / 180;
   const x = (Math.sin(t) + 2 * Math.sin(2 * t)) / 3;

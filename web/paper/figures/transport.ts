@@ -6,13 +6,16 @@
 
 type Plane = [number, number];
 
-/** The star of a vertex: its neighbours in space, counterclockwise; the vertex itself is at `apex`. */
+/**
+ * The star of a vertex: `ring` holds its neighbours in space, counterclockwise, and `apex` the
+ * vertex.
+ */
 export interface Star {
   apex: [number, number, number];
   ring: readonly [number, number, number][];
 }
 
-/** A pyramid over an uneven hexagon. At a height of 0 it is flat. */
+/** A pyramid over an irregular hexagon. With height 0 it is flat. */
 export function pyramid(height: number): Star {
   const radii = [1, 1.15, 0.9, 1.1, 0.95, 1.2];
   const degrees = [0, 52, 118, 176, 236, 305];
@@ -28,7 +31,7 @@ export function pyramid(height: number): Star {
 export interface Transport {
   /** The star laid flat with rescaled angles: the ring around v, which is the origin. */
   ring: Plane[];
-  /** Where the centroid of the face is seen from v: its angle and distance. */
+  /** The direction and distance of the face's centroid from v. */
   thetaVt: number;
   distance: number;
   /** The face in its own plane: v is the origin, the first edge the x axis. */
@@ -36,9 +39,9 @@ export interface Transport {
   centroid: Plane;
   /** The angle at the centroid back to v. */
   thetaTv: number;
-  /** By how much a vector's angle changes from the frame of v to that of the face. */
+  /** The angle from the frame of v to that of the face. */
   rotation: number;
-  /** How much the angles at v are short of a full turn. */
+  /** The angle that v lacks to a full turn. */
   defect: number;
 }
 

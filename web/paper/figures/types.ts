@@ -1,14 +1,14 @@
 import type { DragMeasures, RulerMeasures } from 'karcher/peers';
 import type { MadeSource } from '../../model/meshes';
 
-/** What a figure shows, as data: the page draws it, the report and the tests read its numbers. */
+/** A figure's content as data: the page draws it, the report and the tests read its numbers. */
 
 export type Vector = [number, number, number];
 
 /** How a mesh is made. */
 export type MeshSpec = MadeSource;
 
-/** What is made of a panel's points. A circle has its center and a point that it passes through. */
+/** The curve of a panel's points. A circle has its center and a point that it passes through. */
 export type CurveSpec =
   | { kind: 'center'; weights: number[] }
   | { kind: 'bspline' }
@@ -17,7 +17,7 @@ export type CurveSpec =
   | { kind: 'barycentric'; betas: number[] }
   | { kind: 'circle'; arcs: number };
 
-/** What can be drawn, each with a color and a name (lines.ts). */
+/** The lines of the figures, each with a color and a name (lines.ts). */
 export type LineId =
   | 'truth'
   | 'exactPath'
@@ -48,19 +48,21 @@ export interface Panel {
   id: string;
   title: string;
   mesh: MeshSpec;
-  /** The key of its points in the figure: panels may share them. */
+  /** The key of the panel's points in the figure: panels may share them. */
   points: string;
   curve: CurveSpec;
-  /** In the order of the legend. */
+  /** Lines in the order of the legend. */
   lines: readonly LineId[];
-  /** Samples a segment. */
+  /** Number of samples a segment. */
   samples: number;
-  /** Lines that are not shown, nor computed, until they are asked for. */
+  /** Lines that are not computed until the reader shows them. */
   off?: readonly LineId[];
   view?: {
-    /** From where the whole is seen. */
+    /** The direction to the camera for the whole surface. */
     from?: Vector;
-    /** The number of a point to look at from near by, and from how far, in diagonals / 2. */
+    /**
+     * The index of a point for a close view, and the camera's distance from it, in half diagonals.
+     */
     at?: number;
     distance?: number;
     edges?: boolean;
@@ -69,44 +71,47 @@ export interface Panel {
 
 export interface Figure {
   id: string;
-  /** The figure of the paper that it reproduces. */
+  /** The figure of the paper that this one reproduces. */
   name: string;
   title: string;
   caption: string;
-  /** In space: each panel takes the nearest points of its mesh. */
+  /** Places in space: each panel takes the nearest points of its mesh. */
   points: Record<string, Vector[]>;
   panels: readonly Panel[];
 }
 
-/** The numbers of a line; null is what was not measured, or has no meaning for it. */
+/** The numbers of a line; null if one was not measured, or has no meaning for the line. */
 export interface LineNumbers {
   id: LineId;
   ok: boolean;
-  /** Why it failed. */
+  /** The reason why it failed. */
   reason: string | null;
   prepareMs: number | null;
   traceMs: number | null;
   samples: number | null;
   lost: number | null;
-  /** Samples that its own authors would not have accepted either. */
+  /** Number of samples that the method's own authors would reject too. */
   lostByOwnRule: number | null;
-  /** From the reference, in mean edges, and over how many samples: those that are lost are left out. */
+  /** Distance from the reference in mean edges, over this many samples: lost ones do not count. */
   deviation: { median: number; max: number; samples: number } | null;
   turningNoise: number | null;
-  /** Where the curve leaps from one sample to the next. */
+  /** Number of samples at which the curve leaps. */
   breaks: number | null;
   /** The largest angle by which it turns at a sample. */
   sharpestTurn: { degrees: number; t: number } | null;
-  /** By exact shortest paths, the same for all methods; it comes after the line. */
+  /** Measures by exact shortest paths, the same for all methods; they arrive after the line. */
   ruler: RulerMeasures | null;
-  /** How the curve follows a hand, where that was asked for. */
+  /** How the curve follows a hand; null if this was not measured. */
   drag: DragMeasures | null;
 }
 
 export interface LineResult extends LineNumbers {
-  /** x, y, z each, on the surface. */
+  /** The places x, y, z of the vertices, on the surface. */
   polylines: Float32Array[];
-  /** Per polyline and vertex 1 where the curve is lost; empty where nothing can be. */
+  /**
+   * A status for each polyline and vertex: 1 where the curve is lost; empty if the line has no lost
+   * parts.
+   */
   status: Uint8Array[];
   marker: Vector | null;
 }

@@ -4,18 +4,18 @@ import { carriedSize, drawingInPlane } from '../figures/carried';
 import type { Vector } from '../figures/types';
 import type { Scene } from './scene';
 
-/** A drawing on its source and what became of it on the target. */
+/** A drawing on its source, and its image on the target. */
 export interface Carried {
   source: Float32Array[];
-  /** A stroke's parts: points without weights, or whose center was not found, are left out. */
+  /** The parts of each stroke: points without weights or without a center are left out. */
   target: Float32Array[];
-  /** Points of the drawing, those of them that were carried, and those that have a weight below 0. */
+  /** Number of the drawing's points, of those carried, and of those with a weight below 0. */
   points: number;
   carried: number;
   negative: number;
-  /** Why the first of the others was not, as a sentence. */
+  /** A sentence that says why the first missing point was not carried. */
   reason: string | null;
-  /** Where the control points were put. */
+  /** The places of the control points. */
   places: { source: Vector[]; target: Vector[] };
   milliseconds: number;
 }
@@ -32,7 +32,7 @@ function drawingOn({ mesh, nearest }: Scene, middle: Vector): SurfacePoint[][] {
   );
 }
 
-/** A line through points, in parts where one is missing; parts of one point are left out. */
+/** A line through points, split where one is missing; parts of one point are left out. */
 function partsOf(mesh: Mesh, points: readonly (SurfacePoint | null)[]): Float32Array[] {
   const parts: Vector[][] = [[]];
   for (const point of points) {
@@ -43,8 +43,8 @@ function partsOf(mesh: Mesh, points: readonly (SurfacePoint | null)[]): Float32A
 }
 
 /**
- * Carries the drawing: for each point the weights that make it the center of mass of the control points
- * on the source, and the center of mass of these weights on the target.
+ * Carries the drawing: each point has weights that make it the center of mass of the source's
+ * control points; its image is the target's center of mass with these weights.
  */
 export function carry(
   source: Scene,

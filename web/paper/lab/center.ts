@@ -6,13 +6,16 @@ import type { Scene } from './scene';
 export interface KnownCenter {
   uniqueness: Uniqueness;
   position: Vector;
-  /** Squared units of the mesh, as those of the others. */
+  /** Energy in squared units of the mesh, as for the others. */
   energy: number;
-  /** From the lowest up. */
+  /** The other minima in ascending order. */
   others: { position: Vector; energy: number }[];
 }
 
-/** Our center of mass, and what searches from all points and from all over the surface tell of others. */
+/**
+ * Our center of mass, and the other minima that searches from all points and all over the surface
+ * find.
+ */
 export function lookForOthers(
   scene: Scene,
   places: readonly Vector[],
@@ -30,10 +33,10 @@ export function lookForOthers(
   };
 }
 
-/** So many energies of other minima are told. */
+/** The largest number of other minima whose energies are listed. */
 const mostTold = 3;
 
-/** A sentence on it. */
+/** A sentence about the uniqueness of a center. */
 export function uniquenessWords({ uniqueness, energy, others }: KnownCenter): string {
   const told = (value: number) => value.toPrecision(4);
   switch (uniqueness) {

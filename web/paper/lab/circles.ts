@@ -8,7 +8,7 @@ import type { Task } from './task';
 
 const { add, at, cross, distance, dot } = vectors;
 
-/** Three ways to a circle about the first point, through the second. */
+/** Three ways to draw a circle about the first point, through the second. */
 
 const median = (values: readonly number[]) =>
   values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)]!;
@@ -16,7 +16,7 @@ const median = (values: readonly number[]) =>
 const radiusOf = ({ scene, points }: Task) =>
   scene.mesh.shortestPath(points[0]!, points[1]!).length;
 
-/** How far points are from the radius, in mean edges, by exact shortest paths. */
+/** Differences of the points' distances from the radius, in mean edges, by exact shortest paths. */
 function deviationOf(
   { scene, points }: Task,
   radius: number,
@@ -33,16 +33,16 @@ function deviationOf(
 const placesOf = (polyline: ArrayLike<number>): Vector[] =>
   Array.from({ length: polyline.length / 3 }, (_, i) => at(polyline, i));
 
-/** Twice the vector of the area that a closed line encloses. */
+/** Twice the vector area that a closed line encloses. */
 const areaOf = (places: readonly Vector[]) =>
   places
     .slice(1)
     .reduce((sum, place, i) => add(sum, cross(places[i]!, place)), [0, 0, 0] as Vector);
 
-/** So many samples are taken along a closed line to see how it turns. */
+/** The number of samples along a closed line that measure its turning. */
 const turns = 128;
 
-/** Samples of a closed line, evenly spaced, from where it is nearest to `start`. */
+/** Samples of a closed line, evenly spaced, from its point nearest to `start`. */
 function loopSamples(scene: Scene, line: readonly Vector[], start: Vector): CurveSamples {
   const ring = line.slice(1);
   const away = ring.map((place) => distance(place, start));
@@ -62,7 +62,10 @@ function loopSamples(scene: Scene, line: readonly Vector[], start: Vector): Curv
   };
 }
 
-/** How much more a closed line turns to and fro than the exact isoline does; null beside one loop. */
+/**
+ * The turning to and fro of a closed line beyond that of the exact isoline; null unless each of the
+ * two is a single loop.
+ */
 function turningNoiseOf(
   { scene, points, places }: Task,
   radius: number,
@@ -100,7 +103,7 @@ function arcsAt(task: Task, id: LineId, levels: 0 | 'auto'): LineResult {
 /** Each arc a center of mass of its three points. */
 export const circleArcs = (task: Task, id: LineId): LineResult => arcsAt(task, id, 0);
 
-/** With as many levels as our default takes. */
+/** The arcs with as many levels as our default takes. */
 export const circleDefault = (task: Task, id: LineId): LineResult => arcsAt(task, id, 'auto');
 
 /** The isolines of the distance from the first point. */
@@ -114,7 +117,8 @@ function isolines(task: Task, id: LineId, type: 'exact' | 'linear'): LineResult 
   const polylines = lines.map((line) => line.polyline({ bits: 64 }));
   const on = polylines.flatMap((polyline) => {
     const places = placesOf(polyline);
-    // Between its ends an exact isoline bends, and a linear one's chord does not.
+    // Between two vertices an exact isoline bends away from its chord; only the chords of a
+    // linear one lie on it.
     const between = places.slice(1).map((place, i) => middle([places[i]!, place]));
     return [...places, ...(type === 'linear' ? between : [])].map((place) => nearest.point(place));
   });

@@ -10,9 +10,9 @@ import type { CarryJob, DrawnMesh, Placed, TraceJob } from './protocol';
 export interface TraceEvents {
   placed(placed: Placed): void;
   line(line: LineResult): void;
-  /** What was measured of a line that was told before. */
+  /** Receives the measurements of a line that was shown before. */
   measured(id: LineId, ruler: RulerMeasures): void;
-  /** How far the line is that is computed. */
+  /** Receives the progress of the line under way. */
   progress(done: number, stage: string): void;
   failure(message: string): void;
   done(): void;
@@ -22,15 +22,15 @@ const startWorker = () =>
   new WorkerClient(new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' }));
 
 /**
- * Computes panels in two workers: what is dragged is traced by the quick methods in one while the
- * others work in the other.
+ * Computes panels in two workers: while slow methods work in one, quick ones trace in the other and
+ * follow drags.
  */
 export class LabClient {
   readonly #quick = startWorker();
   #slow: WorkerClient | null = null;
   readonly #meshes = new Map<string, Promise<DrawnMesh>>();
 
-  /** A mesh for drawing; each is asked for once. */
+  /** A mesh for drawing; the worker makes each one once. */
   mesh(mesh: MeshSpec): Promise<DrawnMesh> {
     const key = madeKey(mesh);
     const known = this.#meshes.get(key);
@@ -49,7 +49,10 @@ export class LabClient {
     return this.#quick.call('carry', [job]) as Promise<Carried>;
   }
 
-  /** Drags a control point of a panel's curves; resolves when all was told, rejects when it is aborted. */
+  /**
+   * Drags a control point of a panel's curves; resolves at the end of the drag, rejects when it is
+   * aborted.
+   */
   async drag(
     job: TraceJob,
     measured: (id: LineId, drag: DragMeasures) => void,
@@ -68,7 +71,7 @@ export class LabClient {
     ]);
   }
 
-  /** Traces a panel; the result stops it, and no event comes after that. */
+  /** Traces a panel; the returned function stops it, and no event follows. */
   trace(job: TraceJob, events: TraceEvents): () => void {
     const controller = new AbortController();
     const { signal } = controller;

@@ -1,6 +1,6 @@
 import type { LineId, LineResult } from '../figures/types';
 
-/** A result with nothing in it. */
+/** An empty result. */
 export function emptyLine(id: LineId): LineResult {
   return {
     id,

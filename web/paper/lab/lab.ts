@@ -16,10 +16,10 @@ import type { CarryJob, DrawnMesh, Placed } from './protocol';
 import { Scene } from './scene';
 import { planOf, referenceOf, type Task } from './task';
 
-/** So many meshes are kept with what was prepared on them. */
+/** The largest number of meshes that are kept with their preparations. */
 const mostScenes = 6;
 
-/** Computes panels: the one place where the numbers of figures are made, in a page and in Node. */
+/** Computes panels: the single source of the figures' numbers, in a page and in Node. */
 export class Lab {
   readonly #scenes = new Map<string, Promise<Scene>>();
 
@@ -44,8 +44,8 @@ export class Lab {
   }
 
   /**
-   * The lines of a panel, each given to `show` as soon as it is there, then what is measured of each by
-   * exact paths, which takes longer. Rejects with the signal's reason.
+   * Computes the lines of a panel, and passes each one to `show` when it is ready. The measurements
+   * by exact paths take longer and follow. Rejects with the signal's reason.
    */
   async trace(
     panel: Panel,
@@ -75,8 +75,9 @@ export class Lab {
   }
 
   /**
-   * How the curves of methods follow a control point that is dragged, each given to `measured`; lines that no
-   * method makes are passed over, and those that fail. Rejects with the signal's reason.
+   * Measures how the methods' curves follow a dragged control point, and passes each result to
+   * `measured`. Lines without a method and lines that fail are skipped. Rejects with the signal's
+   * reason.
    */
   async drag(
     panel: Panel,
@@ -93,7 +94,7 @@ export class Lab {
     }
   }
 
-  /** A drawing on one mesh, carried to another by the weights of its points. */
+  /** Carries a drawing from one mesh to another by the weights of its points. */
   async carry({ source, target, middle, points }: CarryJob): Promise<Carried> {
     const [from, to] = [await this.#scene(source), await this.#scene(target)];
     return carry(from, to, middle, points);
@@ -104,7 +105,7 @@ export class Lab {
     return lookForOthers(await this.#scene(spec), points, weights) satisfies KnownCenter;
   }
 
-  /** All of a panel's lines at once. */
+  /** All lines of a panel at once. */
   async lines(panel: Panel, points: readonly Vector[]): Promise<LineResult[]> {
     const results: LineResult[] = [];
     await this.trace(
@@ -123,7 +124,7 @@ export class Lab {
     const key = madeKey(spec);
     const known = this.#scenes.get(key);
     const scene = known ?? Scene.make(this.peers, spec);
-    // Put at the end: the first is the one that was not used for longest.
+    // Moved to the end: the first entry is the one that was unused for longest.
     this.#scenes.delete(key);
     this.#scenes.set(key, scene);
     if (!known) {

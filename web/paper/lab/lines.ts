@@ -17,7 +17,7 @@ import { affineSamples, planOf, type Task } from './task';
 
 const { add, at, cross, distance, length, scaled, subtract } = vectors;
 
-/** A line, and the samples of a curve that is to be measured by exact paths. */
+/** A line, and the samples of a curve for the measurement by exact paths. */
 export interface TracedLine {
   line: LineResult;
   samples: CurveSamples | null;
@@ -30,7 +30,9 @@ type Maker = (
   work: LongWorkOptions,
 ) => LineResult | TracedLine | Promise<LineResult | TracedLine>;
 
-/** One line of a panel. A method that fails says why in the result; rejects when it is aborted. */
+/**
+ * Traces one line of a panel. If a method fails, the result says why; rejects when it is aborted.
+ */
 export async function traceLine(
   task: Task,
   id: LineId,
@@ -49,10 +51,13 @@ export async function traceLine(
   }
 }
 
-/** Steps of the hand in a drag. */
+/** Number of steps in a drag. */
 const dragSteps = 20;
 
-/** How a method's curve follows a control point that is dragged; null of other lines and of one that fails. */
+/**
+ * Measures how a method's curve follows a dragged control point; null for other lines and for one
+ * that fails.
+ */
 export async function dragLine(
   task: Task,
   id: LineId,
@@ -121,7 +126,7 @@ async function traceMethod(
   }
 }
 
-/** What is seen of a traced curve: a center of mass is a dot. */
+/** The visible form of a traced curve: a center of mass is a dot. */
 function drawn(
   { curve: { kind } }: Task,
   curve: MethodCurve,
@@ -133,7 +138,7 @@ function drawn(
   return { polylines: [path.polyline()], status: [unconverged], marker: null };
 }
 
-/** Lines that are the engine's curves, and their levels. */
+/** Lines that are the engine's curves, with their levels. */
 const engineLevels: Partial<Record<LineId, CurveLevels>> = { bridged: 0, leveled: 'auto' };
 
 function engineShape({ points, curve, samples }: Task, levels: CurveLevels): CurveOptions {
@@ -143,7 +148,7 @@ function engineShape({ points, curve, samples }: Task, levels: CurveLevels): Cur
   throw new KarcherError('badArgument', 'only splines have levels');
 }
 
-/** Our curve as the engine gives it. */
+/** Our curve from the engine. */
 async function engineCurve(
   task: Task,
   id: LineId,
@@ -183,7 +188,7 @@ const makers: Partial<Record<LineId, Maker>> = {
     return { ...emptyLine(id), traceMs, polylines: [path.polyline()] };
   },
 
-  /** The reference itself: it deviates from nothing, but has a residual as any other. */
+  /** The reference does not deviate from itself, but has a residual. */
   async exactLogs(task, id, _, work) {
     const method = await task.scene.method(referenceOptions, work);
     const curve = method.curve(planOf(task));
@@ -202,10 +207,10 @@ const makers: Partial<Record<LineId, Maker>> = {
   /** Our curve of all points at once, bridged where there is no center of mass. */
   bridged: engineCurve,
 
-  /** Our default, as the editor has it: the control polygon is refined first, as often as needed. */
+  /** Our default, as in the editor: the control polygon is refined first, as often as needed. */
   leveled: engineCurve,
 
-  /** From the center of mass to the points. */
+  /** Paths from the center of mass to the points. */
   async spokes(task, id, reference) {
     const center = task.scene.nearest.point(at((await reference()).position, 0));
     const polylines = task.points.map((point) =>
@@ -214,7 +219,7 @@ const makers: Partial<Record<LineId, Maker>> = {
     return { ...emptyLine(id), polylines };
   },
 
-  /** In each face an arrow down the constant gradient of the distance from the first point. */
+  /** An arrow in each face against the constant gradient of the distance from the first point. */
   gradients({ scene, points }, id) {
     const distances = scene.mesh.distance(points[0]!);
     const polylines: Float32Array[] = [];
@@ -235,7 +240,7 @@ const makers: Partial<Record<LineId, Maker>> = {
   isolineExact,
 };
 
-/** Shaft and head of an arrow against the gradient of the values, in the middle of the triangle. */
+/** Shaft and head of an arrow in the middle of the triangle, against the gradient of the values. */
 function gradientArrow(
   corners: [Vector, Vector, Vector],
   values: readonly number[],
@@ -253,7 +258,7 @@ function gradientArrow(
   const down = scaled(gradient, -1 / steep);
   const aside = scaled(cross(normal, down), 1 / area);
   const center = scaled(add(add(a, b), c), 1 / 3);
-  // As long as fits into the triangle.
+  // The arrow's length fits into the triangle.
   const size = 0.3 * Math.min(...corners.map((p) => distance(p, center)));
   const tip = add(center, scaled(down, size));
   const wing = (side: number) =>

@@ -8,7 +8,9 @@ const { at, cross, distance, dot, scaled, subtract } = vectors;
 export class NearestPoints {
   readonly #positions: Float64Array;
   readonly #triangles: Int32Array;
-  /** Per triangle its centroid and the radius around it that holds it. */
+  /**
+   * For each triangle its centroid and the radius of a ball around it that contains the triangle.
+   */
   readonly #balls: Float64Array;
 
   constructor(positions: Float64Array, triangles: Int32Array) {
@@ -39,7 +41,7 @@ export class NearestPoints {
     return { face: best.face, bary: best.bary };
   }
 
-  /** The number of the used vertex nearest to `place`. */
+  /** The index of the used vertex nearest to `place`. */
   vertex(place: Vector): number {
     let [best, least] = [0, Number.POSITIVE_INFINITY];
     for (const v of this.#triangles) {
@@ -55,7 +57,7 @@ export class NearestPoints {
   }
 }
 
-/** Barycentric weights of the triangle's point nearest to p. */
+/** Barycentric weights of the point of the triangle that is nearest to p. */
 function nearestInTriangle([a, b, c]: [Vector, Vector, Vector], p: Vector): Vector {
   const normal = cross(subtract(b, a), subtract(c, a));
   const area = dot(normal, normal);
@@ -80,7 +82,7 @@ function nearestInTriangle([a, b, c]: [Vector, Vector, Vector], p: Vector): Vect
   return best;
 }
 
-/** The point at a part of a polyline's length. */
+/** The point at a fraction of a polyline's length. */
 export function alongPolyline(polyline: ArrayLike<number>, part: number): Vector {
   const count = polyline.length / 3;
   const lengths = [0];

@@ -2,7 +2,7 @@ import type { MeshInfo, SurfacePoint } from 'karcher';
 import type { MeshBlobs } from '../../model/mesh_blobs';
 import type { LineId, MeshSpec, Panel, Vector } from '../figures/types';
 
-/** A panel to be traced: its points, and which of its lines are wanted. */
+/** A panel to trace: its points, and the lines to compute. */
 export interface TraceJob {
   panel: Panel;
   points: readonly Vector[];
@@ -15,7 +15,9 @@ export interface Placed {
   places: Vector[];
 }
 
-/** A drawing about a place of the source, to be carried by control points on both. */
+/**
+ * A drawing about a place of the source, and the control points on source and target that carry it.
+ */
 export interface CarryJob {
   source: MeshSpec;
   target: MeshSpec;

@@ -15,7 +15,7 @@ interface OwnMethod {
   method: PreparedCurves;
 }
 
-/** A mesh with what was prepared on it, for figures whose points are dragged. */
+/** A mesh with the preparations on it, for figures whose points can be dragged. */
 export class Scene {
   readonly positions: Float64Array;
   readonly triangles: Int32Array;
@@ -45,8 +45,8 @@ export class Scene {
   }
 
   /**
-   * A method on a copy of the mesh of its own, prepared once: it finds nothing there that another has
-   * made, so that its time is its own. A failure is kept too, but for an aborted preparation.
+   * Prepares a method once, on its own copy of the mesh: it finds no work of another method there,
+   * so that its time is its own. A failure is kept too, unless the preparation was aborted.
    */
   async method(options: MethodOptions, work: LongWorkOptions): Promise<PreparedCurves> {
     const key = JSON.stringify(options);

@@ -13,7 +13,7 @@ import type { Scene } from './scene';
 
 const { add, distance, scaled } = vectors;
 
-/** What the lines of a panel are made from. */
+/** The input of a panel's lines. */
 export interface Task {
   peers: Peers;
   scene: Scene;
@@ -23,7 +23,7 @@ export interface Task {
   samples: number;
 }
 
-/** The weights of a curve, as all methods take them. */
+/** The weights of a curve, in the form that all methods take. */
 export function planOf({ peers, points, curve, samples }: Task): CurvePlan {
   const whole = (table: CurvePlan['table'], shape?: CurvePlan['shape']): CurvePlan => ({
     points,
@@ -86,8 +86,8 @@ function convergedSamples(position: Float64Array, energy: Float64Array): Referen
 }
 
 /**
- * What a panel's lines are measured against: on a plane the affine curve, between two points the
- * exact shortest path, elsewhere our curve of exact distances.
+ * The reference for a panel's lines: the affine curve on a plane, the exact shortest path between
+ * two points, and otherwise our curve of exact distances.
  */
 export async function referenceOf(task: Task, work: LongWorkOptions): Promise<ReferenceSamples> {
   if (task.scene.flat) return affineSamples(task);

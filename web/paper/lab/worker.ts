@@ -1,4 +1,6 @@
-/** The worker that computes figures: one job after the other, so that none finds its mesh gone. */
+/**
+ * The worker that computes figures, one job after the other, so that no job removes another's mesh.
+ */
 
 import type { LongWorkOptions } from 'karcher';
 import { serve } from 'karcher/own-worker';
@@ -16,7 +18,7 @@ function inOrder<Result>(work: () => Promise<Result>): Promise<Result> {
   return result;
 }
 
-/** What can be asked of the worker. */
+/** The calls that the worker answers. */
 const calls = {
   mesh(mesh: MeshSpec) {
     return inOrder(async () => (await lab).mesh(mesh));
@@ -41,7 +43,7 @@ const calls = {
     });
   },
 
-  /** Tells the points of a panel, then its lines one by one. */
+  /** Sends the points of a panel, then its lines one by one. */
   trace(
     { panel, points, lines }: TraceJob,
     placed: (placed: Placed) => void,

@@ -2,7 +2,7 @@ import type { ConvergencePoint } from '../claims/convergence';
 import type { RoughnessPoint } from '../claims/roughness';
 import type { LineId } from '../figures/types';
 
-/** A plot's numbers: for each method one for each place on the x axis, or a gap. */
+/** A plot's numbers: for each method one value for each place on the x axis, or a gap. */
 export interface Plot {
   x: number[];
   lines: { method: LineId; values: (number | null)[] }[];
@@ -19,7 +19,7 @@ function plotOf<Point extends { method: LineId }>(
     const own = points.filter((point) => point.method === method);
     const values = x.map((place) => {
       const point = own.find((one) => at(one) === place);
-      // A logarithmic scale has no zero.
+      // A logarithmic scale cannot show zero.
       return (point && value(point)) || null;
     });
     return { method, values };
@@ -27,7 +27,7 @@ function plotOf<Point extends { method: LineId }>(
   return { x, lines };
 }
 
-/** The error against the mean edge, both in units of the surface. */
+/** Error against mean edge, both in units of the surface. */
 export const convergencePlot = (
   points: readonly ConvergencePoint[],
   surface: ConvergencePoint['surface'],
@@ -38,7 +38,7 @@ export const convergencePlot = (
     ({ error }) => error,
   );
 
-/** The residual against the noise, both in mean edges. */
+/** Residual against noise, both in mean edges. */
 export const roughnessPlot = (points: readonly RoughnessPoint[]): Plot =>
   plotOf(
     points,
@@ -46,7 +46,10 @@ export const roughnessPlot = (points: readonly RoughnessPoint[]): Plot =>
     ({ residual }) => residual,
   );
 
-/** The order of convergence: the slope of the error's logarithm, by least squares; null of one mesh. */
+/**
+ * The order of convergence: the slope of the error's logarithm, by least squares; null for one
+ * mesh.
+ */
 export function orderOf({ x }: Plot, values: readonly (number | null)[]): number | null {
   const logs = x.flatMap((edge, i) => {
     const value = values[i];

@@ -24,7 +24,7 @@ const residual: ChartAxis = { ...edge, label: 'Residual, mean edges' };
 const oneDigit = (value: number) =>
   (Math.abs(value) < 0.05 ? '0' : value.toFixed(1)).replace('-', '−');
 
-/** How large the meshes are on which it is measured. */
+/** Sizes of the meshes of the plots. */
 export interface PlotSizes {
   convergence: readonly number[];
   roughness: number;
@@ -32,7 +32,7 @@ export interface PlotSizes {
 
 const usualSizes: PlotSizes = { convergence: convergenceSizes, roughness: 5_000 };
 
-/** How every method gets nearer to the truth on finer meshes, and worse on rougher ones. */
+/** Shows the errors of every method on finer meshes, and on rougher ones. */
 export class PlotsSection {
   readonly element = make('section', '', { className: 'figure', id: 'plots' });
   readonly #cards = {
@@ -82,7 +82,7 @@ export class PlotsSection {
     for (const { chart } of Object.values(this.#cards)) chart.redraw();
   }
 
-  /** Measures all of it in this browser, in a minute or two. */
+  /** Measures everything in this browser, in a minute or two. */
   start(): void {
     const worker = new WorkerClient(
       new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' }),
@@ -147,7 +147,7 @@ export class PlotsSection {
   }
 }
 
-/** A chart with its heading; with the orders of convergence where its axes are logarithmic. */
+/** A chart with its heading, and the orders of convergence if its axes are logarithmic. */
 function card(title: string, x: ChartAxis, y: ChartAxis) {
   const element = make('article', '', { className: 'panel-card' });
   const chart = new LineChart({ x, y });

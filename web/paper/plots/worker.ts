@@ -1,4 +1,4 @@
-/** The worker that measures what is plotted. To cancel is to end it. */
+/** The worker that measures the plots. Ending it cancels the work. */
 
 import { serve } from 'karcher/own-worker';
 import { loadPeers } from 'karcher/peers';

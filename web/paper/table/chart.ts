@@ -3,7 +3,7 @@ import { lineColor } from '../view/theme_colors';
 import { type TableCell, tableMethodNames, tableMethods } from './rows';
 import { type Measure, seriesOf } from './series';
 
-/** Milliseconds against triangles, both on logarithmic scales. */
+/** A chart of milliseconds against triangles, both on logarithmic scales. */
 export class TableChart {
   readonly #chart = new LineChart({
     x: {

@@ -10,14 +10,16 @@ import {
 } from './rows';
 import type { TableEvents, TableOptions } from './run';
 
-/** What is told while a table is measured; `end` comes last, unless it is cancelled. */
+/** Events of a table's measurement; `end` comes last, unless it is cancelled. */
 export interface ClientEvents extends TableEvents {
   end(): void;
 }
 
 type Place = Omit<TableCell, 'result'>;
 
-/** A method stops by itself between two steps; after so much longer a step is cut off. */
+/**
+ * The time that a step may take beyond its budget: a method stops by itself only between two steps.
+ */
 const graceMs = 2000;
 
 const failed = (reason: string): MethodResult => ({ ...nothingMeasured, reason });
@@ -25,13 +27,13 @@ const failed = (reason: string): MethodResult => ({ ...nothingMeasured, reason }
 const startWorker = () => new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
 
 /**
- * Measures a table in a worker. A worker that fails, as when memory runs out, or whose step takes too
- * long, is ended: the cell says why, and another goes on with the next.
+ * Measures a table in a worker. A worker that fails, for example because memory runs out, or that
+ * stays too long in a step is ended: the cell says why, and a new worker continues with the next.
  */
 export class TableClient {
   readonly #left: { row: TableRow; methods: TableMethod[] }[];
   #worker: WorkerClient | null = null;
-  /** What is being measured. */
+  /** The cell that is being measured. */
   #place: Place | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -47,7 +49,7 @@ export class TableClient {
     this.#next();
   }
 
-  /** Ends at once, also inside a step. */
+  /** Ends at once, even within a step. */
   cancel(): void {
     this.#left.length = 0;
     this.#stop();
@@ -77,7 +79,7 @@ export class TableClient {
     );
   }
 
-  /** What the worker tells, as long as it is the one that works. */
+  /** Handles the events of a worker, until another replaces it. */
   #heard(worker: WorkerClient): TableEvents {
     const { row, method, progress } = this.events;
     const heard = <Args extends unknown[]>(hear: (...args: Args) => void) => {
@@ -107,7 +109,7 @@ export class TableClient {
     this.events.cell(cell);
   }
 
-  /** The cell that was measured fails, or all of a row whose mesh could not be made. */
+  /** Marks the cell under measurement as failed, or the whole row if its mesh could not be made. */
   #fail(reason: string): void {
     const place = this.#place;
     this.#stop();

@@ -8,16 +8,16 @@ const heads = [
   ...['lost by own rule', 'residual h', 'energy h2'],
 ];
 
-/** Milliseconds without the digits that only rounding has. */
+/** Milliseconds without digits that come from rounding. */
 const time = (value: number | null) => value && Number(value.toPrecision(6));
 
-/** A field is quoted where it has to be. */
+/** A field is quoted only if it must be. */
 const field = (value: string | number | boolean | null) => {
   const text = value === null ? '' : `${value}`;
   return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 };
 
-/** The table as CSV, a line a cell; what was not measured is empty. */
+/** The table as CSV, a line for each cell; unmeasured values are empty. */
 export function tableCsv(
   rows: readonly TableRow[],
   cells: readonly TableCell[],

@@ -4,12 +4,17 @@ import { smallerMesh } from '../figures/small';
 import { galleryFigure, resolutionFigure } from '../figures/splines';
 import type { MeshSpec, Vector } from '../figures/types';
 
-/** Table 1: a curve on a mesh, with its control points at vertices for all methods, as in the paper. */
+/**
+ * A row of Table 1: a curve on a mesh, with its control points at vertices for all methods, as in
+ * the paper.
+ */
 export interface TableRow {
   id: string;
   name: string;
   mesh: MeshSpec;
-  /** Two are joined by a shortest path with exact distances, more make a B-spline with k = 6. */
+  /**
+   * Two points are joined by a shortest path with exact distances, more make a B-spline with k = 6.
+   */
   points: readonly Vector[];
 }
 
@@ -76,16 +81,16 @@ export const tableRows: readonly TableRow[] = [
 export const smallRows = (part: number): TableRow[] =>
   tableRows.map((row) => ({ ...row, mesh: smallerMesh(row.mesh, part) }));
 
-/** About how many triangles a row has, before its mesh is made. */
+/** The approximate number of a row's triangles, known before its mesh is made. */
 export function expectedTriangles(mesh: MeshSpec): number {
   return mesh.kind === 'bunny' ? 3_674 * 4 ** mesh.levels : mesh.triangles;
 }
 
-/** Two points are joined by one curve; a cubic B-spline has three points more than segments. */
+/** Two points are joined by one segment; a cubic B-spline has three more points than segments. */
 export const segmentsOf = ({ points }: TableRow): number =>
   points.length === 2 ? 1 : points.length - 3;
 
-/** A cell: what a method did in a row. */
+/** A cell: the result of a method in a row. */
 export interface TableCell {
   row: string;
   method: TableMethod;
@@ -95,17 +100,18 @@ export interface TableCell {
 }
 
 /**
- * The paper's own numbers, of its authors' machine: an update of a curve on the lion, a mesh that is not at
- * hand, with 256 samples a segment. They are all that is known here; those of its Table 1 are not.
+ * The paper's own times, from its authors' machine: an update of a curve on the lion, a mesh that
+ * we do not have, with 256 samples a segment. The times of its Table 1 are not known here.
  */
 export const published = { samples: 256, updateMs: 197, fieldMs: 161, segmentMs: 10 };
 
-/** What stands beside our times of the paper's. */
+/** A note on the paper's times beside ours. */
 export const publishedNote = `The paper’s own times are of its authors’ machine and of meshes that are not at hand, and those of its Table 1 are not kept here, so none stand beside ours. Of its text: on the lion, with ${published.samples} samples a segment, an update took ${published.updateMs} ms, ${published.fieldMs} of them the field and about ${published.segmentMs} each segment.`;
 
 /**
- * What tracing takes a heat method where it computes a log map at each evaluation, as its authors' library
- * does; reckoned from how many were asked for and how many made. Null of methods without log maps.
+ * The tracing time of a heat method that computes a log map at each evaluation, as its authors'
+ * library does, estimated from the numbers of requested and computed maps. Null for methods without
+ * log maps.
  */
 export function asUsedMs({ traceMs, logMaps }: MethodResult): number | null {
   if (traceMs === null || !logMaps || logMaps.made === 0) return null;

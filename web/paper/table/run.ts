@@ -12,21 +12,21 @@ import { makeMesh } from '../../model/made_mesh';
 import { NearestPoints } from '../lab/nearest';
 import { type TableCell, type TableMethod, type TableRow, tableMethods } from './rows';
 
-/** Exact paths on larger meshes would take longer than what they measure. */
+/** On larger meshes the exact paths would take longer than the methods that they measure. */
 const mostMeasured = 60_000;
 
 export interface TableOptions {
   rows: readonly TableRow[];
-  /** All of them by default. */
+  /** The methods; all of them by default. */
   methods?: readonly TableMethod[];
-  /** A segment. */
+  /** Number of samples a segment. */
   samples: number;
-  /** A method gives up a row after so many milliseconds. */
+  /** The time in milliseconds after which a method gives up a row. */
   budgetMs: number;
 }
 
 export interface TableEvents {
-  /** A row begins: a mesh is made. */
+  /** A row begins: its mesh is made. */
   row(row: TableRow): void;
   /** A method begins. */
   method(cell: Pick<TableCell, 'row' | 'method' | 'triangles' | 'segments'>): void;
@@ -34,7 +34,7 @@ export interface TableEvents {
   cell(cell: TableCell): void;
 }
 
-/** Ours has exact distances where the paper's method has them: for two points. */
+/** Our method takes exact distances where the paper's does: for two points. */
 function tableOptions(method: TableMethod, plan: CurvePlan): MethodOptions {
   const exact = method === 'karcher' && plan.points.length === 2;
   return exact ? { method, solver: 'exact' } : standardOptions(method, plan);

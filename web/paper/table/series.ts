@@ -9,16 +9,16 @@ export const measureNames: Record<Measure, string> = {
   dragMs: 'Update',
 };
 
-/** B-splines only, by triangles: paths of two points are another kind of work. */
+/** Times of B-splines by triangles: paths between two points are a different task. */
 export function seriesOf(cells: readonly TableCell[], measure: Measure): AlignedData {
   const splines = cells.filter(({ segments }) => segments > 1);
   const triangles = [...new Set(splines.map((cell) => cell.triangles))].toSorted((a, b) => a - b);
   const value = (method: TableMethod, count: number) => {
     const cell = splines.find((one) => one.method === method && one.triangles === count);
-    // What a method took to fail is no time of a curve.
+    // The time until a method failed is not the time of a curve.
     const counts = measure === 'prepareMs' || cell?.result.ok;
     const milliseconds = counts ? (cell?.result[measure] ?? null) : null;
-    // A logarithmic scale has no zero, which is what a clock shows of less than its step.
+    // A logarithmic scale has no zero, which a clock shows for times below its resolution.
     return milliseconds ? milliseconds : null;
   };
   return [

@@ -35,13 +35,13 @@ function select(label: string, choices: readonly [number, string][], chosen: num
   return { box, value: () => Number(element.value) };
 }
 
-/** Table 1 on the page: measured by a worker of its own when it is asked for. */
+/** Table 1 on the page: a worker of its own measures it on request. */
 export class TableSection {
   readonly element = make('section', '', { className: 'figure', id: 'table' });
   cells: TableCell[] = [];
   readonly rows: readonly TableRow[];
   readonly #about: { browser: string; build: string };
-  /** Of the saved numbers, while they are shown. */
+  /** The origin of the saved numbers, while they are shown. */
   #savedAbout: { browser: string; build: string } | null = null;
   readonly #view: TableView;
   readonly #chart = new TableChart();
@@ -88,7 +88,7 @@ export class TableSection {
     if (report?.table) this.#showSaved(report, report.table);
   }
 
-  /** What was measured last, until it is measured here. */
+  /** Shows the saved measurements, until the table is measured here. */
   #showSaved(report: SavedReport, { samples, cells }: NonNullable<SavedReport['table']>): void {
     const known = cells.filter(({ row }) => this.rows.some(({ id }) => id === row));
     if (known.length === 0) return;
@@ -103,7 +103,7 @@ export class TableSection {
     );
   }
 
-  /** Whether nothing is being measured. */
+  /** Whether no measurement is under way. */
   get settled(): boolean {
     return this.#client === null;
   }
@@ -118,7 +118,7 @@ export class TableSection {
     return tableCsv(rows, this.cells, about);
   }
 
-  /** Measures these rows, or those up to the chosen size. */
+  /** Measures these rows, by default those up to the chosen size. */
   start(rows = this.#chosen()): void {
     this.cells = [];
     this.#savedAbout = null;

@@ -16,7 +16,7 @@ import {
 const parts = ['prepareMs', 'traceMs', 'dragMs'] as const;
 const partNames = ['prepare', 'trace', 'update'];
 
-/** What is told below a time: of what it consists, or what else there is to it. */
+/** The line below a time: its parts, or an additional figure. */
 const details: Record<(typeof parts)[number], (result: MethodResult) => string | null> = {
   prepareMs: ({ memory }) => (memory ? formatBytes(memory) : null),
   traceMs: (result) => {
@@ -27,7 +27,10 @@ const details: Record<(typeof parts)[number], (result: MethodResult) => string |
   dragMs: ({ dragFieldMs }) => (dragFieldMs ? `field ${formatMilliseconds(dragFieldMs)}` : null),
 };
 
-/** By exact paths, as in the figures, and what was lost by our rule and by its authors' own. */
+/**
+ * Measures by exact paths, as in the figures, and samples lost by our rule and by that of the
+ * method's authors.
+ */
 function measuresOf({ ruler, lost, lostByOwnRule, samples }: MethodResult): string[] {
   const { residual = null, energy = null } = ruler ?? {};
   const part = ruler && ruler.measured < ruler.of ? ` over ${ruler.measured}/${ruler.of}` : '';
@@ -39,16 +42,19 @@ function measuresOf({ ruler, lost, lostByOwnRule, samples }: MethodResult): stri
   ].filter(Boolean);
 }
 
-/** The table itself: three times a method, milliseconds; below them how far its curve is from centers. */
+/**
+ * The table itself: three times for each method, in milliseconds, and below them how far its curve
+ * is from the centers.
+ */
 export class TableView {
   readonly element = make('div', '', { className: 'timings' });
   readonly #body: HTMLTableSectionElement;
   readonly #rows = new Map<string, HTMLTableRowElement>();
-  /** Below each row, a cell a method. */
+  /** The line of measures below each row, with a cell for each method. */
   readonly #measures = new Map<string, HTMLTableRowElement>();
 
   constructor(rows: readonly TableRow[]) {
-    // It scrolls sideways where the window is narrow: by keys, too.
+    // The table scrolls sideways in a narrow window, also by keys.
     this.element.tabIndex = 0;
     this.element.role = 'region';
     this.element.ariaLabel = 'Times of all methods';
@@ -141,7 +147,7 @@ export class TableView {
     const cells = this.#cells(row, method);
     if (!reason) return;
     const note = make('small', reason, { className: result.ok ? 'note' : 'reason', title: reason });
-    // Beside what was measured before it failed.
+    // The reason stands beside the times measured before the failure.
     const at = result.traceMs === null ? cells[result.prepareMs === null ? 0 : 1]! : cells[2]!;
     if (result.traceMs === null) at.replaceChildren(note);
     else at.append(note);

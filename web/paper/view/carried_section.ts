@@ -39,7 +39,7 @@ export class CarriedSection {
   #points: Record<Side, Vector[]>;
   #shown: Carried | null = null;
   #started = false;
-  /** Whether an answer is awaited, and whether it will be of points as they are. */
+  /** Whether an answer is awaited, and whether it will match the current points. */
   #busy = false;
   #stale = false;
 
@@ -68,7 +68,7 @@ export class CarriedSection {
     whenNear(this.element, () => this.start());
   }
 
-  /** Whether what is shown is of the points as they are. */
+  /** Whether the drawing matches the current points. */
   get settled(): boolean {
     return this.#shown !== null && !this.#busy;
   }
@@ -165,7 +165,10 @@ export class CarriedSection {
     );
   }
 
-  /** Asks for the drawing of the newest points; while one is awaited, for the next one after it. */
+  /**
+   * Requests the drawing of the current points; while an answer is awaited, only the newest request
+   * follows.
+   */
   #renew(): void {
     this.#stale = true;
     if (this.#busy) return;

@@ -3,10 +3,10 @@ import type { MeshSpec, Vector } from '../figures/types';
 import { type KnownCenter, uniquenessWords } from '../lab/center';
 import type { LabClient } from '../lab/client';
 
-/** Looks for all centers of a panel's points, and says whether there is but one. */
+/** Looks for all centers of a panel's points, and says whether there is only one. */
 export class CenterSearch {
   readonly element = make('p', '', { className: 'panel-note only', hidden: true });
-  /** What was found of the points that were looked at last. */
+  /** The result for the points that were searched last. */
   known: KnownCenter | null = null;
   isLooking = false;
   #next: Parameters<LabClient['center']> | null = null;
@@ -16,7 +16,7 @@ export class CenterSearch {
     private readonly found: () => void,
   ) {}
 
-  /** Looks for the centers of these points; where a search is under way, after that. */
+  /** Looks for the centers of these points, after the search under way, if any. */
   async look(spec: MeshSpec, points: readonly Vector[], weights: readonly number[]): Promise<void> {
     this.#next = [spec, points, weights];
     if (this.isLooking) return;

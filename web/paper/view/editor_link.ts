@@ -11,10 +11,10 @@ import { formatLink } from '../../model/link';
 import { madeKey } from '../../model/meshes';
 import type { CurveSpec, MeshSpec } from '../figures/types';
 
-/** Why `editorLink` may be null. */
+/** The reason why `editorLink` may be null. */
 export const noSuchWeights = `the editor’s weights differ by no more than ${(parameterRange.most / parameterRange.least).toLocaleString('en')} times`;
 
-/** Where the editor shows the same curve; null where it has no such weights. */
+/** A link to the same curve in the editor; null if the editor does not allow its weights. */
 export function editorLink(
   mesh: MeshSpec,
   curve: CurveSpec,
@@ -41,8 +41,8 @@ function figureOf(curve: CurveSpec, points: readonly SurfacePoint[]): Figure | n
 }
 
 /**
- * Weights and betas count by their ratios alone: where the editor does not have these numbers, they
- * are multiplied by one that brings them into its range.
+ * Only the ratios of weights and betas matter: numbers outside the editor's range are scaled into
+ * it.
  */
 function withNumbers(
   points: readonly SurfacePoint[],

@@ -38,21 +38,21 @@ export interface PanelContext {
 }
 
 export interface PanelEvents {
-  /** All that is shown was measured. */
+  /** Called when everything that is shown was measured. */
   measured(): void;
-  /** A point of the panel was moved to a place in space. */
+  /** Called when the reader moved a point of the panel to a place in space. */
   move(index: number, place: Vector): void;
 }
 
 /** A panel on the page: its view, its points, and the table of its numbers. */
 export class FigurePanel {
   readonly element = make('article', '', { className: 'panel-card' });
-  /** What is computed now, for tests: true once everything that is shown is there. */
+  /** Whether everything that is shown is up to date; tests wait for it. */
   settled = false;
   readonly #stage = make('div', '', { className: 'panel-stage' });
   readonly #markers = make('div', '', { className: 'markers' });
   readonly #note = make('p', '', { className: 'panel-note' });
-  /** In place of a surface that is not there yet. */
+  /** Stands in for a surface that is not ready. */
   readonly #making = make('p', '', { className: 'making' });
   readonly #link = make('a', 'Open in the editor', { className: 'link', hidden: true });
   readonly #noLink = make('span', `Not in the editor: ${noSuchWeights}`, {
@@ -67,9 +67,9 @@ export class FigurePanel {
   readonly #centers: CenterSearch;
   readonly #numbers: NumbersTable;
   readonly #shown: Set<LineId>;
-  /** Of the points and the curve as they are now, but for those that are waited for. */
+  /** Results for the current points and curve, except those of lines in `#waiting`. */
   readonly #results = new Map<LineId, LineResult>();
-  /** Asked for and not there yet: what is known of these is of earlier points. */
+  /** Requested lines without an answer: their results are of earlier points. */
   readonly #waiting = new Set<LineId>();
   #curve: CurveSpec;
   #spec: MeshSpec;
@@ -90,7 +90,7 @@ export class FigurePanel {
     private readonly panel: Panel,
     points: readonly Vector[],
     private readonly events: PanelEvents,
-    /** What was measured before, to be shown until it is measured here. */
+    /** Earlier measurements, shown until the panel is measured here. */
     saved: SavedNumbers | null = null,
   ) {
     this.#points = points;
@@ -125,7 +125,7 @@ export class FigurePanel {
     this.element.dataset.panel = panel.id;
   }
 
-  /** Computes everything when it is its turn. */
+  /** Computes everything when its turn comes. */
   start(): void {
     this.#making.textContent = `Waits for its turn: ${meshWords(this.#spec)}`;
     this.context.turns.ask({ element: this.#stage, run: (signal) => this.#run(signal) });
@@ -146,7 +146,7 @@ export class FigurePanel {
     try {
       const mesh = await this.context.client.mesh(spec);
       const drawn = await this.context.geometry.make(mesh);
-      // Another was asked for meanwhile.
+      // Another mesh was chosen meanwhile.
       if (spec !== this.#spec) return;
       this.#mesh = mesh;
       this.#size.textContent = formatCount(mesh.info.triangles, 'triangle');
@@ -160,15 +160,15 @@ export class FigurePanel {
     }
   }
 
-  /** Other points in space, of this panel or of one that shares them. */
+  /** Takes other points in space, moved in this panel or in one that shares them. */
   setPoints(points: readonly Vector[]): void {
     this.#points = points;
     this.#renew();
   }
 
   /**
-   * What was measured of the lines; null while it is under way, and of a curve or a mesh that is not the
-   * figure's.
+   * The measurements of the lines; null while they are under way, and for a curve or a mesh that
+   * differs from the figure's.
    */
   measured(): LineNumbers[] | null {
     const changed = this.#curve !== this.panel.curve || this.#spec !== this.panel.mesh;
@@ -176,14 +176,14 @@ export class FigurePanel {
     return this.panel.lines.flatMap((id) => this.#result(id) ?? []).map(numbersOf);
   }
 
-  /** The colors of the theme. */
+  /** Applies the colors of the theme. */
   recolor(): void {
     this.#view.surfaceColor = new Color(surfaceFront());
     for (const id of this.#results.keys()) this.#view.recolor(id, this.#look(id));
     this.#view.requestFrame();
   }
 
-  /** Nothing that is there is of the points and the curve as they are now. */
+  /** Computes the lines again after the points or the curve have changed. */
   #renew(): void {
     this.#dragging?.abort();
     this.#numbers.dropSaved();
@@ -204,12 +204,12 @@ export class FigurePanel {
     this.#view.hideLine(id);
   }
 
-  /** A line's result, unless it is of earlier points. */
+  /** A line's result, unless it belongs to earlier points. */
   #result(id: LineId): LineResult | undefined {
     return this.#waiting.has(id) ? undefined : this.#results.get(id);
   }
 
-  /** Resolves when the lines are there, and when others are asked for instead. */
+  /** Traces lines; resolves when they are done or when other lines replace them. */
   #trace(lines: readonly LineId[]): Promise<void> {
     this.#stop?.();
     if (!this.#mesh) return Promise.resolve();
@@ -236,7 +236,7 @@ export class FigurePanel {
       },
       progress: (done, stage) => this.#progress(done, stage),
       failure: (message) => {
-        // No progress any more, which goes when all is done.
+        // The note is no longer a progress message, which would be removed at the end.
         this.#note.dataset.kind = '';
         this.#note.textContent = message;
       },
@@ -254,7 +254,7 @@ export class FigurePanel {
     return promise;
   }
 
-  /** Names what is being computed. */
+  /** Names the line that is being computed. */
   #tellWhat(): void {
     const names = [...this.#waiting].map((id) => lineStyles[id].label);
     this.#note.dataset.kind = 'progress';
@@ -264,7 +264,7 @@ export class FigurePanel {
 
   #progress(done: number, stage: string): void {
     const what = { graph: 'building the graph', landmarks: 'embedding' }[stage];
-    // Samples are quick, or their lines come one by one.
+    // The samples are quick, or the lines arrive one by one.
     if (!what) return;
     this.#note.dataset.kind = 'progress';
     this.#note.textContent = `Computes: ${what}, ${Math.round(100 * done)} %`;
@@ -288,7 +288,7 @@ export class FigurePanel {
     this.#renew();
   }
 
-  /** The same curve on another mesh. */
+  /** Shows the same curve on another mesh. */
   async #setMesh(spec: MeshSpec): Promise<void> {
     this.#stop?.();
     this.settled = false;
@@ -308,7 +308,7 @@ export class FigurePanel {
     this.#placeMarkers();
     const result = this.#result(id);
     if (shown && result) this.#draw(result);
-    // What is under way is asked for again, with the one that was missing.
+    // Lines under way are requested again, together with the missing one.
     else if (shown) {
       void this.#trace(
         this.panel.lines.filter((one) => this.#shown.has(one) && !this.#result(one)),
@@ -326,7 +326,7 @@ export class FigurePanel {
 
   #draw(line: LineResult): void {
     const order = 4 + 2 * this.panel.lines.indexOf(line.id);
-    // Ours is the widest, and lies under the others, so that it shows where they agree.
+    // Our line is the widest and lies under the others, so that both are visible where they agree.
     const wide = lineStyles[line.id].width >= 3;
     this.#view.showLine(line.id, line, this.#look(line.id), wide ? 2 : order);
     this.#placeMarkers();
@@ -337,7 +337,7 @@ export class FigurePanel {
     return { color: new Color(lineColor(id)), width, opaque };
   }
 
-  /** Centers of mass, of the lines and others. */
+  /** The dots of centers of mass: those of the lines, and other minima. */
   #dots(): Dot[] {
     const ofLines = [...this.#results.values()].flatMap(({ id, marker }) =>
       marker && this.#shown.has(id) ? [{ line: id, place: marker }] : [],
@@ -350,7 +350,7 @@ export class FigurePanel {
     showDots(this.#markers, this.#view, this.#dots());
   }
 
-  /** A place of the stage where there is something to compare: a center, or a curve near the middle. */
+  /** A place of the stage worth comparing: a center, or a curve's point near the middle. */
   #placeToCompare(): { x: number; y: number } {
     const middle = { x: this.#stage.clientWidth / 2, y: this.#stage.clientHeight / 2 };
     const places = this.#dots().map(({ place }) => place);
@@ -405,7 +405,7 @@ export class FigurePanel {
     return foot;
   }
 
-  /** Drags a control point of every curve that is shown, and tells how far they leap. */
+  /** Drags a control point of every visible curve, and shows how far the curves leap. */
   async #dragAll(): Promise<void> {
     const lines = this.panel.lines.filter((id) => this.#shown.has(id) && this.#result(id));
     if (this.#dragging) return;
@@ -419,7 +419,7 @@ export class FigurePanel {
         { panel, points: this.#points, lines },
         (id, drag) => {
           const line = this.#result(id);
-          // Of points that have moved since it says nothing.
+          // The measurement is of points that have moved since.
           if (!line || dragging.signal.aborted) return;
           line.drag = drag;
           this.#numbers.set(line);
@@ -436,7 +436,7 @@ export class FigurePanel {
     }
   }
 
-  /** The panel's numbers: of all methods that were measured at the points as they are. */
+  /** The panel's numbers: those of all methods that were measured at the current points. */
   json(): string {
     const lines = this.panel.lines.flatMap((id) => {
       const line = this.#result(id);
@@ -454,7 +454,7 @@ export class FigurePanel {
     );
   }
 
-  /** The panel as it is seen, with its numbers as its metadata. */
+  /** The panel as it appears, with its numbers as metadata. */
   svg(): string {
     const { clientWidth: width, clientHeight: height } = this.#stage;
     const shown = this.panel.lines.flatMap((id) => {
@@ -483,11 +483,11 @@ export class FigurePanel {
   }
 }
 
-/** A mesh in a few words. */
+/** A mesh in words. */
 const meshWords = (spec: MeshSpec) =>
   `${meshLabel(madeKey(spec))}, about ${formatCount(expectedTriangles(spec), 'triangle')}`;
 
-/** A line without what is drawn of it. */
+/** A line without its geometry. */
 function numbersOf({ polylines: _, status: __, marker: ___, ...numbers }: LineResult): LineNumbers {
   return numbers;
 }

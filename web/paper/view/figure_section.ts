@@ -6,7 +6,7 @@ import { FigurePanel, type PanelContext } from './figure_panel';
 import type { SavedNumbers } from './numbers_table';
 import { Caption, sectionHead, whenNear } from './section';
 
-/** What the report has of a panel. */
+/** The report's numbers for a panel. */
 function savedOf(report: SavedReport, key: string): SavedNumbers | null {
   const lines = report.panels?.[key];
   return lines ? { lines, origin: originWords(report) } : null;
@@ -51,12 +51,12 @@ export class FigureSection {
     whenNear(this.element, () => this.start());
   }
 
-  /** Whether all panels show what they should. */
+  /** Whether all panels are up to date. */
   get settled(): boolean {
     return this.#panels.every((panel) => panel.settled);
   }
 
-  /** What was measured of the figure as it is given, by panel; nothing after a point was moved. */
+  /** The measurements of the unchanged figure, by panel; empty after a point was moved. */
   measured(): Record<string, LineNumbers[]> {
     const entries = this.#figure.panels.flatMap(({ id }, i) => {
       const lines = this.#moved ? null : this.#panels[i]!.measured();

@@ -1,6 +1,6 @@
 /** Numbers as people read them. */
 
-/** Three digits; what is only rounding as a power of ten. */
+/** A number with three digits; rounding errors are shown as a power of ten. */
 export function formatDeviation(value: number | null): string {
   if (value === null) return '–';
   if (value === 0) return '0';
@@ -8,7 +8,7 @@ export function formatDeviation(value: number | null): string {
   return value < 0.1 ? value.toFixed(4) : value.toFixed(2);
 }
 
-/** The same of numbers on both sides of 0. */
+/** The same for a number of either sign. */
 export function formatDifference(value: number | null): string {
   if (value === null || value >= 0) return formatDeviation(value);
   return `−${formatDeviation(-value)}`;

@@ -3,20 +3,20 @@ import 'uplot/dist/uPlot.min.css';
 
 export interface ChartLine {
   label: string;
-  /** Resolved, since a canvas knows no custom properties. */
+  /** The resolved color, since a canvas knows no custom properties. */
   color: string;
-  /** Beside another of its color. */
+  /** The line is dashed if another one has its color. */
   dashed?: boolean;
-  /** One for each place on the x axis; null is a gap. */
+  /** A value for each place on the x axis; null is a gap. */
   values: readonly (number | null)[];
 }
 
 export interface ChartAxis {
   label: string;
-  /** Whether its scale is logarithmic; then it has no zero. */
+  /** Whether the scale is logarithmic and excludes zero. */
   log: boolean;
   tick(value: number): string;
-  /** In the legend. */
+  /** The text of a value in the legend. */
   exact(value: number): string;
 }
 
@@ -26,7 +26,7 @@ export interface ChartContent {
 }
 
 const height = 320;
-/** On a logarithmic axis. */
+/** The factor of room at either end of a logarithmic axis. */
 const roomAtEnds = 1.08;
 
 /** Lines over an axis; it follows its element's width. */
@@ -42,13 +42,13 @@ export class LineChart {
     new ResizeObserver(() => this.#resize()).observe(this.element);
   }
 
-  /** `content` is asked again for other colors. */
+  /** Draws the chart; `content` is called again when the colors change. */
   show(content: () => ChartContent): void {
     this.#content = content;
     this.redraw();
   }
 
-  /** Anew, as for another theme. */
+  /** Draws the chart anew, for example for another theme. */
   redraw(): void {
     this.#plot?.destroy();
     this.#plot = null;
@@ -113,7 +113,7 @@ const around = (_: uPlot, least: number, most: number): uPlot.Range.MinMax => [
   most * roomAtEnds,
 ];
 
-/** On a logarithmic axis every tenth of a decade is split off; 1, 2 and 5 have numbers. */
+/** A logarithmic axis is divided at every tenth of a decade; only 1, 2 and 5 have numbers. */
 const onlyRound = (_: uPlot, splits: number[]): (number | null)[] =>
   splits.map((value) => ('125'.includes(value.toExponential()[0]!) ? value : null));
 

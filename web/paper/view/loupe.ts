@@ -2,7 +2,10 @@ import { make } from '../../panels/elements';
 import { type Dot, showDots } from './panel_markers';
 import type { PanelView } from './panel_view';
 
-/** How much larger the loupe shows; lines stay as wide as they are, and so part. */
+/**
+ * The factor by which the loupe enlarges distances; lines keep their width, so that near ones
+ * separate.
+ */
 const times = 8;
 
 interface Place {
@@ -10,7 +13,10 @@ interface Place {
   y: number;
 }
 
-/** What is around a place of a panel, larger: it follows the mouse and the finger, and goes by keys. */
+/**
+ * An enlarged view around a place of a panel: it follows the mouse and the finger, and moves by
+ * keys.
+ */
 export class Loupe {
   readonly button = make('button', 'Loupe', {
     className: 'link',
@@ -26,7 +32,7 @@ export class Loupe {
   constructor(
     private readonly stage: HTMLElement,
     private readonly view: PanelView,
-    /** The dots that are shown, and the place to begin with. */
+    /** The dots to show, and the place to begin at. */
     private readonly events: { dots(): Dot[]; first(): Place },
   ) {
     this.button.setAttribute('aria-pressed', 'false');
@@ -88,7 +94,7 @@ export class Loupe {
     if (!this.#shown) return;
     const { x, y } = this.#at;
     this.#target.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
-    // In the corner that the place is not in.
+    // The loupe lies in a corner away from the place.
     const { clientWidth, clientHeight } = this.stage;
     this.#element.classList.toggle('left', x > clientWidth / 2 && y < clientHeight / 2);
     const { clientWidth: width, clientHeight: height } = this.#element;

@@ -4,12 +4,12 @@ import type { LineId, LineNumbers, Panel } from '../figures/types';
 import { formatDeviation, formatDifference, formatMilliseconds } from './format';
 
 interface Column {
-  /** By what it is measured; columns of one ruler stand side by side. */
+  /** The ruler of the measurement; columns of one ruler stand side by side. */
   ruler: string;
   head: string;
   title: string;
   text(line: LineNumbers): string;
-  /** What is to be known with the number, in small letters. */
+  /** A note on the number, in small letters. */
   note?(line: LineNumbers): string | null;
 }
 
@@ -60,7 +60,7 @@ const ruler: Column[] = [
   },
 ];
 
-/** The farthest step, and how many leap. */
+/** The largest step, and the number of leaps. */
 function dragText({ most, leaps }: NonNullable<LineNumbers['drag']>): string {
   const far = most === null ? '–' : `×${most.toFixed(1)}`;
   return leaps === 0 ? far : `${far}, ${leaps} ${leaps === 1 ? 'leap' : 'leaps'}`;
@@ -111,18 +111,20 @@ const centerColumns: Column[] = [
   ...times,
 ];
 
-/** A panel's numbers from before, and where they are from. */
+/** A panel's numbers from an earlier measurement, and their origin. */
 export interface SavedNumbers {
   lines: readonly LineNumbers[];
   origin: string;
 }
 
-/** The legend of a panel, with the numbers of its lines: a box each shows it or not. */
+/**
+ * The legend of a panel, with the numbers of its lines: a checkbox for each line shows or hides it.
+ */
 export class NumbersTable {
   readonly element = make('div', '', { className: 'numbers' });
   readonly #columns: readonly Column[];
   readonly #rows = new Map<LineId, HTMLTableRowElement>();
-  /** Where numbers from before are from. */
+  /** The origin of earlier numbers. */
   readonly #saved = make('p', '', { className: 'saved-note', hidden: true });
 
   constructor(
@@ -178,7 +180,7 @@ export class NumbersTable {
     if (row.dataset.state !== 'saved') row.dataset.state = 'waiting';
   }
 
-  /** What was measured before and elsewhere, until it is measured here. */
+  /** Shows earlier measurements from elsewhere, until the panel is measured here. */
   showSaved(lines: readonly LineNumbers[], origin: string): void {
     for (const line of lines) {
       const row = this.#rows.get(line.id);
@@ -190,17 +192,17 @@ export class NumbersTable {
     this.#hideSaved();
   }
 
-  /** What was measured before is not of what is asked for now. */
+  /** Removes earlier measurements, which no longer match the panel. */
   dropSaved(): void {
     for (const [id, row] of this.#rows) if (row.dataset.state === 'saved') this.clear(id);
   }
 
-  /** Without numbers from before nothing is said of them. */
+  /** Hides the note on the origin once no earlier numbers are left. */
   #hideSaved(): void {
     this.#saved.hidden = ![...this.#rows.values()].some(({ dataset }) => dataset.state === 'saved');
   }
 
-  /** Nothing is known of the line. */
+  /** Removes the numbers of a line. */
   clear(id: LineId): void {
     const row = this.#rows.get(id)!;
     delete row.dataset.state;
@@ -216,12 +218,12 @@ export class NumbersTable {
     else this.#fill(row, line);
   }
 
-  /** A sentence in place of numbers. */
+  /** Shows a sentence in place of numbers. */
   #say(row: HTMLTableRowElement, text: string, className: string): void {
     this.#replace(row, [make('td', text, { colSpan: this.#columns.length, className })]);
   }
 
-  /** A line that is no method's has no numbers. */
+  /** Fills the row; a line that belongs to no method has no numbers. */
   #fill(row: HTMLTableRowElement, line: LineNumbers | null): void {
     const measured = line !== null && (line.deviation !== null || line.traceMs !== null);
     this.#replace(

@@ -3,13 +3,13 @@ import { lineStyles } from '../figures/lines';
 import type { LineId, Vector } from '../figures/types';
 import type { PanelView } from './panel_view';
 
-/** A dot of a line's; of none where it is another center than the lines'. */
+/** A dot of a line, or of another center that belongs to no line. */
 export interface Dot {
   line: LineId | null;
   place: Vector;
 }
 
-/** Where a dot is shown: the stage's pixels become a layer's. */
+/** Converts a place of the stage into one of a layer, in pixels. */
 export type Seen = (at: { x: number; y: number }) => { x: number; y: number };
 
 /** Shows centers of mass as dots in a layer over the view. */

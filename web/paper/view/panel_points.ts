@@ -2,7 +2,7 @@ import { type Handle, Handles } from '../../viewer/handles';
 import type { Panel, Vector } from '../figures/types';
 import type { PanelView } from './panel_view';
 
-/** A panel's points as handles, which are dragged and go by keys. */
+/** A panel's points as handles, which can be dragged and moved by keys. */
 export class PanelPoints {
   readonly #handles: Handles;
 
@@ -10,7 +10,7 @@ export class PanelPoints {
     private readonly view: PanelView,
     layer: HTMLElement,
     private readonly panel: Panel,
-    /** A point is to be elsewhere on the surface. */
+    /** Called when a point is moved on the surface. */
     private readonly moved: (index: number, place: Vector) => void,
   ) {
     this.#handles = new Handles(view, layer, {

@@ -16,7 +16,7 @@ export interface PanelDrawing {
   lines: readonly LineResult[];
   /** The control points. */
   places: readonly Vector[];
-  /** Where a place of the mesh is seen. */
+  /** The place on the stage at which a place of the mesh appears. */
   seen(place: Vector): Seen;
   /** The surface alone, as the address of an image. */
   picture: string;
@@ -24,7 +24,7 @@ export interface PanelDrawing {
   numbers: string;
 }
 
-/** A panel as it is seen, as an SVG file with its numbers as metadata. */
+/** A panel as it appears, as an SVG file with its numbers as metadata. */
 export function panelSvg(panel: PanelDrawing): string {
   const { width, height, places, seen, picture, numbers } = panel;
   const markers = panel.lines.flatMap(({ id, marker }) =>

@@ -17,17 +17,17 @@ import type { LineResult, Panel, Vector } from '../figures/types';
 import type { SharedRenderer } from './shared_renderer';
 
 const fieldOfView = 30;
-/** The part of its bounding sphere that a surface rarely leaves, with some room around it. */
+/** The part of its bounding sphere that a surface rarely leaves, with a margin. */
 const margin = 0.86;
 /** The widest line of a figure, in CSS pixels. */
 const widestLine = 4;
-/** The surface's color where it is lit as most of it is. */
+/** The surface's color under the most common lighting. */
 const surfaceShade = 0.75;
 
 export interface LineLook {
   color: Color;
   width: number;
-  /** Not drawn where the surface hides it. */
+  /** The line is not drawn where the surface hides it. */
   opaque: boolean;
 }
 
@@ -36,7 +36,10 @@ interface ShownLine {
   lost: FatLine;
 }
 
-/** The view of one panel: a surface and its lines. Draws only what changed, and while it is seen. */
+/**
+ * The view of one panel: a surface and its lines. It draws only changes, and only while it is
+ * visible.
+ */
 export class PanelView {
   readonly #scene = new Scene();
   readonly #camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 100);
@@ -57,7 +60,7 @@ export class PanelView {
     private readonly panel: Panel,
   ) {
     this.#controls = new OrbitControls(this.#camera, stage);
-    // The wheel, and a finger that moves up or down, scroll the page.
+    // The wheel and a finger that moves up or down scroll the page.
     this.#controls.enableZoom = false;
     this.#controls.enablePan = false;
     stage.style.touchAction = 'pan-y';
@@ -104,7 +107,7 @@ export class PanelView {
     this.renderer.draw(this.#scene, this.#camera, this.canvas, clientWidth, clientHeight);
   }
 
-  /** Draws what is around a place of the stage into a canvas, so many times larger. */
+  /** Draws the neighbourhood of a place of the stage into a canvas, enlarged by this factor. */
   drawAround(
     { x, y }: { x: number; y: number },
     times: number,
@@ -120,7 +123,7 @@ export class PanelView {
     this.#camera.clearViewOffset();
   }
 
-  /** Shows a surface, in the place of the one before. */
+  /** Shows a surface and removes the one before. */
   showSurface(drawn: DrawnGeometry): void {
     if (this.#surface) {
       this.#scene.remove(this.#surface.object);
@@ -142,7 +145,7 @@ export class PanelView {
     this.requestFrame();
   }
 
-  /** Shows a line, or another of the same key in its place. Later orders lie over earlier ones. */
+  /** Shows a line, and removes one of the same key. Lines of higher order lie above the others. */
   showLine(key: string, line: LineResult, look: LineLook, order: number): void {
     if (!this.#surface) return;
     let shown = this.#lines.get(key);
@@ -151,7 +154,7 @@ export class PanelView {
         seen: new FatLine({ width: look.width, hidden: 0.2 }, order),
         lost: new FatLine({ width: look.width, hidden: 0.2, dash: fineDash }, order),
       };
-      // The part of a line that the surface hides is its first.
+      // The first child is the part of a line that the surface hides.
       shown.seen.object.children[0]!.visible = !look.opaque;
       this.#lines.set(key, shown);
       this.#scene.add(shown.seen.object, shown.lost.object);
@@ -176,7 +179,7 @@ export class PanelView {
     this.requestFrame();
   }
 
-  /** What the lines' hidden parts fade into. */
+  /** The color into which the hidden parts of the lines fade. */
   set surfaceColor(color: Color) {
     this.#surfaceColor = color.clone().multiplyScalar(surfaceShade);
     this.requestFrame();
@@ -192,7 +195,7 @@ export class PanelView {
     return new Vector3(...(this.#surface?.toScene(Float32Array.from(place)) ?? place));
   }
 
-  /** The place in the mesh's coordinates under a place of the window; null beside the surface. */
+  /** The place under the pointer, in the mesh's coordinates; null beside the surface. */
   pick(clientX: number, clientY: number): Vector | null {
     if (!this.#surface) return null;
     const box = this.canvas.getBoundingClientRect();
@@ -207,7 +210,10 @@ export class PanelView {
     return this.#surface.fromScene(hit.position);
   }
 
-  /** Where a point of the scene is on the stage, in CSS pixels, and whether the surface hides it. */
+  /**
+   * The place of a point of the scene on the stage, in CSS pixels, and whether the surface hides
+   * it.
+   */
   project(position: Vector3): { x: number; y: number; hidden: boolean } {
     const { ray } = this.#raycaster;
     const distance = this.#camera.position.distanceTo(position);
@@ -221,7 +227,7 @@ export class PanelView {
     return { x, y, hidden: hidden || place.z > 1 };
   }
 
-  /** The panel's own view; `places` are its points, for a view of one of them. */
+  /** Restores the panel's own view; `places` are its points, for a view of one of them. */
   resetView(places: readonly Vector[]): void {
     const { from = [0.34, 0.22, 1], at, distance = 1 } = this.panel.view ?? {};
     const target = new Vector3();
@@ -238,7 +244,7 @@ export class PanelView {
     this.requestFrame();
   }
 
-  /** With Ctrl, as a pinch on a touchpad has it, the wheel zooms. */
+  /** The wheel zooms with Ctrl; a pinch on a touchpad sends the same events. */
   #zoom(event: WheelEvent): void {
     if (!event.ctrlKey) return;
     event.preventDefault();
@@ -270,8 +276,8 @@ export class PanelView {
 }
 
 /**
- * All surfaces share the materials of their two sides, which show the sides that the newest of them has: each
- * panel takes copies, with the colors still shared.
+ * Gives a surface materials of its own. The shared materials show only the sides that the newest
+ * surface has; the copies still share the colors.
  */
 function ownMaterials(surface: Surface): void {
   const mesh = surface.object.children[0] as Mesh<BufferGeometry, ShaderMaterial[]>;
@@ -282,7 +288,7 @@ function ownMaterials(surface: Surface): void {
   });
 }
 
-/** The pieces of a polyline that converged and those that are lost. */
+/** The pieces of a polyline that converged and those that are lost, in order. */
 function partsOf(
   line: Float32Array,
   status: Uint8Array | undefined,
@@ -291,7 +297,7 @@ function partsOf(
   const parts: { part: Float32Array; lost: boolean }[] = [];
   let begin = 0;
   for (let i = 1; i < status.length; i++) {
-    // A vertex's status is that of the sample it leads to.
+    // A vertex has the status of the sample that it leads to.
     if (i + 1 < status.length && status[i + 1] === status[i]) continue;
     parts.push({ part: line.subarray(3 * begin, 3 * (i + 1)), lost: status[i] === 1 });
     begin = i;

@@ -1,7 +1,7 @@
-/** What the page's sections have in common. */
+/** Parts that the page's sections share. */
 import { make } from '../../panels/elements';
 
-/** The head of a section: what it belongs to, and its title; `more` goes below. */
+/** The head of a section: its topic and its title; `more` stands below. */
 export function sectionHead(name: string, title: string, ...more: Element[]): HTMLElement {
   const head = make('header', '', { className: 'figure-head' });
   head.append(make('p', name, { className: 'figure-name' }), make('h2', title), ...more);
@@ -9,12 +9,12 @@ export function sectionHead(name: string, title: string, ...more: Element[]): HT
 }
 
 /**
- * The end of a text's first sentence: a stop before a capital or a quotation. Single letters before a stop
- * are of names.
+ * The end of a text's first sentence: a stop before a capital or a quotation. A single letter
+ * before a stop is an initial.
  */
 const sentenceEnd = /(?<=[^\s.][^\s.]|\d)[.?!](?= [A-Z“])/u;
 
-/** A text of which the first sentence is seen, and the rest when it is unfolded. */
+/** A text that shows its first sentence, and the rest when the reader unfolds it. */
 export class Caption {
   readonly element = make('details', '', { className: 'caption' });
   readonly #first = make('span');
@@ -35,7 +35,7 @@ export class Caption {
   }
 }
 
-/** Calls once an element is about to be seen. */
+/** Calls a function when an element is about to come into view. */
 export function whenNear(element: Element, call: () => unknown): void {
   const observer = new IntersectionObserver(
     ([entry]) => {

@@ -2,8 +2,8 @@ import { type Camera, type Scene, WebGLRenderer } from 'three';
 import { outliveContextLoss } from '../../viewer/context_loss';
 
 /**
- * One WebGL context for all panels, since a page may have only a few: each panel is drawn here and
- * copied to its own canvas.
+ * One WebGL context for all panels, since a page may have only a few: it draws each panel and
+ * copies it to the panel's canvas.
  */
 export class SharedRenderer {
   readonly #renderer: WebGLRenderer;
@@ -12,7 +12,7 @@ export class SharedRenderer {
   #width = 0;
   #height = 0;
 
-  /** Throws where there is no WebGL 2. */
+  /** Throws if WebGL 2 is missing. */
   constructor({ antialias }: { antialias: boolean }) {
     const canvas = document.createElement('canvas');
     const context = canvas.getContext('webgl2', { alpha: true, antialias });
@@ -31,12 +31,15 @@ export class SharedRenderer {
     );
   }
 
-  /** Called when what was to be drawn while there was no context can be drawn again. */
+  /** Calls the listener when the lost context is back, to draw again. */
   onRestored(listener: () => void): void {
     this.#onRestored.push(listener);
   }
 
-  /** Draws a scene into a canvas of that size in CSS pixels; without a context what is there stays. */
+  /**
+   * Draws a scene into a canvas of that size in CSS pixels; without a context the canvas keeps its
+   * image.
+   */
   draw(scene: Scene, camera: Camera, canvas: HTMLCanvasElement, width: number, height: number) {
     this.#scenes.add(scene);
     if (this.#renderer.getContext().isContextLost()) return;
@@ -57,7 +60,7 @@ export class SharedRenderer {
     const context = canvas.getContext('2d')!;
     context.clearRect(0, 0, pixelWidth, pixelHeight);
     const source = this.#renderer.domElement;
-    // The viewport lies in the lower left of the drawing buffer.
+    // The viewport is the lower left part of the drawing buffer.
     const top = source.height - pixelHeight;
     context.drawImage(source, 0, top, pixelWidth, pixelHeight, 0, 0, pixelWidth, pixelHeight);
   }

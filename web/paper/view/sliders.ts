@@ -2,7 +2,7 @@ import { usualStretch } from '../../model/meshes';
 import { make } from '../../panels/elements';
 import type { CurveSpec, MeshSpec } from '../figures/types';
 
-/** Weights from 1/100 to 100, by their logarithms. */
+/** The logarithms of the smallest and largest weight, 1/100 and 100. */
 const [least, most] = [-2, 2];
 
 /** A slider for each weight or beta of a curve; null for curves that have none. */
@@ -35,8 +35,8 @@ export function sliders(curve: CurveSpec, change: (curve: CurveSpec) => void): H
 }
 
 /**
- * A slider of how many times as long as high the cells of an anisotropic plane are; null for other meshes.
- * The mesh is made when the slider is let go.
+ * A slider for the ratio of length to height of an anisotropic plane's cells; null for other
+ * meshes. The mesh is made when the reader releases the slider.
  */
 export function stretchSlider(
   mesh: MeshSpec,

@@ -4,7 +4,7 @@ import { Caption, sectionHead } from './section';
 
 const svgNames = 'http://www.w3.org/2000/svg';
 const height = 0.7;
-/** Units of the star in a drawing's box of 200 by 160. */
+/** The size of a unit of the star in a drawing of 200 by 160. */
 const size = 58;
 
 type Place = readonly [number, number];
@@ -12,7 +12,7 @@ type Place = readonly [number, number];
 const seen = ([x, y]: Place, [cx, cy]: Place): string =>
   `${(cx + size * x).toFixed(2)},${(cy - size * y).toFixed(2)}`;
 
-/** Figure 2: a vector carried from a vertex into a face, which can be turned. */
+/** Figure 2: a vector carried from a vertex into a face; the reader can turn it. */
 export class TransportSection {
   readonly element = make('section', '', { className: 'figure', id: 'transport' });
   readonly #svg = document.createElementNS(svgNames, 'svg');
@@ -115,7 +115,7 @@ const shape = (name: string, className: string, points: string) =>
 const line = (className: string, from: Place, to: Place, origin: Place) =>
   shape('polyline', className, `${seen(from, origin)} ${seen(to, origin)}`);
 
-/** A vector of half a unit, with its head. */
+/** A vector of length 1/2, with its head. */
 function arrow(from: Place, angle: number, origin: Place): SVGElement[] {
   const at = (radius: number, turned: number): Place => [
     from[0] + radius * Math.cos(angle + turned),

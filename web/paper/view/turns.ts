@@ -1,22 +1,24 @@
-/** Work for an element of the page, which can be broken off and taken up again. */
+/** Work for an element of the page, which can be interrupted and resumed. */
 export interface Work {
   element: Element;
-  /** Resolves when all is done, and once it is broken off. */
+  /** Resolves when all is done, and after an interruption. */
   run(signal: AbortSignal): Promise<void>;
 }
 
-/** How long something must have been out of sight to be broken off: who scrolls past sees it again. */
+/**
+ * The time out of sight after which work is interrupted: a reader who scrolls past soon comes back.
+ */
 const patienceMs = 300;
 
-/** How far an element is from what is seen of the page, in pixels; 0 in sight. */
+/** The distance of an element from the visible part of the page, in pixels; 0 if it is visible. */
 function distanceFromSight(element: Element): number {
   const { top, bottom } = element.getBoundingClientRect();
   return Math.max(0, -bottom, top - innerHeight);
 }
 
 /**
- * Works one after the other, what is in sight first: one that has left it makes room for one that is
- * seen, and is taken up later.
+ * Runs works one after the other, visible ones first: a work whose element has left the window
+ * gives way to a visible one and is resumed later.
  */
 export class Turns {
   readonly #waiting: Work[] = [];
@@ -30,7 +32,7 @@ export class Turns {
   ask(work: Work): void {
     this.#waiting.push(work);
     if (this.#running) this.#lookSoon();
-    // Those that are asked for together are chosen from together.
+    // Works that are added together compete for the first turn.
     else queueMicrotask(() => this.#next());
   }
 
