@@ -58,8 +58,8 @@ int Cells::cutTwin(int h) const {
   const int k = cell % 4;
   if (k == 3) return 3 * (4 * face + (cornerOf(h) + 1) % 3) + 1;
   if (cornerOf(h) == 1) return 3 * (4 * face + 3) + (k + 2) % 3;
-  // The half of a face's edge: the first half of the edge that leaves corner k, or the second of
-  // the edge that enters it.
+  // The edge of the cell is half an edge of the face: the first half of the one that leaves corner
+  // k, or the second half of the one that enters it.
   const bool first = cornerOf(h) == 0;
   const int t = mesh_.twin[3 * face + (first ? k : (k + 2) % 3)];
   if (t < 0) return -1;

@@ -50,7 +50,7 @@ class Cells {
   /// The tail of half-edge h, in the same face whichever of its half-edges is given.
   SurfacePoint tailOf(int h) const;
 
-  /// The half-edge that runs the other way in the cell across h; -1 at the boundary.
+  /// The half-edge in the opposite direction, in the cell across h; -1 at the boundary.
   int twin(int h) const { return cut_ ? cutTwin(h) : mesh_.twin[h]; }
 
   /// The first of the half-edges that leave h's tail: TriangleMesh::outgoing.

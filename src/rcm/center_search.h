@@ -11,7 +11,7 @@ CenterOfMass findCenter(FieldBlend& fields, Weights weights, const SurfacePoint&
                         Method method);
 
 /// Whether the method's search continues where the Hessian is not positive definite, as our walk
-/// does. The paper's Newton's method stops there, so that its answer depends on its start.
+/// does. The paper's Newton method stops there, so that its result depends on its start.
 inline bool goesOnWhereIndefinite(Method method) { return method != Method::kPaper; }
 
 }  // namespace karcher

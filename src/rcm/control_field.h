@@ -11,19 +11,20 @@ namespace karcher {
 
 /// The value of a control point p's field at a vertex v.
 struct FieldValue {
-  Vec2 gradient = Vec2::Zero();  ///< of d(., p)^2, in the frame of v: -2 log_v(p)
+  Vec2 gradient = Vec2::Zero();  ///< the gradient of d(., p)^2 in the frame of v: -2 log_v(p)
   double squaredDistance = 0;    ///< d(v, p)^2
 };
 
-/// The field of one control point. The value at a vertex is computed on first use and kept, so that
-/// a field takes memory and time for its neighbourhood, not for the mesh.
+/// The field of one control point. The value at a vertex is computed on first use and kept. So
+/// memory and time of a field depend on the part of the mesh where it is read.
 class ControlField {
  public:
-  /// Computes the value at a vertex, which must depend only on the vertex, not on earlier calls.
+  /// A function that computes the value at a vertex. The value must depend on the vertex alone, not
+  /// on earlier calls.
   using Evaluate = std::function<FieldValue(int vertex)>;
 
-  /// Computes the field at the midpoint of a half-edge minus the mean of its ends, in the
-  /// half-edge's frame, whose x axis is its direction.
+  /// A function that computes the field at the midpoint of a half-edge minus the mean of its ends,
+  /// in the half-edge's frame, whose x axis is its direction.
   using EvaluateMidpoint = std::function<Vec2(int halfedge)>;
 
   /// Removes all values, in time linear in their number; `evaluate` computes new ones. With
@@ -36,11 +37,11 @@ class ControlField {
     evaluateMidpoint_ = std::move(evaluateMidpoint);
   }
 
-  /// Valid until the next call.
+  /// The value at a vertex. The reference is valid until the next call.
   const FieldValue& at(int vertex) {
     const int number = numberOf_.find(vertex);
     if (number >= 0) return values_[number];
-    // Only then, since the evaluation may throw.
+    // The entry is added after the evaluation, which may throw.
     const FieldValue value = evaluate_(vertex);
     numberOf_.add(vertex);
     return values_.emplace_back(value);
@@ -63,11 +64,11 @@ class ControlField {
     return entry->second;
   }
 
-  /// The same without keeping it, for callers that read each value once.
+  /// The same value, which is not kept, for callers that read each value once.
   Vec2 midpointCorrectionUnkept(int halfedge) const { return evaluateMidpoint_(halfedge); }
 
  private:
-  /// Enough memory for the values of most near fields.
+  /// Memory that suffices for the values of most near fields.
   static Array<FieldValue> roomForNearField() {
     Array<FieldValue> values;
     values.reserve(64);

@@ -7,7 +7,7 @@
 namespace karcher {
 namespace {
 
-/// Each step leads to a deeper zero; more than two or three occur only where all faces are slivers.
+/// The bound on steps to deeper zeros. More than two or three occur only if all faces are slivers.
 constexpr int kMostMoves = 8;
 
 class DeepestZero {

@@ -4,6 +4,8 @@
 
 namespace karcher {
 
+/// The choice between zeros of adjacent cells.
+///
 /// The field is not continuous across edges: near an edge two cells may each have a zero, or
 /// neither of them. If both have one, the zero that lies deeper inside its cell counts, so that a
 /// center does not depend on the cell that the search visited first.
@@ -12,9 +14,9 @@ namespace karcher {
 /// around it. If `isTheOnlyZero` holds, which is usual and quickly decided, that is `zero` itself.
 SurfacePoint deepestZero(FieldBlend& fields, Weights weights, int cell, const CellZero& zero);
 
-/// A zero whose weights are all at least this is the only one near by, since the field's
-/// discontinuity moves a zero by a smaller part of an edge. (Larger discontinuities make a curve
-/// jump, which curves/trace/bridge.h finds.)
+/// The least weights of a zero that is certainly the only one near by: the field's discontinuity
+/// moves a zero by a smaller part of an edge. (Larger discontinuities make a curve jump, which
+/// curves/trace/bridge.h finds.)
 inline constexpr double kNearEdge = 0.1;
 
 /// Whether no adjacent face can have another zero, given the cell's zero and its depth inside the

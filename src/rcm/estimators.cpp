@@ -30,10 +30,10 @@ void carry(Array<Neighbour>& ring, int begin, Array<int>& ways, const Neighbour&
 }
 
 /// Writes to `ring` the vertex itself and then its neighbours, ring by ring. Each is placed by the
-/// mean of the transports along all edges from the ring before, so that it does not depend on the
+/// mean of the transports along all edges from the previous ring, so that it does not depend on the
 /// numbers of vertices and faces. Rings do not extend past a hub, whose estimate is its own log
-/// vector: stencils through hubs would grow as the square of their edges and would mix paths around
-/// all sides of them.
+/// vector: the size of stencils through hubs would grow as the square of their edges, and they
+/// would mix paths around all sides of the hubs.
 void findRings(const Geometry& geometry, int vertex, int rings, Array<Neighbour>& ring,
                Array<int>& ways) {
   const TriangleMesh& mesh = *geometry.mesh;
@@ -106,11 +106,12 @@ Eigen::Matrix2d whitening(const Array<Neighbour>& ring) {
 /// The weights of the linear fit, which averages noise over its whole ring.
 double wideGaussian(const Vec2& white) { return std::exp(-white.squaredNorm() / 2); }
 
-/// The weights of the quadratic fit, in which the second ring only determines what the first
-/// cannot, so that near the vertex it stays closer to the polyhedron's own distances.
+/// The weights of the quadratic fit. The second ring only determines what the first cannot, so that
+/// near the vertex the fit stays closer to the polyhedron's own distances.
 double narrowGaussian(const Vec2& white) { return std::exp(-2 * white.squaredNorm()); }
 
-/// Terms over log vectors; only the vertex's own vector if the fit is not determined.
+/// Writes terms of log vectors, or only that of the vertex's own vector if the fit is not
+/// determined.
 void linearTerms(const Array<Neighbour>& ring, double share, Array<StencilTerm>& terms) {
   const Eigen::Matrix2d toWhite = whitening(ring);
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -134,8 +135,8 @@ void linearTerms(const Array<Neighbour>& ring, double share, Array<StencilTerm>&
   terms[first].x += share;
 }
 
-/// The vertex's own log vector, then terms over differences of squared distances. Returns false if
-/// the ring does not determine the fit.
+/// Writes the term of the vertex's own log vector, then terms of differences of squared distances.
+/// Returns false if the ring does not determine the fit.
 bool quadraticTerms(const Array<Neighbour>& ring, double share, Array<StencilTerm>& terms) {
   using Vector5 = Eigen::Matrix<double, 5, 1>;
   using Matrix5 = Eigen::Matrix<double, 5, 5>;

@@ -7,10 +7,11 @@
 /// solver's values around it. Their coefficients depend only on the mesh, so that all fields share
 /// them.
 ///
-/// Neighbours are placed in the plane of the vertex's frame along edges and weighted by a Gaussian
-/// of the covariance of their positions, so that the weights do not depend on a mesh's anisotropy.
+/// Neighbours are placed in the plane of the vertex's frame along edges. A Gaussian of the
+/// covariance of their positions weights them, so that the weights do not depend on a mesh's
+/// anisotropy.
 ///
-/// A fit averages out the noise of single vectors where triangles approximate a smooth surface. On
+/// Where triangles approximate a smooth surface, a fit averages out the noise of single vectors. On
 /// a rough surface such as a scan, shortest paths prefer one side of a vertex, which a fit mistakes
 /// for noise. So the more angle defects vary from vertex to vertex, the more the vertex's own log
 /// vector replaces the fit (Stencil).
@@ -21,11 +22,11 @@ enum class Estimator {
   /// transported into the vertex's frame. It is exact for linear fields, as on the plane, and
   /// halves the noise of single vectors.
   kLinear1,
-  /// The same over the 2-ring.
+  /// the same fit over the 2-ring
   kLinear2,
   /// The gradient at the vertex of a quadratic least-squares fit to squared distances over the
   /// 2-ring, through the vertex's own value. It is of second order, and is kLinear2 if the ring
-  /// does not determine the fit. It needs exact log vectors, whose share also depends on the field
+  /// does not determine the fit. It needs exact log vectors. Their share also depends on the field
   /// (shareOfLogVector).
   kQuadratic2,
 };
@@ -38,20 +39,20 @@ inline bool isLinear(Estimator estimator) { return estimator != Estimator::kQuad
 /// number. A term of distances is the neighbour's squared distance minus that of the vertex, times
 /// the vector (x, y).
 struct StencilTerm {
-  /// These are two numbers, since an aligned Vec2 would take a third more memory.
+  /// Two numbers, since an aligned Vec2 would take a third more memory.
   double x;
   double y;
   int vertex;
 };
 
-/// (1 - r) times the fit plus r times the vertex's own log vector: r = s^2 / (s^2 + m^2 + 0.003^2),
-/// with m the mean and s the standard deviation of the angle defects, in radians, of the vertex and
-/// its neighbours. At a hub, a vertex of more than 64 edges, r is 1.
+/// The estimate (1 - r) times the fit plus r times the vertex's own log vector: r = s^2 / (s^2 +
+/// m^2 + 0.003^2), with m the mean and s the standard deviation of the angle defects, in radians,
+/// of the vertex and its neighbours. At a hub, a vertex of more than 64 edges, r is 1.
 struct Stencil {
-  const StencilTerm* begin = nullptr;  ///< terms of log vectors
+  const StencilTerm* begin = nullptr;  ///< the first of the terms of log vectors
   const StencilTerm* ofDistances = nullptr;
   const StencilTerm* end = nullptr;
-  double logVectorShare = 0;  ///< r
+  double logVectorShare = 0;  ///< the share r
 
   /// The estimate from log vectors and squared distances, both functions of the vertex.
   template <class LogVectorAt, class SquaredDistanceAt>
@@ -73,12 +74,12 @@ struct Stencil {
   }
 };
 
-/// The share of the log vector in an estimate, where `share` is the mesh's part of it. `difference`
-/// is the log vector minus the fit, which is an angle at the source, at `distance`. If the angle
-/// exceeds what smooth surfaces leave between neighbours, paths arrive from both sides of a ridge,
-/// and a fit over both belongs to no path.
+/// The share of the log vector in an estimate; `share` is the part that the mesh determines.
+/// `difference` is the log vector minus the fit; at `distance` from the source, it is an angle
+/// there. If the angle exceeds what smooth surfaces leave between neighbours, paths arrive from
+/// both sides of a ridge, and a fit over both belongs to no path.
 inline double shareOfLogVector(double share, const Vec2& difference, double distance) {
-  constexpr double kAngle = 0.01;  // radians
+  constexpr double kAngle = 0.01;  // in radians
   const double squaredAngle = difference.squaredNorm() / (4 * distance * distance);
   if (!(squaredAngle > 0)) return share;
   const double relative = kAngle * kAngle / squaredAngle;
@@ -89,7 +90,7 @@ inline double shareOfLogVector(double share, const Vec2& difference, double dist
 struct StencilNeighbour {
   int vertex;
   Vec2 place;
-  Vec2 rotation;  ///< unit: turns vectors in the neighbour's frame into the vertex's
+  Vec2 rotation;  ///< a unit vector that turns vectors in the neighbour's frame into the vertex's
 };
 
 /// The stencils of one estimator, each computed on first use.
@@ -113,7 +114,7 @@ class StencilTable {
   Estimator estimator_;
   PagedArray<Place, 8> places_;
   Array<StencilTerm> terms_;
-  Array<StencilNeighbour> ring_;  ///< scratch
+  Array<StencilNeighbour> ring_;  ///< scratch memory
   Array<int> ways_;
 };
 

@@ -11,7 +11,8 @@
 namespace karcher {
 namespace {
 
-/// Circles around a center of few points, in mean edges, the checked one first.
+/// The circles around a center of few points, with radii in mean edges; the checked one is the
+/// first.
 struct Circle {
   double radius;
   int count;
@@ -20,15 +21,16 @@ constexpr Circle kCircles[] = {{kCheckedRadius, 64}, {0.1, 16}, {0.03, 16}};
 /// The circle around a center of many points.
 constexpr Circle kCircleOfMany{kCheckedRadius, 12};
 
-/// A center is moved if a point is lower by this part of a square mean edge: less than the promise,
-/// since lower points may lie between those compared.
+/// The gain that moves a center, in square mean edges. It is less than the promised bound, since
+/// lower points may lie between those compared.
 constexpr double kMovedFor = kLowerBy / 4;
 
-/// Most moves halve the distance to the minimum; more than a dozen occur only on surfaces of pure
-/// noise.
+/// The bound on moves. Most halve the distance to the minimum, and more than a dozen occur only on
+/// surfaces of pure noise.
 constexpr int kMostMoves = 24;
 
-/// The least length among a face's images, and over its corners.
+/// The least length of a path from the source, through one of the face's images or over one of its
+/// corners.
 double lengthTo(const Geometry& geometry, const WindowDistance& distance, const SurfacePoint& to) {
   const Vec2 point = pointInFace(geometry, to);
   double length = kInfinity;
@@ -93,12 +95,12 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
     const double weight = weights_.data()[i];
     if (weight == 0) continue;
     const double straight = (position(mesh, points_[i]) - middle).norm();
-    // The fast solver's distances are seldom too short by more than this factor.
+    // A factor by which the fast solver's distances are seldom too short.
     constexpr double kTooShort = 1.002;
     double most = kTooShort * std::max(guesses[i], straight) + 2 * radius;
-    // A search whose aim is too short either finds a path that is long enough or goes further. This
-    // ends: a further search makes no path longer, and without one the searches are soon as wide as
-    // the mesh.
+    // A search with a too short aim either finds a path that is long enough, or its aim is raised.
+    // The loop ends: a farther search makes no path longer, and while it finds none the aim grows
+    // until it covers the mesh.
     for (;;) {
       distance.aimAt(PathAim{middle, radius, most});
       distance.setSource(points_[i]);
@@ -148,13 +150,13 @@ Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& c
 
 namespace {
 
-/// The compared places, the center first, then those of its checked circle.
+/// The compared places: the center first, then those of its checked circle.
 struct Compared {
   Array<SurfacePoint> places;
   Array<double> values;
-  int checked = 0;  ///< the number of places of the center and its checked circle
-  /// Whether the lowest place is known to be a minimum if none of the circle is lower than the
-  /// center.
+  int checked = 0;  ///< the number of places: the center and its checked circle
+  /// Whether the lowest place counts as a minimum without another comparison, provided that no
+  /// place of the circle is lower than the center.
   bool isSettled = false;
 
   void take(const SurfacePoint& place, double value) {
@@ -168,8 +170,8 @@ struct Compared {
   }
 };
 
-/// Moves from a point to the lowest place until none is lower. `compare` returns the places about
-/// the point of the result.
+/// Moves from a point to the lowest place until none is lower. `compare` returns the places around
+/// its argument.
 template <class Compare>
 ExactMinimum descend(const Geometry& geometry, ExactMinimum result, const Compare& compare) {
   const double squareEdge = square(geometry.meanEdge);
@@ -191,8 +193,8 @@ ExactMinimum descend(const Geometry& geometry, ExactMinimum result, const Compar
   return result;
 }
 
-/// The quadratic here + first . x + bowl |x|^2 + second . (x^2 - y^2, 2 x y), with the circle's
-/// radius for 1, that is nearest to values on a circle, by Fourier coefficients.
+/// The quadratic here + first . x + bowl |x|^2 + second . (x^2 - y^2, 2 x y), in units of the
+/// circle's radius, that fits values on a circle best, by Fourier coefficients.
 struct Quadratic {
   Vec2 first = Vec2::Zero();
   Vec2 second = Vec2::Zero();
@@ -208,7 +210,7 @@ struct Quadratic {
     }
   }
 
-  /// Its minimum, where a curvature below `leastBowl` counts as `leastBowl`.
+  /// The minimum, with any curvature below `leastBowl` raised to `leastBowl`.
   Vec2 minimum(double leastBowl) const {
     const double rise = std::max(bowl, second.norm() + leastBowl);
     return Vec2(second.y() * first.y() - (rise - second.x()) * first.x(),
@@ -216,14 +218,14 @@ struct Quadratic {
            (2 * (square(rise) - second.squaredNorm()));
   }
 
-  /// The amount by which it is lower at x than at the center.
+  /// The amount by which the quadratic is lower at x than at the center.
   double gainAt(const Vec2& x) const {
     return -(first.dot(x) + bowl * x.squaredNorm() + second.dot(rotate(x, x)));
   }
 };
 
-/// The place, in parts of the circle, where the parabola through the lowest value of a circle and
-/// its neighbors is lowest, and its value there.
+/// The minimum of the parabola through the lowest value of a circle and its neighbors: its place,
+/// as a part of the circle, and its value.
 struct Dip {
   double part = 0;
   double value = 0;
@@ -262,7 +264,7 @@ ExactMinimum exactMinimumNear(const Geometry& geometry, ExactEnergy& energy,
            circleAround(geometry, at.point, circle.radius * edge, circle.count)) {
         compared.places.push_back(point);
       }
-      // The smaller circles are compared only if the center is moved.
+      // The smaller circles are compared only if the center has moved.
       if (at.moves == 0) break;
     }
     compared.checked = 1 + kCircles[0].count;
@@ -274,7 +276,7 @@ ExactMinimum exactMinimumNear(const Geometry& geometry, ExactEnergy& energy,
 ExactMinimum exactMinimumNear(const Geometry& geometry, ExactOneSourceEnergy& energy,
                               const SurfacePoint& start) {
   const double radius = kCircleOfMany.radius * geometry.meanEdge;
-  // A step by the exact gradient avoids a circle about the wrong place.
+  // A step by the exact gradient comes first, to avoid a circle about the wrong place.
   const EnergyAt here = energy.at(start);
   const Vec2 way = here.step * std::min(1.0, geometry.meanEdge / here.step.norm());
   const SurfacePoint there =
@@ -301,7 +303,7 @@ ExactMinimum exactMinimumNear(const Geometry& geometry, ExactOneSourceEnergy& en
     if (dip.value < at.energy) take(circleRadius(geometry, at.point, radius, dip.part).path.end());
     compared.checked = compared.values.count();
     if (!isWhole(*geometry.mesh, compared.places, radius)) return compared;
-    // The least bowl in square mean edges; on a plane a circle of this radius is higher by 0.09.
+    // The least bowl in square mean edges. On a plane, it is 0.09 for a circle of this radius.
     constexpr double kLeastBowl = 0.04;
     constexpr double kFarthest = 3;
     const double squareEdge = square(geometry.meanEdge);

@@ -12,22 +12,22 @@
 /// continues from there.
 ///
 /// Exact distances are needed in a few faces only. They are found by the windows that can reach
-/// these faces (WindowDistance::aimAt), far fewer than those of a whole field.
+/// these faces (WindowDistance::aimAt), which are far fewer than those of a whole field.
 namespace karcher {
 
-/// A center is `converged` if K is nowhere lower by more than kLowerBy squared mean edges on the
-/// circle about it whose radius is kCheckedRadius mean edges.
+/// The radius, in mean edges, of the circle about a `converged` center on which K is nowhere lower
+/// by more than kLowerBy squared mean edges.
 inline constexpr double kCheckedRadius = 0.3;
 inline constexpr double kLowerBy = 1e-3;
 
-/// K by exact distances, for points on one component. Points of weight 0 are left out.
+/// K by exact distances, for points on one component. Points of weight 0 are omitted.
 class ExactEnergy {
  public:
   /// The arguments must outlive the object.
   ExactEnergy(const Geometry& geometry, const Array<SurfacePoint>& points, Weights weights);
 
-  /// K at places that lie within `radius` of `center` along the surface. It starts from `guesses`,
-  /// and is faster if these are better.
+  /// K at places that lie within `radius` of `center` along the surface. The search starts from
+  /// `guesses`, and is faster if these are better.
   Array<double> at(const SurfacePoint& center, double radius, const Array<SurfacePoint>& places);
 
   /// The distance of each point from the last center, or a caller's estimate of it.
@@ -44,8 +44,8 @@ class ExactEnergy {
 /// the faces.
 double circleStart(const Geometry& geometry, const SurfacePoint& center);
 
-/// The radius of a circle around a point, a straightest geodesic, at this part of the total angle
-/// from `circleStart`, 0 to 1; shorter if the boundary is in the way.
+/// The radius of a circle around a point, as a straightest geodesic whose direction is this part, 0
+/// to 1, of the total angle from `circleStart`. It is shorter if the boundary is in the way.
 StraightestPath circleRadius(const Geometry& geometry, const SurfacePoint& center, double radius,
                              double part);
 
@@ -57,13 +57,13 @@ Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& c
 struct ExactMinimum {
   SurfacePoint point;
   double energy = 0;
-  /// Whether no point on a circle of kCheckedRadius mean edges around it is lower by more than
-  /// kLowerBy square mean edges.
+  /// Whether no point on the circle of kCheckedRadius mean edges around the result is lower by more
+  /// than kLowerBy square mean edges.
   bool isLowest = true;
   int moves = 0;
 };
 
-/// Returns `start` itself if it is lowest in this sense; else the result of a bounded number of
+/// Returns `start` itself if it is lowest in this sense, else the result of a bounded number of
 /// moves to the lowest place compared. For few points many places are compared, since each point's
 /// distances are found for all places at once.
 ExactMinimum exactMinimumNear(const Geometry& geometry, ExactEnergy& energy,
@@ -71,7 +71,7 @@ ExactMinimum exactMinimumNear(const Geometry& geometry, ExactEnergy& energy,
 
 /// The same for many points, whose distances are found for one place after another. Only few places
 /// of a circle are compared: the energy of many points is smooth except for small creases, and a
-/// quadratic fit to these places shows where it is lower.
+/// quadratic fit to these places finds its minimum.
 ExactMinimum exactMinimumNear(const Geometry& geometry, ExactOneSourceEnergy& energy,
                               const SurfacePoint& start);
 

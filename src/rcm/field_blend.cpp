@@ -101,7 +101,7 @@ double FieldBlend::zeroAlongEdge(int h, Weights weights) {
   double alongB = 0;
   const int cell = faceOf(h);
   if (!cells_.cut() || (cell % 4 < 3 && cornerOf(h) != 1)) {
-    // The edge of the mesh, or a half of one.
+    // The edge of the mesh, or half of one.
     const int edge = !cells_.cut() ? h : 3 * (cell / 4) + (cell % 4 + cornerOf(h)) % 3;
     const EdgeValues values = blendAlongEdge(edge, cornerOf(h) == 2, weights);
     alongA = values.tail.x();
@@ -179,7 +179,7 @@ int FieldBlend::findSlot(int cell) {
   if (slot < 0) {
     slot = slots_.count();
     fillSlot(slot, cell);
-    // The slot is added last, since a field's evaluation may throw.
+    // The slot is added last, since the evaluation of a field may throw.
     slots_.add(cell);
   }
   lastCell_ = cell;
@@ -189,7 +189,7 @@ int FieldBlend::findSlot(int cell) {
 
 void FieldBlend::fillSlot(int slot, int cell) {
   if (slot == shapes_.count()) {
-    // Memory for many cells at once, since a segment passes some dozens.
+    // Memory is reserved for many cells at once, since a segment passes some dozens.
     const size_t room = static_cast<size_t>(slot == 0 ? 32 : 2 * slot);
     vectors_.resize(room * static_cast<size_t>(width_));
     shapes_.resize(room);
@@ -217,7 +217,7 @@ void FieldBlend::fillSlot(int slot, int cell) {
   shapes_[slot] = {geometry_.edgeLength[3 * cell], apex.x(), apex.y(), std::min(1.0, kPi * bend)};
 }
 
-/// The vectors of all fields in a cell of a face that is cut.
+/// Writes the vectors of all fields in a cell of a divided face.
 void FieldBlend::fillCut(double* out, int cell) {
   const Vec2 axis = axisInFace(cell);
   const int first = 3 * (cell / 4);

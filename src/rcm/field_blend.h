@@ -8,13 +8,12 @@
 #include "rcm/cells.h"
 #include "rcm/control_field.h"
 
-/// The weighted sum of control points' fields, which is grad K for the energy
-/// K(p) = sum_i w_i d(p, p_i)^2 (Mancinelli, Puppo, Eq. 1), linear in each cell: in each face, or,
-/// if a field has values at the midpoints of edges, in each of the four triangles that these cut it
-/// into.
+/// The weighted sum of control points' fields, which is grad K for the energy K(p) = sum_i w_i d(p,
+/// p_i)^2 (Mancinelli, Puppo, Eq. 1). It is linear in each cell: in each face, or, if a field has
+/// values at the midpoints of edges, in each of the four triangles into which these divide it.
 namespace karcher {
 
-/// One weight for each field; they should sum to 1.
+/// Weights, one for each field. They should sum to 1.
 using Weights = std::span<const double>;
 
 /// The largest deviation of a caller's sum of weights from 1.
@@ -29,8 +28,8 @@ struct TriangleField {
     return bary[0] * corner[0] + bary[1] * corner[1] + bary[2] * corner[2];
   }
 
-  /// The field's zero, as barycentric weights up to their sum, which is positive where the
-  /// Jacobian's determinant is.
+  /// The field's zero as barycentric weights, up to their sum. The sum is positive if the
+  /// determinant of the Jacobian is.
   Vec3 zeroDirection() const {
     return {cross(corner[1], corner[2]), cross(corner[2], corner[0]), cross(corner[0], corner[1])};
   }
@@ -74,12 +73,12 @@ struct CellZero {
   Vec3 bary;
   /// The determinant of the field's Jacobian, times that of the map from weights to the cell.
   double determinant;
-  /// The largest angle by which the values at an edge's ends turn relative to each other from the
-  /// face on one side to the face on the other, since corners of pi at both ends together are
+  /// The largest angle by which the values at an edge's ends turn relative to each other between
+  /// the faces on both sides. It is not zero because the corners, of pi at both ends together, are
   /// scaled to their vertices' frames.
   double holonomy;
 
-  /// How far inside the cell the zero lies: the smallest weight.
+  /// The depth of the zero inside the cell: its smallest weight.
   double depth() const { return std::min(bary[0], std::min(bary[1], bary[2])); }
 };
 
@@ -103,8 +102,8 @@ class FieldBlend {
   /// The weighted sum of the fields at a point, in the frame of its face.
   Vec2 at(const SurfacePoint& point, Weights weights);
 
-  /// Finds the zero of `blend`. Returns false if its Hessian is not positive definite. This is all
-  /// that a search needs at each sample, in one function.
+  /// Finds the zero of `blend`. Returns false if its Hessian is not positive definite. A search
+  /// needs no more than this at each sample, so that it is one function.
   [[gnu::always_inline]] bool findZero(int cell, Weights weights, CellZero& zero);
 
   /// The weighted sum of the fields at a vertex, in its frame.
@@ -122,7 +121,7 @@ class FieldBlend {
   /// Writes to `result` the fields along half-edge h of a face or, if faces are cut, along its
   /// first half from the tail (0) or its second (1).
   void alongEdge(int h, int half, EdgeField& result);
-  /// Only the weighted sum of these fields.
+  /// The weighted sum of the fields of `alongEdge`, without the fields.
   EdgeValues blendAlongEdge(int h, int half, Weights weights);
 
   /// The rate of change of a blend along the axes of its cell.
@@ -137,9 +136,9 @@ class FieldBlend {
   Vec2 axisInFace(int cell) const;
 
  private:
-  /// The shape of a cell, which `findZero` reads beside its fields.
+  /// The shape of a cell, which `findZero` reads with its fields.
   struct CellShape {
-    double edge = 0;  ///< length of the cell's first half-edge
+    double edge = 0;  ///< the length of the cell's first half-edge
     double apexX = 0;
     double apexY = 0;
     double holonomy = 0;  ///< see CellZero
@@ -152,8 +151,8 @@ class FieldBlend {
   CellShape shapeOf(int cell) const;
   EdgeValues valuesAlongEdge(ControlField& field, int h, int half);
   void fillCut(double* out, int cell);
-  /// The transported vectors of all fields in a slot's cell: six numbers a field, x and y at each
-  /// corner.
+  /// The transported vectors of all fields in a slot's cell: six numbers for each field, x and y at
+  /// each corner.
   const double* vectorsOf(int slot) const {
     return vectors_.data() + static_cast<ptrdiff_t>(slot) * width_;
   }
@@ -161,19 +160,19 @@ class FieldBlend {
   Array<ControlField*> fields_;
   Cells cells_;
   StraightestPath step_;
-  int width_;              ///< the numbers of each slot in vectors_
-  Array<double> vectors_;  ///< by slot, with memory for some more
+  int width_;              ///< the number of values of a slot in vectors_
+  Array<double> vectors_;  ///< the vectors by slot, with memory for some more slots
   Array<CellShape> shapes_;
-  SparseIndex slots_;  ///< of cells
+  SparseIndex slots_;  ///< the slots of cells
   int lastCell_ = -1;
   int lastSlot_ = 0;
 };
 
-// This is defined here so that the compiler inlines it into the searches.
+// Defined here so that the compiler inlines it into the searches.
 inline bool FieldBlend::findZero(int cell, Weights weights, CellZero& zero) {
   const int slot = slotOf(cell);
   const double* v = vectorsOf(slot);
-  // Six components a field side by side, so that the sums vectorise.
+  // The six components of a field are stored side by side, so that the sums vectorise.
   double sum[6] = {};
   for (const double w : weights) {
     for (int c = 0; c < 6; ++c) sum[c] += w * v[c];

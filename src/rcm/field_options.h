@@ -17,39 +17,39 @@ enum class Method {
 
 /// The solver that finds distances, and the estimator (estimators.h) that smooths log vectors.
 enum class Solver {
-  kFast,   ///< windows, joined up to kFastTolerance; kLinear1
-  kExact,  ///< windows; kQuadratic2, and also log vectors at the midpoints of edges
+  kFast,   ///< joined windows within kFastTolerance; kLinear1
+  kExact,  ///< exact windows; kQuadratic2, and also log vectors at the midpoints of edges
   kGraph,  ///< arcs of the k-ring graph; kLinear1
 };
 
 struct FieldOptions {
   Method method = Method::kKarcher;
   Solver solver = Solver::kFast;
-  int rings = 6;            ///< of the graph, 1 to 10
-  Star star = Star::kWide;  ///< of kPaper (gradient_operator.h)
+  int rings = 6;            ///< the k of the k-ring graph, 1 to 10
+  Star star = Star::kWide;  ///< the star of kPaper (gradient_operator.h)
 
   bool operator==(const FieldOptions&) const = default;
 };
 
-/// Whether centers of mass in such fields are checked by exact distances (exact_minimum.h); others
-/// are minima of another energy.
+/// Whether centers of mass in such fields are checked by exact distances (exact_minimum.h). Centers
+/// in other fields are minima of another energy.
 inline bool areHeldToExact(const FieldOptions& options) {
   return options.method == Method::kKarcher && options.solver != Solver::kGraph;
 }
 
-/// Whether curves by the method may be refined; the paper's have one center of mass for each
+/// Whether curves by the method may be refined. The paper's have one center of mass for each
 /// segment.
 inline bool takesLevels(Method method) { return method != Method::kPaper; }
 
 /// Throws Error kBadArgument for a combination that does not exist.
 void checkFieldOptions(const FieldOptions& options);
 
-/// Builds what fields with these options share, which is otherwise built on first use.
+/// Computes the data that fields with these options share. Otherwise the first use computes it.
 void prepareFields(Surface& surface, const FieldOptions& options);
 
 /// The tolerance of kFast (window_distance.h). On all meshes tried, and on ring tubes of any
-/// proportion, distances are off by at most .1 % in the mean, and by 1 % except at single vertices
-/// (docs/gallery.md).
+/// proportion, the mean error of distances is at most .1 %, and the error is at most 1 % except at
+/// single vertices (docs/gallery.md).
 inline constexpr double kFastTolerance = 0.0075;
 
 /// The solver of these options. The surface must outlive it.

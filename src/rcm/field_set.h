@@ -10,10 +10,10 @@ namespace karcher {
 
 /// The fields of points on one surface, by point. Centers of mass and curves that share a set share
 /// the field of a point. A field's values depend only on the surface, the options and the point, so
-/// that no answer depends on what a set holds.
+/// that no result depends on the fields that a set holds.
 ///
-/// A field that nobody holds is spare. It can still be found by its point until it is moved to a
-/// new point: a drag creates no fields but moves spare ones.
+/// A field without a holder is spare. It can still be found by its point until it is moved to a new
+/// point: a drag creates no fields but moves spare ones.
 class FieldSet {
  public:
   /// The surface must outlive the set. Throws what `checkFieldOptions` throws.
@@ -28,23 +28,23 @@ class FieldSet {
   /// moved there, else a new one.
   std::shared_ptr<PointField> at(const SurfacePoint& point, bool isNear = false);
 
-  /// The existing field of a point, or none.
+  /// The existing field of a point, or null.
   std::shared_ptr<PointField> find(const SurfacePoint& point, bool isNear = false) const;
 
   /// Frees the spare fields except for at most `kept` of them.
   void dropSpare(int kept = 0);
 
-  /// Frees spare fields so that at most as many stay as are held.
+  /// Frees spare fields until they are at most as many as the fields that are held.
   void trim();
 
-  /// The most bytes that the solvers of all fields together hold, beside those in use.
+  /// The total of bytes in the solvers of all fields above which unused fields rest.
   static constexpr int64_t kMostBytes = int64_t{1} << 29;
 
-  /// The field is in use, as those of the curve that is set.
+  /// Marks a field as used, as those of the current curve are.
   void use(PointField& field) const { field.setLastUse(uses_); }
 
-  /// Ends this use. Of the fields that are not in it some rest (PointField::rest), the longest
-  /// unused ones first, as long as all hold more than `most` bytes.
+  /// Ends this use. While the solvers of all fields hold more than `most` bytes, fields outside the
+  /// use rest (PointField::rest), those unused for longest first.
   void restUnused(int64_t most = kMostBytes);
 
   /// The number of fields.
@@ -84,7 +84,7 @@ class FieldSet {
 };
 
 /// The same set for a curve, which may hold many fields. When the last copy of the pointer is
-/// destroyed, the set is trimmed, since the curve's fields are then spare.
+/// destroyed, the curve's fields become spare, and the set is trimmed.
 std::shared_ptr<FieldSet> trimmedAfter(std::shared_ptr<FieldSet> set);
 
 /// The sets of one surface, one for each value of the options in use.

@@ -5,8 +5,8 @@
 #include "intrinsic/geometry.h"
 #include "rcm/field_blend.h"
 
-/// The start of the first search for a mean of few points, and bounds on places from which others
-/// could find a lower one.
+/// The start of the first search for a mean of few points, and bounds on the starts from which
+/// other searches could find a lower mean.
 namespace karcher {
 
 /// The average of the first two points along the path between them, averaged with the third, and so
@@ -15,10 +15,10 @@ namespace karcher {
 std::optional<SurfacePoint> averageOfAverages(const Geometry& geometry,
                                               const Array<SurfacePoint>& points, Weights weights);
 
-/// For points with non-negative weights that sum to 1: the largest distance in space from the
-/// points' mean in space at which the energy may be at most `energy`. Distances along the surface
-/// are no shorter than in space, where the energy is that of the mean plus the squared distance
-/// from it.
+/// The region where K may be low, for points with non-negative weights that sum to 1: the largest
+/// distance in space from the points' mean in space at which the energy may be at most `energy`.
+/// The energy in space is that of the mean plus the squared distance from it, and distances along
+/// the surface are no shorter.
 struct LowerPlaces {
   Vec3 middle = Vec3::Zero();
   double radius = 0;

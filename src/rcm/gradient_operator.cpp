@@ -25,7 +25,7 @@ struct Row {
 };
 
 /// The gradient of the hat function of corner k of face f, times twice the face's area: the
-/// opposite edge, turned by a right angle. The area weight of the mean cancels that factor.
+/// opposite edge, turned by a right angle. The area weight of the mean cancels the factor.
 Vec2 hatGradient(const Geometry& geometry, int f, int k) {
   const Vec2 edge = halfedgeInFace(geometry, 3 * f + (k + 1) % 3);
   return {-edge.y(), edge.x()};
@@ -59,8 +59,8 @@ GradientOperator buildGradientOperator(const Geometry& geometry, Star star) {
   const TriangleMesh& mesh = *geometry.mesh;
   const int vertexCount = mesh.vertexCount();
   GradientOperator result(2 * vertexCount, vertexCount);
-  // The most columns: the vertex itself, and for each face around it a ring vertex and one across;
-  // at the boundary one more ring vertex.
+  // The most columns of a vertex's row: the vertex itself, and for each face around it a ring
+  // vertex and one across; at the boundary one more ring vertex.
   Array<int> rowSize(static_cast<size_t>(2 * vertexCount), 2);
   for (int h = 0; h < mesh.halfedgeCount(); ++h) {
     rowSize[2 * mesh.tail(h)] += 2;

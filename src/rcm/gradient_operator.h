@@ -8,21 +8,22 @@
 /// Riemannian Center of Mass on Meshes", Eq. 3.
 namespace karcher {
 
-/// Rows 2 v and 2 v + 1 hold the two components at vertex v, in its frame; each column is a vertex.
+/// A gradient operator. Rows 2 v and 2 v + 1 hold the two components at vertex v, in its frame;
+/// each column is a vertex.
 using GradientOperator = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// The faces whose gradients are averaged at a vertex.
 enum class Star {
-  /// The faces around it and those across its ring's outer edges, as in the program of the paper's
-  /// authors. With it our curves equal theirs to 1e-4 of an edge, with kRing to 0.03 to 0.11
-  /// (tests/bench/authors_study).
+  /// The faces around the vertex and those across its ring's outer edges, as in the program of the
+  /// paper's authors. With it our curves equal theirs to 1e-4 of an edge, with kRing to 0.03 to
+  /// 0.11 (tests/bench/authors_study).
   kWide,
-  kRing,  ///< the faces around it: Eq. 3 as the paper prints it
+  kRing,  ///< the faces around the vertex: Eq. 3 as the paper prints it
 };
 
-/// The operator that takes at each vertex the area-weighted mean of the constant gradients of the
-/// faces of its star, each turned into the vertex's frame (those beyond its ring through the face
-/// that they lie behind). Apply it to squared distances, which are smooth at the source.
+/// The operator that gives at each vertex the area-weighted mean of the constant gradients of the
+/// faces of its star. Each is turned into the vertex's frame, through the adjacent face of the ring
+/// if it lies beyond it. Apply the operator to squared distances, which are smooth at the source.
 GradientOperator buildGradientOperator(const Geometry& geometry, Star star = Star::kWide);
 
 /// The gradient at each vertex, in its frame. `values` has one entry for each vertex.

@@ -8,7 +8,7 @@ namespace karcher {
 /// other.
 bool isHub(const TriangleMesh& mesh, int vertex);
 
-/// For each vertex, whether it is a hub or has an edge to one; empty if the mesh has no hub.
+/// Whether each vertex is a hub or has an edge to one; empty if the mesh has no hub.
 Array<char> besideHubs(const TriangleMesh& mesh);
 
 }  // namespace karcher

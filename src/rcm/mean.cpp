@@ -47,8 +47,8 @@ void checkWeights(Array<double>& weights, int points, bool normalize) {
   }
 }
 
-/// Raises a negative energy to 0 if no weight is negative: the fields' estimate of a sum of squares
-/// may lie below 0 near its minimum.
+/// Raises a negative energy to 0 if no weight is negative. Near its minimum, the fields' estimate
+/// of a sum of squares may be negative.
 Mean withSoundEnergy(Mean mean, const Array<double>& weights) {
   const bool anyNegative =
       std::any_of(weights.begin(), weights.end(), [](double weight) { return weight < 0; });
@@ -59,7 +59,7 @@ Mean withSoundEnergy(Mean mean, const Array<double>& weights) {
 }
 
 /// The index of a point that equals all points of nonzero weight, and is thus the mean; -1 if there
-/// is none.
+/// is no such point.
 int onlyPoint(const Array<SurfacePoint>& points, const Array<double>& weights) {
   int only = -1;
   for (int i = 0; i < points.count(); ++i) {
@@ -70,7 +70,8 @@ int onlyPoint(const Array<SurfacePoint>& points, const Array<double>& weights) {
   return only;
 }
 
-/// Upper bounds on a point's distances, from fields at a vertex of its face.
+/// Upper bounds on the distances of the points from a place, from their fields at a vertex of its
+/// face.
 Array<double> distancesNear(const Geometry& geometry, const Array<ControlField*>& fields,
                             const SurfacePoint& point) {
   int corner = 0;
@@ -88,8 +89,8 @@ bool isToBeChecked(const Mean& mean, const MeanOptions& options) {
   return options.isChecked && mean.status == Status::kConverged && areHeldToExact(options.field);
 }
 
-/// The points and the blend of their fields in which a mean was found; `fields`, if not empty, are
-/// the points' own.
+/// The points of a mean, and the blend of their fields in which it was found. `fields`, if not
+/// empty, are the points' own.
 struct Blended {
   FieldBlend& blend;
   Weights ofBlend;
@@ -116,10 +117,10 @@ Mean heldToExact(const Mean& zero, const Blended& in) {
   return held;
 }
 
-/// The exact energy of this many points is smooth enough to compare it at few places.
+/// The number of points whose exact energy is smooth enough to be compared at few places.
 constexpr int kSmooth = 200;
 
-/// The mean of many points; none if fields do better.
+/// The mean of many points; none if fields find it better.
 std::optional<Mean> checkedMeanOfMany(Surface& surface, const Array<SurfacePoint>& points,
                                       const Array<double>& weights, const MeanOptions& options) {
   const WeightedPoints merged = mergedPoints(points, weights);
@@ -137,8 +138,8 @@ std::optional<Mean> checkedMeanOfMany(Surface& surface, const Array<SurfacePoint
              : held(ExactOneSourceEnergy(geometry, merged));
 }
 
-/// Checks a mean and its other minima. Zeros that are no minima are removed from these, and if
-/// `lowest`, one that proves lower than the center replaces it.
+/// Checks a mean and its other minima. Zeros that are not minima are removed from the others. With
+/// `lowest`, a minimum that proves lower than the center replaces it.
 Mean checkedMean(const Mean& mean, const Blended& in, bool lowest) {
   Mean center = heldToExact(mean, in);
   Array<Minimum> others;
@@ -159,8 +160,8 @@ Mean checkedMean(const Mean& mean, const Blended& in, bool lowest) {
   return center;
 }
 
-/// The estimated number of values in the fields of these points: the vertices within the points'
-/// spread of each, or all.
+/// The estimated number of values in the fields of these points: the number of vertices within the
+/// points' spread around each point, or of all vertices.
 double likelyValues(const Surface& surface, const Array<SurfacePoint>& points, bool everywhere) {
   const double all = static_cast<double>(points.count()) * surface.mesh().vertexCount();
   if (everywhere) return all;
@@ -180,7 +181,8 @@ void judgeUniqueness(const Surface& surface, const Array<SurfacePoint>& points,
   }
   const double radius = provedRadius(surface, points, weights, mean.point, smooth);
   const Vec3 center = position(surface.mesh(), mean.point);
-  // A contradiction of the proof is an error of the fields and takes precedence.
+  // Other minima that contradict the proof show an error of the fields, and count more than the
+  // proof.
   const bool contradicted =
       std::any_of(mean.otherMinima.begin(), mean.otherMinima.end(), [&](const Minimum& other) {
         return other.energy <= mean.energy ||
@@ -310,8 +312,8 @@ Array<Mean> centersOfMass(FieldSets& sets, const Array<SurfacePoint>& points,
   Array<ControlField*> pointers;
   for (const auto& field : fields) pointers.push_back(&field->field());
   FieldBlend blend(surface.geometry(), pointers);
-  // All rows start at the center of equal weights, since averages of averages would take several
-  // path searches a row.
+  // All rows start at the center of equal weights. Averages of averages would take several path
+  // searches for each row.
   const Array<double> equal(points.size(), 1.0 / width);
   const SurfacePoint shared = findMean(surface, blend, equal, points, equal, options).point;
   for (int row = 0; row < count; ++row) {

@@ -12,7 +12,7 @@ namespace karcher {
 
 struct Minimum {
   SurfacePoint point;
-  double energy = 0;  ///< as Mean::energy
+  double energy = 0;  ///< the energy, as Mean::energy
 };
 
 struct Mean {
@@ -22,12 +22,12 @@ struct Mean {
   /// The sum of weight times squared distance, as the fields estimate it (FieldBlend::energy), or
   /// by exact distances for many points (mean_of_many.h). It is negative only if a weight is.
   double energy = 0;
-  /// May be kNotUnique without `looksForOthers`, if searches from the control points found other
-  /// minima.
+  /// The uniqueness. It may be kNotUnique without `looksForOthers`, if searches from the control
+  /// points found other minima.
   Uniqueness uniqueness = Uniqueness::kNotLooked;
-  /// Other minima at which searches ended, checked like the center, more than a tenth of the mean
-  /// edge apart, in ascending order of energy. If the uniqueness is certain they lie higher, and
-  /// farther than any of the points.
+  /// The other minima at which searches ended, checked like the center, more than a tenth of the
+  /// mean edge apart, in ascending order of energy. If the uniqueness is certain, they lie higher,
+  /// and farther from the center than any of the points.
   Array<Minimum> otherMinima;
 };
 
@@ -38,22 +38,22 @@ struct MeanOptions {
   /// which K may be lower (first_start.h), and returns the lowest minimum; for many points it
   /// starts at some of them (mean_of_many.h).
   std::optional<SurfacePoint> start;
-  bool normalize = false;  ///< divide the weights by their sum instead of requiring 1
-  /// Search from the control points and from 32 places all over the surface, and decide whether the
-  /// center is the only one. Without `start` the center is the lowest minimum found. Computes each
-  /// field on the whole surface.
+  bool normalize = false;  ///< whether to divide the weights by their sum instead of requiring 1
+  /// Whether to search from the control points and from 32 places all over the surface, and to
+  /// decide whether the center is the only one. Without `start` the center is the lowest minimum
+  /// found. Each field is computed on the whole surface.
   bool looksForOthers = false;
-  /// The curvature bound of the smooth surface that the mesh approximates, if known, for the
+  /// The curvature bound of the smooth surface that the mesh approximates, if known. It serves the
   /// uniqueness.
   std::optional<CurvatureBound> smooth = std::nullopt;
   /// The memory limit in values of fields, of about 150 bytes each. Above it, fields are not kept
-  /// separately but summed one after the other (summed_field.h), which takes the memory of one over
+  /// separately but summed one after the other (summed_field.h), in the memory of one field over
   /// the whole surface. Many points (mean_of_many.h) need no fields.
   double mostValues = 2e6;
-  /// With kKarcher and fast or exact distances: kConverged requires a local minimum of K by exact
-  /// distances (exact_minimum.h), to which the center is moved from a zero near by; else the status
-  /// is kLowerNearby. If false, kConverged is any zero with a positive definite Hessian, as for a
-  /// curve's samples.
+  /// Whether means by kKarcher with fast or exact distances are checked. Then kConverged requires a
+  /// local minimum of K by exact distances (exact_minimum.h), to which the center is moved from a
+  /// zero near by; without one the status is kLowerNearby. If false, kConverged is any zero with a
+  /// positive definite Hessian, as for a curve's samples.
   bool isChecked = true;
 };
 
@@ -66,16 +66,16 @@ Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<dou
 /// The same with the fields of a set, which is returned in `kept` for the next call: if only
 /// weights change, no field is computed again, and if points move, only theirs. No set is kept
 /// after an error, or if the fields are likely to hold more than a quarter of `mostValues`. The
-/// answer does not depend on what the sets hold.
+/// result does not depend on the sets' contents.
 Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<double> weights,
                   const MeanOptions& options, std::shared_ptr<FieldSet>& kept);
 
-/// The centers of mass of one set of points, one for each row of weights, one row after the other:
-/// what `centerOfMass` finds for each, at the cost of a curve's samples, since the points' fields
-/// are computed once and the searches start at the center of equal weights. Only options.isChecked
-/// checks them by exact distances, each at the cost of a single center. options.looksForOthers has
-/// no effect. Throws as `centerOfMass` does, naming the row of invalid weights; kBadWeights if
-/// `rows` does not have one weight for each point in each row.
+/// The centers of mass of one set of points, one for each row of weights, which `rows` has one
+/// after the other. Each center is that of `centerOfMass` but costs as little as a sample of a
+/// curve, since the points' fields are computed once and the searches start at the center of equal
+/// weights. Only options.isChecked checks them by exact distances, each at the cost of a single
+/// center. options.looksForOthers has no effect. Throws as `centerOfMass` does, naming the row of
+/// invalid weights; kBadWeights if `rows` does not have one weight for each point in each row.
 Array<Mean> centersOfMass(FieldSets& sets, const Array<SurfacePoint>& points,
                           const Array<double>& rows, MeanOptions options,
                           std::shared_ptr<FieldSet>& kept);

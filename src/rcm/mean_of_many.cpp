@@ -14,16 +14,17 @@ namespace {
 /// The number of points at which K is compared first, and of those from which descents begin.
 constexpr int kStarts = 16;
 constexpr int kDescents = 3;
-constexpr int kMostSolves = 24;        ///< of one descent
-constexpr double kLongestStep = 0.25;  ///< of the mesh's extent
+constexpr int kMostSolves = 24;        ///< the most solves in one descent
+constexpr double kLongestStep = 0.25;  ///< the longest step, relative to the mesh's extent
 
-/// A step below this part of a mean edge is the last of a descent, since the gradient is no more
+/// The length of a step, in mean edges, below which a descent ends, since the gradient is no more
 /// accurate.
 constexpr double kLastStep = 0.1;
-/// A descent that comes this near to where another one ended, in mean edges, would end there, too.
+/// The distance, in mean edges, from the end of an earlier descent at which another one stops,
+/// since it would end there, too.
 constexpr double kSameDescent = 2;
 
-/// A symmetric matrix that turns the natural step into the Newton step, as far as is known.
+/// A symmetric matrix that turns the natural step into the estimated Newton step.
 struct Scale {
   double xx = 1;
   double xy = 0;
@@ -38,7 +39,7 @@ struct Scale {
     return {x.x(), x.y(), y.y()};
   }
 
-  /// The BFGS update by the change of the natural step over a length along the x axis.
+  /// The BFGS update, by the change of the natural step over a length along the x axis.
   void learn(double length, const Vec2& change) {
     constexpr double kLeastCurvature = 0.02;
     if (!(change.x() > kLeastCurvature * length)) return;
@@ -58,10 +59,10 @@ struct State {
 };
 
 enum class Ended {
-  kAtMinimum,  ///< the next step is shorter than what the gradient can tell
-  kStuck,      ///< K is higher all around, as far as the gradient tells
+  kAtMinimum,  ///< the next step is shorter than the accuracy of the gradient
+  kStuck,      ///< no lower K was found within the accuracy of the gradient
   kAtBoundary,
-  kKnown,  ///< where another descent ended
+  kKnown,  ///< the descent came to the end of another one
 };
 
 struct Descent {
@@ -108,7 +109,7 @@ Descent descend(const Geometry& geometry, State state, const EnergyFunction& ene
   return {state, Ended::kStuck};
 }
 
-/// The points at which equal parts of the weight are reached, in the points' order, which is
+/// The points at which equal parts of the weight are reached, in the order of the points, which is
 /// spatially coherent.
 Array<SurfacePoint> startsOf(const WeightedPoints& points, int count) {
   Array<SurfacePoint> starts;
@@ -130,9 +131,9 @@ int nearestCorner(const TriangleMesh& mesh, const SurfacePoint& point) {
   return mesh.corner(point.face, corner);
 }
 
-/// The starts of the lowest K by distances along edges, which take a quarter of the time and are
-/// all too long by nearly the same part. They are skipped if K by straight lines in space, which is
-/// lower, exceeds the lowest found so far.
+/// The starts of the lowest K by distances along edges. These take a quarter of the time and are
+/// all too long by nearly the same factor. A start is skipped if K by straight lines in space,
+/// which is lower, exceeds the lowest found so far.
 Array<SurfacePoint> lowestStarts(const Geometry& geometry, const WeightedPoints& points) {
   const TriangleMesh& mesh = *geometry.mesh;
   const Array<SurfacePoint> starts = startsOf(points, kStarts);
@@ -150,7 +151,7 @@ Array<SurfacePoint> lowestStarts(const Geometry& geometry, const WeightedPoints&
   }
   const size_t wanted = std::min(starts.size(), static_cast<size_t>(kDescents));
   Array<double> energies(starts.size(), kInfinity);
-  Array<double> lowest(wanted, kInfinity);  // ascending
+  Array<double> lowest(wanted, kInfinity);  // in ascending order
   for (const int i :
        sortedNumbers(starts.count(), [&](int a, int b) { return bounds[a] < bounds[b]; })) {
     if (bounds[i] * (1 - kLocalRounding) > lowest.back()) break;

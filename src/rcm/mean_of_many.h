@@ -13,18 +13,19 @@
 /// lowest few; their distances are those of the options' solver.
 namespace karcher {
 
-/// With this many different points, near or far, this is at least as fast as fields: 200 points all
-/// over 19,520 triangles with exact distances take 1.9 s, with fields 31.
+/// The number of different points, near or far, from which on this is at least as fast as fields.
+/// For 200 points all over 19,520 triangles with exact distances it takes 1.9 s, with fields 31 s.
 inline constexpr int kMany = 64;
 
 /// Whether the mean can be found in this way: there are at least kMany points, no weight is
-/// negative, the method is kKarcher with fast or exact distances, and other minima are not wanted.
+/// negative, the method is kKarcher with fast or exact distances, and other minima are not
+/// requested.
 bool isOfMany(const Array<SurfacePoint>& points, const Array<double>& weights,
               const MeanOptions& options);
 
 /// A minimum by the solver's distances for merged points (one_source_energy.h) on one component
 /// with weights that sum to 1, and its energy. None if the search ends at a boundary, where fields
-/// do better. The order of the points makes no difference.
+/// work better. The order of the points does not matter.
 std::optional<Mean> meanOfMany(Surface& surface, const WeightedPoints& points,
                                const MeanOptions& options);
 

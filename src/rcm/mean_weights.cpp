@@ -14,7 +14,8 @@ namespace {
 
 using Column = Eigen::Vector3d;
 
-/// A constraint depends on the others if less than this part of it (squared) is orthogonal to them.
+/// The rank tolerance: a constraint depends on the others if less than this part of its square is
+/// orthogonal to them.
 constexpr double kRank = 1e-13;
 
 /// The projection of given weights onto those that sum to 1 and balance the vectors: columns
@@ -24,7 +25,7 @@ class Balance {
   Balance(Array<Column> columns, Array<double> given)
       : columns_(std::move(columns)), given_(std::move(given)) {}
 
-  /// The weights with any sign.
+  /// The weights, of any sign.
   Array<double> solve() const {
     Array<double> weights = given_;
     Array<char> free(given_.size(), 1);
@@ -44,7 +45,7 @@ class Balance {
     const int count = weights.count();
     Array<char> free(weights.size(), 0);
     for (int i = 0; i < count; ++i) free[i] = weights[i] > 0;
-    // Each set of held weights occurs once, and there are seldom more sets than a few times the
+    // Each set of held weights occurs once. There are seldom more such sets than a few times the
     // number of weights.
     const int bound = 100 + 50 * count;
     for (int step = 0; step < bound; ++step) {
@@ -115,7 +116,7 @@ class Balance {
     return (met(weights) - Column(1, 0, 0)).norm();
   }
 
-  /// The held weight that the objective pulls most strongly above 0; -1 if there is none.
+  /// The held weight that the objective pulls most strongly above 0, or -1.
   int mostPulled(const Array<char>& free, const Column& multiplier) const {
     int most = -1;
     double pull = kLocalRounding;
@@ -133,7 +134,7 @@ class Balance {
   /// Non-negative weights of at most three vectors around 0.
   Array<double> feasible() const {
     const int count = columns_.count();
-    // The given weights, if they are feasible.
+    // The given weights are tried first.
     Array<double> weights = given_;
     Array<char> free(weights.size(), 1);
     project(free, weights);
@@ -141,8 +142,8 @@ class Balance {
         *std::min_element(weights.begin(), weights.end()) >= 0) {
       return weights;
     }
-    // One vector at 0 suffices, else two opposite ones, else the triangle of any vector and the two
-    // nearest to its opposite direction on both sides.
+    // The result is one vector at 0; else two opposite ones; else the triangle of any vector and
+    // the two nearest to its opposite direction on both sides.
     weights.assign(weights.size(), 0);
     const auto vector = [&](int i) { return Vec2(columns_[i][1], columns_[i][2]); };
     int longest = 0;
@@ -155,8 +156,8 @@ class Balance {
     }
     const Vec2 first = vector(longest);
     const Vec2 across(-first[1], first[0]);
-    int left = -1;   // smallest angle from the opposite direction, counterclockwise
-    int right = -1;  // and clockwise
+    int left = -1;   // of the smallest angle from the opposite direction, counterclockwise
+    int right = -1;  // of the smallest clockwise angle
     const auto angle = [&](int i) {
       return std::atan2(vector(i).dot(across), -vector(i).dot(first));
     };
@@ -240,7 +241,7 @@ MeanWeights weightsOf(FieldSet& set, const SurfacePoint& x, const Array<SurfaceP
     unit[i] = 0;
   }
   MeanWeights result{balancedWeights(vectors, given, options.nonNegative), false};
-  // The gradient vanishes for balanced weights, so that this checks the Hessian.
+  // The gradient vanishes for balanced weights, so that only the Hessian matters here.
   result.isMinimum = isZero(blend, result.weights, x);
   if (result.isMinimum && areHeldToExact(set.options())) {
     ExactEnergy energy(set.surface().geometry(), points, result.weights);

@@ -10,15 +10,15 @@
 namespace karcher {
 namespace {
 
-/// Whether a is the better answer: converged answers come first, then lower energies.
+/// Whether a is the better mean: converged means come first, then lower energies.
 bool better(const Mean& a, const Mean& b) {
   const bool aConverged = a.status == Status::kConverged;
   const bool bConverged = b.status == Status::kConverged;
   return aConverged != bConverged ? aConverged : a.energy < b.energy;
 }
 
-/// Minima nearer to each other than this part of the mean edge count as one, since searches from
-/// both sides of an edge may end that far apart.
+/// The distance, in mean edges, below which minima count as one. Searches from both sides of an
+/// edge may end that far apart.
 constexpr double kSameMinimum = 0.1;
 constexpr int kSpreadStarts = 32;
 
@@ -27,8 +27,8 @@ bool areApart(const Geometry& geometry, const SurfacePoint& a, const SurfacePoin
   return (position(mesh, a) - position(mesh, b)).norm() > kSameMinimum * geometry.meanEdge;
 }
 
-/// The corner of a vertex into which K decreases. If that direction is off the surface, the corner
-/// at the nearer side.
+/// The corner of a vertex into which K decreases. If that direction points off the surface, it is
+/// the corner on the nearer side.
 int cornerDownhill(const Geometry& geometry, int vertex, const Vec2& down) {
   const double total = geometry.totalAngle[vertex];
   double direction = std::atan2(down.y(), down.x()) / geometry.angleScale[vertex];
@@ -39,8 +39,8 @@ int cornerDownhill(const Geometry& geometry, int vertex, const Vec2& down) {
   return cornerOfDirection(geometry, vertex, direction).halfedge;
 }
 
-/// A start on an edge or at a vertex, in the face into which K decreases, which does not depend on
-/// the numbers of faces.
+/// A start on an edge or at a vertex, in the face into which K decreases. This choice does not
+/// depend on the numbers of faces.
 SurfacePoint facedDownhill(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
   const Geometry& geometry = fields.geometry();
   const TriangleMesh& mesh = *geometry.mesh;
@@ -59,7 +59,7 @@ SurfacePoint facedDownhill(FieldBlend& fields, Weights weights, const SurfacePoi
   return start;
 }
 
-/// A sequence of searches. The first answer is the center, or the best one if `lowest`.
+/// A sequence of searches. The first result is the center; with `lowest`, the best one is.
 class MinimumSearch {
  public:
   MinimumSearch(FieldBlend& fields, const Array<double>& weights, Method method)
@@ -97,13 +97,13 @@ class MinimumSearch {
   Array<Minimum> others_;
 };
 
-/// Searches start at control points within this many times the distance at which a lower minimum
-/// may be. Four of 810 means of three to eight points on three meshes are higher than with searches
-/// from all control points, and eight, which the average of averages found, are lower.
+/// The factor on the distance at which a lower minimum may be: control points within it are starts.
+/// Of 810 means of three to eight points on three meshes, four are higher than with searches from
+/// all control points, and eight, which the average of averages found, are lower.
 constexpr double kSearched = 2;
 
-/// Searches from a start, if there is one, and from the control points near which a lower minimum
-/// may be; from all of them if `all`, if a weight is negative, or if the first search failed.
+/// Searches from `start`, if any, and from the control points near which a lower minimum may be. It
+/// takes all control points if `all`, if a weight is negative, or if the first search failed.
 void searchFew(const TriangleMesh& mesh, const Array<SurfacePoint>& points,
                const Array<double>& weights, bool all, const std::optional<SurfacePoint>& start,
                MinimumSearch& minima) {

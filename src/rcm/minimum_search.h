@@ -2,10 +2,10 @@
 
 #include "rcm/mean.h"
 
-/// The searches for the minima of K: where they start, and which of their answers is the mean.
+/// The searches for the minima of K: their starts, and the choice of the mean among their results.
 namespace karcher {
 
-/// The index of the largest weight; if several are equal, the first.
+/// The index of the largest weight, the first if several are equal.
 int firstLargest(const Array<double>& weights);
 
 /// A center as a mean, with the fields' energy there.
@@ -17,9 +17,10 @@ void insertByEnergy(Array<Minimum>& minima, const Minimum& minimum);
 /// Sets `otherMinima` to those that are apart from the center and from each other.
 void setOtherMinima(const Geometry& geometry, const Array<Minimum>& minima, Mean& mean);
 
-/// The mean in a blend of fields, with weights of the fields and of the points: one sum of fields
-/// has one weight, and many points. Without options.start it is the lowest minimum found. The first
-/// search starts at `shared` if given, else at the average of averages (first_start.h).
+/// The mean in a blend of fields. The weights of the fields and of the points are separate: one
+/// summed field has one weight, and many points. Without options.start it is the lowest minimum
+/// found. The first search starts at `shared` if given, else at the average of averages
+/// (first_start.h).
 Mean findMean(Surface& surface, FieldBlend& fields, const Array<double>& weights,
               const Array<SurfacePoint>& points, const Array<double>& ofPoints,
               const MeanOptions& options, const SurfacePoint* shared = nullptr);

@@ -4,13 +4,13 @@
 #include "rcm/paper_method.h"
 
 /// Algorithm 1 of C. Mancinelli, E. Puppo, "Computing the Riemannian Center of Mass on Meshes". The
-/// paper leaves open the tolerance, the bound on iterations, and what happens when the start of a
-/// geodesic is its own best point (see goOn).
+/// paper does not specify the tolerance, the bound on iterations, or the continuation if the start
+/// of a geodesic is its own best point (see goOn).
 namespace karcher {
 namespace {
 
 constexpr int kMaxIterations = 100;
-/// The largest gradient, a length, of a zero, as a part of the bounding box's diagonal.
+/// The largest gradient of a zero: a length, relative to the bounding box's diagonal.
 constexpr double kGradientTolerance = 1e-10;
 
 struct Candidate {
@@ -66,8 +66,8 @@ class NewtonSearch {
     return step;
   }
 
-  /// The point of the geodesic along the step, among its joints with edges and its end, with the
-  /// smallest gradient. `before` is the gradient at its start.
+  /// The point of the smallest gradient on the geodesic along the step, among its joints with edges
+  /// and its end. `before` is the gradient at its start.
   Candidate bestAlongStep(const Vec2& step, double before) {
     Candidate best;
     int bestJoint = 0;
@@ -94,9 +94,9 @@ class NewtonSearch {
 
   /// Continues when no joint of the geodesic is better than its start. Inside a face, the search
   /// moves to the best point of the step inside the face. On an edge, the zero lies there if each
-  /// face has its zero behind it; else the search enters the other face. At a vertex, the search
-  /// tries the faces around it in turn. Returns false at the end of the search, with its status in
-  /// status_.
+  /// face has its zero beyond the edge; else the search enters the other face. At a vertex, the
+  /// search tries the faces around it in turn. Returns false at the end of the search, with its
+  /// status in status_.
   bool goOn(const TriangleField& field, const Vec2& step) {
     const PointLocation location = locate(mesh_, point_);
     if (location.simplex == Simplex::kFace) return shortenStep(field, step);
@@ -174,9 +174,9 @@ class NewtonSearch {
   int crossingsLeft_;
   NewtonSteps steps_;
   Status status_ = Status::kNoProgress;
-  /// Faces around the same edge or vertex that were left without progress.
+  /// The number of faces around the same edge or vertex that the search left without progress.
   int facesTried_ = 0;
-  int crossed_ = -1;  ///< the edge that was last crossed without progress, by its first half-edge
+  int crossed_ = -1;  ///< the first half-edge of the edge last crossed without progress
 };
 
 }  // namespace

@@ -14,8 +14,8 @@ bool isBefore(const SurfacePoint& a, const SurfacePoint& b) {
                                       b.bary.data() + 3);
 }
 
-/// Log vectors start inside a face. A place on its boundary is moved inwards, farther than by
-/// rounding.
+/// The place, moved inwards by more than rounding if it lies on the boundary of its face: log
+/// vectors need a start inside a face.
 SurfacePoint movedInside(const SurfacePoint& place) {
   if (place.bary.minCoeff() > kChainRounding) return place;
   return {place.face, (1 - 3 * kChainRounding) * place.bary + Vec3::Constant(kChainRounding)};
@@ -32,8 +32,8 @@ Vec2 logOf(const TriangleMesh& mesh, const SurfacePoint& point, const DistanceSo
   return log;
 }
 
-/// The squared distance of a point, from the positions in which the corners of its face see the
-/// source. If these differ, on both sides of the cut locus, the nearest counts.
+/// The squared distance of a point, by the positions from which the corners of its face see the
+/// source. If these differ, as on both sides of the cut locus, the nearest counts.
 double squaredDistanceOf(const Geometry& geometry, const SurfacePoint& point,
                          const DistanceSolver& solver) {
   const Vec2 place = pointInFace(geometry, point);
@@ -147,7 +147,7 @@ double ExactOneSourceEnergy::energyAt(const SurfacePoint& place) {
 
 /// The direction in which the shortest path to a vertex leaves the source.
 Vec2 ExactOneSourceEnergy::directionTo(int vertex) {
-  // Each turn is nearer to the source than the last.
+  // Each vertex on the way is nearer to the source than the previous one.
   while (solver_.arrival(vertex).pseudoSource >= 0) vertex = solver_.arrival(vertex).pseudoSource;
   Vec2& direction = directions_[vertex];
   if (direction == Vec2::Zero()) {
@@ -157,12 +157,13 @@ Vec2 ExactOneSourceEnergy::directionTo(int vertex) {
   return direction;
 }
 
-/// The direction in which a path that was traced back to the source leaves it.
+/// The direction in which a path leaves the source. `back` has been traced from its end to the
+/// source.
 Vec2 ExactOneSourceEnergy::directionBefore(const StraightestPath& back) const {
   const int face = solver_.source().face;
   const Array<SurfacePoint>& points = back.path.points;
   if (points.back().face == face) return -back.direction;
-  // Rounding may lead the path past the source.
+  // Rounding may take the path past the source.
   for (int i = points.count() - 2; i > 0; --i) {
     if (points[i].face != face || points[i - 1].face != face) continue;
     return (pointInFace(geometry_, points[i - 1]) - pointInFace(geometry_, points[i])).normalized();
@@ -170,7 +171,8 @@ Vec2 ExactOneSourceEnergy::directionBefore(const StraightestPath& back) const {
   return Vec2::Zero();
 }
 
-/// Grows until no point can have a shorter path, all of which pass through the point's face.
+/// Grows the solver until no point can have a shorter path. All paths to a point pass through its
+/// face.
 void ExactOneSourceEnergy::grow(const SurfacePoint& place) {
   const TriangleMesh& mesh = *geometry_.mesh;
   solver_.setSource(place);
@@ -178,8 +180,8 @@ void ExactOneSourceEnergy::grow(const SurfacePoint& place) {
   for (const SurfacePoint& point : points_.points) {
     radius = std::max(radius, (position(mesh, point) - position(mesh, place)).norm());
   }
-  // This ends, since growing makes no corner farther, and an increasing radius reaches all of the
-  // mesh.
+  // The loop ends, since growing makes no corner farther, and an increasing radius reaches all of
+  // the mesh.
   for (;;) {
     solver_.grow(radius);
     if (solver_.reached() == kInfinity) break;
@@ -193,7 +195,8 @@ void ExactOneSourceEnergy::grow(const SurfacePoint& place) {
   }
 }
 
-/// Measures lengths from the images that the points' faces see, and over the faces' corners.
+/// Measures the lengths of paths from the images that the points' faces see, and over the faces'
+/// corners.
 void ExactOneSourceEnergy::measure() {
   const TriangleMesh& mesh = *geometry_.mesh;
   const auto take = [&](int i, const Way& way) {

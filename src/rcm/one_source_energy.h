@@ -6,12 +6,12 @@
 
 /// The energy K(p) = sum_i w_i d(p, p_i)^2 of many points at few places.
 ///
-/// Distances are symmetric, so that those from one source, the place, determine K there, and the
-/// log vectors at the place sum to grad K. Thousands of points take as much work as one.
+/// Since distances are symmetric, those from one source, the place, determine K there, and the log
+/// vectors at the place sum to grad K. Thousands of points take as much work as one.
 namespace karcher {
 
-/// Points with nonzero weights, sorted by their faces, with equal ones merged, so that K does not
-/// depend on the points' order, to the last bit.
+/// Points with nonzero weights, sorted by their faces, with equal ones merged. So K does not depend
+/// on the points' order, not even in its last bit.
 struct WeightedPoints {
   Array<SurfacePoint> points;
   Array<double> weights;
@@ -21,16 +21,16 @@ WeightedPoints mergedPoints(const Array<SurfacePoint>& points, const Array<doubl
 /// K at a place, and the natural step sum_i w_i log(p_i) = -grad K / 2.
 struct EnergyAt {
   double energy = 0;
-  Vec2 step = Vec2::Zero();  ///< in the frame of the place's face
+  Vec2 step = Vec2::Zero();  ///< the natural step in the frame of the place's face
 };
 
 class OneSourceEnergy {
  public:
-  /// The points must lie on one component. The arguments must outlive the object; the solver must
+  /// The points must lie on one component. The arguments must outlive the object. The solver must
   /// implement DistanceSolver::stepTo.
   OneSourceEnergy(const Geometry& geometry, const WeightedPoints& points, DistanceSolver& solver);
 
-  /// K and the natural step by the solver's distances, interpolated in the points' faces: exact on
+  /// K and the natural step by the solver's distances, interpolated in the points' faces; exact on
   /// a plane.
   EnergyAt at(const SurfacePoint& place);
 
@@ -49,7 +49,7 @@ class OneSourceEnergy {
 /// which shortest paths leave the place.
 class ExactOneSourceEnergy {
  public:
-  /// The same conditions hold as above. Throws what WindowDistance throws.
+  /// The conditions are those of OneSourceEnergy. Throws what WindowDistance throws.
   ExactOneSourceEnergy(const Geometry& geometry, const WeightedPoints& points);
 
   EnergyAt at(const SurfacePoint& place);
@@ -62,7 +62,8 @@ class ExactOneSourceEnergy {
   struct Way {
     double length = kInfinity;  ///< the length of the whole path
     Vec2 toSource = Vec2::Zero();
-    int pseudoSource = -1;  ///< the vertex at which the part begins, or -1 for the source itself
+    /// the vertex at which the last part begins, or -1 if it begins at the source
+    int pseudoSource = -1;
   };
 
   void grow(const SurfacePoint& place);
@@ -73,8 +74,8 @@ class ExactOneSourceEnergy {
   const Geometry& geometry_;
   const WeightedPoints& points_;
   WindowDistance solver_;
-  Array<Way> ways_;         ///< one for each point
-  Array<Vec2> directions_;  ///< by vertex, for those that were needed
+  Array<Way> ways_;         ///< the ways, one for each point
+  Array<Vec2> directions_;  ///< the directions to the vertices that were needed
   int solved_ = 0;
 };
 

@@ -8,8 +8,8 @@
 namespace karcher {
 namespace {
 
-/// The largest distance of a caller's own. Products of several squares fit doubles, even on the
-/// smallest faces.
+/// The largest distance that a caller may give. Products of several squares fit doubles, even on
+/// the smallest faces.
 constexpr double kLargestDistance = 1e60;
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include "rcm/surface.h"
 
 /// The method of C. Mancinelli, E. Puppo, "Computing the Riemannian Center of Mass on Meshes"
-/// (`method: 'paper'`): fields are gradients of squared distances, which the exact solver finds, or
-/// the k-ring graph (ring_graph.h); Newton's method searches them.
+/// (`method: 'paper'`). Fields are gradients of squared distances, from the exact solver or the
+/// k-ring graph (ring_graph.h). Newton's method searches them.
 namespace karcher {
 
 /// The field of squared distances, one for each vertex (Eq. 3): their gradient over either star
@@ -18,16 +18,18 @@ ControlField fieldOfSquares(Surface& surface, Star star, Array<double> squaredDi
 /// each vertex, or beyond 1e60) or kNotFinite (NaN or negative).
 ControlField fieldFromDistances(Surface& surface, const Array<double>& distances);
 
-/// Newton's method along geodesics (Algorithm 1) from `start`. If two neighbouring faces each have
-/// their zero in the other, the zero is taken on their edge (FieldBlend::zeroAlongEdge).
+/// Newton's method along geodesics (Algorithm 1) from `start`. If each of two neighbouring faces
+/// has its zero in the other, the zero is placed on their edge (FieldBlend::zeroAlongEdge).
 CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start);
 
 /// Counts of a search's steps, for studies of the paper's claims.
 struct NewtonSteps {
-  int traced = 0;       ///< geodesics along steps of Newton's method
-  int shortened = 0;    ///< of these, taken to a joint before their end
-  int needed = 0;       ///< of those, whose end has no smaller gradient than their start
-  int stuck = 0;        ///< on which no joint has a smaller gradient than their start
+  int traced = 0;     ///< the number of geodesics along steps of Newton's method
+  int shortened = 0;  ///< the number of these of which only a part was taken, up to a joint
+  /// the number of shortened ones whose end has no smaller gradient than their start
+  int needed = 0;
+  /// the number of geodesics on which no joint has a smaller gradient than their start
+  int stuck = 0;
   bool inside = false;  ///< whether a zero inside a triangle ended the search
   /// The lengths of the gradients at the starts of the last three iterations, the last one first; 0
   /// for none.

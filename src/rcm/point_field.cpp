@@ -44,8 +44,8 @@ void PointField::setPointFor(const SurfacePoint& point, const SurfacePoint& plac
   makeLogField(aimAt(place, most));
 }
 
-/// A ball about a place that holds all vertices which the values at the corners of its face are
-/// estimated from: they have at most two edges between them and the corner.
+/// A ball about a place that holds all vertices from which the values at the corners of its face
+/// are estimated. Such a vertex is at most two edges from its corner.
 PathAim PointField::aimAt(const SurfacePoint& place, double most) const {
   const TriangleMesh& mesh = surface_.mesh();
   const Vec3 center = position(mesh, place);
@@ -140,7 +140,7 @@ int64_t PointField::bytesOfSolver() const {
 double PointField::distanceAt(int vertex) {
   double distance = solver_->growTo(vertex);
   if (distance == kInfinity && isAimed_) {
-    // No path is as short as was wanted. The whole field tells how long they are.
+    // No path is as short as `most`; the whole field finds the distances.
     isAimed_ = false;
     solver_->aimAt(std::nullopt);
     solver_->setSource(point_);
@@ -171,7 +171,7 @@ FieldValue PointField::estimate(int vertex) {
       own, [&](int v) -> const Vec2& { return logVectorAt(v); }, squaredDistanceAt);
   if (isLinear(estimator_) || stencil.logVectorShare == 1) return {gradient, own};
   const Vec2& log = logVectorAt(vertex);
-  // The fit is what the stencil makes of the rest.
+  // The fit is the stencil's share without the log vector.
   const Vec2 difference = (log - gradient) / (1 - stencil.logVectorShare);
   const double share = shareOfLogVector(stencil.logVectorShare, difference, std::sqrt(own));
   return {log - (1 - share) * difference, own};
@@ -186,7 +186,7 @@ Vec2 PointField::estimateMidpoint(int halfedge) {
   const Vec2 mean = (rotateBack(direction.tail, logVectorAt(tail)) +
                      rotateBack(direction.head, logVectorAt(head))) /
                     2;
-  // No farther from the source than the ends are, and half the edge.
+  // The midpoint is no farther from the source than an end plus half the edge.
   const double farthest =
       std::min(solver_->distance(tail), solver_->distance(head)) + geometry.edgeLength[halfedge];
   if (solver_->reached() < farthest) solver_->grow(farthest);

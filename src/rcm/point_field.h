@@ -14,8 +14,8 @@
 namespace karcher {
 
 /// A control point with its solver and its field. The field's values depend only on the surface,
-/// the options and the point. With log vectors a value is made when it is first read: the solver
-/// grows to the vertices that a search asks for, and no further.
+/// the options and the point. With log vectors a value is computed when it is first read: the
+/// solver grows only to the vertices that searches request.
 class PointField {
  public:
   /// The surface must outlive the field. Fields may share the scratch memory of their path
@@ -25,19 +25,19 @@ class PointField {
   PointField(const PointField&) = delete;
   PointField& operator=(const PointField&) = delete;
 
-  /// A near field is read only close to its point. Each of its values is that of one straight path
-  /// between the point and the vertex, found on its own: by sight (sight.h), and where that finds
-  /// none, by a path search (find_path.h). So a value depends on the surface, the point and the
-  /// vertex alone, costs what lies between them, and takes no memory but its own. Beside hubs
-  /// (hubs.h), where many values are read and each search would go round all of a hub, exact
-  /// windows find all paths out of sight at once. Log vectors are taken as they are: so near they
-  /// need no fit (estimators.h). With exact distances each path is
-  /// compared with the shortest one by exact windows, at many times the cost. With graph distances,
-  /// and the paper's method, a near field is like any other.
+  /// Moves the field to a point. A near field is meant to be read only close to its point. Each of
+  /// its values comes from one straight path between the point and the vertex, found separately: by
+  /// sight (sight.h), or else by a path search (find_path.h). So a value depends on the surface,
+  /// the point and the vertex alone, costs only the work between these two, and takes no other
+  /// memory. Beside hubs (hubs.h), where many values are read and each search would go round all of
+  /// a hub, exact windows find all paths out of sight at once. The log vectors of a near field need
+  /// no fit (estimators.h). With exact distances each path is compared with the shortest one by
+  /// exact windows, at many times the cost. With graph distances, and with the paper's method, a
+  /// near field is like any other.
   void setPoint(const SurfacePoint& point, bool isNear = false);
-  /// A field that is read only near a place, and of which only distances up to `most` are wanted:
-  /// with windows it costs the region between the point and the place, not all that is as near as
-  /// the place is. Values of longer distances are upper bounds.
+  /// Moves the field to a point, to be read only near a place and for distances up to `most`. With
+  /// windows it costs the region between the point and the place, instead of the whole disk up to
+  /// the place. Longer distances are upper bounds.
   void setPointFor(const SurfacePoint& point, const SurfacePoint& place, double most);
   const SurfacePoint& point() const { return point_; }
   bool isNear() const { return isNear_; }
@@ -47,23 +47,25 @@ class PointField {
     return sightFrom(surface_.geometry(), sights_, vertex).has_value();
   }
 
-  /// Gives back the memory of a whole field's solver. Values that were read stay; the next one that
-  /// was not starts the solver anew, and is the same.
+  /// Releases the memory of a whole field's solver. Values that were read stay. Reading another
+  /// value starts the solver anew, with the same result.
   void rest();
-  /// About how many bytes that is.
+  /// The approximate number of these bytes.
   int64_t bytesOfSolver() const;
 
-  /// The order in which the set (field_set.h) saw its fields in use, from 1; 0 for never.
+  /// The number of the last use of the field, as its set (field_set.h) counts uses from 1; 0 for
+  /// never.
   int lastUse() const { return lastUse_; }
   void setLastUse(int use) { lastUse_ = use; }
 
-  /// Reading a value on another component than the point's throws Error kUnreachable.
+  /// The field. Reading a value on another component than the point's throws Error kUnreachable.
   ControlField& field() { return field_; }
 
  private:
   /// A solver's log vector, which the stencils of several vertices read.
   struct LogEntry {
-    Vec2 vector = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());  ///< until it is known
+    /// NaN until it is known
+    Vec2 vector = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
   };
 
   void makePaperField();
@@ -84,13 +86,15 @@ class PointField {
   bool isNear_ = false;
   int lastUse_ = 0;
   ControlField field_;
-  // These belong to near fields.
+  // The sources of sight belong to near fields.
   SightSources sights_;
   std::shared_ptr<FindPathWorkspace> paths_;
   SurfacePath path_;
-  std::unique_ptr<DistanceSolver> aroundHubs_;  ///< exact; made when a value beside a hub is read
-  bool isAroundHubs_ = false;                   ///< whether it starts at the point
-  // These estimate the log vectors of all other fields, and are made with the first of them.
+  /// the exact solver, created when a value beside a hub is read
+  std::unique_ptr<DistanceSolver> aroundHubs_;
+  bool isAroundHubs_ = false;  ///< whether the solver's source is the point
+  // The following members estimate the log vectors of all other fields, and are created with the
+  // first one.
   Estimator estimator_ = Estimator::kLinear1;
   std::unique_ptr<DistanceSolver> solver_;
   bool isAimed_ = false;
@@ -99,7 +103,7 @@ class PointField {
   std::optional<PagedArray<LogEntry, 4>> logVectors_;
 };
 
-/// The fields of points, as a blend takes them.
+/// The fields of points, in the form that a blend takes.
 Array<ControlField*> controlFields(const Array<PointField*>& points);
 
 }  // namespace karcher

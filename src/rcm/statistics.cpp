@@ -15,14 +15,15 @@
 namespace karcher {
 namespace {
 
-/// Differences are taken over this part of an edge, so that paths seldom change in between.
+/// The step of differences, as a part of an edge, so that paths seldom change in between.
 constexpr double kStep = 1e-3;
 
-/// The influence of a point by its distance.
+/// The influence of a point, as functions of its distance.
 struct Rule {
-  std::function<double(double)> pull;  ///< as a factor of its weight in a center of mass
+  std::function<double(double)> pull;  ///< the factor of the point's weight in a center of mass
   std::function<double(double)> cost;
-  bool isSharp = false;  ///< whether the cost has a kink at the point, where the minimum may lie
+  /// whether the cost has a kink at the point, so that the minimum may lie there
+  bool isSharp = false;
 };
 
 Array<Vec2> logVectors(const Geometry& geometry, const Array<SurfacePoint>& points,
@@ -35,7 +36,7 @@ Array<Vec2> logVectors(const Geometry& geometry, const Array<SurfacePoint>& poin
   return vectors;
 }
 
-/// Whether one of the points is the median: all others together pull less there than its own
+/// Whether a point is the median: the joint pull of all others there is no more than its own
 /// weight.
 bool isMedian(const Geometry& geometry, const Array<SurfacePoint>& points,
               const Array<double>& weights, int at) {
@@ -100,7 +101,7 @@ RobustMean search(FieldSets& sets, const Array<SurfacePoint>& points, const Arra
         break;
       }
     }
-    // The search leaves a point that is no minimum by the pull of the others.
+    // At a point that is no minimum, the pull of the others leads the search away.
     Array<double> factors = weights;
     for (int i = 0; i < factors.count(); ++i)
       factors[i] *= rule.pull(std::max(distances[i], least));

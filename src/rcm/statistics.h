@@ -6,13 +6,14 @@
 #include "rcm/field_set.h"
 
 /// Robust means, and derivatives of the energy sum_i w_i d(x, p_i)^2, by shortest paths. The
-/// package `karcher/statistics` has the same calls by the same names.
+/// package `karcher/statistics` has the same functions under the same names.
 namespace karcher {
 
 /// The start and the end of a search for a robust mean.
 struct RobustOptions {
-  std::optional<SurfacePoint> start;  ///< by default the center of mass
-  double tolerance = 1e-7;            ///< a part of the diagonal: a shorter step ends the search
+  std::optional<SurfacePoint> start;  ///< the start; by default the center of mass
+  /// the length of a step, relative to the diagonal, below which the search ends
+  double tolerance = 1e-7;
   int mostSteps = 200;
 };
 
@@ -24,20 +25,20 @@ struct RobustMean {
   bool converged = false;
 };
 
-/// The geometric median: the point where the weighted sum of distances to points has a minimum. It
-/// stays near the others wherever less than half of the points lie. The search finds the minimum
-/// near its start: each step leads to the center of mass of weights that are divided by the
-/// distances (E. Weiszfeld, "Sur le point pour lequel la somme des distances de n points donnes est
-/// minimum", 1937; P. T. Fletcher, S. Venkatasubramanian, S. Joshi, "The geometric median on
-/// Riemannian manifolds", 2009), and takes one exact search of distances. A point that it comes to
-/// is the median where the others pull less than its own weight holds it.
-/// Throws as `centerOfMass` does (mean.h), and Error kBadArgument for weights that are not one a
-/// point or not positive.
+/// The geometric median: the minimum of the weighted sum of distances to points. It stays near the
+/// majority if less than half of the points lie elsewhere. The search finds the minimum near its
+/// start: each step leads to the center of mass with weights divided by the distances (E.
+/// Weiszfeld, "Sur le point pour lequel la somme des distances de n points donnes est minimum",
+/// 1937; P. T. Fletcher, S. Venkatasubramanian, S. Joshi, "The geometric median on Riemannian
+/// manifolds", 2009), and takes one exact search of distances. If the search comes to one of the
+/// points, that point is the median if the joint pull of the others there is no more than its own
+/// weight. Throws as `centerOfMass` does (mean.h), and Error kBadArgument unless there is one
+/// positive weight for each point.
 RobustMean median(FieldSets& sets, const Array<SurfacePoint>& points, const Array<double>& weights,
                   const RobustOptions& options = {});
 
-/// The minimum of the weighted sum of d^2 / 2 for distances d up to a threshold t, and of
-/// t (d - t / 2) beyond: points beyond pull no more than points at it (P. J. Huber, "Robust
+/// The minimum of the weighted sum of d^2 / 2 for distances d up to a threshold t, and of t (d - t
+/// / 2) beyond: more distant points pull no more than points at the threshold (P. J. Huber, "Robust
 /// Estimation of a Location Parameter", 1964). Throws as `median` does, and for a threshold that is
 /// not positive.
 RobustMean huberMean(FieldSets& sets, const Array<SurfacePoint>& points,
@@ -47,25 +48,26 @@ RobustMean huberMean(FieldSets& sets, const Array<SurfacePoint>& points,
 /// The energy at a place, and its gradient in the tangent plane there (tangent.h).
 struct EnergyGradient {
   double energy = 0;
-  Vec2 gradient = Vec2::Zero();  ///< -2 times the weighted sum of the log vectors
+  Vec2 gradient = Vec2::Zero();  ///< the gradient: -2 times the weighted sum of the log vectors
 };
 
-/// By the paths of the log map (tangent_maps.h). The gradient is that on the polyhedron: at a
-/// center of mass it is small and not zero, since centers are found in fields that smooth these
-/// paths. Throws Error kUnreachable as the log map does.
+/// The energy and its gradient by the paths of the log map (tangent_maps.h). The gradient is that
+/// on the polyhedron: at a center of mass it is small but not zero, since centers are found in
+/// fields that smooth these paths. Throws Error kUnreachable as the log map does.
 EnergyGradient energyAt(const Geometry& geometry, const Array<SurfacePoint>& points,
                         Weights weights, const SurfacePoint& place);
 
 /// The second derivatives of the energy at a place inside a face, along the axes of the face's
 /// frame, by differences of gradients on both sides. On a plane it is twice the sum of the weights
-/// times the identity. There is none where several shortest paths lead to one of the points.
+/// times the identity. It does not exist where several shortest paths lead to one of the points.
 /// Throws as above, and Error kBadArgument for a place on an edge or at a vertex.
 Eigen::Matrix2d hessianAt(const Geometry& geometry, const Array<SurfacePoint>& points,
                           Weights weights, const SurfacePoint& place);
 
-/// How the center of mass of these weights, which lies inside a face, moves with each weight as if
-/// all others stayed as they are: vectors in the frame of its face, of the polyhedron as above.
-/// Throws as `hessianAt` does, and Error kBadArgument where the Hessian is not positive definite.
+/// The derivatives of the center of mass of these weights with respect to each weight, the others
+/// being fixed: vectors in the frame of its face, on the polyhedron as above. The center must lie
+/// inside a face. Throws as `hessianAt` does, and Error kBadArgument where the Hessian is not
+/// positive definite.
 Array<Vec2> weightDerivatives(const Geometry& geometry, const Array<SurfacePoint>& points,
                               Weights weights, const SurfacePoint& center);
 

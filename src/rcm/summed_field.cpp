@@ -8,10 +8,10 @@
 namespace karcher {
 namespace {
 
-/// Sums over all points, a value for each vertex; 0 for unreachable ones.
+/// Sums over all points, with a value for each vertex; 0 for unreachable vertices.
 struct Sums {
   Array<double> squaredDistances;
-  Array<Vec2> logVectors;  ///< of -2 log
+  Array<Vec2> logVectors;  ///< the sums of -2 log
 };
 
 void addPoint(DistanceSolver& solver, const SurfacePoint& point, double weight, bool withVectors,
@@ -26,8 +26,7 @@ void addPoint(DistanceSolver& solver, const SurfacePoint& point, double weight, 
   }
 }
 
-/// Whether a half-edge is the one of its edge for which a field's midpoint is evaluated
-/// (FieldBlend).
+/// Whether a field's midpoint is evaluated for this half-edge of its edge (FieldBlend).
 bool isAskedFor(const TriangleMesh& mesh, int h) { return h < mesh.twin[h]; }
 
 /// The sum of fields with values at the midpoints of edges. The share of log vectors in their

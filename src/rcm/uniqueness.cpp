@@ -10,13 +10,14 @@
 namespace karcher {
 namespace {
 
-/// A shortest path between two points in a ball about the center stays within twice its radius. A
-/// path from such a point to a place at twice the radius, where the energy is larger than at the
-/// center, stays within three times.
+/// The radius, relative to that of a ball about the center, within which paths are considered. A
+/// shortest path between two points in the ball stays within twice its radius. A path from such a
+/// point to a place at twice the radius, where the energy is larger than at the center, stays
+/// within three times.
 constexpr double kReach = 3;
 
-/// The part used of the radius up to which the energy is convex on a smooth surface, since the mesh
-/// differs from it.
+/// The part used of the radius up to which the energy is convex on a smooth surface. The mesh
+/// differs from the surface.
 constexpr double kConvexPart = 0.9;
 
 double distanceToFace(const TriangleMesh& mesh, int f, const Vec3& place) {
@@ -29,11 +30,11 @@ double distanceToFace(const TriangleMesh& mesh, int f, const Vec3& place) {
 
 struct FaceSet {
   Array<int> faces;
-  Array<char> isIn;  ///< one for each face of the mesh
+  Array<char> isIn;  ///< one entry for each face of the mesh
 };
 
-/// The faces connected to the center's through edges and within `radius` of it in space, which hold
-/// the geodesic ball of that radius.
+/// The faces connected to the center's through edges and within `radius` of it in space. They
+/// contain the geodesic ball of that radius.
 FaceSet facesWithin(const TriangleMesh& mesh, const SurfacePoint& center, double radius) {
   const Vec3 place = position(mesh, center);
   FaceSet found;
@@ -84,7 +85,7 @@ bool isDiskWithoutPositiveCurvature(const Geometry& geometry, const FaceSet& set
 
 bool isProvedOnMesh(const Geometry& geometry, const SurfacePoint& center, double radius) {
   const TriangleMesh& mesh = *geometry.mesh;
-  // Most meshes fail here.
+  // Most meshes fail this test.
   for (int k = 0; k < 3; ++k) {
     if (isPositivelyCurved(geometry, mesh.corner(center.face, k))) return false;
   }
@@ -136,7 +137,7 @@ double provedRadius(const Surface& surface, const Array<SurfacePoint>& points,
     if (weights[i] == 0) continue;
     chord = std::max(chord, (position(mesh, points[i]) - position(mesh, center)).norm());
   }
-  // Chords come first, since paths are no shorter and take longer to find.
+  // Chords are tested first, since paths are no shorter and take longer to find.
   if (!isProved(chord)) return -1;
   double radius = chord;
   for (int i = 0; i < points.count(); ++i) {
@@ -160,7 +161,7 @@ Array<SurfacePoint> spreadPoints(Surface& surface, int face, int count) {
   int step = 0;
   for (int f = 0; f < mesh.faceCount() && step < count; ++f) {
     sum += areaOf(f);
-    // Several steps may end in one large face.
+    // Several of the equal steps may end in one large face.
     bool ends = false;
     for (; step < count && sum * count >= (step + 0.5) * all; ++step) ends = true;
     if (ends) result.push_back({f, Vec3::Constant(1.0 / 3)});

@@ -7,21 +7,21 @@
 
 /// Uniqueness of centers of mass.
 ///
-/// H. Karcher, "Riemannian Center of Mass and Mollifier Smoothing" (1977): where the points lie in
-/// a ball that is small beside the curvature and the injectivity radius, the energy is convex
-/// there, and has no other minimum in the ball and no lower value outside. On a mesh the same is
-/// true, whatever the ball's size, where no vertex has positive curvature and the ball lies in a
-/// disk: such a disk has shortest paths that are unique and squared distances that are convex (M.
-/// Bridson, A. Haefliger, "Metric Spaces of Non-Positive Curvature", chapter II.4; R. Bishop, "The
-/// Intrinsic Geometry of a Jordan Domain", for its boundary).
+/// If the points lie in a ball that is small compared with the curvature and the injectivity
+/// radius, the energy is convex there, and has no other minimum in the ball and no lower value
+/// outside (H. Karcher, "Riemannian Center of Mass and Mollifier Smoothing", 1977). On a mesh the
+/// same is true for a ball of any size if no vertex has positive curvature and the ball lies in a
+/// disk: such a disk has unique shortest paths and convex squared distances (M. Bridson, A.
+/// Haefliger, "Metric Spaces of Non-Positive Curvature", chapter II.4; R. Bishop, "The Intrinsic
+/// Geometry of a Jordan Domain", for its boundary).
 namespace karcher {
 
 /// The knowledge of other minima of the energy.
 enum class Uniqueness {
-  kNotLooked,  ///< no searches beyond those from the control points, if any
-  kCertain,    ///< proved: no other is lower, and none is near the points
-  kLikely,     ///< all searches ended at this one
-  kNotUnique,  ///< some searches ended at others
+  kNotLooked,  ///< other minima were searched at most from the control points
+  kCertain,    ///< it is proved that no other minimum is lower, and none is near the points
+  kLikely,     ///< all searches ended at this minimum
+  kNotUnique,  ///< some searches ended at other minima
 };
 
 /// The name of a state in reports: "notLooked".
@@ -37,17 +37,17 @@ struct CurvatureBound {
 /// The bound of the sphere and the torus, whose curvature has a closed form.
 std::optional<CurvatureBound> curvatureBound(Shape shape);
 
-/// The radius of a ball about `center` that holds all points of weight not 0, if it is proved that
-/// their energy has no other minimum in it and no lower value elsewhere; else -1. Nothing is proved
-/// with negative weights. With `smooth` the proof may be for the smooth surface that the mesh
-/// approximates; else it is for the mesh, whose vertices within three radii of the center then have
-/// no angle defect above 1e-9.
+/// The radius of a ball about `center` that holds all points of nonzero weight, if it is proved
+/// that their energy has no other minimum in it and no lower value elsewhere; else -1. Nothing is
+/// proved with negative weights. With `smooth` the proof may be for the smooth surface that the
+/// mesh approximates. Otherwise it is for the mesh, whose vertices within three radii of the center
+/// then have no angle defect above 1e-9.
 double provedRadius(const Surface& surface, const Array<SurfacePoint>& points,
                     const Array<double>& weights, const SurfacePoint& center,
                     const std::optional<CurvatureBound>& smooth = std::nullopt);
 
 /// Points spread evenly over the connected component of a face: the centroids of faces at equal
-/// steps of the area, in the faces' order, which is spatially coherent.
+/// steps of the area, in the order of the faces, which is spatially coherent.
 Array<SurfacePoint> spreadPoints(Surface& surface, int face, int count);
 
 }  // namespace karcher

@@ -30,9 +30,10 @@ namespace {
 
 constexpr int kMaxFaces = 400;
 constexpr int kMostDescents = 60;
-constexpr double kLongestDescent = 0.5;  ///< of the mesh's extent
-/// A zero with a weight below this is far away, so that the search descends instead of walking
-/// there.
+/// the longest step of a descent, relative to the mesh's extent
+constexpr double kLongestDescent = 0.5;
+/// The weight of a distant zero: if one is below this, the search descends instead of walking to
+/// the zero.
 constexpr double kFarWeight = -6;
 
 int smallestCorner(const Vec3& b) {
@@ -46,7 +47,7 @@ std::optional<CellZero> zeroOfCell(FieldBlend& fields, Weights weights, int cell
   return zero;
 }
 
-/// The zero among the cells and edges around the tail of a half-edge, which does not depend on the
+/// The zero among the cells and edges around the tail of a half-edge. It does not depend on the
 /// cell from which the search came. It is the tail itself if each cell has its zero in another.
 CenterOfMass centerAroundTail(FieldBlend& fields, Weights weights, int halfedge) {
   const Cells& cells = fields.cells();
@@ -65,7 +66,7 @@ CenterOfMass centerAroundTail(FieldBlend& fields, Weights weights, int halfedge)
   }
   if (!definite) return {cells.tailOf(first), Status::kIndefinite, 0};
 
-  // Among zeros between two cells, the one farthest from the ends of its edge is taken.
+  // Among zeros between two cells, the one farthest from the ends of its edge counts.
   double farthest = 0;
   SurfacePoint between;
   for (const int h : HalfedgesAround<Cells>(cells, first)) {
@@ -82,7 +83,7 @@ CenterOfMass centerAroundTail(FieldBlend& fields, Weights weights, int halfedge)
   }
   if (farthest > 0) return {between, Status::kConverged, 0};
 
-  // The field's discontinuity moves a zero by at most a small part of an edge.
+  // The bound on the move of a zero by the field's discontinuity, as a part of an edge.
   constexpr double kMostMoved = 0.5;
   const Status status = cells.twin(first) < 0    ? Status::kBoundary
                         : nearest >= -kMostMoved ? Status::kConverged
@@ -156,14 +157,14 @@ class ZeroWalk {
     return {centroid(cell), Status::kLimit, kMaxFaces};
   }
 
-  /// The zero if two cells each have theirs behind their common edge.
+  /// The zero of two cells that each have theirs beyond their common edge.
   CenterOfMass betweenFaces(int h, int step) {
     CenterOfMass result = centerBetween(fields_, weights_, h);
     result.iterations = step;
     return result;
   }
 
-  /// The edge behind which the zero lies farthest; a boundary edge only if the zero lies behind no
+  /// The edge beyond which the zero lies farthest; a boundary edge only if the zero lies beyond no
   /// other.
   int exitEdge(int cell, const Vec3& zero, int corner) const {
     const int h = 3 * cell + (corner + 1) % 3;
@@ -186,7 +187,8 @@ class ZeroWalk {
 
   SurfacePoint centroid(int cell) const { return cells_.point(cell, Vec3::Constant(1.0 / 3)); }
 
-  /// The number of cells remembered. Returning to one means that the zero lies between faces.
+  /// The number of cells that the walk remembers. If it returns to one of them, the zero lies
+  /// between faces.
   static constexpr int kHistory = 16;
 
   FieldBlend& fields_;
@@ -220,7 +222,7 @@ bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point) {
 
 CenterOfMass walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
   if (fields.cells().cut()) return walkThroughCuts(fields, weights, start);
-  // Fast path: most samples of a curve lie in the face of the one before, and no other zero is
+  // Fast path: most samples of a curve lie in the face of the previous one, and no other zero is
   // near.
   CellZero zero;
   if (!fields.findZero(start.face, weights, zero)) {
