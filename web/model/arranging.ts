@@ -1,4 +1,4 @@
-/** Commands on whole objects, made of a drawing; null where there is nothing to do. */
+/** Commands on whole objects of a drawing; null if there is nothing to do. */
 import { apply, type Command } from './commands';
 import {
   activeObject,
@@ -38,7 +38,7 @@ export function activation(drawing: Drawing, to: number): Command | null {
   return together([activate, { type: 'delete', index, object }]);
 }
 
-/** Puts an object on top of the others, which is edited from then on. */
+/** Puts an object on top of the others and makes it the edited one. */
 export function onTop(drawing: Drawing, object: DrawnObject): Command {
   const add: Command = { type: 'add', index: drawing.objects.length, object };
   const activate: Command = { type: 'activate', from: drawing.active, to: object.id };
@@ -49,11 +49,11 @@ export function onTop(drawing: Drawing, object: DrawnObject): Command {
   return { type: 'steps', steps: [add, activate, remove] };
 }
 
-/** A figure of the same kind and settings with nothing of it on the surface. */
+/** An empty figure of the same kind and settings. */
 function begun(figure: Figure, kind: Kind): Figure {
   const { derived: _, ...bare } = figure;
   return {
-    // No one draws an object that is made of others, so the new one is of the first kind.
+    // Nobody draws an object that is made of others by hand, so the new one is of the first kind.
     ...cleared({ ...bare, kind: isDerived(kind) ? emptyFigure.kind : kind }),
     points: [],
     circle: null,
@@ -61,14 +61,14 @@ function begun(figure: Figure, kind: Kind): Figure {
   };
 }
 
-/** Ends the object that is edited: what is drawn next is another one. */
+/** Ends the edited object: the next drawing on the surface begins a new one. */
 export function beginning(drawing: Drawing, kind?: Kind): Command | null {
   const { figure } = activeObject(drawing);
   if (isEmpty(figure)) return null;
   return onTop(drawing, successorOf(drawing, begun(figure, kind ?? figure.kind)));
 }
 
-/** Adds a whole curve of the pen as an object of its own, which becomes the edited one. */
+/** Adds a complete curve of the pen as an object of its own, which becomes the edited one. */
 export function drawnAtOnce(
   drawing: Drawing,
   points: readonly ControlPoint[],
@@ -81,15 +81,18 @@ export function drawnAtOnce(
   );
 }
 
-/** Kinds that interpret the same points differently, and are changed into each other. */
+/**
+ * The family of a kind: kinds of one family interpret the same points differently, and can be
+ * changed into each other.
+ */
 function familyOf(kind: Kind): string {
   if (isBoolean(kind)) return 'boolean';
   return isRound(kind) ? 'round' : isSpline(kind) ? 'spline' : kind;
 }
 
 /**
- * Makes the object that is edited one of another kind; where its places mean nothing to that, another
- * object begins.
+ * Changes the kind of the edited object; if the new kind cannot use its points, another object
+ * begins.
  */
 export function ofKind(drawing: Drawing, to: Kind): Command | null {
   const { id, figure } = activeObject(drawing);
@@ -99,7 +102,7 @@ export function ofKind(drawing: Drawing, to: Kind): Command | null {
   return { type: 'figure', id, edit: { type: 'kind', from, to } };
 }
 
-/** Objects with those that would be made of nothing without them. */
+/** Objects, together with those that would have no sources without them. */
 function withOrphans({ objects }: Drawing, ids: readonly number[]): Set<number> {
   const gone = new Set(ids);
   for (let before = -1; gone.size > before; ) {
@@ -114,8 +117,8 @@ function withOrphans({ objects }: Drawing, ids: readonly number[]): Set<number> 
 }
 
 /**
- * Takes objects out, with those that are made of them alone; where the edited one is among them, one of its kind
- * begins.
+ * Removes objects, and those that are made of them alone. If the edited one is removed, an empty
+ * one of its kind begins.
  */
 export function deletion(drawing: Drawing, wanted: readonly number[]): Command | null {
   if (!drawing.objects.some(({ id }) => wanted.includes(id))) return null;
@@ -145,7 +148,7 @@ export function deletion(drawing: Drawing, wanted: readonly number[]): Command |
   return together(steps);
 }
 
-/** Puts objects on top, as new ones; the last is edited. Gives their ids, too. */
+/** Puts objects on top, as new ones, and edits the last. Also returns their ids. */
 export function addition(
   drawing: Drawing,
   added: readonly DrawnObject[],
@@ -172,7 +175,7 @@ export function addition(
   return { command: { type: 'steps', steps }, ids: objects.map(({ id }) => id) };
 }
 
-/** Groups of a copy are others than the drawing's own. */
+/** New group names for added objects that do not belong to the drawing's groups. */
 function freshGroups(drawing: Drawing, added: readonly DrawnObject[]): Map<string, string> {
   const taken = new Set(drawing.objects.map(({ group }) => group));
   const fresh = new Map<string, string>();
@@ -185,7 +188,7 @@ function freshGroups(drawing: Drawing, added: readonly DrawnObject[]): Map<strin
   return fresh;
 }
 
-/** The name, or with the first number that makes it another one than those taken. */
+/** The name, with the first number that makes it free if it is taken. */
 function freeName(name: string, taken: ReadonlySet<string | null>): string {
   if (!taken.has(name)) return name;
   const stem = name.replace(/ \d+$/, '');
@@ -196,7 +199,7 @@ function freeName(name: string, taken: ReadonlySet<string | null>): string {
   }
 }
 
-/** Copies of objects, above them, with names of their own. */
+/** Copies of objects, above the originals, with names of their own. */
 export function duplication(drawing: Drawing, ids: readonly number[]) {
   const copied = drawing.objects.filter(({ id, figure }) => ids.includes(id) && !isEmpty(figure));
   const taken = new Set(drawing.objects.map(({ name }) => name));
@@ -209,7 +212,7 @@ export function duplication(drawing: Drawing, ids: readonly number[]) {
   return addition(drawing, named);
 }
 
-/** Where the neighbors begin that are of a group with the object at a place. */
+/** The place of the lowest neighbor that belongs to the same group as the object at a place. */
 function footOfGroup({ objects }: Drawing, place: number): number {
   const { group } = objects[place]!;
   let foot = place;
@@ -217,7 +220,10 @@ function footOfGroup({ objects }: Drawing, place: number): number {
   return foot;
 }
 
-/** Copies of objects, each below its own or its group, which stay where those were when they are moved. */
+/**
+ * Copies of objects, each below its original or the original's group; they stay in place when the
+ * originals are moved.
+ */
 export function leavingCopies(drawing: Drawing, ids: readonly number[]): Command | null {
   const copied = drawing.objects.filter(({ id, figure }) => ids.includes(id) && !isEmpty(figure));
   const groups = freshGroups(drawing, copied);
@@ -235,7 +241,7 @@ export function leavingCopies(drawing: Drawing, ids: readonly number[]): Command
   return together(steps);
 }
 
-/** Changes properties of objects, each of which may say what it becomes. */
+/** Changes properties of objects; `restyling` may compute them for each object. */
 export function restyling(
   drawing: Drawing,
   ids: readonly number[],
@@ -286,7 +292,7 @@ export function ordering(drawing: Drawing, ids: readonly number[]): Command | nu
   return together(steps);
 }
 
-/** Puts objects into an order, and one of them into a group or out of its own. */
+/** Puts objects into an order, and moves one of them into a group or out of its group. */
 export function arranging(
   drawing: Drawing,
   ids: readonly number[],
@@ -315,7 +321,7 @@ export function grouping(drawing: Drawing, ids: readonly number[]): Command | nu
   const name = freeName('Group 1', new Set(drawing.objects.map(({ group }) => group)));
   const steps: Command[] = [];
   let { objects } = drawing;
-  // From the top down each comes to lie directly below the one before.
+  // From the top down, each member moves directly below the one before.
   for (let i = members.length - 2; i >= 0; i--) {
     const object = members[i]!;
     const from = objects.indexOf(object);

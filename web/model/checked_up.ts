@@ -1,6 +1,6 @@
 import type { CheckUp } from 'karcher/checkup';
 
-/** More places of a kind than this are not drawn at once. */
+/** The largest number of places of a kind that are drawn at once. */
 export const mostPlaces = 20_000;
 
 /** A check-up, with its triangles as they are drawn. */
@@ -8,5 +8,5 @@ export interface CheckedUp extends CheckUp {
   outlines: Record<'needles' | 'caps', Float32Array>;
 }
 
-/** x, y, z of the corners of a triangle, and of its first one again. */
+/** The number of coordinates of a triangle's outline, whose last corner is its first one again. */
 export const outlineLength = 12;

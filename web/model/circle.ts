@@ -2,9 +2,9 @@
 import type { SurfacePoint } from 'karcher';
 import type { CircleShape, RoundKind, Vector } from './figure';
 
-/** A new circle's radius as a part of the surface's diagonal. */
+/** The radius of a new circle as a part of the surface's diagonal. */
 const newRadius = 0.08;
-/** A radius across as a part of the first one, where nothing is said of it. */
+/** The default radius across, as a part of the first one. */
 export const defaultAcross = 0.6;
 
 const handles = ['center', 'rim', 'across'] as const;
@@ -14,17 +14,17 @@ export type CircleHandle = (typeof handles)[number];
 export const isCircleHandle = (text: string): text is CircleHandle =>
   (handles as readonly string[]).includes(text);
 
-/** The handles' names beside them. */
+/** The names shown beside the handles. */
 export const handleNames = (kind: RoundKind): Record<CircleHandle, string> => ({
   center: 'Center',
   rim: kind === 'circle' ? 'Radius' : 'Along',
   across: 'Across',
 });
 
-/** A circle or an ellipse as it is drawn. */
+/** The radii of a circle or an ellipse as drawn. */
 export interface DrawnRadii {
   radius: number;
-  /** From the center to the rim. */
+  /** The direction from the center to the rim. */
   direction: Vector;
   across: { radius: number } | null;
 }
@@ -74,7 +74,7 @@ export function acrossDirection(direction: Vector, [a, b, c]: [Vector, Vector, V
   return length > 0 ? (across.map((value) => value / length) as Vector) : subtract(b, a);
 }
 
-/** How far a geodesic, by its first direction and its length, leads in another direction. */
+/** How far a geodesic with this initial direction and length leads in another direction. */
 export function reachAlong(length: number, direction: Vector, along: Vector): number {
   return length * direction.reduce((sum, value, axis) => sum + value * along[axis]!, 0);
 }

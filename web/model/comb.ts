@@ -1,12 +1,12 @@
 /**
- * A curvature comb: teeth along a curve, whose lengths show its curvature within the surface. The curvature at
- * a point is that of the circle through it and the points that lie a window before and behind, of which the
- * geodesic curvature is the part within the tangent plane: exact for circles in space.
+ * A curvature comb: teeth along a curve, whose lengths show its curvature within the surface. The
+ * curvature at a point is taken from the circle through it and the points a window before and
+ * behind. Its part within the tangent plane is the geodesic curvature, exact for circles in space.
  */
 import type { Vector } from './figure';
 
 export interface Tooth {
-  /** On the curve. */
+  /** The foot of the tooth, on the curve. */
   foot: Vector;
   /** The geodesic curvature, positive where the curve turns left, seen from outside. */
   curvature: number;
@@ -16,19 +16,21 @@ export interface Tooth {
 
 export interface Comb {
   teeth: Tooth[];
-  /** Where the curve turns at a point and so has no curvature, there are no teeth: in how many places. */
+  /**
+   * The number of places where the curve turns at a point: it has no curvature there, and no teeth.
+   */
   corners: number;
   closed: boolean;
 }
 
-/** A polyline that turns by more within the surface has a corner there, in radians. */
+/** The least turn within the surface, in radians, that makes a corner of a polyline. */
 const cornerAngle = Math.PI / 6;
 
 /**
- * The teeth of a polyline, x, y, z each, that are evenly spaced by length; `countOn` returns the number of
- * teeth for a length. `window` is how far before and behind a tooth its curvature is taken from, at most a
- * quarter of the length; an open curve has no teeth nearer to its ends. `normalAt` gives the surface's unit
- * normal.
+ * The teeth of a polyline, x, y, z each, evenly spaced by length; `countOn` returns the number of
+ * teeth for a length. A tooth takes its curvature from the points `window` before and behind it, at
+ * most a quarter of the length; an open curve has no teeth nearer to its ends. `normalAt` returns
+ * the surface's unit normal.
  */
 export function combOf(
   polyline: ArrayLike<number>,
@@ -68,7 +70,7 @@ export function usualCurvature(combs: readonly Comb[], share: number): number {
   return sizes[Math.floor(share * (sizes.length - 1))] ?? 0;
 }
 
-/** A polyline by length. */
+/** A polyline parametrized by length. */
 class Arclength {
   readonly #lengths: Float64Array;
   readonly closed: boolean;
@@ -103,16 +105,16 @@ class Arclength {
     return [0, 1, 2].map((axis) => p[axis]! + part * (q[axis]! - p[axis]!)) as Vector;
   }
 
-  /** How far two places are from each other along the line. */
+  /** The distance between two places along the line. */
   between(a: number, b: number): number {
     const apart = Math.abs(a - b);
     return this.closed ? Math.min(apart, this.length - apart) : apart;
   }
 
-  /** Where its corners are. */
+  /** The lengths at which the line has corners. */
   corners(normalAt: (place: Vector) => Vector): number[] {
     const last = this.#lengths.length - 1;
-    // Vertices that lie on each other have no direction from one to the next.
+    // Consecutive vertices at the same place have no direction between them.
     const kept = this.#lengths.length > 0 ? [0] : [];
     for (let i = 1; i <= last; i++) if (this.#lengths[i]! > this.#lengths[i - 1]!) kept.push(i);
     const corners: number[] = [];
@@ -135,13 +137,15 @@ class Arclength {
     return Math.sqrt(this.#dot(i, j, i, j));
   }
 
-  /** Whether the line turns much at a vertex. Nothing is allocated: most do not. */
+  /**
+   * Whether the line turns much at a vertex. It allocates nothing, since most vertices do not turn.
+   */
   #turns(from: number, at: number, to: number): boolean {
     const lengths = Math.sqrt(this.#dot(from, at, from, at) * this.#dot(at, to, at, to));
     return this.#dot(from, at, at, to) < cornerCosine * lengths;
   }
 
-  /** The product of the steps from one vertex to another, and from a third one to a fourth. */
+  /** The dot product of the steps from a to b and from c to d. */
   #dot(a: number, b: number, c: number, d: number): number {
     const { line } = this;
     let sum = 0;

@@ -1,11 +1,14 @@
-/** Commands that make objects of other ones, or change how they are made; null where there is nothing to do. */
+/**
+ * Commands that make objects of other ones, or change how they are made; null if there is nothing
+ * to do.
+ */
 import { onTop } from './arranging';
 import { type Command, joined } from './commands';
 import { type BooleanKind, type Derived, type DerivedKind, isBoolean, isDerived } from './derived';
 import { activeObject, type Drawing, type DrawnObject, freeId, lookOf, newObject } from './drawing';
 import { emptyFigure, type Figure, isCurve, isEmpty, pointsNeeded } from './figure';
 
-/** Whether others can be made of an object, once it has all its points. */
+/** Whether other objects can be made of an object, once it has all its points. */
 const mayHaveLines = ({ figure }: DrawnObject) =>
   !isEmpty(figure) && !['center', 'points', 'cut'].includes(figure.kind);
 
@@ -15,7 +18,10 @@ const hasLines = (object: DrawnObject) => {
   return mayHaveLines(object) && !few;
 };
 
-/** Whether it will be possible to make others of some objects: who draws them sees it from the first point. */
+/**
+ * Whether other objects can be made of these once they are complete: the user sees it from the
+ * first point.
+ */
 export const willCombine = ({ objects }: Drawing, ids: readonly number[]): boolean =>
   objects.some((object) => ids.includes(object.id) && mayHaveLines(object));
 
@@ -23,7 +29,7 @@ export const willCombine = ({ objects }: Drawing, ids: readonly number[]): boole
 export const combinable = ({ objects }: Drawing, ids: readonly number[]): DrawnObject[] =>
   objects.filter((object) => ids.includes(object.id) && hasLines(object));
 
-/** An object that is made of others, in the style of the topmost of these. */
+/** An object made of others, in the style of the topmost of these. */
 function made(
   drawing: Drawing,
   sources: readonly DrawnObject[],
@@ -54,7 +60,7 @@ export function combining(
   return joined([...plain, made(drawing, sources, kind, {})]);
 }
 
-/** Lines at a distance from objects: outwards, where they have an outside. */
+/** Lines at a distance from objects, on their outer side if they have one. */
 export function offsetting(
   drawing: Drawing,
   ids: readonly number[],
@@ -72,7 +78,7 @@ export function cutting(drawing: Drawing, ids: readonly number[]): Command | nul
   return made(drawing, sources, 'cut', { parts: [], thickness: 0 });
 }
 
-/** Makes the edited object in another way. */
+/** Changes how the edited object is made. */
 export function remaking(
   drawing: Drawing,
   part: Omit<Partial<Derived>, 'sources'>,
@@ -84,7 +90,7 @@ export function remaking(
   return { type: 'figure', id, edit: { type: 'replace', from, to: { ...from, derived } } };
 }
 
-/** Puts objects into the place of the edited one: what it looked like, made of nothing. */
+/** Replaces the edited object by objects with the same shape that no longer have sources. */
 export function expanding(drawing: Drawing, figures: readonly Figure[]): Command | null {
   const object = activeObject(drawing);
   const index = drawing.objects.indexOf(object);

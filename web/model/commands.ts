@@ -1,6 +1,6 @@
 /**
- * The edits of a drawing: `apply` gives the drawing after one, and `invert` the command that takes it
- * back. Done and taken back, a drawing is the one it was, to the last byte of its JSON.
+ * The edits of a drawing: `apply` returns the drawing after a command, and `invert` the command
+ * that undoes it. After both, the drawing is the same to the last byte of its JSON.
  */
 import { type Drawing, type DrawnObject, indexOf, type Properties } from './drawing';
 import { applyToFigure, type FigureCommand, invertFigureCommand } from './figure_commands';
@@ -9,17 +9,17 @@ export type Command =
   | { type: 'figure'; id: number; edit: FigureCommand }
   | { type: 'add'; index: number; object: DrawnObject }
   | { type: 'delete'; index: number; object: DrawnObject }
-  /** Puts an object into another place of the order. */
+  /** Moves an object to another place of the order. */
   | { type: 'order'; from: number; to: number }
   | { type: 'properties'; id: number; from: Partial<Properties>; to: Partial<Properties> }
-  /** Another object is edited. */
+  /** Makes another object the edited one. */
   | { type: 'activate'; from: number; to: number }
-  /** Another drawing takes its place. */
+  /** Replaces the drawing by another one. */
   | { type: 'draw'; from: Drawing; to: Drawing }
-  /** Several as one. */
+  /** Several commands as one. */
   | { type: 'steps'; steps: readonly Command[] };
 
-/** Throws where the command is for another drawing. */
+/** Throws if the command belongs to another drawing. */
 export function apply(drawing: Drawing, command: Command): Drawing {
   const { objects } = drawing;
   const changed = (id: number, change: (object: DrawnObject) => DrawnObject): Drawing => {
@@ -73,18 +73,20 @@ export function invert(command: Command): Command {
   }
 }
 
-/** Commands as one. */
+/** Joins commands into one. */
 export const joined = (steps: readonly Command[]): Command =>
   steps.length === 1 ? steps[0]! : { type: 'steps', steps };
 
-/** The single commands that a command is of, in order. */
+/** The single commands of a command, in order. */
 const stepsOf = (command: Command): readonly Command[] =>
   command.type === 'steps' ? command.steps.flatMap(stepsOf) : [command];
 
 const isBeside = (command: Command) =>
   command.type === 'activate' || (command.type === 'figure' && command.edit.type === 'inside');
 
-/** The edit of a figure if a command does nothing else, apart from the selection; otherwise null. */
+/**
+ * The edit of a figure, if the command does nothing else apart from the selection; otherwise null.
+ */
 export function onlyEditOf(command: Command, id: number): FigureCommand | null {
   const [only, ...more] = stepsOf(command).filter((one) => !isBeside(one));
   return more.length === 0 && only?.type === 'figure' && only.id === id ? only.edit : null;

@@ -1,11 +1,11 @@
-/** Objects as text that is copied, and pasted here or in another tab. */
+/** Objects as copied text, to paste here or in another tab. */
 import type { DrawnObject } from './drawing';
 import { fittingObjects } from './fitting';
 import { drawingVersion, readObjects } from './saved_drawing';
 
 const format = 'karcher-objects';
 
-/** Objects of a surface, by its key. */
+/** The text for objects of the surface with this key. */
 export const copiedText = (mesh: string, objects: readonly DrawnObject[]) =>
   JSON.stringify({ format, version: drawingVersion, surface: mesh, objects });
 

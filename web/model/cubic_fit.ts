@@ -6,13 +6,13 @@
 export type Planar = readonly [number, number];
 export type Cubic = readonly [Planar, Planar, Planar, Planar];
 
-/** Unit directions into the curve from its ends; null where a handle may lie anywhere. */
+/** Unit directions into the curve from its ends; null if the handle is free. */
 export interface EndDirections {
   start: Planar | null;
   end: Planar | null;
 }
 
-/** A curve near the points from one number to another. */
+/** A curve near the points between two indices. */
 export interface Piece {
   from: number;
   to: number;
@@ -23,7 +23,7 @@ export interface Piece {
 const mostSteps = 24;
 /** If a curve is off by at most this many tolerances, better parameters may be enough. */
 const worthBettering = 16;
-/** A handle shorter than this part of the chord, or turned back, is no handle. */
+/** A handle that is shorter than this part of the chord, or points backwards, is dropped. */
 const leastHandle = 1e-6;
 
 const add = (p: Planar, q: Planar, factor = 1): Planar => [
@@ -42,7 +42,7 @@ export function cubicAt(cubic: Cubic, t: number): Planar {
   return bernstein(t).reduce<Planar>((sum, weight, i) => add(sum, cubic[i]!, weight), [0, 0]);
 }
 
-/** The first and the second derivative. */
+/** The first and the second derivatives. */
 function derivativesAt([p, q, r, s]: Cubic, t: number): [Planar, Planar] {
   const [a, b, c] = [add(q, p, -1), add(r, q, -1), add(s, r, -1)];
   const u = 1 - t;
@@ -51,7 +51,7 @@ function derivativesAt([p, q, r, s]: Cubic, t: number): [Planar, Planar] {
   return [first, second];
 }
 
-/** Solves a small symmetric system by elimination; null where it is singular. */
+/** Solves a small symmetric system by elimination; null if it is singular. */
 function solved(rows: number[][]): number[] | null {
   const count = rows.length;
   for (let k = 0; k < count; k++) {
@@ -135,7 +135,7 @@ function bettered(points: readonly Planar[], parameters: readonly number[], cubi
   });
 }
 
-/** Where the curve is farthest off, in tolerances; each point has one. */
+/** The place where the curve is farthest off, in units of each point's tolerance. */
 function worstOf(
   points: readonly Planar[],
   parameters: readonly number[],
@@ -150,7 +150,9 @@ function worstOf(
   return worst;
 }
 
-/** The one curve near points, from the first to the last, and where it is farthest off, in tolerances. */
+/**
+ * The one curve near points, from the first to the last, and its largest deviation, in tolerances.
+ */
 export function nearestCubic(
   points: readonly Planar[],
   directions: EndDirections,
@@ -170,7 +172,7 @@ export function nearestCubic(
   return best!;
 }
 
-/** The direction in which points leave the one of a number, one way or the other. */
+/** The direction in which the points before or after an index leave its point. */
 function directionAt(points: readonly Planar[], at: number, step: 1 | -1, reach: number): Planar {
   const from = points[at]!;
   let to = at + step;
@@ -181,20 +183,20 @@ function directionAt(points: readonly Planar[], at: number, step: 1 | -1, reach:
 }
 
 export interface FitOptions {
-  /** How far off the curve may be at each point. */
+  /** The tolerance at each point. */
   tolerances: readonly number[];
-  /** The numbers of points where it need not be smooth, beside its ends. */
+  /** The indices of points, beside the ends, where the curve may have a corner. */
   corners: readonly number[];
-  /** How far the points are looked along for their direction. */
+  /** The length along the points over which a direction is measured. */
   reach: number;
   /**
-   * Where first and last point are one: by which angle directions there are turned at the last, and
-   * what turn is a corner.
+   * For a closed line, whose first and last points are the same: the angle by which directions
+   * there are turned at the last point, and the turn that makes a corner.
    */
   loop?: { turn: number; cornerAngle: number };
 }
 
-/** Curves near points, one after the other: smooth where they meet, but at corners. */
+/** A sequence of curves near points: they meet smoothly except at corners. */
 export function fittedCubics(
   points: readonly Planar[],
   options: FitOptions,
@@ -207,7 +209,7 @@ export function fittedCubics(
     const length = Math.hypot(...way);
     return length > 1e-9 ? [way[0] / length, way[1] / length] : null;
   };
-  /** Along the curve, of both sides. */
+  /** The direction along the curve, from both sides of the point. */
   const along = (at: number): Planar => {
     const [back, on] = [directionAt(points, at, -1, reach), directionAt(points, at, 1, reach)];
     return middleAt(back, on) ?? on;
@@ -246,13 +248,13 @@ export function fittedCubics(
   return { pieces, isSmoothSeam };
 }
 
-/** The angle by which a line turns between a direction back and one on. */
+/** The angle by which a line turns between the direction back and the direction onwards. */
 const turnBetween = (back: Planar, on: Planar) =>
   Math.PI - Math.acos(Math.min(1, Math.max(-1, dot(back, on))));
 
 /**
- * The numbers of points where a line turns sharply within a reach, at most one within that: each turns
- * more than its neighbors.
+ * The indices of points where a line turns sharply within a reach. Each turns more than its
+ * neighbors, and no two are within a reach.
  */
 export function cornersOf(
   points: readonly Planar[],

@@ -1,6 +1,7 @@
 /**
- * Objects that are made of other objects of their drawing and follow them: offsets, booleans and cuts. They say
- * only which these are, by their ids, and how; what they lie on is theirs.
+ * Objects that are made of other objects of their drawing and follow them: offsets, booleans and
+ * cuts. They store only the ids of these, called their sources, and the way they are made; only the
+ * sources have places on the surface.
  */
 import type { SurfacePoint } from 'karcher';
 
@@ -12,7 +13,7 @@ export type DerivedKind = BooleanKind | 'offset' | 'cut';
 export const offsetSides = ['outwards', 'inwards', 'both'] as const;
 export type OffsetSide = (typeof offsetSides)[number];
 
-/** The shape of corners on their outer side; the default, round, is left out. */
+/** The shape of corners on their outer side; round, the default, is not stored. */
 export const cornerShapes = ['round', 'miter', 'bevel'] as const;
 export type CornerShape = (typeof cornerShapes)[number];
 
@@ -25,27 +26,30 @@ export interface Offset {
 /** A choice for a part of a cut surface. Hidden parts are still saved with the others. */
 export type PartState = 'hidden' | 'deleted';
 
-/** A choice for the part of a cut surface that has a point. */
+/** A choice for the part of a cut surface that contains a point. */
 export interface PartChoice {
   readonly point: SurfacePoint;
   readonly state: PartState;
 }
 
 export interface Derived {
-  /** The ids of the objects that it is made of, in order: a difference is the first without the others. */
+  /**
+   * The ids of the objects that it is made of, in order: a difference is the first minus the
+   * others.
+   */
   readonly sources: readonly number[];
   /** The distance, side and corners of an offset. */
   readonly offset?: Offset;
-  /** The parts of a cut that are not kept as they are. */
+  /** The choices for parts of a cut; parts without a choice are kept. */
   readonly parts?: readonly PartChoice[];
-  /** The thickness that the parts of a cut get when they are saved; 0 leaves them surfaces. */
+  /** The thickness of the parts of a cut in saved files; with 0 they are surfaces. */
   readonly thickness?: number;
 }
 
 export const mostSources = 200;
 export const mostParts = 1000;
 
-/** An offset with corners of a shape. */
+/** An offset with another shape of corners. */
 export const withCorners = ({ distance, side }: Offset, corners: CornerShape): Offset => ({
   distance,
   side,

@@ -1,6 +1,6 @@
 /**
- * A drawing on one surface: objects in an order, of which one is edited. It is a value, which is never changed
- * in place.
+ * A drawing on one surface: objects in an order, one of which is edited. It is a value, and is
+ * never changed in place.
  */
 import type { SurfacePoint } from 'karcher';
 import { emptyFigure, type Figure, isEmpty, withPlaces } from './figure';
@@ -11,58 +11,67 @@ export const dashes: readonly Dash[] = ['solid', 'dashed', 'dotted'];
 
 /** The style of a line. */
 export interface LineStyle {
-  /** `#rrggbb`; null is the theme's color of curves. */
+  /** `#rrggbb`, or null for the theme's color of curves. */
   readonly color: string | null;
-  /** In CSS pixels, or in the surface's unit. */
+  /** Width in CSS pixels, or in the surface's unit. */
   readonly width: number;
-  /** Whether the width is in the surface's unit: the line then lies on the surface, and is seen larger from near. */
+  /**
+   * Whether the width is in the surface's unit: the line then lies on the surface, and looks wider
+   * from near.
+   */
   readonly onSurface: boolean;
   readonly dash: Dash;
-  /** How opaque it is, up to 1. */
+  /** Opacity, up to 1. */
   readonly opacity: number;
 }
 
-/** Hatched has lines of one distance, striped bands along the border. */
+/** A hatched fill has equidistant lines, a striped one has bands along the border. */
 export type FillPattern = 'solid' | 'hatched' | 'striped';
 
 export const fillPatterns: readonly FillPattern[] = ['solid', 'hatched', 'striped'];
 
 /** The paint of the inside of a closed line. */
 export interface FillStyle {
-  /** How opaque it is, from 0, which is not at all, to 1. */
+  /** Opacity from 0, no fill at all, to 1. */
   readonly fill: number;
-  /** `#rrggbb`; null is the line's color. */
+  /** `#rrggbb`, or null for the line's color. */
   readonly fillColor: string | null;
   readonly pattern: FillPattern;
-  /** From one line to the next, or the width of a band, in the surface's unit; null of what is solid. */
+  /**
+   * The distance from one line to the next, or the width of a band, in the surface's unit; null for
+   * a solid fill.
+   */
   readonly spacing: number | null;
 }
 
-/** The properties of an object beside its figure. */
+/** The properties of an object besides its figure. */
 export interface Properties extends LineStyle, FillStyle {
-  /** Empty if the user gave no name. */
+  /** The name; empty if the user gave none. */
   readonly name: string;
   readonly visible: boolean;
-  /** A locked object is neither picked nor edited. */
+  /** Whether the object is locked: it is then neither picked nor edited. */
   readonly locked: boolean;
   /** The name of the group that it belongs to. */
   readonly group: string | null;
 }
 
 export interface DrawnObject extends Properties {
-  /** A number from 1 that no other object of the drawing has, and that never changes. */
+  /** A number from 1 that no other object of the drawing has. It never changes. */
   readonly id: number;
   readonly figure: Figure;
 }
 
 export interface Drawing {
-  /** From the lowest to the topmost. At least one; only the active one may be empty. */
+  /**
+   * The objects from the lowest to the topmost. There is at least one, and only the active one may
+   * be empty.
+   */
   readonly objects: readonly DrawnObject[];
-  /** The id of the object that is edited. */
+  /** The id of the edited object. */
   readonly active: number;
 }
 
-/** Widths in CSS pixels, and in the surface's unit. */
+/** The ranges of widths in CSS pixels, and in the surface's unit. */
 export const widthRange = { least: 0.5, most: 20 };
 export const surfaceWidths = { least: 1e-12, most: 1e12 };
 export const leastOpacity = 0.05;
@@ -89,7 +98,7 @@ const defaultProperties: Properties = {
   group: null,
 };
 
-/** An object of a figure, with its other properties as they are by default. */
+/** An object of a figure, with default values of its other properties. */
 export function newObject(
   id: number,
   figure: Figure,
@@ -109,26 +118,26 @@ export const emptyDrawing: Drawing = drawingOf(emptyFigure);
 export const indexOf = ({ objects }: Drawing, id: number) =>
   objects.findIndex((object) => object.id === id);
 
-/** The object of an id; undefined where there is none. */
+/** The object with an id; undefined if it does not exist. */
 export const objectOf = ({ objects }: Drawing, id: number) =>
   objects.find((object) => object.id === id);
 
-/** The object that is edited. */
+/** The edited object. */
 export function activeObject(drawing: Drawing): DrawnObject {
   return objectOf(drawing, drawing.active)!;
 }
 
-/** The objects beside the one that is edited. */
+/** The objects other than the edited one. */
 export const othersOf = ({ objects, active }: Drawing) => objects.filter(({ id }) => id !== active);
 
 /** An id that no object has. */
 export const freeId = ({ objects }: Drawing) =>
   1 + objects.reduce((most, { id }) => Math.max(most, id), 0);
 
-/** Whether there is nothing on the surface. */
+/** Whether the surface is empty. */
 export const isBlank = ({ objects }: Drawing) => objects.every(({ figure }) => isEmpty(figure));
 
-/** An object of the same style for what comes next, of the same kind and settings. */
+/** An empty object of the same kind, style and settings, to draw next. */
 export function successorOf(drawing: Drawing, figure: Figure): DrawnObject {
   return newObject(freeId(drawing), figure, lookOf(activeObject(drawing)));
 }
@@ -143,7 +152,7 @@ export function styleOf({ color, width, onSurface, dash, opacity }: LineStyle): 
   return { color, width, onSurface, dash, opacity };
 }
 
-/** The drawing with each of its places on the surface taken to another one. */
+/** The drawing with each of its places on the surface mapped to another one. */
 export function withDrawingPlaces(
   drawing: Drawing,
   move: (point: SurfacePoint) => SurfacePoint,

@@ -1,4 +1,4 @@
-/** Finished drawings, made by code on surfaces that are made, too. */
+/** Finished drawings, made by code on generated surfaces. */
 import type { SurfacePoint } from 'karcher';
 import { type Drawing, newObject, type Properties } from './drawing';
 import type { Tangents } from './figure';
@@ -6,11 +6,11 @@ import { type ControlPoint, emptyFigure, type Figure, type Kind, type Vector } f
 import { defaultMesh } from './meshes';
 import { withTangents } from './pen';
 
-/** Finds places of a surface, which is scaled to a ball of radius 1 with y up. */
+/** Finds places of a surface that is scaled to a ball of radius 1 with y up. */
 export interface Places {
   /**
-   * The point of the surface seen at a place from a direction, x to the right and y up; null past the
-   * silhouette.
+   * The point of the surface that appears at a place when seen from a direction, x to the right and
+   * y up; null outside the silhouette.
    */
   seen(from: Vector, x: number, y: number): SurfacePoint | null;
   /** The point of the surface nearest to a place. */
@@ -39,7 +39,7 @@ interface Part extends Partial<Properties> {
   figure: Figure;
 }
 
-/** The parts from the lowest to the topmost, of which one is edited. */
+/** A drawing of parts from the lowest to the topmost; `edited` is the index of the edited one. */
 function drawingOfParts(parts: readonly Part[], edited: number): Drawing {
   const objects = parts.map(({ figure, ...properties }, i) => newObject(i + 1, figure, properties));
   return { objects, active: edited + 1 };
@@ -72,7 +72,7 @@ function ring(center: Vector, lean: number, radius: number, count: number): Vect
   });
 }
 
-/** A flower about a middle: smooth anchors at the tips of its petals, corners between them. */
+/** A flower around a center: smooth anchors at the tips of its petals, corners between them. */
 function flower(x: number, y: number, radius: number, petals: number): Anchor[] {
   const step = (part: number, far: number): Place => {
     const angle = 2 * Math.PI * part + Math.PI / 2;
@@ -91,14 +91,14 @@ function flower(x: number, y: number, radius: number, petals: number): Anchor[] 
 
 type Place = [x: number, y: number];
 
-/** An anchor of the pen with what it is led by on either side, as steps from it; a corner with two. */
+/** An anchor of the pen with its handles as steps from it; a corner has two. */
 interface Anchor {
   at: Place;
   after?: Place;
   before?: Place;
 }
 
-/** A curve of the pen through anchors that are seen at places. */
+/** A curve of the pen through anchors at these places of the view. */
 function penned(
   find: (place: Place) => SurfacePoint | null,
   anchors: readonly Anchor[],
@@ -120,7 +120,7 @@ function penned(
 
 const plus = ([a, b]: Place, [x, y]: Place): Place => [a + x, b + y];
 
-/** A heart of that size. */
+/** A heart of the given size. */
 const heart = (x: number, y: number, size: number): Anchor[] => {
   const step = (dx: number, dy: number): Place => [size * dx, size * dy];
   const at = (dx: number, dy: number) => plus([x, y], step(dx, dy));
@@ -132,7 +132,7 @@ const heart = (x: number, y: number, size: number): Anchor[] => {
   ];
 };
 
-/** The direction from which the page first looks at a surface. */
+/** The direction from which the page first shows a surface. */
 const front: Vector = [0.34, 0.22, 1];
 
 function bunny({ seen, near }: Places): Drawing {
@@ -199,7 +199,10 @@ function ball({ near }: Places): Drawing {
   );
 }
 
-/** A curve that winds twice round a torus and thrice through it, and two that run along. */
+/**
+ * A curve that winds twice round a torus and three times through its hole, and two that run beside
+ * it.
+ */
 function windings({ near }: Places): Drawing {
   // The torus that fills a ball of radius 1, about the z axis.
   const place = (around: number, through: number): Vector => {
@@ -220,7 +223,7 @@ function windings({ near }: Places): Drawing {
   );
 }
 
-/** Hearts of the pen on a sheet that waves. */
+/** Hearts of the pen on a wavy sheet. */
 function hearts({ seen, near }: Places): Drawing {
   const from: Vector = [0.34, 0.22, 1];
   const at = ([x, y]: Place) => seen(from, x, y);
@@ -254,7 +257,7 @@ function hearts({ seen, near }: Places): Drawing {
   );
 }
 
-/** The first is what the page opens with. */
+/** The page opens with the first one. */
 export const examples: readonly Example[] = [
   { id: 'bunny', name: 'Ornaments on a bunny', mesh: defaultMesh, draw: bunny },
   { id: 'ball', name: 'Seam of a tennis ball', mesh: 'sphere:20000', draw: ball },

@@ -1,31 +1,34 @@
-/** The figure of one object of a drawing: a value, which is never changed in place. */
+/** The figure of one object of a drawing: a value, never changed in place. */
 import type { CurveKind, CurveLevels, Parametrization, SurfacePoint } from 'karcher';
 import { type Derived, type DerivedKind, isDerived } from './derived';
 
-/** The side of a line, seen along it, that is inside what it encloses. */
+/** The side of a line that is its inside, as seen along the line. */
 export type Inside = 'left' | 'right';
 
-/** A curve with control points; a basis of one's own is for programs. */
+/** A curve with control points. A basis of the user's own is for programs only. */
 export type SplineKind = Exclude<CurveKind, 'custom'>;
-/** `pen` is a curve of anchors with handles; `center` is no curve: the center of mass of the points; `points` are the points alone. */
+/**
+ * The kind of a figure. `pen` is a curve of anchors with handles; `center` is no curve but the
+ * center of mass of the points; `points` are the points alone.
+ */
 export type Kind = SplineKind | 'pen' | RoundKind | 'center' | 'points' | DerivedKind;
-/** Around a center. */
+/** A kind of closed line around a center. */
 export type RoundKind = 'circle' | 'ellipse';
 export type Vector = [number, number, number];
 
-/** Where a circle ends: at a point of the surface, or a length away along a direction. */
+/** The place where a circle ends: a point of the surface, or a length along a direction. */
 export type Rim = SurfacePoint | { radius: number; direction: Vector };
 
 /**
- * An ellipse's radius across its first one: a length, or the distance at which a point of the surface lies in
+ * An ellipse's radius across its first one: a length, or the distance of a point of the surface in
  * that direction.
  */
 export type Across = SurfacePoint | { radius: number };
 
-/** A control point's number beside its place. */
+/** The name of a control point's number besides its place. */
 export type ParameterName = 'weight' | 'beta';
 
-/** The side of an anchor of the pen on which a handle is. */
+/** The side of a pen anchor that a handle belongs to. */
 export type Side = 'before' | 'after';
 
 /**
@@ -39,14 +42,14 @@ export type Tangent =
 
 export type Tangents = { readonly [Which in Side]?: Tangent };
 
-/** A point that the user placed; what is not given is 1. */
+/** A point that the user placed. Its numbers default to 1. */
 export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: number } & {
   /**
-   * Points that the way to the next point goes through, where it is not the shortest; of an anchor of the pen
-   * the way from the handle after it to the one before the next anchor.
+   * Points that the path to the next point passes through, if it is not the shortest. For the pen
+   * it is the path from the handle after this anchor to the one before the next.
    */
   readonly leg?: readonly SurfacePoint[];
-  /** Of an anchor of the pen. */
+  /** The handles of an anchor of the pen. */
   readonly tangents?: Tangents;
 };
 
@@ -54,48 +57,51 @@ export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: n
 export interface CircleShape {
   center: SurfacePoint;
   rim: Rim;
-  /** Used by ellipses only; the default is a part of the radius to the rim. */
+  /** Only ellipses use it; the default is a part of the radius to the rim. */
   across?: Across;
 }
 
 /**
- * The construction of a circle: rational quadratic arcs, or the isoline of the distance from its center,
- * interpolated in triangles or exact.
+ * The construction of a circle: rational quadratic arcs, or the isoline of the distance from its
+ * center, linear in each triangle or exact.
  */
 export type CircleType = 'arcs' | 'linear' | 'exact';
 
-/** The settings of a circle beside its shape; kept while another kind is shown. */
+/** The settings of a circle besides its shape; other kinds keep them. */
 export interface CircleForm {
   readonly type: CircleType;
-  /** How many rational arcs, 3 to 24, or as many as keep to the radius. */
+  /** The number of rational arcs, 3 to 24, or as many as the tolerance of the radius needs. */
   readonly arcs: number | 'auto';
 }
 
-/** The settings of a spline beside its points; kept while another kind is shown. */
+/** The settings of a spline besides its points; other kinds keep them. */
 export interface CurveSettings {
   readonly closed: boolean;
   /** The degree of a B-spline, 1 to 5. */
   readonly degree: number;
   /** Whether an open B-spline's knots are repeated at its ends, which the curve then reaches. */
   readonly clamped: boolean;
-  /** The knots of a B-spline, if they are neither even nor clamped; their number follows from its points. */
+  /**
+   * The knots of a B-spline, if they are neither uniform nor clamped; their number follows from
+   * that of the points.
+   */
   readonly knots: readonly number[] | null;
   /** The parametrization of a Catmull-Rom curve. */
   readonly parametrization: Parametrization;
-  /** A segment, where there is no tolerance. */
+  /** The number of samples a segment, if no tolerance is set. */
   readonly samples: number;
   /**
    * The tolerance between samples, as a part of the surface's size; the engine takes as many samples as it
    * needs.
    */
   readonly tolerance: number | null;
-  /** How many points are marked evenly along the curve. */
+  /** The number of evenly spaced marks along the curve. */
   readonly marks: number;
   /** The steadiness of a curve on rough surfaces, from the mean of all its points to the limit of subdivision. */
   readonly levels: CurveLevels;
-  /** The least levels during a drag, which keeps the most that it has had; never saved. */
+  /** The least number of levels during a drag, so that it never falls; never saved. */
   readonly leastLevels?: number;
-  /** Used during a drag: whether levels may move the curve as far as they do; never saved. */
+  /** Set during a drag: levels may then move the curve as far as they do; never saved. */
   readonly draft?: boolean;
 }
 
@@ -106,25 +112,25 @@ export interface Spline {
   readonly points: readonly ControlPoint[];
 }
 
-/** A figure that another one is made of, and its object's id. */
+/** A source of a figure, with its object's id. */
 export interface Operand {
   readonly id: number;
   readonly figure: Figure;
 }
 
-/** A curve, a circle, a center or points: what is drawn of it is its kind's part. */
+/** A curve, a circle, a center or points. The kind decides which part of it is drawn. */
 export interface Figure {
   readonly kind: Kind;
   readonly settings: CurveSettings;
-  /** The points of all kinds but the round ones; kept while one of those is shown. */
+  /** The points of all kinds except the round ones, which keep them unused. */
   readonly points: readonly ControlPoint[];
   readonly circle: CircleShape | null;
   readonly circleForm: CircleForm;
   /** The side that the figure encloses: the smaller one until a side is chosen or a drag begins. */
   readonly inside?: Inside;
-  /** Used only by figures that are made of others. */
+  /** Only figures that are made of others use it. */
   readonly derived?: Derived;
-  /** The figures of these, if they are filled in (`resolvedFigure`); never saved. */
+  /** The figures of the sources, once `resolvedFigure` has added them; never saved. */
   readonly operands?: readonly Operand[];
 }
 
@@ -147,7 +153,7 @@ export const defaultSettings: CurveSettings = {
   levels: 'auto',
 };
 
-/** The levels of a curve as the engine takes them. */
+/** The levels of a curve in the engine's form. */
 export const askedLevels = ({ levels, leastLevels = 0, draft = false }: CurveSettings) => ({
   levels: draft ? { tolerance: Infinity } : levels,
   ...(leastLevels > 0 && { leastLevels }),
@@ -156,12 +162,12 @@ export const askedLevels = ({ levels, leastLevels = 0, draft = false }: CurveSet
 /** The ranges of the settings' numbers. */
 export const samplesRange = { least: 2, most: 5000 };
 export const toleranceRange = { least: 1e-6, most: 0.1 };
-/** One alone would be no even spacing. */
+/** A single mark would be no even spacing. */
 export const marksRange = { least: 2, most: 1000 };
 export const mostLevels = 8;
 /**
- * The engine describes a leg by a few points, or by one at each edge that it crosses, which makes thousands on
- * a large surface.
+ * The largest number of points of a leg. The engine describes it by a few points, or by one at each
+ * edge that it crosses, which makes thousands on a large surface.
  */
 export const mostLegPoints = 20_000;
 
@@ -205,14 +211,14 @@ export function isSpline(kind: Kind): kind is SplineKind {
   return !isOther && !isRound(kind) && !isDerived(kind);
 }
 
-/** Whether a kind is a curve through or near its points, which may be closed. */
+/** Whether a kind is a curve through or near its points, and so may be closed. */
 export const isCurve = (kind: Kind) => isSpline(kind) || kind === 'pen';
 
 export function isRound(kind: Kind): kind is RoundKind {
   return kind === 'circle' || kind === 'ellipse';
 }
 
-/** Points that are needed before there is anything to show. */
+/** The number of points from which the figure is visible. */
 export function pointsNeeded({ kind, settings }: Figure): number {
   if (kind === 'center' || kind === 'points') return 1;
   if (kind === 'pen') return 2;
@@ -220,23 +226,23 @@ export function pointsNeeded({ kind, settings }: Figure): number {
   return kind === 'bspline' ? settings.degree + 1 : 2;
 }
 
-/** Whether there are points of it already, but too few to show anything of them. */
+/** Whether the figure has points, but too few to be visible. */
 export function isUnfinished(figure: Figure): boolean {
   const { kind, points } = figure;
   if (isRound(kind) || isDerived(kind)) return false;
   return points.length > 0 && points.length < pointsNeeded(figure);
 }
 
-/** The number that a kind's points have beside their places. */
+/** The number that points of a kind have besides their places. */
 export function parameterOf(kind: Kind): ParameterName | null {
   if (kind === 'barycentric') return 'beta';
   return kind === 'center' || kind === 'rational' || kind === 'bspline' ? 'weight' : null;
 }
 
-/** The range in which sliders set numbers of points: as far from 1 one way as the other. */
+/** The range of sliders for numbers of points: by the same factor below 1 and above. */
 export const parameterRange = { least: 1 / 16, most: 16 };
 
-/** The point with one of its numbers changed; 1 is what is not said. */
+/** The point with one of its numbers changed; the default, 1, is not stored. */
 export function withParameter(
   point: ControlPoint,
   name: ParameterName,
@@ -247,7 +253,7 @@ export function withParameter(
   return value === 1 ? rest : { ...rest, [name]: value };
 }
 
-/** Another way to the next point than the shortest, which is the default. */
+/** The point with another path to the next point; the shortest is the default. */
 export function withLeg(
   point: ControlPoint,
   leg: readonly SurfacePoint[] | null | undefined,
@@ -257,7 +263,7 @@ export function withLeg(
   return leg ? { ...rest, leg } : rest;
 }
 
-/** The point of a face with these weights of its corners 1 and 2, of a sum of at most 1. */
+/** The point of a face with these weights of its corners 1 and 2, whose sum is at most 1. */
 export function surfacePoint(face: number, u: number, v: number): SurfacePoint {
   return { face, bary: [Math.max(0, 1 - u - v), u, v] };
 }
@@ -265,7 +271,7 @@ export function surfacePoint(face: number, u: number, v: number): SurfacePoint {
 /** The place of a point, without its other properties. */
 export const plain = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
 
-/** Whether nothing of the figure's kind is on the surface yet. */
+/** Whether the surface has no part of the figure's kind yet. */
 export function isEmpty({ kind, points, circle, derived }: Figure): boolean {
   if (isDerived(kind)) return (derived?.sources.length ?? 0) === 0;
   return isRound(kind) ? circle === null : points.length === 0;
@@ -289,7 +295,7 @@ function withTangentPlaces(
   return { ...(before && { before: moved(before) }), ...(after && { after: moved(after) }) };
 }
 
-/** The figure with each of its places on the surface taken to another one. */
+/** The figure with each of its places on the surface mapped to another one. */
 export function withPlaces(figure: Figure, move: (point: SurfacePoint) => SurfacePoint): Figure {
   const { circle } = figure;
   const moved = (point: ControlPoint): ControlPoint => ({
@@ -311,13 +317,13 @@ export function withPlaces(figure: Figure, move: (point: SurfacePoint) => Surfac
   };
 }
 
-/** Whether the number of knots fits the points; knots that follow a rule always fit. */
+/** Whether the number of knots fits the points; knots that follow a rule always do. */
 export function knotsFit({ settings, points }: Pick<Spline, 'settings' | 'points'>): boolean {
   const { knots, closed, degree } = settings;
   return !knots || knots.length === points.length + 1 + (closed ? 0 : degree);
 }
 
-/** The figure without its own knots if they are for another number of points; it then has even ones. */
+/** The figure, with uniform knots instead of its own if these are for another number of points. */
 export function withFittingKnots<Of extends Pick<Spline, 'settings' | 'points'>>(spline: Of): Of {
   if (knotsFit(spline)) return spline;
   return { ...spline, settings: { ...spline.settings, knots: null } };

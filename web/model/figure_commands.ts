@@ -1,6 +1,6 @@
 /**
- * The edits of a figure: `applyToFigure` gives the figure after one, and `invertFigureCommand` the
- * command that takes it back.
+ * The edits of a figure: `applyToFigure` returns the figure after a command, and
+ * `invertFigureCommand` the command that undoes it.
  */
 import {
   type CircleForm,
@@ -18,9 +18,9 @@ import { withFittingLegs } from './legs';
 export type FigureCommand =
   | { type: 'insert'; index: number; point: ControlPoint }
   | { type: 'remove'; index: number; point: ControlPoint }
-  /** Makes a point the one of another number. */
+  /** Moves a point to another index. */
   | { type: 'reorder'; from: number; to: number }
-  /** A point's place, or a number of it. */
+  /** Changes a point's place or one of its numbers. */
   | { type: 'change'; index: number; from: ControlPoint; to: ControlPoint }
   | { type: 'kind'; from: Kind; to: Kind }
   | { type: 'settings'; from: CurveSettings; to: CurveSettings }
@@ -57,7 +57,7 @@ export function applyToFigure(figure: Figure, command: FigureCommand): Figure {
   }
 }
 
-/** The result of a command, with legs and knots that fit. Replaced figures stay as they were given. */
+/** The result of a command, with fitting legs and knots. Replacements are left as given. */
 export function fitted(to: Figure, from: Figure, command: FigureCommand): Figure {
   return withFittingKnots(command.type === 'replace' ? to : withFittingLegs(to, from));
 }

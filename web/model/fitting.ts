@@ -1,17 +1,21 @@
-/** Drawings on a surface that has fewer triangles than theirs: what is not on it goes. */
+/**
+ * Drawings on a surface with fewer triangles than their own: parts that lie outside it are removed.
+ */
 import type { SurfacePoint } from 'karcher';
 import type { Drawing, DrawnObject } from './drawing';
 import { type ControlPoint, type Figure, isEmpty, withFittingKnots, withLeg } from './figure';
 import { withTangents } from './pen';
 
-/** Points of such a surface, with the legs of such points between points that stay neighbours. */
+/**
+ * The points on such a surface. Their legs stay if they lie on it too and join the same neighbours.
+ */
 function fittingPoints(points: readonly ControlPoint[], triangles: number): ControlPoint[] {
   const fits = ({ face }: SurfacePoint) => face < triangles;
   const fitting = ({ tangents }: ControlPoint) => {
     const all = [tangents?.before, tangents?.after];
     return all.every((tangent) => !tangent || !('face' in tangent) || fits(tangent));
   };
-  // A point of the pen that loses its handles loses the ends of its legs.
+  // A point of the pen that loses its handles also loses the ends of its legs.
   const stays = (point: ControlPoint) => fits(point) && fitting(point);
   const holds = (i: number) =>
     points[i]!.leg?.every(fits) && stays(points[i]!) && stays(points[i + 1] ?? points[0]!)
@@ -38,7 +42,10 @@ function fittingFigure(figure: Figure, triangles: number): Figure {
   });
 }
 
-/** Objects with what lies on a surface of that many triangles; without those that have nothing there. */
+/**
+ * The parts of objects on a surface with this many triangles; objects without such parts are left
+ * out.
+ */
 export const fittingObjects = (objects: readonly DrawnObject[], triangles: number) =>
   objects
     .map((object) => ({ ...object, figure: fittingFigure(object.figure, triangles) }))

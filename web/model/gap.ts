@@ -1,6 +1,6 @@
-/** How far two curves are from each other, measured on their polylines. */
+/** The distance of two curves from each other, measured on their polylines. */
 export interface Gap {
-  /** Along both curves, from each to the other. */
+  /** The mean distance along both curves, from each to the other. */
   mean: number;
   /** The Hausdorff distance: the farthest that a point of one curve lies from the other. */
   largest: number;
@@ -8,10 +8,10 @@ export interface Gap {
 
 /** The number of evenly spaced points at which each curve is measured. */
 const samples = 256;
-/** Segments that are looked at together, or passed over. */
+/** The number of segments that are measured or skipped together. */
 const blockLength = 32;
 
-/** Segments next to each other, within a ball. */
+/** Consecutive segments, within a ball. */
 interface Block {
   center: readonly [number, number, number];
   radius: number;
@@ -19,7 +19,7 @@ interface Block {
   end: number;
 }
 
-/** The distances in space between two polylines, x, y, z each; null where one has no vertex. */
+/** The distances in space between two polylines, x, y, z each; null if one has no vertex. */
 export function gapBetween(a: ArrayLike<number>, b: ArrayLike<number>): Gap | null {
   if (a.length < 3 || b.length < 3) return null;
   const [there, back] = [distances(a, b), distances(b, a)];
@@ -42,7 +42,7 @@ const vertex = (line: ArrayLike<number>, i: number): Place => [
 ];
 const far = (p: Place, q: Place) => Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 
-/** Points in the middles of equally long parts of a polyline. */
+/** The midpoints of equally long parts of a polyline. */
 function evenly(line: ArrayLike<number>): Place[] {
   const count = Math.floor(line.length / 3);
   const lengths = new Float64Array(count);

@@ -1,7 +1,7 @@
 /** The time in milliseconds after which the page pauses its work for other tasks. */
 const sliceMilliseconds = 8;
 
-/** All that is made one by one, in slices between which the page does other work. */
+/** All parts of an iterable, computed in slices between which the page does other work. */
 export async function gathered<Part>(parts: Iterable<Part>): Promise<Part[]> {
   const all: Part[] = [];
   let started = performance.now();

@@ -10,12 +10,12 @@ export interface History {
   activated: Command[];
 }
 
-/** How many steps can be taken back. */
+/** The largest number of steps that can be undone. */
 const longestHistory = 1000;
 
 export const historyOf = (): History => ({ done: [], undone: [], activated: [] });
 
-/** A step was done: what was taken back is gone. */
+/** Records a step; undone steps can no longer be redone. */
 export function record(history: History, command: Command): void {
   history.done.push(joined([...history.activated, command]));
   history.activated = [];
@@ -23,7 +23,7 @@ export function record(history: History, command: Command): void {
   if (history.done.length > longestHistory) history.done.shift();
 }
 
-/** Another object is edited: what was taken back can still be done again. */
+/** Records that another object is edited: undone steps can still be redone. */
 export function recordActivation({ activated }: History, command: Command): void {
   const last = activated.at(-1);
   if (last?.type !== 'activate' || command.type !== 'activate') {
@@ -35,7 +35,7 @@ export function recordActivation({ activated }: History, command: Command): void
   if (last.from !== command.to) activated.push({ ...command, from: last.from });
 }
 
-/** Takes the newest step back, with what was selected since; the command that does it. */
+/** Undoes the newest step and the selections since; returns the command that does it. */
 export function stepBack(history: History): Command | null {
   const command = history.done.pop();
   if (!command) return null;
@@ -45,7 +45,7 @@ export function stepBack(history: History): Command | null {
   return invert(whole);
 }
 
-/** Does the step that was taken back last again; the command that does it. */
+/** Redoes the step that was undone last; returns the command that does it. */
 export function stepForth(history: History): Command | null {
   const command = history.undone.pop();
   if (!command) return null;

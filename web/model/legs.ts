@@ -9,7 +9,7 @@ import { isOpposite, otherSide } from './pen';
 
 type Polygon = Pick<Spline, 'settings' | 'points'>;
 
-/** The data of the handle on one side of an anchor of the pen; undefined where the anchor itself is the end. */
+/** The data of the handle on one side of a pen anchor; undefined if the anchor has none there. */
 function handleOf({ tangents }: ControlPoint, side: Side) {
   const told = tangents?.[side];
   return isOpposite(told) ? [told, tangents?.[otherSide(side)]] : told;
@@ -39,16 +39,19 @@ export function withFittingLegs<Of extends Polygon>(polygon: Of, before: Polygon
   return { ...polygon, points };
 }
 
-/** The legs of a curve as they were drawn last, and which of its control points are dragged on from there. */
+/** The legs of a curve as last drawn, and the indices of the dragged control points. */
 export interface DrawnBefore {
   legs: readonly DrawnLeg[];
   points: readonly number[];
 }
 
-/** A value whose legs at dragged points go on from where they were drawn, where it tells none. */
+/**
+ * The value with its drawn legs at the dragged points, unless it has legs there itself. The engine
+ * continues them.
+ */
 export function withDrawnLegs(value: CurveOptions, before: DrawnBefore): CurveOptions {
   const { points, closed = false, legs = [] } = value;
-  // Legs of another number of points do not correspond to these.
+  // Legs of a curve with another number of points do not correspond to these.
   if (before.legs.length !== points.length - (closed ? 0 : 1)) return value;
   const at = legsAt(points.length, before.points);
   return {
@@ -57,15 +60,18 @@ export function withDrawnLegs(value: CurveOptions, before: DrawnBefore): CurveOp
   };
 }
 
-/** The numbers of the legs that meet the given points. */
+/** The indices of the legs that meet the given points. */
 const legsAt = (count: number, at: readonly number[]): number[] => [
   ...new Set(at.flatMap((i) => [i, (i + count - 1) % count])),
 ];
 
-/** For each point the few points that describe the leg from it to the next; null for the shortest path. */
+/** For each point the few points that describe its leg to the next; null for the shortest path. */
 export type ToldLegs = readonly (readonly SurfacePoint[] | null)[];
 
-/** A figure whose points were dragged, with the legs that met there where it tells none. */
+/**
+ * The figure after a drag, with the drawn legs that meet its dragged points, where it has none
+ * itself.
+ */
 export function withTold<Of extends Polygon>(
   figure: Of,
   dragged: readonly number[],
@@ -79,7 +85,7 @@ export function withTold<Of extends Polygon>(
   return { ...figure, points };
 }
 
-/** The legs as the engine takes them. */
+/** The legs in the engine's form. */
 export function legsOf({ settings, points }: Polygon): Pick<CurveOptions, 'legs'> {
   const legs = points.slice(0, settings.closed ? undefined : -1).map(({ leg }) => leg ?? null);
   return legs.some((leg) => leg !== null) ? { legs } : {};

@@ -1,13 +1,13 @@
 /**
- * Lines of equal value on a triangle mesh, of a function that is given at the corners and linear in each
- * triangle. They are straight there, from edge to edge.
+ * Lines of equal value on a triangle mesh, for a function given at the corners and linear in each
+ * triangle. They are straight within triangles, from edge to edge.
  */
 
 /** Steps of 1, 2 or 5 times a power of ten, of which about `count` reach `most`. */
 export function roundStep(most: number, count: number): number {
   const power = 10 ** Math.floor(Math.log10(most / count));
   const factor = [1, 2, 5, 10].find((one) => one * power >= (most / count) * 0.999) ?? 10;
-  // A tenth of a power is a division, so that 0.2 is 0.2.
+  // Division by a power of ten is exact: 0.2 is 2 / 10.
   return power < 1 ? factor / Math.round(1 / power) : factor * power;
 }
 
@@ -19,9 +19,9 @@ export interface Crossing {
 }
 
 /**
- * The lines of each level, x, y, z of their points; closed ones end where they begin. `valueAt` returns the
- * function at a triangle's corner, numbered 3 * triangle + i. It may differ across an edge, where lines then
- * end. Levels ascend; a triangle with a value that is not a number has no lines.
+ * The lines of each level, x, y, z of their points; closed ones end at their start. `valueAt`
+ * returns the function at corner 3 * triangle + i. It may differ across an edge; lines then end
+ * there. Levels ascend. Triangles with a value that is not a number have no lines.
  */
 export function levelLines(
   positions: ArrayLike<number>,
@@ -35,7 +35,7 @@ export function levelLines(
     const [a, b, c] = [valueAt(first), valueAt(first + 1), valueAt(first + 2)];
     const least = Math.min(a, b, c);
     const most = Math.max(a, b, c);
-    // Not so where one is no number, and mostly not where there is one level.
+    // The comparison also fails if a value is not a number. Most triangles cross no level.
     if (!(least < most) || !(levels[0]! <= most)) continue;
     const values = [a, b, c];
     for (let level = 0; level < levels.length && levels[level]! <= most; level++) {
@@ -43,7 +43,8 @@ export function levelLines(
       const crossings: Crossing[] = [];
       for (let i = 0; i < 3; i++) {
         const j = (i + 1) % 3;
-        // A value on the level is above it, so that a line has two ends in each triangle.
+        // A value that equals the level counts as above it, so that a line has two ends in each
+        // triangle.
         if (values[i]! < levels[level]! === values[j]! < levels[level]!) continue;
         const [p, q] = [triangles[first + i]!, triangles[first + j]!];
         const part = (levels[level]! - values[i]!) / (values[j]! - values[i]!);
@@ -58,7 +59,7 @@ export function levelLines(
   return segments.map(joined);
 }
 
-/** Segments made into lines where they meet on an edge; loops end where they begin. */
+/** Joins segments that meet on an edge into lines; loops end at their start. */
 export function joined(segments: readonly (readonly [Crossing, Crossing])[]): Float32Array[] {
   const meeting = new Map<number, number[]>();
   for (const [i, ends] of segments.entries()) {
@@ -84,7 +85,7 @@ export function joined(segments: readonly (readonly [Crossing, Crossing])[]): Fl
     }
   };
   const lines: Float32Array[] = [];
-  // First the open lines, such as those that begin at a boundary, then the loops.
+  // Open lines come first, such as those that begin at a boundary, then loops.
   for (const [i, ends] of segments.entries()) {
     for (const from of [0, 1] as const) {
       if (!used[i] && meeting.get(ends[from].edge)!.length === 1) lines.push(lineFrom(i, from));

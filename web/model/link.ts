@@ -1,18 +1,17 @@
 /**
- * A drawing as a link's fragment. The object that is edited:
+ * A drawing as a link's fragment. The fields of the edited object:
  * `mesh=bunny:1&kind=bspline&method=…&points=face,b1,b2,weight,beta;…&closed=1&degree=2&clamped=1`
  * `&legs=0:face,b1,b2:face,b1,b2;3:…&tangents=0:before:after;…&samples=64&tolerance=0.001&marks=9&levels=2`
  * `&of=2,3&distance=2&side=outwards&parts=face,b1,b2,hidden;…&thickness=1`
  * `&circle=face,b1,b2;radius,x,y,z;across&circletype=exact&arcs=5`
  * `&fill=0.5&fillcolor=0b8457&hatched=2` (or `striped=2`: the spacing)
- * `&name=…&hidden=1&locked=1&color=d9560b&width=6&dash=dotted&opacity=0.5&group=…&place=2`. A width in
- * the surface's unit is `band`. Legs are told by a
- * point's number and the points that its way to the next one goes through (of the pen's anchors: from
- * handle to handle), its place by how many objects lie below it. `view=azimuth,elevation,reach,x,y,z` or
- * `view=top` is from where the surface is looked at (view_place.ts), by default the front. Then the others
- * from the lowest to the topmost, each with the same fields in a field `other`. Weights and betas of 1,
- * shortest legs and other defaults go without saying. Ids are not told: objects are numbered anew in their
- * order.
+ * `&name=…&hidden=1&locked=1&color=d9560b&width=6&dash=dotted&opacity=0.5&group=…&place=2`. `band`
+ * is a width in the surface's unit. A leg has the index of its point and the points that it passes
+ * through on its way to the next one (for the pen: from handle to handle). `place` is the number of
+ * objects below this one. `view=azimuth,elevation,reach,x,y,z` or `view=top` is the place of the
+ * camera (view_place.ts); the front is the default. The other objects follow from the lowest to the
+ * topmost, each with the same fields in a field `other`. Weights and betas of 1, shortest legs and
+ * other defaults are left out. Ids are not stored: objects are numbered anew in their order.
  */
 import {
   activeObject,
@@ -45,13 +44,13 @@ export interface Link {
   drawing: Drawing;
   /** The place from which the surface is seen; null if the link has none. */
   view: ViewPlace | null;
-  /** The faulty parts that the drawing is without. */
+  /** The faulty parts that were left out of the drawing. */
   unread: Lost;
   /** Sentences about other faulty parts, and what replaces them. */
   problems: readonly string[];
 }
 
-/** Places that a drawing is without. */
+/** The numbers of places that a drawing lacks. */
 export interface Lost {
   points: number;
   circles: number;
@@ -81,13 +80,16 @@ export function formatLink(
   ].join('&');
 }
 
-/** The field of a view, for a fragment. */
+/** The field of a view in a fragment. */
 export function viewFields(view: ViewPlace | null): string[] {
   const text = view && formatView(view);
   return text ? [`view=${text}`] : [];
 }
 
-/** `numberOf` gives the place of an object among all, from 1; 0 where it is gone. */
+/**
+ * The fields of an object. `numberOf` returns the position of a source among all objects, from 1; 0
+ * if it is gone.
+ */
 function objectFields(
   { figure, ...properties }: DrawnObject,
   numberOf: (id: number) => number,
@@ -112,7 +114,7 @@ function objectFields(
 
 const encodeName = (name: string) => encodeURIComponent(shortened(name, longestName));
 
-/** Null unless the fragment names a surface. Other faulty parts are left out. */
+/** Reads a link; null unless the fragment names a surface. Other faulty parts are left out. */
 export function parseLink(fragment: string): Link | null {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const mesh = fields.get('mesh');
@@ -142,7 +144,7 @@ export function parseLink(fragment: string): Link | null {
   };
 }
 
-/** How many points a drawing's objects have. */
+/** The number of points of a drawing's objects. */
 export const pointsOf = (drawing: Drawing) => countPlaces(drawing).points;
 
 const countPlaces = ({ objects }: Drawing): Lost => ({
@@ -160,8 +162,8 @@ export function lostOf({ drawing: said, unread }: Link, drawing: Drawing): Lost 
 }
 
 /**
- * The object that a fragment says. Links once kept the circle behind a curve's points, or the points
- * behind a circle: these are another object, which is not shown.
+ * The objects in a fragment. Older links kept the circle behind a curve's points, or the points
+ * behind a circle: these become another object, which is hidden.
  */
 function parseObjects(fragment: string): DrawnObject[] {
   const figure = parseFigure(fragment);

@@ -1,4 +1,4 @@
-/** Figures that are made of others, in links. */
+/** Figures that are made of others, as fields of links. */
 import {
   cornerShapes,
   type Derived,
@@ -12,8 +12,8 @@ import type { Kind } from './figure';
 import { formatPoint, parsePoint } from './link_numbers';
 
 /**
- * The fields that say what a figure is made of; `numberOf` returns an object's place among all, from 1, for its
- * id.
+ * The fields of a figure's sources and settings; `numberOf` returns an object's position among all,
+ * from 1, for its id.
  */
 export function derivedFields(
   { sources, offset, parts = [], thickness = 0 }: Derived,
@@ -29,7 +29,7 @@ export function derivedFields(
   ];
 }
 
-/** The sources of a figure in a fragment. The ids of objects are their places, from 1. */
+/** The sources of a figure in a fragment. The ids of objects are their positions, from 1. */
 export function parseDerived(kind: Kind, fields: URLSearchParams): Derived {
   const texts = (fields.get('of') ?? '').split(',').slice(0, mostSources);
   const sources = texts.filter((text) => /^[1-9]\d{0,8}$/.test(text)).map(Number);

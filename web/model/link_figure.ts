@@ -30,7 +30,10 @@ import { derivedFields, parseDerived } from './link_derived';
 import { formatPoint, isWithin, parseNumbers, parsePoint } from './link_numbers';
 import { withTangents } from './pen';
 
-/** The fields of a figure. `numberOf` gives the place of an object among all, from 1; 0 where it is gone. */
+/**
+ * The fields of a figure. `numberOf` returns the position of a source among all objects, from 1; 0
+ * if it is gone.
+ */
 export function figureFields(
   { kind, points, settings, circle, circleForm, inside, derived }: Figure,
   numberOf: (id: number) => number,
@@ -71,7 +74,10 @@ function legsFields(points: readonly ControlPoint[]): string[] {
   return told.length > 0 ? [`legs=${told.join(';')}`] : [];
 }
 
-/** The handles of anchors: for a point's number the handles before and after it, each in its own form. */
+/**
+ * The handles of anchors: the index of a point with the handles before and after it, each in its
+ * own form.
+ */
 function tangentsFields(points: readonly ControlPoint[]): string[] {
   const told = points.flatMap(({ tangents }, i) =>
     tangents ? [`${i}:${formatTangent(tangents.before)}:${formatTangent(tangents.after)}`] : [],
@@ -95,7 +101,7 @@ function parseTangent(text: string): Tangent | undefined {
   return direction.length > 0 ? { direction: direction as Vector, length } : { length };
 }
 
-/** Handles by the numbers of their anchors. */
+/** Handles by the indices of their anchors. */
 function parseTangents(text: string): Map<string, Tangents> {
   const parts = text.split(';').map((part) => part.split(':'));
   return new Map(
@@ -126,13 +132,13 @@ function settingsFields(settings: CurveSettings): string[] {
   return parts;
 }
 
-/** The points of a figure's fragment, as they are said. */
+/** The texts of the points in a figure's fragment. */
 export function pointTexts(fragment: string): string[] {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   return (fields.get('points') ?? '').split(';').filter((text) => text !== '');
 }
 
-/** The figure that a fragment says. */
+/** The figure in a fragment. */
 export function parseFigure(fragment: string): Figure {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const legs = parseLegs(fields.get('legs') ?? '');
@@ -156,7 +162,7 @@ export function parseFigure(fragment: string): Figure {
   });
 }
 
-/** Legs by the numbers of their points; faulty ones are left out. */
+/** Legs by the indices of their points; faulty ones are left out. */
 function parseLegs(text: string): Map<number, SurfacePoint[]> {
   const legs = new Map<number, SurfacePoint[]>();
   for (const part of text.split(';')) {
@@ -175,7 +181,7 @@ function parseControlPoint(text: string): ControlPoint | null {
   return weighted && withParameter(weighted, 'beta', parseParameter(beta));
 }
 
-/** The parts of a curve that was cut may have any numbers, beyond those of the sliders too. */
+/** The parts of a cut curve may have any numbers, even beyond the range of the sliders. */
 function parseParameter(text: string): number {
   const [value] = parseNumbers(text, 1) ?? [1];
   return Math.min(1e12, Math.max(1e-12, value!));
@@ -237,7 +243,8 @@ function parseAcross(text: string): Across | null {
 
 function parseCircleForm(fields: URLSearchParams): CircleForm {
   const type = fields.get('circletype');
-  // Links once named no arcs where there were seven: these circles keep nearer to their radius now.
+  // Older links did not name the default of seven arcs: these circles now keep nearer to their
+  // radius.
   const arcs = Number(fields.get('arcs'));
   const good = Number.isInteger(arcs) && arcs >= fewestArcs && arcs <= mostArcs;
   return {

@@ -6,7 +6,7 @@ export const formatPoint = ({ face, bary }: SurfacePoint) => `${face},${bary[1]}
 
 export function parseNumbers(text: string, count: number): number[] | null {
   const fields = text.split(',');
-  // -0 is 0.
+  // The sum turns -0 into 0.
   const values = fields.map((field) => Number(field) + 0);
   const good = fields.length === count && fields.every((field) => field.trim() !== '');
   return good && values.every(Number.isFinite) ? values : null;

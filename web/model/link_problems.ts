@@ -17,10 +17,12 @@ import { isMethod } from './methods';
 import { isColor, mostObjects } from './saved_drawing';
 import { parseView, viewRange } from './view_place';
 
-/** A link of more points would keep the page and its engine busy for minutes. */
+/**
+ * The largest number of points of a link. More would keep the page and its engine busy for minutes.
+ */
 export const mostLinkPoints = 1000;
 
-/** The values that a field may have, and the one that replaces others. */
+/** The allowed values of a field, and the one that replaces others. */
 interface Rule {
   allows(text: string): boolean;
   /** The allowed values in words: "from 2 to 5,000". */
@@ -50,7 +52,7 @@ const areNumbers = (text: string, ...counts: number[]) => {
   return values.every(Number.isFinite) && (counts.length === 0 || counts.includes(values.length));
 };
 
-/** Parts that begin with a point's number: `number:rest`, where `fits` says what the rest may be. */
+/** Parts that begin with a point's index: `number:rest`, where `fits` checks the rest. */
 const byPoint = (fits: (rest: string[]) => boolean) => (text: string) =>
   text.split(';').every((part) => {
     const [index = '', ...rest] = part.split(':');
@@ -127,7 +129,7 @@ const rules: Readonly<Record<string, Rule>> = {
 const longestShown = 40;
 const mostTold = 4;
 
-/** Sentences about what a link's fragment says wrongly, with what is taken in its place. */
+/** Sentences about the faults of a link's fragment and the values that replace them. */
 export function linkProblems(fragment: string): string[] {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const method = fields.get('method');

@@ -6,21 +6,21 @@ export type LostReason = Exclude<Status, 'converged' | 'bridged' | 'subdivided'>
 /** A part of a segment that is no center of mass. */
 export interface LostInterval {
   segment: number;
-  /** Parameters of the segment. */
+  /** Parameters of the segment at the ends of the part. */
   from: number;
   to: number;
   reason: LostReason;
-  /** How many samples of it are not converged. */
+  /** The number of its samples that did not converge. */
   samples: number;
-  /** The place of the sample nearest to its middle. */
+  /** The place of the sample nearest to the part's middle. */
   position: [number, number, number];
 }
 
 type Samples = Pick<CurveSamples, 'segment' | 't' | 'position' | 'status'>;
 
 /**
- * The parts of a curve without centers of mass, bridged or not, in the curve's order. Pieces that are
- * their own subdivision are drawn right.
+ * The parts of a curve without centers of mass, bridged or not, in the curve's order. Pieces that
+ * are replaced by their subdivision are drawn correctly and do not count.
  */
 export function lostIntervals(
   samples: Samples,
@@ -69,6 +69,6 @@ function describe(
   };
 }
 
-/** How many samples the intervals hold. */
+/** The number of samples in the intervals. */
 export const lostSamples = (intervals: readonly LostInterval[]) =>
   intervals.reduce((sum, { samples }) => sum + samples, 0);

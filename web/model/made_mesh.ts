@@ -4,7 +4,7 @@ import type { MadeSource } from './meshes';
 import { planeArrays } from './planes';
 import { makeSample, type Tell } from './sample_mesh';
 
-/** Makes the mesh of a source, the same for the same source; its owner is the caller. */
+/** Makes the mesh of a source, always the same for the same source; the caller owns it. */
 export async function makeMesh(
   karcher: Karcher,
   source: MadeSource,

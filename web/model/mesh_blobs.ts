@@ -1,14 +1,14 @@
-/** A mesh, numbered as its maker has it. */
+/** A mesh in its maker's numbering. */
 export interface MeshArrays {
-  /** x, y, z of the vertices. */
+  /** Coordinates x, y, z of the vertices. */
   positions: Float64Array;
-  /** Vertices of the triangles. */
+  /** Vertices of the triangles, three for each. */
   triangles: Int32Array;
 }
 
 /**
- * The same as Blobs, which pass between threads without a copy: the page hands the arrays of two million
- * triangles from worker to worker, and never has them itself.
+ * The same arrays as Blobs, which pass between threads without a copy: the page hands the arrays of
+ * two million triangles from worker to worker, and never holds them itself.
  */
 export interface MeshBlobs {
   readonly positions: Blob;

@@ -17,16 +17,16 @@ export type SampleSource =
   | { kind: 'shape'; name: Shape; triangles: number };
 
 /**
- * A generated surface (made_mesh.ts). `triangles` is about how many; a plane is the unit square in z = 0.
- * `stretch` is how many times as long as high the cells of an anisotropic one are, from 1 to 50; 20 where it is
- * not said.
+ * A generated surface (made_mesh.ts) with about `triangles` triangles; a plane is the unit square
+ * in z = 0. `stretch` is the ratio of length to height of the cells of an anisotropic plane, from 1
+ * to 50; 20 by default.
  */
 export type MadeSource =
   | SampleSource
   | { kind: 'plane'; tessellation: Tessellation; triangles: number; stretch?: number }
   | { kind: 'simplified'; of: MadeSource; triangles: number };
 
-/** A file, and which of its parts are read; null for all. */
+/** A file, and the indices of the parts to read; null for all. */
 export interface FileSource {
   kind: 'file';
   content: Blob;
@@ -35,13 +35,13 @@ export interface FileSource {
   weld: number | null;
 }
 
-/** Where a surface comes from. */
+/** The source of a surface. */
 export type MeshSource = MadeSource | FileSource | { kind: 'arrays'; arrays: MeshBlobs };
 
 export interface Sample {
   id: 'bunny' | Shape;
   label: string;
-  /** The levels of detail: Loop subdivisions of the bunny, numbers of triangles of a shape. */
+  /** The levels of detail: Loop subdivisions for the bunny, numbers of triangles for shapes. */
   details: readonly number[];
 }
 
@@ -60,15 +60,17 @@ export const samples: readonly Sample[] = [
 
 /**
  * A surface's key: `bunny:levels`, `shape:triangles`, `plane:tessellation:triangles`,
- * `plane:anisotropic*stretch:triangles`, `simplified:triangles:` and the key of what is simplified, or
- * `file:digest:name`. After the digest come
- * the numbers of the parts that are read, where these are not all, the tolerance of welding, where it is
- * not the usual one, and the axis that points up, where it is not as guessed:
- * `file:digest.0.2*0.001~z:name`.
+ * `plane:anisotropic*stretch:triangles`, `simplified:triangles:` with the key of the simplified
+ * surface, or `file:digest:name`. After the digest follow the indices of the parts if not all are
+ * read, the tolerance of welding if it is not the default, and the axis that points up if it is not
+ * the guessed one: `file:digest.0.2*0.001~z:name`.
  */
 export const defaultMesh = 'bunny:1';
 
-/** The limit for generated surfaces. The engine, which generates shapes, has the same. */
+/**
+ * The largest number of triangles of generated surfaces. The engine, which generates shapes, has
+ * the same limit.
+ */
 const mostTriangles = 1_000_000;
 
 /** Samples have a menu of details; other generated surfaces have none. */
@@ -107,7 +109,7 @@ export function parseKey(key: string): ParsedKey | null {
   return sample && detail !== null ? { sample, detail } : null;
 }
 
-/** A tessellation, an anisotropic one perhaps with its stretch. */
+/** A tessellation; for an anisotropic one with its stretch if the text has one. */
 function parsePlane(text: string): { tessellation: Tessellation; stretch?: number } | null {
   const [name, times, ...more] = text.split('*');
   const tessellation = tessellations.find((one) => one === name);
@@ -130,7 +132,7 @@ export function madeSource(key: string): MadeSource | null {
   return 'made' in parsed ? parsed.made : null;
 }
 
-/** The key of a surface that is made. */
+/** The key of a generated surface. */
 export function madeKey(source: MadeSource): string {
   switch (source.kind) {
     case 'bunny':
@@ -146,7 +148,7 @@ export function madeKey(source: MadeSource): string {
   }
 }
 
-/** Its name for people. */
+/** The surface's name on the page. */
 function madeName(source: MadeSource): string {
   switch (source.kind) {
     case 'plane':
@@ -166,7 +168,7 @@ export function sampleSource(sample: Sample, detail: number): SampleSource {
     : { kind: 'shape', name: sample.id, triangles: detail };
 }
 
-/** Whether two keys show one sample, at perhaps different details. */
+/** Whether two keys name the same sample, possibly with different levels of detail. */
 export function sameSurface(a: string, b: string): boolean {
   const [from, to] = [parseKey(a), parseKey(b)];
   return !!from && !!to && 'sample' in from && 'sample' in to && from.sample === to.sample;
@@ -183,8 +185,8 @@ export function meshLabel(key: string): string {
 const hashedAtOnce = 1 << 21;
 
 /**
- * Tells files apart (FNV-1a); `crypto.subtle` is missing on plain http. In slices: a large file takes a
- * while, and is never read as a whole.
+ * A digest that identifies a file (FNV-1a); `crypto.subtle` is missing on plain http. It reads the
+ * file in slices: a large one takes a while, and is never in memory as a whole.
  */
 export async function fileKey(file: File): Promise<string> {
   let hash = 0x811c9dc5;
@@ -210,7 +212,7 @@ function parseFileKey(text: string, name: string): ParsedKey {
   };
 }
 
-/** The options with which a key's file is read; null for a key of no file. */
+/** The options that a key has for reading its file; null if it names no file. */
 export function readingOf(key: string): Reading | null {
   const parsed = parseKey(key);
   if (!parsed || !('digest' in parsed)) return null;
@@ -218,7 +220,7 @@ export function readingOf(key: string): Reading | null {
   return { parts, weld, up };
 }
 
-/** The key of the same file, read in another way. */
+/** The key of the same file with other options for reading. */
 export function readAs(key: string, reading: Partial<Reading>): string {
   const parsed = parseKey(key);
   if (!parsed || !('digest' in parsed)) return key;
@@ -228,10 +230,10 @@ export function readAs(key: string, reading: Partial<Reading>): string {
   return `file:${digest}${numbers}${welded}${up ? `~${up}` : ''}:${name}`;
 }
 
-/** The key of a file itself, however it is read; any other key as it is. */
+/** The key of a file without its options for reading; any other key is unchanged. */
 export const keyOfFile = (key: string) => readAs(key, { parts: null, weld: null, up: null });
 
-/** A file as its key says that it is read. */
+/** A file with the options of its key. */
 export function fileSource(key: string, content: Blob): FileSource {
   const { parts = null, weld = null } = readingOf(key) ?? {};
   return { kind: 'file', content, name: meshLabel(key), parts, weld };

@@ -41,9 +41,9 @@ const list = [
 interface MethodEntry {
   id: string;
   label: string;
-  /** While something is edited, and after it unless there are refined options. */
+  /** The quality while something is edited, and the final one unless there are refined options. */
   options: FieldOptions;
-  /** Once the edit is done, in the background. */
+  /** The quality that follows in the background once the edit ends. */
   refined?: FieldOptions;
 }
 
@@ -64,7 +64,7 @@ export function refinedOptions(id: MethodId): FieldOptions | null {
   return find(id).refined ?? null;
 }
 
-/** The quality of a method's first answer; null where the two words do not fit. */
+/** The quality of a method's first answer; null if neither word describes it. */
 export function qualityOf(id: MethodId): Quality | null {
   const { method, solver } = find(id).options;
   if (method !== 'karcher') return null;

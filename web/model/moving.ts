@@ -1,4 +1,4 @@
-/** Figures that are moved as a whole: which of their places and directions go along, and how. */
+/** Moving figures as a whole: their places and directions that move, and how. */
 import type { SurfacePoint } from 'karcher';
 import type { Tangent, Tangents } from './figure';
 import { type CircleShape, type Figure, type Vector, withPlaces } from './figure';
@@ -28,7 +28,7 @@ export function placesOf(figure: Figure): SurfacePoint[] {
   return [...places];
 }
 
-/** All that goes along with figures. */
+/** All places and directions that move with figures. */
 export function carriedOf(figures: readonly Figure[]): Carried[] {
   const found = new Map<SurfacePoint, Set<Vector>>();
   for (const figure of figures) {
@@ -44,7 +44,10 @@ export function carriedOf(figures: readonly Figure[]): Carried[] {
   ]);
 }
 
-/** The figures with what was carried where it went to, and their lengths `scale` times as long. */
+/**
+ * The figures with their places and directions where they were carried, and their lengths
+ * multiplied by `scale`.
+ */
 export function movedFigures(
   figures: readonly Figure[],
   carried: readonly Carried[],
@@ -68,7 +71,10 @@ export function movedFigures(
   });
 }
 
-/** A figure with other directions at the places of the one that it was made of, and longer lengths. */
+/**
+ * The figure with other directions at the places of the figure that it was made from, and scaled
+ * lengths.
+ */
 function withDirections(figure: Figure, from: Figure, scale: number, turn: Turn): Figure {
   const tangentAt = (at: SurfacePoint, tangent: Tangent): Tangent => {
     if ('face' in tangent) return tangent;

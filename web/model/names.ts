@@ -1,8 +1,8 @@
 /** Names of objects and groups: texts of a bounded length. */
 
-/** In UTF-16 code units, as a text field counts them. */
+/** The longest name in UTF-16 code units, as a text field counts them. */
 export const longestName = 200;
 
-/** The beginning of a text, without cutting a letter in two. */
+/** The beginning of a text. It never cuts a character in two. */
 export const shortened = (text: string, most: number) =>
   text.slice(0, most).replace(/\p{Surrogate}/gu, '');

@@ -2,7 +2,7 @@
 import type { SurfacePoint } from 'karcher';
 import type { PartChoice } from './derived';
 
-/** Triangles: x, y, z a vertex in the surface's coordinates, and three vertices a triangle. */
+/** Triangles: coordinates x, y, z of each vertex, and three vertices for each triangle. */
 export interface Shell {
   positions: Float64Array;
   triangles: Int32Array;
@@ -13,17 +13,20 @@ export interface Shell {
 }
 
 export interface SurfacePart extends Shell {
-  /** The surface's face that each triangle lies in. */
+  /** The surface's face that contains each triangle. */
   faces: Int32Array;
   /** Two numbers for each corner of a triangle: its second and third weight in that face. */
   weights: Float32Array;
-  /** A point in the midst of one of its triangles. */
+  /** A point inside one of its triangles. */
   point: SurfacePoint;
-  /** For a part that becomes thick: the shell, and the thickness that its shape allows if that is less. */
+  /**
+   * For a part with thickness: its shell, and the largest thickness that its shape allows if the
+   * chosen one exceeds it.
+   */
   thick: (Shell & { most: number | null }) | null;
 }
 
-/** The choices for parts. If several choices concern one part, the last counts. */
+/** The choices for parts. If several choices are for one part, the last counts. */
 export function choicesOf(
   parts: readonly SurfacePart[],
   choices: readonly PartChoice[],
@@ -47,7 +50,10 @@ export function lies({ face, bary }: SurfacePoint, { faces, weights }: SurfacePa
 
 type Six = [number, number, number, number, number, number];
 
-/** Whether a point of the plane lies in the triangle whose corners are the numbers from 6 times `i` on, or on its rim. */
+/**
+ * Whether a point of the plane lies in a triangle or on its rim; its corners begin at index 6 *
+ * `i`.
+ */
 export function isInTriangle(corners: Float32Array, i: number, x: number, y: number): boolean {
   const [ax, ay, bx, by, cx, cy] = corners.subarray(6 * i, 6 * i + 6) as unknown as Six;
   const side = (px: number, py: number, qx: number, qy: number) =>
@@ -56,7 +62,7 @@ export function isInTriangle(corners: Float32Array, i: number, x: number, y: num
   return signs.every((sign) => sign >= 0) || signs.every((sign) => sign <= 0);
 }
 
-/** The choices with another one for the part that has a point. */
+/** The choices, changed for the part that contains a point. */
 export function withChoice(
   choices: readonly PartChoice[],
   part: SurfacePart,

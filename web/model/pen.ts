@@ -39,10 +39,12 @@ export function withTangents(point: ControlPoint, tangents: Tangents | undefined
   return { ...rest, tangents: { ...(before && { before }), ...(after && { after }) } };
 }
 
-/** A handle as a vector at its anchor. */
+/** A drawn handle as a vector at its anchor. */
 const vectorOf = ({ direction, length }: DrawnTangent): Tangent => ({ direction, length });
 
-/** The handles of a joint as they are drawn, one of which leads. They are vectors, which move with the anchor. */
+/**
+ * The handles of a joint as drawn; one of them leads. They are vectors, which move with the anchor.
+ */
 export function byVectors(
   tangents: Tangents | undefined,
   drawn: DrawnTangents,
@@ -57,8 +59,8 @@ export function byVectors(
 }
 
 /**
- * The handles with one of them dragged elsewhere. The other one keeps its length and stays opposite,
- * or where it is: at a corner, and where the joint is broken.
+ * The handles after one of them was dragged. The other one keeps its length and stays opposite; at
+ * a corner, or if the joint is broken, it stays where it is.
  */
 export function withHandleAt(
   tangents: Tangents | undefined,
@@ -80,7 +82,7 @@ export function withHandleAt(
   };
 }
 
-/** The handles of another joint, made of those that are drawn. */
+/** The drawn handles, changed to another joint. */
 export function asJoint(
   tangents: Tangents | undefined,
   drawn: DrawnTangents,
@@ -100,15 +102,15 @@ export function asJoint(
   return { [side]: vectorOf(lead), [otherSide(side)]: { length } };
 }
 
-/** Whether a figure's anchors make a curve that ends where it starts. */
+/** Whether a figure's anchors form a closed curve. */
 const isClosed = ({ settings, points }: Figure) => settings.closed && points.length > 1;
 
-/** How many segments a curve of the pen has. */
+/** The number of segments of a curve of the pen. */
 export const segmentsOf = (figure: Figure) => figure.points.length - (isClosed(figure) ? 0 : 1);
 
 /**
- * The curve of anchors with handles where they are drawn: a B-spline of degree 3 whose knots are
- * threefold, so that each segment is the Bézier curve of its two anchors and the handles between them.
+ * The curve of anchors with their handles as drawn: a B-spline of degree 3 with threefold knots, so
+ * that each segment is the Bézier curve of its two anchors and the handles between them.
  */
 export function penOptions(
   figure: Figure,
@@ -141,8 +143,8 @@ export function penOptions(
 }
 
 /**
- * The numbers of the control points that an anchor is made of: its own and its handles', where the curve
- * closes at both of its ends.
+ * The indices of the control points of an anchor: its own and those of its handles. Where the curve
+ * closes, these are at both of its ends.
  */
 export function controlPointsOf(figure: Figure, anchor: number): number[] {
   const last = 3 * segmentsOf(figure);
@@ -150,7 +152,7 @@ export function controlPointsOf(figure: Figure, anchor: number): number[] {
   return anchor === 0 && isClosed(figure) ? [...around, last - 1, last] : around;
 }
 
-/** An anchor with one of its handles of another length; the other handle stays as it is. */
+/** An anchor with another length of one of its handles; the other handle stays as it is. */
 export function withHandleLength(
   anchor: ControlPoint,
   drawn: DrawnTangents,
@@ -168,9 +170,10 @@ export function withHandleLength(
 }
 
 /**
- * The anchors with one put in where the curve goes through a place at a parameter: by de Casteljau's
- * algorithm, so that on a plane the curve is the same. `derivative` is the curve's there, `samples` are its
- * own: the legs of the two parts of a segment that has one lie along them.
+ * The anchors with a new one at the curve's place at a parameter: by de Casteljau's algorithm, so
+ * that on a plane the curve does not change. `derivative` is the curve's derivative there,
+ * `samples` are the curve's; the legs of the two new segments lie along them if the old segment had
+ * a leg.
  */
 export function withAnchorAt(
   { points }: Figure,

@@ -1,4 +1,4 @@
-/** The cursor and the words that say what the pointer would do while a curve of the pen is drawn. */
+/** The cursor and the words for what the pointer would do while a curve of the pen is drawn. */
 import type { Side } from './figure';
 
 export type PenAction =
@@ -21,17 +21,17 @@ export type UnderPointer =
   | { type: 'handle'; side: Side };
 
 export interface PenState {
-  /** How many anchors there are. */
+  /** The number of anchors. */
   anchors: number;
   closed: boolean;
-  /** The number of the anchor that is selected. */
+  /** The index of the selected anchor. */
   selected: number | null;
   /** Whether the object is selected as a whole. */
   chosen: boolean;
   alt: boolean;
 }
 
-/** Whether a click on the surface goes on with the curve; where nothing is selected it has ended. */
+/** Whether a click on the surface continues the curve; without a selected anchor it has ended. */
 export const goesOn = ({ anchors, closed, selected }: PenState) =>
   anchors > 0 && !closed && selected !== null;
 
@@ -39,7 +39,7 @@ export const goesOn = ({ anchors, closed, selected }: PenState) =>
 const closesAt = (index: number, { anchors, closed, selected, alt }: PenState) =>
   index === 0 && !closed && anchors > 1 && selected === anchors - 1 && !alt;
 
-/** Whether a drag of the curve bends it; one that is selected as a whole is moved. */
+/** Whether a drag of the curve bends it; a curve that is selected as a whole is moved. */
 export const bends = ({ chosen, selected }: PenState) => !chosen || selected !== null;
 
 export function penActionAt(under: UnderPointer, state: PenState): PenAction {

@@ -6,15 +6,15 @@
 import type { CurveOptions, CurveSamples, SurfacePoint } from 'karcher';
 import type { ControlPoint, Side, Vector } from './figure';
 
-/** A handle as it was found on the surface. */
+/** A handle's geodesic on the surface. */
 export interface DrawnTangent {
   point: SurfacePoint;
-  /** From the anchor; of length 1. */
+  /** The unit direction from the anchor. */
   direction: Vector;
   length: number;
   /** The geodesic from the anchor. */
   path: Float32Array;
-  /** A few points that it goes through, in order. */
+  /** A few points on the geodesic, in order. */
   through: readonly SurfacePoint[];
 }
 
@@ -27,11 +27,11 @@ const middle = 1;
 export const anchorOfLeg = (leg: number): number | null =>
   leg % legsOfSegment === middle ? (leg - middle) / legsOfSegment : null;
 
-/** Those legs of the whole control polygon that are stored with anchors, by their numbers. */
+/** The legs that are stored with anchors, out of those of the whole control polygon. */
 export const legsOfAnchors = <Leg>(legs: readonly Leg[]): Leg[] =>
   legs.filter((_, i) => anchorOfLeg(i) !== null);
 
-/** The legs of all segments as the engine takes them. */
+/** The legs of all segments in the engine's form. */
 export function penLegs(
   anchors: readonly ControlPoint[],
   drawn: readonly DrawnTangents[],
@@ -44,11 +44,11 @@ export function penLegs(
   return legs.some((leg) => leg !== null) ? { legs } : {};
 }
 
-/** The points through which a handle's geodesic goes; null if it stays in one face. */
+/** The points along a handle's geodesic; null if it stays in one face. */
 const wayOf = (handle: DrawnTangent | undefined): readonly SurfacePoint[] | null =>
   handle?.through.length ? handle.through : null;
 
-/** The points that the two parts of a segment pass through, after the segment is cut at t. */
+/** The points along the two parts of a segment that is cut at t. */
 export function waysAlong(
   samples: Omit<CurveSamples, 'status'>,
   segment: number,
@@ -66,12 +66,12 @@ export function waysAlong(
 }
 
 /**
- * The number of points that describe a way. Its parts are then so short that they are shortest paths even on
- * rough surfaces.
+ * The number of points that describe a path. Its parts are then so short that they are shortest
+ * paths even on rough surfaces.
  */
 const mostThrough = 3;
 
-/** A few inner points of a way, evenly spread, from its start. */
+/** A few inner points of a path, evenly spread. */
 export function throughOf(points: readonly SurfacePoint[]): SurfacePoint[] {
   const inner = points.slice(1, -1);
   if (inner.length <= mostThrough) return inner;

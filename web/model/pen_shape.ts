@@ -6,22 +6,22 @@ import type { DrawnTangents } from './pen_legs';
 
 /** A place between two anchors. */
 export interface OnSegment {
-  /** The numbers of the segment's anchors. */
+  /** The indices of the segment's anchors. */
   from: number;
   to: number;
-  /** From 0 to 1 between them. */
+  /** The parameter between them, from 0 to 1. */
   t: number;
 }
 
-/** The segment of a parameter of the whole curve. */
+/** The segment at a parameter of the whole curve. */
 export function segmentAt({ points }: Figure, parameter: number): OnSegment {
   const from = Math.min(Math.floor(parameter), points.length - 1);
   return { from, to: (from + 1) % points.length, t: parameter - from };
 }
 
 /**
- * How far both handles of a segment go for each unit that its place at a parameter goes: the least
- * that takes it there.
+ * The shift of both handles for a unit shift of the segment's point at a parameter: the smallest
+ * shift that moves the point there.
  */
 export function bendingParts(t: number): [number, number] {
   const [first, second] = [3 * t * (1 - t) ** 2, 3 * t ** 2 * (1 - t)];
@@ -29,14 +29,17 @@ export function bendingParts(t: number): [number, number] {
   return [first / whole, second / whole];
 }
 
-/** A tangent vector as a handle's; null where it has no length. */
+/** A tangent vector as a handle; null if it has no length. */
 function handleOf(vector: Vector): Tangent | null {
   const length = Math.hypot(...vector);
   if (!(length > 0)) return null;
   return { direction: vector.map((value) => value / length) as Vector, length };
 }
 
-/** The figure with the handles of a segment moved by vectors at their anchors; smooth ones stay so. */
+/**
+ * The figure with the handles of a segment moved by vectors at their anchors; smooth joints stay
+ * smooth.
+ */
 export function withBentSegment(
   figure: Figure,
   drawn: readonly DrawnTangents[],
@@ -59,12 +62,12 @@ export function withBentSegment(
   return { ...figure, points: points.with(to, bent(to, 'before', second)) };
 }
 
-/** How many places of each of two segments the one in their place is held to. */
+/** The number of places of each of two segments that the curve in their place is fitted to. */
 const placesHeld = 24;
 
 /**
- * The one curve in place of two that follow each other, with these directions into it from its ends.
- * Of the halves of one curve it is that one.
+ * The one curve in place of two consecutive ones, with these directions into it from its ends. If
+ * the two are halves of one curve, it is that curve.
  */
 export function mergedCubic(
   first: Cubic,
@@ -74,7 +77,8 @@ export function mergedCubic(
   const far = (p: Planar, q: Planar) => Math.hypot(p[0] - q[0], p[1] - q[1]);
   const [before, after] = [far(first[2], first[3]), far(second[0], second[1])];
   const [chord, next] = [far(first[0], first[3]), far(second[0], second[3])];
-  // De Casteljau's algorithm divides the handles of the anchor that goes as it does the parameter.
+  // De Casteljau's algorithm divides the handles of the removed anchor in the same ratio as the
+  // parameter.
   const split = before > 0 && after > 0 ? before / (before + after) : chord / (chord + next || 1);
   const places = Array.from({ length: placesHeld + 1 }, (_, i) => i / placesHeld);
   const parameters = [

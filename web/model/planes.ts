@@ -2,7 +2,7 @@ import Delaunator from 'delaunator';
 import { type MadeSource, usualStretch } from './meshes';
 import { randomFrom } from './random';
 
-/** Positions and triangles, as `Karcher.meshFromArrays` takes them. */
+/** Positions and triangles in the form of `Karcher.meshFromArrays`. */
 export interface Arrays {
   positions: Float64Array;
   triangles: Int32Array;
@@ -26,17 +26,17 @@ export function planeArrays({
   return grid(columns, Math.max(2, Math.round(columns * stretch)), 0.3);
 }
 
-/** Appends about a number of points with coordinates from `least` to 1 - least. */
+/** Appends about `count` points with coordinates from `least` to 1 - `least`. */
 type Scatter = (flat: number[], count: number, least: number, random: () => number) => void;
 
-/** Anywhere, each for itself. */
+/** Independent, uniformly distributed points. */
 const whiteNoise: Scatter = (flat, count, least, random) => {
   for (let k = 0; k < count; k++) {
     flat.push(least + (1 - 2 * least) * random(), least + (1 - 2 * least) * random());
   }
 };
 
-/** On a lattice of equilateral triangles, each moved by up to a quarter of its side. */
+/** Points of a lattice of equilateral triangles, each moved by up to a quarter of its side. */
 const fairPoints: Scatter = (flat, count, least, random) => {
   const width = 1 - 2 * least;
   const side = width / Math.sqrt(count * Math.sqrt(0.75));
@@ -79,7 +79,7 @@ function grid(columns: number, rows: number, jitter: number): Arrays {
   return { positions: Float64Array.from(positions), triangles: Int32Array.from(triangles) };
 }
 
-/** The Delaunay triangulation of scattered points; on the border they are evenly spaced. */
+/** The Delaunay triangulation of scattered points, with evenly spaced points on the border. */
 function delaunay(triangles: number, scatter: Scatter): Arrays {
   const random = randomFrom(seed);
   const count = Math.max(9, Math.round(triangles / 2));
@@ -89,7 +89,7 @@ function delaunay(triangles: number, scatter: Scatter): Arrays {
     const s = i / side;
     flat.push(s, 0, 1, s, 1 - s, 1, 0, 1 - s);
   }
-  // Away from the border, so that no triangle there is a sliver.
+  // Points keep away from the border, so that no triangle there is a sliver.
   const inset = 0.4 / side;
   scatter(flat, count - flat.length / 2, inset, random);
   const { triangles: corners } = new Delaunator(flat);
@@ -101,7 +101,7 @@ function delaunay(triangles: number, scatter: Scatter): Arrays {
     const [ux, uy] = [flat[2 * b]! - flat[2 * a]!, flat[2 * b + 1]! - flat[2 * a + 1]!];
     const [vx, vy] = [flat[2 * c]! - flat[2 * a]!, flat[2 * c + 1]! - flat[2 * a + 1]!];
     const area = ux * vy - uy * vx;
-    // Points of one side are collinear: rounding may make triangles of them.
+    // Points of one side are collinear: rounding may make degenerate triangles of them.
     if (Math.abs(area) < 1e-12) continue;
     faces.push(...(area > 0 ? [a, b, c] : [a, c, b]));
   }

@@ -1,6 +1,6 @@
 /**
- * A drawing as JSON, and its check: what is read is a drawing in every part and of a bounded size, or
- * it is refused with a sentence.
+ * A drawing as JSON, and its check: a value is a correct drawing in every part and of bounded size,
+ * or it is refused with a sentence.
  */
 import type { SurfacePoint } from 'karcher';
 import {
@@ -64,7 +64,7 @@ export const savedDrawing = ({ active, objects }: Drawing) => ({
   objects,
 });
 
-/** The drawing that a value of JSON is. Throws a sentence about the first thing that it is not. */
+/** The drawing in a value of JSON. Throws a sentence about the first fault. */
 export function readDrawing(value: unknown): Drawing {
   const { format, version, active, objects } = record(value, 'the drawing');
   if (format !== drawingFormat) throw new Error(`the format is not '${drawingFormat}'`);
@@ -86,7 +86,7 @@ export function readDrawing(value: unknown): Drawing {
   return { objects: read, active };
 }
 
-/** Objects that were copied, here or in another tab. */
+/** Objects copied here or in another tab. */
 export function readObjects(value: unknown): DrawnObject[] {
   return list(value, 'the objects', mostObjects).map((object, i) =>
     readObject(object, `object ${i + 1}`),
@@ -243,7 +243,7 @@ function readControlPoint(value: unknown, what: string): ControlPoint {
     ...readPoint(value, what),
     ...(weight !== undefined && { weight: positive(weight, 'the weight') }),
     ...(beta !== undefined && { beta: positive(beta, 'the beta') }),
-    // Through no point a leg is the shortest one.
+    // A leg without points is the shortest one.
     ...(through.length > 0 && { leg: through }),
     ...(tangents !== undefined && { tangents: readTangents(tangents, what) }),
   };

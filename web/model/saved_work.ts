@@ -1,13 +1,16 @@
-/** The history of a drawing as a tab keeps it, with the drawing, through reloads. */
+/** The history of a drawing and the drawing itself, which a tab keeps through reloads. */
 import { apply, type Command, invert } from './commands';
 import type { Drawing } from './drawing';
 import { type History, historyOf } from './history';
 import { drawingVersion, readDrawing, savedDrawing } from './saved_drawing';
 
-/** A tab's storage takes a few millions of letters; of more steps the newest are kept. */
+/**
+ * The most text that is kept: a tab's storage holds a few million letters. Beyond it only the
+ * newest steps are kept.
+ */
 const mostLetters = 1_500_000;
 
-/** Commands as text: each is written once. */
+/** Commands as text: each one is converted once. */
 const texts = new WeakMap<Command, string>();
 
 function textOf(command: Command): string {
@@ -19,7 +22,7 @@ function textOf(command: Command): string {
   return text;
 }
 
-/** The last commands of a list that fit into a number of letters. */
+/** The last commands of a list that fit into this many letters. */
 function lastOf(commands: readonly Command[], letters: number): string[] {
   let left = letters;
   const kept: string[] = [];
@@ -32,20 +35,20 @@ function lastOf(commands: readonly Command[], letters: number): string[] {
   return kept.reverse();
 }
 
-/** A drawing and its history as text, which is found by `link`, the drawing's link. */
+/** A drawing and its history as text; the drawing's link identifies it. */
 export function savedWork(link: string, drawing: Drawing, history: Readonly<History>): string {
   const [done, undone] = [history.done, history.undone].map((one) => lastOf(one, mostLetters / 2));
   const head = JSON.stringify({ link, drawing: savedDrawing(drawing), version: drawingVersion });
   return `${head.slice(0, -1)},"done":[${done!.join(',')}],"undone":[${undone!.join(',')}],"activated":${JSON.stringify(history.activated)}}`;
 }
 
-/** The same without what was done: it takes less room, and its link is found. */
+/** The same without the history: it takes less room, and still has its link. */
 export const savedLink = (link: string) => JSON.stringify({ link, version: drawingVersion });
 
 const canonical = (drawing: Drawing) =>
   JSON.stringify(readDrawing(JSON.parse(JSON.stringify(savedDrawing(drawing)))));
 
-/** The link of the drawing in such a text; null if it holds no link. */
+/** The link of the drawing in such a text; null if it has none. */
 export function linkOfWork(text: string): string | null {
   try {
     const { link, version } = JSON.parse(text);
@@ -55,19 +58,19 @@ export function linkOfWork(text: string): string | null {
   }
 }
 
-/** Whether two drawings say the same, in whatever order their parts name their fields. */
+/** Whether two drawings are equal, whatever the order of fields in their parts. */
 export function sameDrawing(a: Drawing, b: Drawing): boolean {
   try {
     return canonical(a) === canonical(b);
   } catch {
-    // One of the steps leads to something that is no drawing.
+    // A step leads to an invalid drawing.
     return false;
   }
 }
 
 /**
- * The drawing and history that such a text holds for a link; null if it is for another link. The history leads
- * to this drawing and on, or it is left out.
+ * The drawing and history in such a text for a link; null if it belongs to another link. If the
+ * history does not lead to this drawing, it is left out.
  */
 export function readWork(
   text: string,

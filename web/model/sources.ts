@@ -9,8 +9,9 @@ const sourcesOf = ({ figure }: DrawnObject) =>
 const resolved = new WeakMap<Figure, Figure>();
 
 /**
- * The figure of an object with the figures that it is made of, to any depth: the very same one for as long as
- * all of these are the same. Missing objects, and objects that would be made of themselves, are left out.
+ * The figure of an object with the figures of its sources, to any depth: the identical object as
+ * long as all of these are unchanged. Missing sources, and objects that would be their own sources,
+ * are left out.
  */
 export function resolvedFigure(drawing: Drawing, object: DrawnObject): Figure {
   if (!isDerived(object.figure.kind)) return object.figure;
@@ -55,7 +56,7 @@ export function withSources(drawing: Drawing, ids: readonly number[]): number[] 
 export const isSource = ({ objects }: Drawing, id: number) =>
   objects.some((object) => sourcesOf(object).includes(id));
 
-/** The object with its sources renumbered; sources without a new number are removed. */
+/** The object with renumbered sources; sources without a new number are removed. */
 export function withSourceIds(
   object: DrawnObject,
   idOf: (id: number) => number | undefined,

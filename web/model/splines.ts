@@ -1,4 +1,4 @@
-/** Figures that are splines, as the engine takes them and gives them back. */
+/** Figures that are splines, in the engine's form and back. */
 import type { CurveOptions, CurveValue, FieldOptions, LegPoints, SurfacePoint } from 'karcher';
 import {
   askedLevels,
@@ -15,7 +15,7 @@ import {
 } from './figure';
 import { legsOf } from './legs';
 
-/** A figure as a spline; null for other figures and for those without points. */
+/** A figure as a spline; null if it is another figure or has no points. */
 export function splineOf({ kind, settings, points }: Figure): Spline | null {
   return isSpline(kind) && points.length > 0 ? { kind, settings, points } : null;
 }
@@ -26,14 +26,14 @@ export const withSpline = (figure: Figure, spline: Spline): Figure => ({
   ...spline,
 });
 
-/** Kinds that are subdivided; the others are one mean of all their points, or paths. */
+/** Whether a kind is subdivided; the others are a mean of all their points, or paths. */
 export const mayHaveLevels = (kind: Kind) =>
   ['bspline', 'bezier', 'rational', 'catmullrom', 'pen'].includes(kind);
 
-/** Kinds that follow the legs of their control polygon, or are made of them. */
+/** Whether a kind follows the legs of its control polygon, or is made of them. */
 export const usesLegs = (kind: Kind) => kind === 'polyline' || mayHaveLevels(kind);
 
-/** A spline as the engine takes it: with what its kind has a use for. */
+/** A spline in the engine's form, with the settings that its kind uses. */
 export function curveOptions(spline: Spline, options: FieldOptions): CurveOptions {
   const { kind, points, settings } = spline;
   const { closed, degree, clamped, knots, parametrization, samples, tolerance } = settings;
@@ -48,7 +48,7 @@ export function curveOptions(spline: Spline, options: FieldOptions): CurveOption
     ...(tolerance === null ? { samples } : { tolerance }),
     closed,
     ...(usesLegs(kind) && legsOf(spline)),
-    // The paper's method is one mean a segment.
+    // The paper's method takes one mean a segment.
     ...(options.method !== 'paper' && askedLevels(settings)),
     ...(kind === 'bspline' && { degree, knots: knots ? [...knots] : rule }),
     ...(kind === 'catmullrom' && { parametrization }),
@@ -57,7 +57,7 @@ export function curveOptions(spline: Spline, options: FieldOptions): CurveOption
   };
 }
 
-/** The points of a leg as the engine gives them, with weights that a link stores to the last bit. */
+/** The engine's points of a leg, with weights that a link stores to the last bit. */
 export const waypointsOf = (leg: LegPoints | undefined): SurfacePoint[] | null =>
   leg?.map((point) => {
     if ('vertex' in point) throw new Error('the engine gives points of faces');

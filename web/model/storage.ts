@@ -1,7 +1,7 @@
 /**
- * What a browser keeps for the page: documents by surface and preferences (localStorage), and the last files
- * that were opened (IndexedDB). It is no error if a browser keeps nothing, such as in private windows: the page
- * then starts afresh.
+ * The page's storage in the browser: documents by surface and preferences (localStorage), and the
+ * last opened files (IndexedDB). A browser may keep nothing, for example in private windows: the
+ * page then starts afresh, without an error.
  */
 const prefix = 'karcher.';
 const longestFile = 128 * 1024 * 1024;
@@ -9,7 +9,10 @@ const filesKept = 4;
 
 let heardOfKeeping: (kept: boolean) => void = () => {};
 
-/** Calls a listener whenever something is to be kept beyond this tab, with whether all of it was. */
+/**
+ * Calls a listener whenever the page has stored values beyond this tab, with whether all of them
+ * were kept.
+ */
 export function onKeeping(listener: (kept: boolean) => void): void {
   heardOfKeeping = listener;
 }
@@ -19,7 +22,7 @@ function keep(storage: () => Storage, name: string, value: string): boolean {
     storage().setItem(prefix + name, value);
     return true;
   } catch {
-    // Full or forbidden.
+    // The storage is full or forbidden.
     return false;
   }
 }
@@ -44,15 +47,15 @@ export const remember = (name: string, value: string) => rememberAll({ [name]: v
 export const recall = (name: string) => find(() => localStorage, name);
 
 /**
- * For this tab only, through reloads; false where there is no room. What was kept before goes then, too:
- * a reload would take it for the newest.
+ * Keeps a value for this tab only, through reloads; false if there is no room. The earlier value is
+ * removed even then: a reload would take it for the newest.
  */
 export function rememberInTab(name: string, value: string): boolean {
   if (keep(() => sessionStorage, name, value)) return true;
   try {
     sessionStorage.removeItem(prefix + name);
   } catch {
-    // A browser that forbids storage has kept nothing.
+    // A browser that forbids storage has stored nothing.
   }
   return false;
 }
@@ -65,7 +68,10 @@ function request<T>(make: IDBRequest<T>): Promise<T> {
   });
 }
 
-/** Until all is written: what is in a Blob is read after it was put. */
+/**
+ * Resolves when all is written: a browser reads the content of a Blob after the request to store
+ * it.
+ */
 function completed(transaction: IDBTransaction): Promise<void> {
   return new Promise((resolve, reject) => {
     transaction.oncomplete = () => resolve();
@@ -76,7 +82,7 @@ function completed(transaction: IDBTransaction): Promise<void> {
 /** The time in milliseconds after which a database that does not answer counts as missing. */
 const patience = 2000;
 
-/** Fails where nothing is answered. */
+/** Rejects if there is no answer. */
 function answered<T>(answer: Promise<T>): Promise<T> {
   return new Promise((resolve, reject) => {
     const timer = setTimeout(() => reject(new Error('the database does not answer')), patience);
@@ -91,10 +97,13 @@ async function openFiles(mode: IDBTransactionMode): Promise<IDBObjectStore> {
   return database.transaction('files', mode).objectStore('files');
 }
 
-/** Files that earlier versions kept as bytes are still found. */
+/** A stored file; earlier versions stored bytes, which are still read. */
 type StoredFile = ({ content: Blob } | { bytes: Uint8Array<ArrayBuffer> }) & { opened: number };
 
-/** Keeps a file in place of the oldest; false if it is too long, or if the browser keeps no files. */
+/**
+ * Keeps a file and removes the oldest one; false if it is too long, or if the browser keeps no
+ * files.
+ */
 export async function keepFile(key: string, content: Blob): Promise<boolean> {
   if (content.size > longestFile) return false;
   try {
@@ -110,7 +119,7 @@ export async function keepFile(key: string, content: Blob): Promise<boolean> {
     await kept;
     return true;
   } catch {
-    // Full or forbidden.
+    // The storage is full or forbidden.
     return false;
   }
 }

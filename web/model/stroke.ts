@@ -1,26 +1,29 @@
 /**
- * A stroke that was drawn by hand, as few smooth anchors of the pen. The surface along it is rolled out
- * onto a plane, where the stroke has the same lengths and turns as on the surface, and cubic curves are
- * fitted there: near an anchor these are its log coordinates.
+ * A stroke drawn by hand, converted to as few smooth anchors of the pen as possible. The surface
+ * along it is unrolled onto a plane, where the stroke has the same lengths and turns as on the
+ * surface, and cubic curves are fitted there: near an anchor these are its log coordinates.
  */
 import type { SurfacePoint } from 'karcher';
 import { cornersOf, fittedCubics, type Planar } from './cubic_fit';
 import type { ControlPoint, Tangent, Tangents, Vector } from './figure';
 import { withTangents } from './pen';
 
-/** A place of the stroke. Lengths are in the surface's unit. */
+/** A sample of the stroke. Lengths are in the surface's unit. */
 export interface StrokeSample {
   point: SurfacePoint;
   place: Vector;
-  /** Of length 1. */
+  /** The unit normal. */
   normal: Vector;
-  /** How far off the curve may be there. */
+  /** The tolerance of the fit there. */
   tolerance: number;
-  /** How far a pixel reaches there. */
+  /** The length of a pixel there. */
   pixel: number;
 }
 
-/** How far a stroke is looked along for its direction, in pixels, and what turn is a corner, in radians. */
+/**
+ * The length of a stroke, in pixels, that decides its direction, and the turn that makes a corner,
+ * in radians.
+ */
 const reachPixels = 10;
 const cornerAngle = 1;
 
@@ -48,7 +51,10 @@ function directionIn(normal: Vector, step: Vector): Vector | null {
 const angleFrom = (a: Vector, b: Vector, normal: Vector) =>
   Math.atan2(dot(cross(a, b), normal), dot(a, b));
 
-/** A stroke in the plane, with the direction on the surface that is at each place the plane's at an angle. */
+/**
+ * A stroke in the plane. At each sample, `direction` on the surface corresponds to `angle` in the
+ * plane.
+ */
 interface RolledOut {
   places: Planar[];
   frames: { direction: Vector; angle: number }[];
@@ -87,8 +93,8 @@ function handleAt(
 }
 
 /**
- * The anchors of a curve near a stroke of at least two places, corners at its sharp turns; closed where
- * its last place is its first one.
+ * The anchors of a curve near a stroke of at least two samples, with corners at its sharp turns;
+ * the curve is closed if the last sample is the first one.
  */
 export function anchorsOf(samples: readonly StrokeSample[], closed: boolean): ControlPoint[] {
   const { places, frames } = rolledOut(samples);
@@ -98,7 +104,7 @@ export function anchorsOf(samples: readonly StrokeSample[], closed: boolean): Co
   const corners = cornersOf(places, { reach, angle: cornerAngle });
   const tolerances = samples.map(({ tolerance }) => tolerance);
   const [first, end] = [frames[0]!, frames[last]!];
-  // A direction at the seam has another angle where the stroke comes back.
+  // At the seam, a direction has another angle in the plane after one turn of the stroke.
   const turn = end.angle + angleFrom(end.direction, first.direction, samples[last]!.normal);
   const options = { tolerances, corners, reach, ...(closed && { loop: { turn, cornerAngle } }) };
   const { pieces, isSmoothSeam } = fittedCubics(places, options);

@@ -1,7 +1,10 @@
-/** Planes to mirror in: through three places, and the one in which a surface is its own mirror image. */
+/**
+ * Mirror planes: a plane through three places, and the one in which a surface is its own mirror
+ * image.
+ */
 import type { Vector } from './figure';
 
-/** The places whose product with the unit normal is the offset. */
+/** A plane: the places whose dot product with the unit normal is the offset. */
 export interface Plane {
   normal: Vector;
   offset: number;
@@ -9,11 +12,11 @@ export interface Plane {
 
 export interface Symmetry {
   plane: Plane;
-  /** How far most of the mirrored surface lies from the surface. */
+  /** The distance from the surface below which most of the mirrored surface lies. */
   apart: number;
 }
 
-/** The surface's nearest place to a place, and its unit normal there. */
+/** The surface's nearest point to a place, and its unit normal there. */
 export type NearestPlace = (place: Vector) => { place: Vector; normal: Vector };
 
 const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -36,7 +39,7 @@ export function mirroredPlace({ normal, offset }: Plane, place: Vector): Vector 
 export const mirroredDirection = ({ normal }: Plane, direction: Vector): Vector =>
   mirroredPlace({ normal, offset: 0 }, direction);
 
-/** Null where the places lie on a line. */
+/** The plane through three places; null if they lie on a line. */
 export function planeThrough(a: Vector, b: Vector, c: Vector): Plane | null {
   const [ab, ac] = [less(b, a), less(c, a)];
   const normal = cross(ab, ac);
@@ -45,21 +48,24 @@ export function planeThrough(a: Vector, b: Vector, c: Vector): Plane | null {
   return { normal: direction, offset: dot(direction, a) };
 }
 
-/** Which part of the mirrored samples is near: the rest may be damaged, or missing at a boundary. */
+/**
+ * The part of the mirrored samples that must lie near: the rest may be damaged, or missing at a
+ * boundary.
+ */
 const near = 0.7;
-/** The directions that are tried. Every direction lies within some 10 degrees of one of them. */
+/** The number of directions to try. Every direction lies within some 10 degrees of one of them. */
 const tried = 96;
-/** How many of them are followed. */
+/** The number of best directions that are refined. */
 const followed = 8;
 const mostSteps = 20;
-/** Planes whose sides differ by so much more are as good: of those the first one is taken. */
+/** The margin by which another plane counts as equally good; the first of such planes is taken. */
 const asGood = { times: 1.25, more: 1e-4 };
 
 /**
- * The plane in which samples that lie evenly on a surface have their mirror images nearest to the surface:
- * of many planes through their middle the best ones are moved until they fit, each image drawn to the tangent
- * plane of the place nearest to it. The first of `preferred` directions is taken where others are no better.
- * `pause` is waited for every now and then.
+ * The plane in which evenly spread samples of a surface have mirror images nearest to the surface.
+ * Many planes through the samples' center are tried, and the best ones are refined: each mirror
+ * image is drawn to the tangent plane at its nearest place. The first of the `preferred` directions
+ * wins unless others are better. The search awaits `pause` now and then.
  */
 export async function symmetryOf(
   samples: readonly Vector[],
@@ -91,7 +97,7 @@ export async function symmetryOf(
   return { plane, apart: apartOf(plane, samples, nearest) };
 }
 
-/** Unit vectors all over half a sphere, evenly, on a spiral. */
+/** Unit vectors spread evenly over half a sphere, on a spiral. */
 function directions(count: number): Vector[] {
   const turn = Math.PI * (3 - Math.sqrt(5));
   return Array.from({ length: count }, (_, i) => {
@@ -101,7 +107,7 @@ function directions(count: number): Vector[] {
   });
 }
 
-/** The distance that most mirrored samples stay below. */
+/** The distance below which most mirrored samples lie. */
 function apartOf(plane: Plane, samples: readonly Vector[], nearest: NearestPlace): number {
   const distances = samples
     .map((sample) => {
@@ -112,7 +118,10 @@ function apartOf(plane: Plane, samples: readonly Vector[], nearest: NearestPlace
   return distances[Math.floor(near * (samples.length - 1))]!;
 }
 
-/** The plane turned and shifted until the mirrored samples lie nearest: by Gauss and Newton, few far ones left out. */
+/**
+ * The plane, turned and shifted until the mirrored samples lie nearest: Gauss-Newton steps, without
+ * the few farthest samples.
+ */
 function fittedPlane(begin: Plane, samples: readonly Vector[], nearest: NearestPlace): Plane {
   let plane = begin;
   for (let step = 0; step < mostSteps; step++) {

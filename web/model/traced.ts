@@ -3,7 +3,7 @@ import type { CurvePoints, CurveSamples, DrawnLeg, Path, SurfacePoint } from 'ka
 import type { Inside } from './figure';
 import type { LostInterval } from './lost';
 
-/** A region as it is painted: faces that lie in it as a whole, and triangles that fill its part of others. */
+/** A painted region: whole faces, and triangles that fill the region's parts of other faces. */
 export interface Region {
   whole: Int32Array;
   /** The face of each triangle, in order. */
@@ -11,24 +11,26 @@ export interface Region {
   /** Two numbers for each corner of a triangle: its second and third weight in the triangle's face. */
   corners: Float32Array;
   area: number;
-  /** Closed lines that have it to their left. */
+  /** Closed lines with the region on their left. */
   boundary: readonly Path[];
-  /** The side of the first line that it lies on; null of what is made of several regions. */
+  /** The side of the first line on which the region lies; null if it is made of several regions. */
   side: Inside | null;
 }
 
-/** A region's triangles with distances at their corners, between which these are linear. */
+/** A region's triangles with distances at their corners; these are linear in each triangle. */
 export interface Pattern {
   faces: Int32Array;
-  /** As those of a region. */
+  /** Corners as in a region. */
   corners: Float32Array;
   values: Float32Array;
 }
 
-/** The most lines or bands of a pattern, by the root of its region's area. */
+/**
+ * The largest number of lines or bands of a pattern across the square root of its region's area.
+ */
 export const mostLines = 1000;
 
-/** Whether a pattern has too many lines to be drawn: the fill is solid then. */
+/** Whether a pattern has too many lines: the fill is then drawn solid. */
 export const isTooFine = (spacing: number, { area }: Pick<Region, 'area'>) =>
   !(Math.sqrt(area) <= mostLines * spacing);
 
@@ -40,75 +42,78 @@ export interface TracedCurve {
   polyline: Float32Array;
   /** One number for each vertex of the polyline; 1 if its sample did not converge. */
   polylineStatus: Uint8Array;
-  /** Without the statuses: `lost` has those. */
+  /** The samples without their statuses, which `lost` summarizes. */
   samples: Omit<CurveSamples, 'status'>;
   /** The knots of a B-spline, also where they follow a rule; empty for other curves. */
   knots: Float64Array;
-  /** Points at equal lengths along the curve; their number is that of the request. */
+  /** Points at equal arc lengths along the curve, as many as requested. */
   marks: CurvePoints | null;
-  /** How many levels the curve has, or the arcs of a circle. */
+  /** The number of levels of the curve, or of the arcs of a circle. */
   levels: number;
-  /** The legs of its control polygon, where it has a use for them. */
+  /** The legs of its control polygon, if it uses them. */
   legs: readonly Float32Array[];
-  /** The same as the engine continues them. */
+  /** The same legs in the form that the engine continues. */
   drawnLegs: readonly DrawnLeg[];
-  /** Where the curve is no center of mass: it is bridged there, by subdivision. */
+  /** The parts where the curve is no center of mass: bridges by subdivision replace it there. */
   lost: LostInterval[];
-  /** A circle's arcs whose geodesics from the center stopped being shortest. */
+  /** Number of a circle's arcs whose geodesics from the center are no longer shortest. */
   arcsNotShortest: number;
-  /** How far a circle of arcs is from its radius, as a part of the radius. */
+  /** The largest deviation of a circle of arcs from its radius, as a fraction of the radius. */
   deviation: number | null;
   length: number;
   milliseconds: number;
-  /** Null where it was not asked for. */
+  /** The fill; null if it was not requested. */
   fill: Fill | null;
-  /** The paths of which other objects are made; null if they were not requested. */
+  /** The outlines from which other objects are made; null if they were not requested. */
   outlines: readonly Path[] | null;
 }
 
-/** A shorter way from a control point to the next than the one that the curve takes. */
+/** A path from a control point to the next that is shorter than the curve's leg. */
 export interface ShorterLeg {
-  /** The number of the control point. */
+  /** The index of the control point. */
   index: number;
   polyline: Float32Array;
-  /** Its length as a part of the leg's. */
+  /** Its length as a part of the leg's length. */
   part: number;
 }
 
-/** The lines of points at one distance, as the page draws them. */
+/** The points at a given distance, as lines for the page. */
 export interface TracedIsolines {
-  /** Open ones end at the boundary. */
+  /** The lines; open ones end at the boundary. */
   lines: { closed: boolean; length: number; polyline: Float32Array }[];
   /** The length of all lines. */
   length: number;
   milliseconds: number;
-  /** Null where it was not asked for. */
+  /** The fill; null if it was not requested. */
   fill: Fill | null;
   outlines: readonly Path[];
 }
 
-/** A point of a curve, with what is worth knowing there. */
+/** A point of a curve with its measurements. */
 export interface Measured {
   parameter: number;
   point: SurfacePoint;
   position: [number, number, number];
-  /** From the curve's start, and of all of it. */
+  /** The length from the curve's start, and the length of the curve. */
   length: number;
   wholeLength: number;
-  /** The derivative by the parameter. */
+  /** The derivative with respect to the parameter. */
   tangent: [number, number, number];
 }
 
-/** Distances along the surface from a point, as the page draws them. */
+/** Distances along the surface from a point, in the form that the page draws. */
 export interface TracedDistances {
-  /** At the vertices, in the caller's order; minus the farthest where no path leads. */
+  /**
+   * Distances at the vertices, in the caller's order; a vertex without a path has minus the largest
+   * distance.
+   */
   values: Float32Array;
-  /** The farthest. */
+  /** The largest distance. */
   most: number;
-  /** From one line to the next. */
+  /** The step from one line to the next. */
   step: number;
-  /** The lines of each multiple of the step, from the first. */
+  /** The lines for each multiple of the step, from the first. */
   lines: Float32Array[][];
-  /** Whether a path leads to every vertex. */
+  /** Whether every vertex has a path. */
   complete: boolean;
 }

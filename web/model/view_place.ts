@@ -1,7 +1,7 @@
-/** The place from which a surface is seen, as links write it: `view=top`, or six numbers. */
+/** The camera's place as links write it: `view=top`, or six numbers. */
 import type { Vector } from './figure';
 
-/** The views of the whole surface that have a name. */
+/** The named views of the whole surface. */
 export const viewNames = ['front', 'back', 'left', 'right', 'top', 'bottom'] as const;
 export type ViewName = (typeof viewNames)[number];
 
@@ -11,12 +11,12 @@ const isViewName = (name: string | null): name is ViewName =>
 /** A view that was turned, zoomed or moved, in the scene, where a surface's diagonal is 2. */
 export interface OrbitPlace {
   /**
-   * The direction of the camera from its target, in degrees: around the axis that points up, from the front,
-   * and above.
+   * The camera's direction from its target, in degrees: azimuth around the axis that points up,
+   * counted from the front, and elevation.
    */
   azimuth: number;
   elevation: number;
-  /** The radius of the ball about what it looks at that fits into the window, whatever its shape. */
+  /** The radius of the ball around the target that fits into the window, whatever its shape. */
   reach: number;
   target: Vector;
 }
@@ -34,7 +34,7 @@ const ranges = [
 export const viewRange =
   'a side, as front, or six numbers: degrees around from -180 to 180, above from -90 to 90, reach from 0.01 to 10, and what is looked at from -20 to 20';
 
-/** Null where it is beyond what a link may say. */
+/** Formats a view; null if it is outside the range of links. */
 export function formatView(view: ViewPlace): string | null {
   if (typeof view === 'string') return view;
   const { azimuth, elevation, reach, target } = view;
@@ -43,7 +43,7 @@ export function formatView(view: ViewPlace): string | null {
   return parseView(text.join(',')) ? text.join(',') : null;
 }
 
-/** Null where it is no view, or a number is out of its range. */
+/** Parses a view; null if it is none, or a number is out of range. */
 export function parseView(text: string): ViewPlace | null {
   if (isViewName(text)) return text;
   const fields = text.split(',');
@@ -54,5 +54,5 @@ export function parseView(text: string): ViewPlace | null {
   return { azimuth, elevation, reach, target };
 }
 
-/** The number without a minus sign before 0. */
+/** The rounded number; -0 becomes 0. */
 const rounded = (value: number, digits: number) => Number(value.toFixed(digits)) + 0;
