@@ -241,7 +241,7 @@ export function leavingCopies(drawing: Drawing, ids: readonly number[]): Command
   return together(steps);
 }
 
-/** Changes properties of objects; `restyling` may compute them for each object. */
+/** Gives objects these properties. */
 export function restyling(
   drawing: Drawing,
   ids: readonly number[],

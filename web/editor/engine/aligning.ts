@@ -1,4 +1,7 @@
-/** Objects, or points of one, brought onto the geodesic between the two of them that are farthest apart. */
+/**
+ * Alignment: moves objects, or points of one object, onto the geodesic between the two that are
+ * farthest apart.
+ */
 import type { SurfacePoint } from 'karcher';
 import type { Command } from '../../model/commands';
 import type { DrawnObject } from '../../model/drawing';
@@ -12,7 +15,8 @@ import { Move, movableObjects, replacing } from './moving';
 import type { Session } from './session';
 
 /**
- * The ways to align: each thing goes to the nearest place of the line, or all lie at even distances along it.
+ * The ways to align: each thing moves to the nearest place of the line, or all are spaced evenly
+ * along it.
  */
 export type Alignment = 'nearest' | 'even';
 
@@ -22,7 +26,7 @@ type Part = readonly DrawnObject[];
 /** The fewest things that can be aligned: two are on a line anyway. */
 const fewest = 3;
 
-/** The selected points or objects, where they can be aligned; an empty list where not. */
+/** The selected points or objects if they can be aligned; otherwise an empty list. */
 export function alignedParts(state: State): readonly Part[] {
   const { figure, selection, more, drawing } = state;
   const parts =
@@ -55,7 +59,7 @@ function wholes(objects: readonly DrawnObject[]): Part[] {
   return [...parts.values()];
 }
 
-/** Aligns what is selected, as one step; throws a sentence where it cannot be. */
+/** Aligns the selection, as one step; throws a sentence if that is impossible. */
 export async function align(
   editor: Editor,
   { client }: Session,
@@ -93,7 +97,7 @@ export async function align(
   editor.perform(command);
 }
 
-/** The center of a circle, and of other objects the center of mass of their places. */
+/** The center of a circle; for other objects the center of mass of their places. */
 async function middleOf(client: EngineClient, part: Part): Promise<SurfacePoint> {
   const places = part.flatMap(({ figure }) =>
     figure.circle ? [figure.circle.center] : placesOf({ ...figure, circle: null }),
@@ -148,11 +152,14 @@ async function goalsOf(
   return goals;
 }
 
-/** Points of a line that are looked at for the nearest one, and how often between the best one's neighbors. */
+/**
+ * The number of points of a line that are compared for the nearest one, and how often the search
+ * repeats between the best one's neighbors.
+ */
 const looks = 33;
 const rounds = 4;
 
-/** Where a line comes nearest to a place, as a part of its length. */
+/** The place where a line comes nearest to a point, as a part of its length. */
 async function nearestPart(
   client: EngineClient,
   place: SurfacePoint,

@@ -1,4 +1,4 @@
-/** A segment of the pen that is bent by a drag: the curve goes through the pointer, at one parameter. */
+/** A drag that bends a segment of the pen: the curve follows the pointer at a fixed parameter. */
 import type { CurveOptions, FieldOptions, SurfacePoint } from 'karcher';
 import { type Figure, plain, type Vector } from '../../model/figure';
 import type { FigureCommand } from '../../model/figure_commands';
@@ -16,7 +16,9 @@ const nearEnough = 1e-7;
 const sum = (a: Vector, b: Vector): Vector => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 
 export class Bend {
-  /** What is to be added to the way to the pointer, as the surface is curved: learnt as it is dragged. */
+  /**
+   * A correction to the path to the pointer for the surface's curvature, learnt during the drag.
+   */
   #correction: Vector = [0, 0, 0];
 
   private constructor(
@@ -30,10 +32,7 @@ export class Bend {
     private readonly place: SurfacePoint,
   ) {}
 
-  /**
-   * Holds a figure's segment, whose handles are drawn, where it is at a parameter of the segment. To be
-   * ended.
-   */
+  /** Holds a figure's segment at a parameter; its handles must be drawn. The caller ends it. */
   static async of(
     client: EngineClient,
     surface: Pick<Surface, 'carry'>,
@@ -57,8 +56,8 @@ export class Bend {
   }
 
   /**
-   * The command that bends the segment so that it passes through a point. On a plane one step is exact;
-   * elsewhere each correction measures how far the curve is off, and takes that into account.
+   * The command that bends the segment so that it passes through a point. On a plane one step is
+   * exact; elsewhere each correction measures the curve's error and includes it.
    */
   async through(point: SurfacePoint, corrections: number): Promise<FigureCommand> {
     const { client, surface, figure, place } = this;
@@ -83,7 +82,7 @@ export class Bend {
     return { type: 'replace', from: figure, to: best!.figure };
   }
 
-  /** The anchors whose handles are moved. */
+  /** The anchors whose handles move. */
   get anchors(): number[] {
     return [this.at.from, this.at.to];
   }
@@ -98,7 +97,7 @@ export class Bend {
     return withBentSegment(figure, drawn, at, vectors as [Vector, Vector]);
   }
 
-  /** The vector at a point along the shortest path to another one. */
+  /** The vector at a point towards another one, along the shortest path. */
   async #way(from: SurfacePoint, to: SurfacePoint): Promise<Vector> {
     const path = await this.client.mesh.shortestPath(from, plain(to));
     if (!(path.length > 0)) return [0, 0, 0];
@@ -106,7 +105,7 @@ export class Bend {
   }
 }
 
-/** The value of one segment, as a curve with a number of samples. */
+/** A segment's value, as a curve with the given number of samples. */
 export async function segmentValue(
   client: EngineClient,
   figure: Figure,

@@ -19,7 +19,7 @@ import {
 import type { ShownCut } from './cut';
 import type { State } from '../state/state';
 
-/** An object that lies beside the edited one, as it is drawn. */
+/** An object besides the edited one, in the form in which it is drawn. */
 export interface Beside {
   id: number;
   style: LineStyle;
@@ -30,7 +30,7 @@ export interface Beside {
   points: readonly SurfacePoint[];
   /** A center of mass. */
   center: SurfacePoint | null;
-  /** The region that its lines enclose, if it is painted. */
+  /** The region that its lines enclose, if it has a fill. */
   region: Region | null;
   /** The parts into which a cut divides the surface. */
   cut: ShownCut | null;
@@ -41,35 +41,35 @@ interface Traced {
   method: MethodId;
   shown: Shown;
   quality: Quality | null;
-  /** The lines that a figure was made of, where it is made of others. */
+  /** The lines of the sources, if the figure is made of others. */
   from?: readonly (readonly Path[] | null)[];
 }
 
-/** A drag's followers rest after each slow object for as many times as long as that took. */
+/** After a slow object, the others of a drag rest for this many times as long as it took. */
 const restPart = 2;
 
-/** The number of figures remembered beyond those of the drawing, for steps that are undone. */
+/** The number of figures remembered beyond those of the drawing, so that undo finds them. */
 export const mostRemembered = 64;
 
 /**
- * The engine's results for figures. A figure is a value, so what was traced of it holds for as long as the
- * figure itself is used, by whichever object, and after a step is taken back.
+ * The engine's results for figures. A figure is a value, so its result stays valid for every object
+ * that uses it, and after undo.
  */
 export class BesideObjects {
   readonly #traced = new Map<Figure, Traced>();
   readonly #drawn = new WeakMap<DrawnObject, Beside>();
   #last: readonly Beside[] = [];
-  /** The lines of figures of which others are made. */
+  /** The lines of figures that are sources of others. */
   #outlines = new WeakMap<Figure, { method: MethodId; paths: readonly Path[] }>();
   /** The last results for objects that follow others, which are shown until the next ones arrive. */
   readonly #lastOf = new Map<number, Traced>();
   #restUntil = 0;
   #timer: ReturnType<typeof setTimeout> | null = null;
 
-  /** `rested` is called when something that rests in a drag may be traced again. */
+  /** `rested` is called when a figure that rests during a drag may be traced again. */
   constructor(private readonly rested: () => void) {}
 
-  /** Whether something is still to follow. */
+  /** Whether an object still has to be traced. */
   get resting(): boolean {
     return this.#timer !== null;
   }
@@ -82,8 +82,8 @@ export class BesideObjects {
   }
 
   /**
-   * What was made of a figure: it may be seen again, beside another one or edited. The oldest results that no
-   * object of the drawing uses are forgotten.
+   * Keeps the result for a figure: the figure may appear again, edited or not. The oldest results
+   * that no object of the drawing uses are forgotten.
    */
   keep(figure: Figure, traced: Traced, drawing: State['drawing']): void {
     const { operands } = figure;
@@ -103,7 +103,7 @@ export class BesideObjects {
     return fill && !traced.shown.fill ? null : traced;
   }
 
-  /** The side that what a figure encloses lies on, as it was last made; null where that is not known. */
+  /** The side on which the region of a figure last lay; null if it is not known. */
   insideOf(figure: Figure): Inside | null {
     return this.#traced.get(figure)?.shown.fill?.region?.side ?? null;
   }
@@ -155,13 +155,13 @@ export class BesideObjects {
     }, milliseconds);
   }
 
-  /** Takes the lines of a figure for what is made of it, where they were asked for. */
+  /** Takes the lines of a figure for the objects that are made of it, if they were requested. */
   tell(figure: Figure, method: MethodId, shown: Shown): void {
     const paths = outlinesShown(shown);
     if (paths) this.#outlines.set(figure, { method, paths });
   }
 
-  /** The lines of operands, as they are known or made. */
+  /** Finds the lines of sources, known or newly traced. */
   outlinesOf(client: EngineClient, method: MethodId) {
     const outlinesOf = async (operand: Operand): Promise<readonly Path[]> => {
       const known = this.#pathsOf(operand, method);
@@ -214,7 +214,7 @@ export class BesideObjects {
   }
 }
 
-/** Sources are asked for their fill too: a drag of a source keeps to its side. */
+/** Whether to request an object's fill. Sources need it too: a drag of a source keeps its side. */
 export const asksFill = (drawing: State['drawing'], { id, fill, figure }: DrawnObject) =>
   fill > 0 || (!figure.inside && isSource(drawing, id));
 

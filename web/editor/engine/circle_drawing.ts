@@ -19,15 +19,15 @@ export interface ShownCircle extends ShownRadius {
   across: ShownRadius | null;
 }
 
-/** The least radius across that a handle gives, as a part of the surface's diagonal. */
+/** The smallest radius across that a handle can give, as a part of the surface's diagonal. */
 const leastAcross = 1e-3;
 
 export interface ShownIsolines extends TracedIsolines {
-  /** Whether they are exact, however good the method is. */
+  /** Whether the lines are exact, however good the method is. */
   exact: boolean;
 }
 
-/** Where the handles of a circle or an ellipse are, and the radii that they say. */
+/** The places of the handles of a circle or an ellipse, and the radii that follow from them. */
 export async function resolveCircle(
   client: EngineClient,
   { center, rim, across }: CircleShape,
@@ -79,8 +79,8 @@ async function acrossRadius(
 }
 
 /**
- * Rejects where there is no circle or ellipse of these radii. The draft of an exact isoline is the linear one,
- * which is as quick far from the center as near it.
+ * Rejects if no circle or ellipse has these radii. The draft of an exact isoline is the linear one,
+ * which takes as little time far from the center as near it.
  */
 export async function drawCircle(
   client: EngineClient,
@@ -125,7 +125,7 @@ export async function drawCircle(
   return { isolines: { ...isolines, exact } };
 }
 
-/** With the levels that the engine gives, or else with this many. */
+/** Takes the levels that the engine chooses, but at least this many. */
 async function atLeast(
   levels: number,
   trace: (part: { levels?: number }) => Promise<TracedCurve>,
@@ -134,7 +134,10 @@ async function atLeast(
   return traced.levels < levels ? trace({ levels }) : traced;
 }
 
-/** The first step of a polyline that is no repeated point; any direction when all are. */
+/**
+ * The direction of the first nonzero step of a polyline; an arbitrary one if all of its points
+ * coincide.
+ */
 export function directionOf(polyline: Float32Array | Float64Array): Vector {
   for (let i = 3; i < polyline.length; i += 3) {
     const step = [0, 1, 2].map((axis) => polyline[i + axis]! - polyline[axis]!) as Vector;

@@ -8,24 +8,24 @@ import { Refinement } from './refinement';
 import type { Session } from './session';
 import type { View } from './view';
 
-/** The edited curve by a second method, beside the one that is shown. */
+/** The edited curve by a second method, for comparison with the visible one. */
 export interface Compared {
   method: MethodId;
   /** Null while there is no comparison, or if none is possible. */
   polyline: Float32Array | null;
-  /** How far the two are apart, in mean edges and as a part of the shown curve's length. */
+  /** The distance of the two curves, in mean edges and as a part of the visible curve's length. */
   inEdges: Gap | null;
   ofLength: Gap | null;
-  /** Whether it belongs to what was edited before. */
+  /** Whether the comparison is of an earlier state. */
   late: boolean;
-  /** Why there is no second curve, as a sentence. */
+  /** A sentence that says why the second curve is missing. */
   problem: string | null;
 }
 
 /** A trace that takes longer, in milliseconds, waits until a drag has ended. */
 const longestOfDrag = 60;
 
-/** A requested comparison, and its outcome. */
+/** A requested comparison and its result. */
 interface Asked {
   figure: Figure;
   method: MethodId;
@@ -38,8 +38,8 @@ const scaled = ({ mean, largest }: Gap, by: number): Gap => ({
 });
 
 /**
- * Traces the edited curve by a second method, on an engine of its own, so that nothing waits for it; and
- * measures how far the two are apart.
+ * Traces the edited curve by a second method on an engine of its own, so that no other work waits
+ * for it, and measures the distance of the two curves.
  */
 export class Comparison {
   #method: MethodId | null = null;
@@ -51,7 +51,7 @@ export class Comparison {
   #polyline: Float32Array | null = null;
   readonly #engine = new Refinement<Shown>();
 
-  /** Called with every change of what is compared. */
+  /** Called with every change of the comparison. */
   onChange: (compared: Compared | null) => void = () => {};
 
   constructor(private readonly session: Session) {}
@@ -70,7 +70,7 @@ export class Comparison {
     this.#asked = null;
     this.#shown = null;
     this.#engine.drop();
-    // An engine is made only for a user who compares.
+    // Only a user who compares gets an engine for it.
     if (!method) {
       this.#engine.use(null);
       this.#client = null;

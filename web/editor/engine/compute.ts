@@ -18,11 +18,11 @@ import { type Shift, shiftBetween } from './shift';
 export interface Shown {
   curve: TracedCurve | null;
   isolines: ShownIsolines | null;
-  /** The parts of the surface, where the figure is a cut. */
+  /** The parts of the surface, if the figure is a cut. */
   cut: ShownCut | null;
   circle: ShownCircle | null;
   center: ShownCenter | null;
-  /** The handles of the anchors, where the figure is a curve of the pen. */
+  /** The handles of the anchors, if the figure is a curve of the pen. */
   tangents: readonly DrawnTangents[] | null;
   /** A sentence that says why parts of the result are missing. */
   problem: string | null;
@@ -53,21 +53,25 @@ export function polylinesOf({ curve, isolines }: Shown): Float32Array[] {
 
 /** The options for computing a figure. */
 export interface Computation {
-  /** The id of its object, of which the engine keeps the curve. */
+  /** The id of the object; the engine keeps its curve. */
   object: number;
-  /** Whether a better answer is to follow, by other options. */
+  /** Whether a better answer will follow, with other options. */
   draft?: boolean;
   /**
-   * The points or anchors that a drag moves, and the legs as its last step drew them, from which they go on.
+   * The points or anchors that a drag moves, and the legs as its last step drew them; the engine
+   * continues these.
    */
   before?: DrawnBefore | undefined;
-  /** Whether to look for other minima than a center of mass, where that is quickly done. */
+  /** Whether to look for other minima besides a center of mass, if the search is quick. */
   uniqueness?: boolean;
-  /** Whether to measure a center of mass by exact shortest paths: about as long as one exact field. */
+  /**
+   * Whether to measure a center of mass by exact shortest paths, which takes about as long as one
+   * exact field.
+   */
   certificate?: boolean;
-  /** Whether the region that its lines enclose on the figure's side is wanted. */
+  /** Whether to compute the region that the lines enclose on the figure's side. */
   fill?: boolean;
-  /** Whether the paths of its lines are wanted as well. */
+  /** Whether to return the paths of the lines. */
   outlines?: boolean;
   /** The lines of the figures that this one is made of. */
   outlinesOf?: OutlinesOf;
@@ -77,10 +81,10 @@ export interface Computation {
 export const outlinesShown = ({ curve, isolines }: Shown): readonly Path[] | null =>
   curve || isolines ? (curve ?? isolines)!.outlines : [];
 
-/** The fill of what encloses nothing, such as a center. */
+/** The fill of a figure that encloses no region, such as a center. */
 export const noFill: Fill = { region: null, problem: null };
 
-/** Other minima are looked for where fields have no more values than these: some 60 ms. */
+/** The largest number of field values with which other minima are searched for: some 60 ms. */
 const mostLooked = { fast: 120_000, others: 20_000 };
 
 export async function compute(
@@ -194,8 +198,8 @@ async function computeCenter(
 }
 
 /**
- * A center with what its draft tells of others: the engine of exact answers does not look for them, and
- * has a copy of the surface that it does not know as a built-in shape.
+ * A center with the other minima that its draft found. The engine of exact answers does not search
+ * for them, and its copy of the surface is not known as a built-in shape.
  */
 export function withUniqueness(
   exact: ShownCenter | null,
@@ -226,13 +230,13 @@ async function computeCircle(
   }
 }
 
-/** The quality of the first answer. An exact isoline is exact by any method. */
+/** The quality of the first answer. An exact isoline is exact with every method. */
 export function qualityShown({ curve, isolines, center }: Shown, method: MethodId): Quality | null {
   if (isolines?.exact) return 'exact';
   return curve || isolines || center ? qualityOf(method) : null;
 }
 
-/** How far what is shown moved from one quality to the other, in a unit of length. */
+/** The distance between the draft and the exact form, in a unit of length. */
 export function shiftOf(from: Shown, to: Shown, unit: number): Shift | null {
   if (from.center && to.center) {
     return shiftBetween(
@@ -245,7 +249,7 @@ export function shiftOf(from: Shown, to: Shown, unit: number): Shift | null {
   return shiftBetween(from.curve.samples.position, to.curve.samples.position, unit);
 }
 
-/** Failures in which the engine names points or arcs by numbers, which it counts from 0. */
+/** Sentences for errors in which the engine names points or arcs by indices from 0. */
 const withoutNumbers: Partial<Record<ErrorCode, string>> = {
   unreachable: 'the points lie on different components of the surface; no path joins them all',
   boundary: 'a geodesic from the center to its arc meets the surface’s boundary',

@@ -27,13 +27,13 @@ import type { CurveTool } from '../state/tool';
 /** The number of times that an edit starts again because another one, such as a drag, overtook it. */
 const mostAttempts = 20;
 
-/** A command, and what is selected after it. */
+/** A command, and the selection after it. */
 interface Step {
   command: FigureCommand;
   selection: Selection;
 }
 
-/** The effect of a command on a B-spline's own knots; null if there is none. */
+/** The effect of a command on a B-spline's own knots; null if it has none. */
 function editOf(command: FigureCommand): Edit | null {
   switch (command.type) {
     case 'insert':
@@ -48,8 +48,8 @@ function editOf(command: FigureCommand): Edit | null {
 }
 
 /**
- * Edits that need the engine, some always and some at times. Each is one step of the history, and one ends
- * before the next begins, however fast they are asked for.
+ * Edits that need the engine, always or sometimes. Each is one step of the history, and each ends
+ * before the next begins, however fast the user is.
  */
 export class CurveEdits {
   /** While edits are under way, the end of the last one. */
@@ -99,12 +99,12 @@ export class CurveEdits {
     });
   }
 
-  /** Removes an anchor of the pen; the curve stays as near to what it was as it can. */
+  /** Removes an anchor of the pen; the curve changes as little as possible. */
   removeAnchor(index: number): Promise<void> {
     return this.removeAnchors([index]);
   }
 
-  /** Removes several anchors, the last one first. */
+  /** Removes several anchors, starting with the last. */
   removeAnchors(numbers: readonly number[]): Promise<void> {
     const index = numbers.at(-1)!;
     this.editor.interrupt();
@@ -121,8 +121,8 @@ export class CurveEdits {
           this.editor.replace(to, left === 0 ? null : Math.min(index, left - 1));
           return;
         }
-        // The same anchors may have legs now that a drag drew; of another curve the anchor is another one,
-        // too.
+        // The same anchors may have got legs from a drag meanwhile; for another curve the anchor
+        // must be found again.
         from = state.figure;
         const isSame = from.points.length === figure.points.length;
         if (!isSame || state.drawing.active !== drawing.active) return;
@@ -143,7 +143,7 @@ export class CurveEdits {
     });
   }
 
-  /** Gives a B-spline knots; resolves with the engine's sentence where it cannot have these. */
+  /** Gives a B-spline knots; resolves to the engine's sentence if they are invalid. */
   async setKnots(knots: readonly number[]): Promise<string | null> {
     let problem: string | null = null;
     await this.#inOrder(async () => {
@@ -166,8 +166,8 @@ export class CurveEdits {
   }
 
   /**
-   * Carries out a click on the edited curve, at a place in the surface's coordinates; a click within that
-   * distance of a knot means the knot.
+   * Carries out a click on the edited curve at a place in the surface's coordinates; a click within
+   * `within` of a knot means the knot.
    */
   atCurve(tool: CurveTool, near: Vector, within = 0): Promise<void> {
     return this.#inOrder(() => this.#atCurve(tool, near, within));
@@ -190,7 +190,7 @@ export class CurveEdits {
     if (spline) this.editor.replace(withSpline(figure, spline), made.point);
   }
 
-  /** Puts an anchor in where the curve of the pen is nearest to a place. */
+  /** Inserts an anchor where the curve of the pen is nearest to a place. */
   async #putAnchor(near: Vector): Promise<void> {
     const { figure } = this.editor.state;
     const { tangents, curve } = this.session.view;
@@ -208,7 +208,7 @@ export class CurveEdits {
     this.editor.replace({ ...figure, points }, index);
   }
 
-  /** The edited object becomes the first piece; the others lie above it, of the same style. */
+  /** The edited object becomes the first piece; the others lie above it and have the same style. */
   #cut([first, ...rest]: readonly Spline[]): void {
     const { drawing, figure } = this.editor.state;
     if (!first) return;
@@ -232,7 +232,7 @@ export class CurveEdits {
     else this.editor.activate(id);
   }
 
-  /** Makes one curve of the edited object and another one. */
+  /** Joins the edited object and another curve into one. */
   join(id: number): Promise<void> {
     this.editor.interrupt();
     return this.#inOrder(() => this.#join(id));
@@ -272,8 +272,8 @@ export class CurveEdits {
   }
 
   /**
-   * Carries out a step, at once where it needs no engine. A B-spline's own knots go on as those of
-   * the engine's curve; where there is none, they go.
+   * Carries out a step, at once if it needs no engine. A B-spline's own knots become those of the
+   * engine's edited curve; if the engine finds none, they are removed.
    */
   #edit(stepOn: (figure: Figure) => Step | null): Promise<void> {
     return this.#inOrder(async () => {
@@ -287,7 +287,7 @@ export class CurveEdits {
         const asks = before?.kind === 'bspline' && after && !knotsFit(to);
         const edit = asks && editOf(step.command);
         const knots = edit ? await this.session.knotsAfter(before, edit) : null;
-        // If another step was made in the meantime, this one comes after it.
+        // If another step was made in the meantime, this one follows it.
         const late = this.editor.state.revision !== revision;
         if (late && attempt < mostAttempts) continue;
         if (knots && !late)
@@ -306,19 +306,19 @@ export class CurveEdits {
     return last;
   }
 
-  /** Makes ready for a click on the curve to cut. */
+  /** Waits for a click at which to split the curve. */
   chooseSplit(): void {
     if (!this.#hasSpline() || this.editor.refuses()) return;
     this.#toggle('split');
   }
 
-  /** Prepares to measure the curve, until the user chooses or does something else. */
+  /** Measures the curve under the pointer, until the user chooses another tool or edits. */
   chooseMeasure(): void {
     this.editor.select(null);
     this.#toggle('measure');
   }
 
-  /** Joins the only other curve, or makes ready for a click on one of them. */
+  /** Joins the only other curve, or waits for a click on one of them. */
   chooseJoin(): void {
     const others = joinable(this.editor.state);
     if (!this.#hasSpline() || others.length === 0 || this.editor.refuses()) return;

@@ -6,13 +6,13 @@ import type { SurfacePart } from '../../model/parts';
 import type { EngineClient } from '../../worker/client';
 import type { OutlinesOf } from './derived';
 
-/** A part with what is done with it. */
+/** A part of the surface, with the user's choice for it. */
 export interface ShownPart extends SurfacePart {
   state: 'kept' | 'hidden' | 'deleted';
 }
 
 export interface ShownCut {
-  /** The largest first. */
+  /** The parts, the largest first. */
   parts: readonly ShownPart[];
 }
 
@@ -25,7 +25,7 @@ interface Made {
 /** The last cut of each worker. Choices for its parts need no new cut. */
 const lastOf = new WeakMap<EngineClient, Made>();
 
-/** Throws a sentence where there is nothing to cut along. */
+/** Throws a sentence if no line cuts the surface. */
 export async function drawCut(
   client: EngineClient,
   { derived, operands = [] }: Figure,

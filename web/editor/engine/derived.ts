@@ -14,7 +14,9 @@ const emptyResults: Partial<Record<Figure['kind'], string>> = {
   exclusion: 'each covers the others',
 };
 
-/** Draws what is derived of other figures. Throws an error whose message says why where there is nothing to draw. */
+/**
+ * Draws a figure that is made of others. Throws an error with the reason if the result is empty.
+ */
 export async function drawDerived(
   client: EngineClient,
   { kind, derived, operands = [] }: Figure,
@@ -23,7 +25,7 @@ export async function drawDerived(
 ): Promise<ShownIsolines> {
   if (operands.length === 0) throw new Error('what it was made of is gone');
   const shapes: OutlinedShape[] = [];
-  // Operands are traced one after the other: the worker has one curve at a time in hand.
+  // Operands are traced one after the other: a worker traces one curve at a time.
   for (const operand of operands) {
     const { inside } = operand.figure;
     shapes.push({ outlines: await outlinesOf(operand), ...(inside && { inside }) });

@@ -10,7 +10,7 @@ import type { State } from '../state/state';
 import { Newest } from './newest';
 import type { Session } from './session';
 
-/** The source of distances: an object's control point by its number, or its center. */
+/** The source of distances: an object's control point by its index, or its center. */
 interface Origin {
   object: number;
   handle: number | 'center';
@@ -20,7 +20,7 @@ export interface ShownDistances {
   traced: TracedDistances;
   origin: Origin;
   from: SurfacePoint;
-  /** Whether the distances are those from the point's present place. */
+  /** Whether the distances start at the point's present place. */
   current: boolean;
 }
 
@@ -32,21 +32,21 @@ interface Job {
 }
 
 /**
- * Distances along the surface from the selected point or center. They stay with that point: its drags
- * are followed once they rest, as the engine is the curves' until then.
+ * Distances along the surface from the selected point or center. They follow its drags only when
+ * they pause, since until then the engine is busy with curves.
  */
 export class Distances {
   #origin: Origin | null = null;
   #shown: ShownDistances | null = null;
-  /** The request that came last. */
+  /** The latest request. */
   #asked: Job | null = null;
-  /** Ends the trace that is under way. */
+  /** Aborts the trace under way. */
   #running = new AbortController();
   readonly #newest = new Newest<Job>((job) => this.#trace(job));
 
-  /** Called with every change of what is shown; null where nothing is. */
+  /** Called with every change of the distances; null if none are shown. */
   onChange: (shown: ShownDistances | null) => void = () => {};
-  /** Called with why there are no distances, as a sentence. */
+  /** Called with a sentence that says why distances are missing. */
   onProblem: (sentence: string) => void = () => {};
 
   constructor(
@@ -87,7 +87,7 @@ export class Distances {
     this.#show(null);
   }
 
-  /** Follows what is selected, and where it is, once no drag is going on. */
+  /** Follows the selection and its place, unless a drag is under way. */
   update(): void {
     if (!this.on) return;
     const { state } = this.editor;

@@ -6,20 +6,22 @@ import type { State } from '../state/state';
 import type { Shown } from './compute';
 
 /**
- * Steps of a drag for which the engine takes longer, in milliseconds, are followed by drafts without
- * fields: of a frame's 16 as much is left for the page.
+ * Steps that take the engine longer, in milliseconds, are followed by drafts without fields: half
+ * of a frame's 16 is left for the page.
  */
 const longestDraft = 8;
 /** The number of consecutive steps that must be slow, since the first one also computes what later ones reuse. */
 const slowSteps = 2;
 
-/** Whether a curve by tolerance has more samples than it would have by their number. */
+/** Whether a curve by tolerance has more samples than its fixed number. */
 function moreThanFixed({ settings }: Figure, { samples }: TracedCurve): boolean {
   const segments = (samples.segment.at(-1) ?? 0) + 1;
   return settings.tolerance !== null && samples.count > settings.samples * segments;
 }
 
-/** A drag of control points: the legs that meet there go on from where its last step drew them. */
+/**
+ * A drag of control points: the legs at these points continue from where its last step drew them.
+ */
 export class Drag {
   readonly base: Figure;
   readonly points: readonly number[];
@@ -39,7 +41,7 @@ export class Drag {
     return this.base === base && `${this.points}` === `${dragged}`;
   }
 
-  /** The figure that the drag led to, with its legs. */
+  /** The figure at the end of the drag, with its legs. */
   ended(figure: Figure): Figure {
     const isOther = this.legs === null && figure.points.length !== this.base.points.length;
     return isOther ? figure : withTold(figure, this.points, this.told);
@@ -51,29 +53,35 @@ export class HeldTracing {
   /** Whether a curve by tolerance has more samples than a fixed number would give it. */
   #manySamples = false;
   /**
-   * The number of levels of a curve with automatic levels: between drags the present one, in a drag the largest
-   * so far.
+   * The number of levels of a curve with automatic levels: the present one between drags, the
+   * largest so far in a drag.
    */
   #levels: number | 'limit' = 0;
-  /** Whether a curve of no levels is dragged as a draft, which takes some: its own steps were slow. */
+  /**
+   * Whether a curve without levels is dragged as a draft, which has some, because its own steps
+   * were slow.
+   */
   #draft = false;
-  /** How many steps of the drag, one after the other, were slow. */
+  /** The number of consecutive slow steps of the drag. */
   #slow = 0;
 
-  /** Another object is edited. */
+  /** Resets the state when another object is edited. */
   forget(): void {
     this.#manySamples = false;
     this.#levels = 0;
   }
 
-  /** Takes what was traced of the figure as it is: a drag keeps to that. */
+  /** Records the trace of a figure at rest, which a drag starts from. */
   rested(figure: Figure, { curve }: Shown): void {
     this.#manySamples = curve !== null && isCurve(figure.kind) && moreThanFixed(figure, curve);
     this.#levels = curve?.levels ?? 0;
     this.#draft = false;
   }
 
-  /** Takes what was traced: levels that a drag needed stay while it lasts, and slow steps make it quicker. */
+  /**
+   * Records the trace of a drag's step: its levels stay for the rest of the drag, and slow steps
+   * choose quicker ones.
+   */
   stepped(dragging: boolean, { kind }: Figure, { curve }: Shown): void {
     if (dragging && this.#levels !== 'limit' && curve) {
       this.#levels = Math.max(this.#levels, curve.levels);
@@ -84,8 +92,8 @@ export class HeldTracing {
   }
 
   /**
-   * Makes the curve a draft, whose points lie near each other, so that their means are quick; where that is
-   * slow too, averages alone make it, which need no fields.
+   * Makes the curve a draft, whose means are quick since their points lie near each other; if that
+   * is slow too, only averages, which need no fields.
    */
   #makeQuicker(): void {
     if (this.#levels === 0 && !this.#draft) {
@@ -97,13 +105,13 @@ export class HeldTracing {
   }
 
   /**
-   * During a drag fewer samples than the tolerance needs are enough, and a curve keeps the most levels that it
-   * has had. On release both are computed again.
+   * The figure to trace in a drag: fewer samples than the tolerance needs, and the most levels so
+   * far. Both are computed again on release.
    */
   traced({ figure, dragging }: State): { figure: Figure; coarse: boolean } {
     const { settings } = figure;
     const fewer = dragging && this.#manySamples && settings.tolerance !== null;
-    // Circles have no choice of levels.
+    // Circles do not offer a choice of levels.
     const isAutomatic = settings.levels === 'auto' || isRound(figure.kind);
     const keeps = dragging && (this.#levels !== 0 || this.#draft) && isAutomatic;
     if (!fewer && !keeps) return { figure, coarse: false };

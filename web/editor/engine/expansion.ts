@@ -7,10 +7,13 @@ import type { Surface } from '../../viewer/surface';
 import type { Editor } from '../state/editor';
 import type { Session } from './session';
 
-/** How far a curve of anchors may be from the lines that it takes the place of, as a part of the diagonal. */
+/** The tolerance of a pen curve that replaces lines, as a part of the diagonal. */
 const tolerance = 5e-4;
 
-/** Makes curves of the pen of what is made of other objects: it follows these no more. */
+/**
+ * Converts objects that are made of others into curves of the pen, which no longer follow their
+ * sources.
+ */
 export class Expansion {
   constructor(
     private readonly editor: Editor,

@@ -19,11 +19,11 @@ const keyOf = (ends: Ends) =>
 
 const fewestKept = 64;
 
-/** Shortest paths that were traced once, by their ends. */
+/** Shortest paths by their ends, each traced once. */
 export class Legs {
-  /** The path; null if no path leads there. */
+  /** The known paths; null if the ends are not connected. */
   readonly #known = new Map<string, Float32Array | null>();
-  /** The paths that are shown in each place, which stay there while a drag outruns new ones. */
+  /** The paths that are shown for each pair; they stay while a drag is faster than new ones. */
   #shown: { epoch: number; legs: (Float32Array | null)[] } = { epoch: -1, legs: [] };
 
   clear(): void {
@@ -31,7 +31,9 @@ export class Legs {
     this.#shown = { epoch: -1, legs: [] };
   }
 
-  /** The paths between these ends that are known, or what a drag of the same epoch left there. */
+  /**
+   * The known paths between these ends; for missing ones those that a drag of the same epoch left.
+   */
   between(pairs: readonly Ends[], epoch: number): Float32Array[] {
     const before = this.#shown.epoch === epoch ? this.#shown.legs : [];
     const legs = pairs.map((ends, i) => {
@@ -47,13 +49,13 @@ export class Legs {
     const missing = pairs.find((ends) => !this.#known.has(keyOf(ends)));
     if (!missing) return false;
     if (this.#known.size > fewestKept + 4 * pairs.length) this.#forget(pairs);
-    // Points on two components have no path between them: that leg stays away.
+    // Points on two components have no path between them: that leg is not shown.
     const path = await client.mesh.shortestPath(...missing).catch(() => null);
     this.#known.set(keyOf(missing), path?.polyline() ?? null);
     return true;
   }
 
-  /** Forgets the paths between what is no longer there. */
+  /** Forgets all paths except those between these ends. */
   #forget(pairs: readonly Ends[]): void {
     const used = new Set(pairs.map(keyOf));
     for (const key of this.#known.keys()) if (!used.has(key)) this.#known.delete(key);

@@ -8,14 +8,14 @@ import { directionOf } from './circle_drawing';
 import { directionsOf } from './moving';
 
 /**
- * How far the geodesic goes on beyond the two points, in the surface's diagonals. Round a closed surface a
- * longer one comes back to where it began, and may end near what is mirrored.
+ * The length of the geodesic beyond the two points, in the surface's diagonals. A longer one may
+ * run round a closed surface back to its start, or end near the mirrored objects.
  */
 const beyond = 0.8;
-/** The same for a second attempt, if the first line does not pass beside all that is mirrored. */
+/** The length for a second attempt, if the first line does not pass beside all mirrored objects. */
 const farther = 1.5;
 
-/** The locally shortest path between two points, gone on with at both ends; ends at the boundary. */
+/** The locally shortest path between two points, extended at both ends as far as the boundary. */
 export async function mirrorLine(
   client: EngineClient,
   from: SurfacePoint,
@@ -39,7 +39,10 @@ export async function mirrorLine(
   return [...before.slice(1).reverse(), ...points, ...after.slice(1)];
 }
 
-/** The figures of objects mirrored in the geodesic of two points; null where one would leave the surface. */
+/**
+ * The figures of objects mirrored in the geodesic through two points; null if one would leave the
+ * surface.
+ */
 export async function mirroredAcross(
   client: EngineClient,
   from: SurfacePoint,
@@ -56,7 +59,7 @@ export async function mirroredAcross(
   }
 }
 
-/** The figures of objects mirrored in a geodesic; null where one would leave the surface. */
+/** The figures of objects mirrored in a geodesic; null if one would leave the surface. */
 export async function mirroredFigures(
   client: EngineClient,
   line: readonly SurfacePoint[],
@@ -72,7 +75,8 @@ export async function mirroredFigures(
   const most = 1e-9 * client.info.diagonal;
   if (mapped.remaining.some((left) => left > most)) return null;
   const moved = movedFigures(figures, carried, mapped, 1);
-  // The inside of circles and ellipses stays: they run round their centers, whichever way they are mirrored.
+  // Circles and ellipses keep their inside: they run the same way around their centers after
+  // mirroring.
   return moved.map((figure) => {
     const { inside, kind } = figure;
     return inside && !isRound(kind) ? withInside(figure, opposite(inside)) : figure;

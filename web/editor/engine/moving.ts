@@ -11,10 +11,12 @@ import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
 import { isTorn } from './tearing';
 
-/** How much of a geodesic may be left at the boundary, as a part of the surface's diagonal. */
+/**
+ * The largest part of a geodesic that may be missing at the boundary, in diagonals of the surface.
+ */
 const leftAtMost = 1e-9;
 
-/** Where the pivot goes, by how much all turns round it (counterclockwise, in radians), and grows. */
+/** A placement: the new pivot, a turn around it (counterclockwise, in radians) and a scale. */
 export interface Placement {
   point?: SurfacePoint;
   angle?: number;
@@ -26,11 +28,11 @@ export interface Placed {
   command: Command;
   /** The figures of the objects, in their order. */
   figures: readonly Figure[];
-  /** Places carried along beside the objects: their new points, and the directions there. */
+  /** Other places that move along: their new points, and the directions there. */
   beside: CarriedTo;
 }
 
-/** Why a move goes no farther. */
+/** The reason why a move stops. */
 export const leaves = 'The move stops where something would leave the surface.';
 const tears =
   'The move stops where it would tear a figure: from there its points go different ways round the surface.';
@@ -38,17 +40,18 @@ const tears =
 const samePoint = (a: SurfacePoint, b: SurfacePoint) =>
   a.face === b.face && `${a.bary}` === `${b.bary}`;
 
-/** The directions of what is carried, x, y, z each; 0 for what is a place alone. */
+/** The directions of carried things, x, y, z each; 0 for a place without a direction. */
 export const directionsOf = (carried: readonly Carried[]): Float64Array =>
   Float64Array.from(carried.flatMap(({ direction }) => direction ?? [0, 0, 0]));
 
-/** The objects of a drawing that may be moved, among these. */
+/** The objects among these that may be moved. */
 export function movableObjects(drawing: Drawing, ids: readonly number[]): DrawnObject[] {
   const objects = withSources(drawing, ids).map((id) => objectOf(drawing, id)!);
   const seen = new Set(objects.flatMap(({ visible, group }) => (visible && group ? [group] : [])));
   return (
     objects
-      // An object that is made of others moves with its sources, and a group as a whole, whether all are visible or not.
+      // An object that is made of others moves with its sources, and a group moves as a whole,
+      // visible or not.
       .filter(({ id, visible, group }) => visible || !ids.includes(id) || seen.has(group ?? ''))
       .filter(({ locked, figure }) => !locked && !isEmpty(figure) && !isDerived(figure.kind))
   );
@@ -64,8 +67,8 @@ export const replacing = (objects: readonly DrawnObject[], to: readonly Figure[]
 });
 
 /**
- * The unit normal of a point's face in the surface's coordinates, on the side that is outside: turns
- * are counterclockwise as it is seen from there.
+ * The unit normal of a point's face in the surface's coordinates, on its outer side: turns are
+ * counterclockwise as seen from there.
  */
 export async function faceNormal(
   client: EngineClient,
@@ -80,11 +83,11 @@ export async function faceNormal(
 }
 
 /**
- * A move of objects that are held at a pivot. Each place is told by its log vector in the tangent
- * plane there, each direction by what it becomes when it is carried to the pivot along the same path.
- * Wherever the pivot goes, the plane is carried along the shortest path from where it was, and the exp
- * map puts everything down again: positions of a drag do not add up, and back at the pivot the objects
- * are the ones they were.
+ * A move of objects relative to a pivot. Each place becomes its log vector in the tangent plane of
+ * the pivot, and each direction is transported to the pivot along the same path. The plane follows
+ * the pivot by transport along the shortest path from its start, and the exp map puts everything
+ * back on the surface. Thus the positions of a drag do not accumulate errors, and at its start the
+ * objects are unchanged.
  */
 export class Move {
   private constructor(
@@ -98,9 +101,7 @@ export class Move {
     private readonly logs: { vectors: Float64Array; directions: Float64Array },
   ) {}
 
-  /**
-   * `beside` goes along with the objects. Rejects where no path leads from the pivot to a place.
-   */
+  /** `beside` moves along with the objects. Rejects if a place has no path to the pivot. */
   static async of(
     client: EngineClient,
     surface: Surface,
@@ -119,7 +120,7 @@ export class Move {
     return new Move(client, surface, normal, objects, plain(pivot), carried, beside, logs);
   }
 
-  /** The command that takes the pivot to a point; a sentence where it cannot be. */
+  /** The command that moves the pivot to a point; a sentence if that is impossible. */
   async to(point: SurfacePoint): Promise<Command | string> {
     const placed = await this.placed({ point });
     return typeof placed === 'string' ? placed : placed.command;

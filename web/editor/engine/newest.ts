@@ -1,6 +1,6 @@
 /**
- * Runs one job at a time. While it runs the newest request waits and older ones are dropped; when
- * nothing waits, `idle` may do work of lower rank, one piece a turn, until it returns false.
+ * Runs one job at a time. Meanwhile the newest request waits and older ones are dropped. When none
+ * waits, `idle` may do less urgent work, one piece a turn, until it returns false.
  */
 export class Newest<Job> {
   #waiting: { job: Job } | null = null;
@@ -22,7 +22,7 @@ export class Newest<Job> {
     if (!this.#running) this.#loopEnd = this.#loop();
   }
 
-  /** Drops the request that waits; the running one goes on. */
+  /** Drops the request that waits; the running one continues. */
   drop(): void {
     this.#waiting = null;
   }

@@ -1,4 +1,4 @@
-/** The patterns of fills, each made once for a region, a kind and a spacing. */
+/** The patterns of fills, each computed once for a region, a kind and a spacing. */
 import type { DrawnObject } from '../../model/drawing';
 import type { Pattern, Region } from '../../model/traced';
 import type { EngineClient } from '../../worker/client';
@@ -13,12 +13,12 @@ const keyOf = ({ pattern, spacing }: DrawnObject) => `${pattern} ${spacing}`;
 export class Patterns {
   readonly #made = new WeakMap<Region, Map<string, Pattern | null>>();
 
-  /** Undefined where it is still to be made, null where the fill stays solid. */
+  /** The pattern; undefined if it is not computed yet, null if the fill stays solid. */
   of({ object, region }: Patterned): Pattern | null | undefined {
     return object.pattern === 'solid' ? null : this.#made.get(region)?.get(keyOf(object));
   }
 
-  /** Makes one that is missing; false when there is none. */
+  /** Computes a missing pattern; false if none is missing. */
   async make(client: EngineClient, all: readonly Patterned[]): Promise<boolean> {
     const missing = all.find((one) => this.of(one) === undefined);
     if (!missing) return false;

@@ -1,4 +1,4 @@
-/** Where the handles of the pen's anchors are on the surface. */
+/** The places of the pen's handles on the surface. */
 import type { SurfacePoint } from 'karcher';
 import type { ControlPoint, Figure, Side, Tangent, Vector } from '../../model/figure';
 import { isOpposite, otherSide } from '../../model/pen';
@@ -8,8 +8,8 @@ import type { EngineClient } from '../../worker/client';
 import { directionOf } from './circle_drawing';
 
 /**
- * The handles that each engine found, by their anchors: these are values, so only those that changed are
- * looked for.
+ * The handles that each engine found, by their anchors: anchors are values, so only changed ones
+ * are computed again.
  */
 const found = new WeakMap<EngineClient, WeakMap<ControlPoint, DrawnTangents>>();
 
@@ -40,9 +40,7 @@ async function tangentsAt(client: EngineClient, anchor: ControlPoint): Promise<D
   return drawn;
 }
 
-/**
- * Which handle of a figure's anchors was not found on the surface, as a sentence; null where all were.
- */
+/** A sentence that names a handle that was not found on the surface; null if all were found. */
 export function missingHandle({ points }: Figure, drawn: readonly DrawnTangents[]): string | null {
   for (const [i, { tangents }] of points.entries()) {
     for (const side of ['before', 'after'] as const) {
@@ -55,7 +53,8 @@ export function missingHandle({ points }: Figure, drawn: readonly DrawnTangents[
 }
 
 /**
- * The place of a stored handle; nothing if no way leads there, so that the other handles are still found.
+ * The place of a stored handle; an empty result if no path leads there, so that the other handles
+ * are still found.
  */
 async function tangentOf(
   client: EngineClient,
@@ -102,7 +101,7 @@ function otherOf(
   return along(client, at, back, tangent.length ?? lead.length);
 }
 
-/** Where a straightest geodesic ends; at the boundary, if it meets that first. */
+/** The end of a straightest geodesic, or the boundary point where it stops. */
 async function along(
   client: EngineClient,
   anchor: SurfacePoint,

@@ -1,4 +1,4 @@
-/** Anchors of the pen taken out: one segment comes in the place of two, as near to them as one can be. */
+/** Removal of pen anchors: one segment takes the place of two, as near to them as possible. */
 import type { SurfacePoint } from 'karcher';
 import type { Cubic, Planar } from '../../model/cubic_fit';
 import {
@@ -63,8 +63,8 @@ class LogPlane {
 }
 
 /**
- * The figure without an anchor. One segment takes the place of two that met there, as near to them as it can
- * be.
+ * The figure without an anchor; one segment replaces the two that met there, as near to them as
+ * possible.
  */
 export async function withoutAnchor(
   client: EngineClient,
@@ -74,7 +74,7 @@ export async function withoutAnchor(
   const { points, settings } = figure;
   const count = points.length;
   const [before, after] = [(index + count - 1) % count, (index + 1) % count];
-  // The leg that led to the anchor goes with it.
+  // The leg that led to the anchor is removed with it.
   const without = (changed: readonly ControlPoint[]): Figure => ({
     ...figure,
     points: changed.with(before, withLeg(changed[before]!, null)).toSpliced(index, 1),
@@ -108,7 +108,7 @@ export async function withoutAnchor(
     withHandle(plane, points[after]!, drawn[after]!, 'before', merged),
   ]);
   if (before !== after) return without(points.with(before, changed[0]).with(after, changed[1]));
-  // A closed curve of two anchors keeps one, which has both handles then.
+  // A closed curve of two anchors keeps one, which then has both handles.
   return without(points.with(before, changed[0]));
 }
 
@@ -118,8 +118,8 @@ const unit = ([x, y]: Planar): Planar => {
 };
 
 /**
- * The anchor with the handle that the curve's end asks for: its own one made as long as that, or a new one
- * where it has none.
+ * The anchor with the handle that the end of the curve needs: its own with another length, or a new
+ * one if it has none.
  */
 async function withHandle(
   plane: LogPlane,

@@ -1,4 +1,4 @@
-/** Mirror images of objects in a plane, which cuts the surface. */
+/** Mirror images of objects in a plane that cuts the surface. */
 import { Vector3 } from 'three';
 import type { DrawnObject } from '../../model/drawing';
 import type { Figure } from '../../model/figure';
@@ -14,18 +14,19 @@ import { nearestPlaceOf, samplesOf } from '../../viewer/section';
 import type { Surface } from '../../viewer/surface';
 
 /**
- * How far mirror images may lie from the surface, as a part of its diagonal. Where they lie farther, the
- * surface is no mirror image of itself.
+ * The largest distance of mirror images from the surface, as a part of its diagonal. Beyond it the
+ * surface is not symmetric there.
  */
 const besideAtMost = 0.05;
-/** A surface whose sides differ by more than that part of its diagonal is not symmetric. */
+/** The largest difference of a symmetric surface's sides, as a part of its diagonal. */
 const apartAtMost = 0.02;
 /** The scene's diagonal. */
 const diagonal = 2;
 
 /**
- * The plane in which the surface is its own mirror image, in the scene, and how far its sides differ, as a part of
- * its diagonal. A vase has many: of those the one is taken that is seen edge-on, its normal to the right.
+ * The plane in which the surface is its own mirror image, in the scene, and the difference of its
+ * sides as a part of its diagonal. If there are many, as for a vase, it is the one seen edge-on,
+ * with its normal to the right.
  */
 export async function planeOfSymmetry(surface: Surface, right: Vector3): Promise<Symmetry | null> {
   const pause = () => new Promise<void>((resolve) => setTimeout(resolve));
@@ -39,7 +40,10 @@ export async function planeOfSymmetry(surface: Surface, right: Vector3): Promise
   return { ...symmetry, apart: symmetry.apart / diagonal };
 }
 
-/** The figures of objects mirrored in a plane of the scene, each point to the place nearest to its image; null where that is far. */
+/**
+ * The figures of objects mirrored in a plane of the scene. Each point moves to the surface's place
+ * nearest to its image; null if that is far.
+ */
 export function figuresInPlane(
   surface: Surface,
   plane: Plane,

@@ -4,7 +4,7 @@ import { Newest } from './newest';
 /** A computation on a given engine, and the function that takes its answer. */
 export interface RefinementJob<Result> {
   compute(client: EngineClient): Promise<Result>;
-  /** The revision that it belongs to; answers to another one are dropped. */
+  /** The revision of the state; answers for another one are dropped. */
   revision: number;
   done(result: Result): void;
   failed(error: unknown): void;
@@ -14,9 +14,9 @@ export interface RefinementJob<Result> {
 const mostRestarts = 2;
 
 /**
- * The exact curve behind the fast one. It comes from an engine of its own, with its own copy of the
- * surface, made when it is first needed: so nothing that is computed here is ever in the way of an
- * edit, and what an edit overtakes is dropped.
+ * Computes the exact curve that follows the fast one. It has an engine of its own with a copy of
+ * the surface, made on first use: its work never delays an edit, and results that an edit has
+ * overtaken are dropped.
  */
 export class Refinement<Result> {
   #source: EngineClient | null = null;
@@ -26,7 +26,7 @@ export class Refinement<Result> {
   #wanted = -1;
   readonly #newest = new Newest<RefinementJob<Result>>((job) => this.#run(job));
 
-  /** Refines curves on another surface; the engine for the one before ends. */
+  /** Changes to another surface, and ends the engine of the one before. */
   use(source: EngineClient | null): void {
     this.drop();
     this.#loading?.abort();
@@ -37,25 +37,25 @@ export class Refinement<Result> {
     this.#restarts = 0;
   }
 
-  /** Computes this job next, in place of one that waits. */
+  /** Computes this job next, and drops one that waits. */
   request(job: RefinementJob<Result>): void {
     if (job.revision === this.#wanted) return;
     this.#wanted = job.revision;
     this.#newest.push(job);
   }
 
-  /** Drops the request, because an edit goes on. */
+  /** Drops the request, because an edit continues. */
   drop(): void {
     this.#wanted = -1;
     this.#newest.drop();
   }
 
-  /** The engine; null until it is needed. */
+  /** The engine; null until the first job. */
   get client(): EngineClient | null {
     return this.#client;
   }
 
-  /** Whether an answer that is still wanted is awaited. */
+  /** Whether a requested answer is still awaited. */
   get busy(): boolean {
     return this.#wanted !== -1;
   }
@@ -72,7 +72,7 @@ export class Refinement<Result> {
     }
   }
 
-  /** Whether a job that has ended is still the one that is wanted; it is then no longer awaited. */
+  /** Whether an ended job is still the requested one; it is then no longer awaited. */
   #settle(job: RefinementJob<Result>, source: EngineClient | null): boolean {
     if (job.revision !== this.#wanted || source !== this.#source) return false;
     this.#wanted = -1;

@@ -38,16 +38,16 @@ import { type Patterned, Patterns } from './patterns';
 import { Refinement } from './refinement';
 import { emptyView, type View } from './view';
 
-/** A shorter way is shown where it is shorter by more than this part. */
+/** The least part by which a shorter path must be shorter to be shown. */
 const leastGain = 0.02;
 
 /** The sentence in place of a curve whose computation was stopped. */
 const stoppedHint = 'it was stopped; an edit or another method computes it again';
 
-/** Legs rest for so many times as long as it took to show them, before they are shown again. */
+/** After the legs were shown they rest for this many times as long as that took. */
 const restPart = 5;
 
-/** Null in place of an answer that failed; an error that says that it was stopped is thrown again. */
+/** Null for an answer that failed; an error that says that it was stopped is thrown again. */
 function unlessStopped(error: unknown): null {
   if (error instanceof Stopped) throw error;
   return null;
@@ -55,24 +55,24 @@ function unlessStopped(error: unknown): null {
 
 /**
  * Keeps the view up to date with the editor: the newest state first, then the geodesics beside it,
- * and once the edit is done the exact curve.
+ * and after an edit the exact curve.
  */
 export class Session {
   #client: EngineClient | null = null;
   #state: State | null = null;
   #view: View = emptyView;
-  /** The newest state that was given to the engine. */
+  /** The newest state that the engine received. */
   #asked: State | null = null;
   readonly #held = new HeldTracing();
   #drag: Drag | null = null;
-  /** The legs of figures' curves as they were drawn. */
+  /** The legs of figures' curves as drawn. */
   #drawn = new WeakMap<Figure, readonly DrawnLeg[]>();
   /** The figure whose legs were compared with the shortest ones. */
   #compared: Figure | null = null;
-  /** Whether what is shown has other samples or levels for the time of a drag. */
+  /** Whether the view has other samples or levels because a drag is under way. */
   #coarse = false;
   readonly #legs = new Legs();
-  /** Until when newly traced legs are not shown, and whether some wait for that. */
+  /** The time until which newly traced legs are not shown, and whether some wait for it. */
   #legsRest = 0;
   #legsUnseen = false;
   readonly #others = new BesideObjects(() => this.#newest.wake());
@@ -101,12 +101,12 @@ export class Session {
     return this.#view;
   }
 
-  /** The figure at the end of its drag, with the legs that its last step drew. */
+  /** The figure at the end of its drag, with the legs of its last step. */
   ended(figure: Figure): Figure {
     return this.#drag?.ended(figure) ?? figure;
   }
 
-  /** The side that a figure encloses, as it is shown; null where that is nothing, or not known. */
+  /** The side that a figure encloses in the view; null if it encloses no region, or is unknown. */
   insideOf(figure: Figure): Inside | null {
     return figure.inside ?? this.#others.insideOf(figure);
   }
@@ -116,7 +116,7 @@ export class Session {
     return !this.#newest.busy && !this.#refinement.busy && !this.#others.resting;
   }
 
-  /** Uses the engine of another surface; what was traced on the one before is dropped. */
+  /** Uses the engine of another surface; results of the one before are dropped. */
   use(client: EngineClient): void {
     if (this.#client) {
       this.#client.onBusy = () => {};
@@ -142,7 +142,7 @@ export class Session {
     return this.#client;
   }
 
-  /** Gives up the engine's computation. Only another figure or method starts it again. */
+  /** Stops the engine's computation. Only another figure or method starts it again. */
   stop(): void {
     this.#client?.stop();
   }
@@ -164,12 +164,12 @@ export class Session {
       this.#newest.push(state);
     } else if ((this.#coarse || drag !== null) && !state.dragging) this.#newest.push(state);
     else if (!this.#newest.busy) {
-      // A drag has ended, and its last step is traced already; what rested meanwhile goes on.
+      // A drag has ended after its last step was traced; work that rested meanwhile continues.
       this.#newest.wake();
     }
   }
 
-  /** The curve that is shown, where it is nearest to a place; null where that cannot be said. */
+  /** Measures the visible curve where it is nearest to a place; null if that is impossible. */
   async measured(near: Vector): Promise<Measured | null> {
     const [state, view] = [this.#state, this.#view];
     const isShown = view.curve && view.revision === state?.revision;
@@ -184,7 +184,8 @@ export class Session {
   }
 
   /**
-   * A sentence about the problem with a spline that is not shown; null if there is no problem. The view stays.
+   * A sentence about the problem of a spline that is not shown; null if it has none. The view does
+   * not change.
    */
   async problemWith(spline: Spline): Promise<string | null> {
     const [client, state] = [this.#client, this.#state];
@@ -194,8 +195,8 @@ export class Session {
   }
 
   /**
-   * The curves that an edit makes of the figure's curve, and the number of a point that it put in;
-   * null where it can't be made, or the figure has changed in the meantime.
+   * The curves that an edit makes of the figure's curve, and the index of a point that it inserted;
+   * null if the edit is impossible, or the figure has changed meanwhile.
    */
   async reshaped(
     edit: Exclude<Edit, { type: 'join' }> | { type: 'join'; other: Spline },
@@ -216,8 +217,8 @@ export class Session {
   }
 
   /**
-   * The knots that a B-spline with knots of its own has after an edit; null where the engine cannot find them,
-   * such as where the points make no curve.
+   * The knots of a B-spline after an edit, if it has knots of its own; null if the engine cannot
+   * find them, for example because the points make no curve.
    */
   async knotsAfter(spline: Spline, edit: Edit): Promise<number[] | null> {
     const [client, state] = [this.#client, this.#state];
@@ -269,7 +270,7 @@ export class Session {
           outlinesOf: this.#others.outlinesOf(client, method),
         });
         this.#others.tell(state.figure, method, answer);
-        // A problem leaves what was drawn before it.
+        // In case of a problem the earlier legs stay visible.
         const legs = answer.problem ? null : (answer.curve?.drawnLegs ?? []);
         if (legs) this.#drawn.set(state.figure, legs);
         if (legs && drag) drag.legs = legs;
@@ -294,15 +295,15 @@ export class Session {
         drag.told = figure.kind === 'pen' ? legsOfAnchors(told) : told;
       }
     } catch {
-      // The engine has stopped; its open requests go to the next one.
+      // The engine has stopped; a new one gets its open requests.
     }
   }
 
   #showTraced(state: State, traced: Shown, quality: Quality | null): void {
     const { visible, fill } = activeObject(state.drawing);
-    // The enclosed region may be known without being painted.
+    // The enclosed region may be known although it has no fill.
     const shown = visible ? { ...traced, fill: fill > 0 ? traced.fill : null } : nothing;
-    // The shorter ways of another figure need not be shorter any more.
+    // Shorter paths of another figure may be longer than the legs of this one.
     const shorter = this.#compared === state.figure ? this.#view.shorter : [];
     // Hidden objects have no quality; otherwise a better form would be computed and shown.
     const fresh = {
@@ -313,7 +314,10 @@ export class Session {
     this.#show({ ...fresh, ...shown, revision, ...this.#beside(shown) });
   }
 
-  /** The legs from which a drag goes on: those of its last step, or before the first step those of its base. */
+  /**
+   * The legs that a drag continues: those of its last step, or those of its base before the first
+   * step.
+   */
   async #before(client: EngineClient, state: State, drag: Drag): Promise<DrawnBefore> {
     const { base, points } = drag;
     drag.legs ??= this.#drawn.get(base) ?? null;
@@ -327,7 +331,7 @@ export class Session {
     return { legs: drag.legs, points };
   }
 
-  /** Looks for shorter ways than the legs of the newest figure. */
+  /** Looks for paths that are shorter than the legs of the newest figure. */
   async #compareLegs(): Promise<boolean> {
     const [client, state] = [this.#client, this.#state];
     if (!client || !state || state.dragging || this.#compared === state.figure) return false;
@@ -344,7 +348,7 @@ export class Session {
     return true;
   }
 
-  /** Asks for the exact form of what is shown, where it is a draft and nothing is dragged. */
+  /** Requests the exact form of the view, if it is a draft and no drag is under way. */
   #refine(): false {
     const [state, draft] = [this.#state, this.#view];
     if (!state || state.dragging || draft.revision !== state.revision) return false;
@@ -370,7 +374,7 @@ export class Session {
         this.#others.keep(figure, { method, shown: exact, quality: 'exact' }, drawing);
         const fill = activeObject(drawing).fill > 0 ? exact.fill : null;
         this.#show({ ...exact, fill, ...refined, shift: shiftOf(draft, exact, unit) });
-        // A center has moved a little: its paths start elsewhere.
+        // A refined center has moved a little, so that its paths start elsewhere.
         this.#newest.wake();
       },
       failed: (error) => this.#show({ refining: false, notRefined: messageOf(error) }),
@@ -379,13 +383,13 @@ export class Session {
     return false;
   }
 
-  /** The pairs of points that the newest figure's legs join. */
+  /** The pairs of points that the legs of the newest figure join. */
   #ends(): Ends[] {
     if (this.#view.curve && this.#view.curve.legs.length > 0) return [];
     return this.#state ? endsOf(this.#state.figure, this.#view.center?.point ?? null) : [];
   }
 
-  /** The geodesics beside what is shown, of the newest figure. */
+  /** The geodesics that are shown beside the newest figure. */
   #beside(shown: Shown): Partial<View> {
     const state = this.#state;
     if (!state) return {};
@@ -394,7 +398,7 @@ export class Session {
     if (!activeObject(state.drawing).visible) return { legs: [], others, polygonOnly: false };
     if (isRound(kind)) {
       const { circle } = shown;
-      // A radius that is refused may go around the surface any number of times.
+      // A refused radius may go around the surface any number of times.
       const paths = shown.problem ? [] : [circle?.path, circle?.across?.path];
       const legs = paths.filter((leg) => leg !== undefined);
       return { legs, others, polygonOnly: false };
@@ -418,7 +422,7 @@ export class Session {
     return traced;
   }
 
-  /** The regions that are painted, in the drawing's order. */
+  /** The regions with a fill, in the drawing's order. */
   painted({ drawing }: State): (Patterned & { pattern: Pattern | null | undefined })[] {
     const { fill, others } = this.#view;
     return drawing.objects.flatMap((object) => {
@@ -429,7 +433,7 @@ export class Session {
     });
   }
 
-  /** While the hand drags, fills are solid. */
+  /** Fills are solid during a drag. */
   async #makePattern(): Promise<boolean> {
     const [client, state] = [this.#client, this.#state];
     if (!client || client.closed || !state || state.dragging) return false;
@@ -444,7 +448,8 @@ export class Session {
     if (!client || client.closed) return false;
     const traced = await this.#legs.trace(client, this.#ends());
     if (client !== this.#client) return false;
-    // Showing takes longer than tracing: of many paths some are shown together with the next.
+    // Showing takes longer than tracing: if there are many paths, some are shown together with the
+    // next.
     const started = performance.now();
     if (traced && started < this.#legsRest) this.#legsUnseen = true;
     else if (traced || this.#legsUnseen) {

@@ -8,8 +8,8 @@ export interface Shift {
 export const unseenShift = 0.2;
 
 /**
- * The distances between the samples of two curves (x, y, z each) at the same parameters; null where
- * the curves do not have as many.
+ * The distances between the samples of two curves (x, y, z each) at the same parameters; null if
+ * the numbers of samples differ.
  */
 export function shiftBetween(from: Float64Array, to: Float64Array, unit: number): Shift | null {
   if (from.length !== to.length || from.length === 0) return null;

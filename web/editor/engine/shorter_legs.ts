@@ -5,7 +5,10 @@ import type { ShorterLeg } from '../../model/traced';
 import type { EngineClient } from '../../worker/client';
 import { curveValueOf } from './compute';
 
-/** Shorter paths in place of the legs that a figure names; the object's curve becomes that with these legs. Null for a figure without legs. */
+/**
+ * Shorter paths that could replace a figure's stored legs; afterwards the engine's curve of the
+ * object has these legs. Null for a figure without stored legs.
+ */
 export async function shorterLegs(
   client: EngineClient,
   object: number,

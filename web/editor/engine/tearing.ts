@@ -1,4 +1,6 @@
-/** Figures that a move or a mirror would tear: what lay side by side comes to lie far apart. */
+/**
+ * Recognizes figures that a move or a mirror would tear: neighbouring points would lie far apart.
+ */
 import { Vector3 } from 'three';
 import type { DrawnObject } from '../../model/drawing';
 import { type ControlPoint, type Figure, isCurve } from '../../model/figure';
@@ -6,12 +8,12 @@ import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
 
 /**
- * A leg counts as torn if it becomes this many times as long. Where the surface is bent otherwise a figure is
- * stretched, too, but by less; points on both sides of where shortest paths part go far apart at once.
+ * A leg counts as torn if it becomes this many times as long. A differently curved surface also
+ * stretches figures, but less; points on both sides of a cut locus separate at once.
  */
 const mostStretch = 4;
 
-/** Whether objects of other figures, `scale` times as large, would be torn. */
+/** Whether objects would be torn if they had these figures, `scale` times as large. */
 export async function isTorn(
   client: EngineClient,
   surface: Surface,
@@ -31,7 +33,7 @@ export async function isTorn(
       const next = (leg + 1) % points.length;
       const is = apart(moved[leg]!, moved[next]!) / (mostStretch * scale);
       if (is <= apart(points[leg]!, points[next]!)) continue;
-      // Distances in space would mislead: both sides of an ear are near each other.
+      // Distances in space would mislead: the two sides of an ear are near each other.
       const [begin, end] = [points[leg]!, points[next]!];
       const way = await client.mesh.shortestPath(
         { face: begin.face, bary: begin.bary },

@@ -6,15 +6,15 @@ import type { Shift } from './shift';
 
 /** The engine's results for a state of the editor. */
 export interface View extends Shown {
-  /** The revision that is shown. */
+  /** The revision of the state. */
   revision: number;
   /** The quality of what is shown; null if the method has only one, or if nothing is shown. */
   quality: Quality | null;
-  /** Whether something better is awaited. */
+  /** Whether a better answer is awaited. */
   refining: boolean;
-  /** How far the exact answer lies from the draft that it took the place of, in mean edges. */
+  /** The distance of the exact answer from the draft that it replaced, in mean edges. */
   shift: Shift | null;
-  /** Why a draft stays a draft, as a sentence. */
+  /** A sentence that says why a draft is final. */
   notRefined: string | null;
   /** Geodesics between neighbouring points, from a center of mass to its points, or a radius. */
   legs: readonly Float32Array[];
@@ -22,7 +22,7 @@ export interface View extends Shown {
   shorter: readonly ShorterLeg[];
   /** The visible ones among the drawing's other objects. */
   others: readonly Beside[];
-  /** The polygon stands for the curve, which has too few points yet. */
+  /** Whether the polygon stands for the curve, which has too few points yet. */
   polygonOnly: boolean;
 }
 

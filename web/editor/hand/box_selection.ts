@@ -7,8 +7,8 @@ import type { Hold, Place } from './stage_pointer';
 const reach = 7;
 
 /**
- * Selects objects with Shift held: a click puts one into the selection or takes it out, a drag selects
- * all that is seen in a box.
+ * Selects objects with Shift held: a click adds one to the selection or removes it, and a drag
+ * selects all objects in a box.
  */
 export class BoxSelection {
   readonly #box = document.createElement('div');
@@ -59,7 +59,9 @@ export class BoxSelection {
     this.editor.choose(edited ? [...others, active] : others);
   }
 
-  /** The numbers of the edited object's visible points in the box; empty if all of its points are in it. */
+  /**
+   * The indices of the edited object's visible points in the box; empty if the box has all of them.
+   */
   #pointsIn(left: number, top: number, width: number, height: number): number[] {
     const { surface, box } = this.viewer;
     const { figure } = this.editor.state;

@@ -13,24 +13,29 @@ import type { Editor } from '../state/editor';
 import type { Snapping } from './snapping';
 import type { Hold, Place } from './stage_pointer';
 
-/** Places of a stroke that are nearer to the last one, in CSS pixels, are left out. */
+/** The least distance of consecutive samples of a stroke, in CSS pixels. */
 const leastStep = 1.5;
-/** A stroke that comes back so near, in CSS pixels, to where it began closes, if it is so much longer. */
+/**
+ * The largest distance in CSS pixels between the ends of a stroke that closes, and the factor by
+ * which it must be longer.
+ */
 const closesWithin = { mouse: 10, touch: 18 };
 const leastLoop = 6;
 /** The number of times that a fit becomes stricter if its curve is too far off on the surface. */
 const mostRounds = 4;
 const stricter = 0.5;
 
-/** A place of a stroke: on the surface, in the scene and on the stage. */
+/** A sample of a stroke: on the surface, in the scene and on the stage. */
 interface Drawn extends Pick {
   x: number;
   y: number;
 }
 
-/** Freehand: a stroke on the surface becomes a curve of the pen, as one step of the history. */
+/**
+ * Freehand drawing: a stroke on the surface becomes a curve of the pen, as one step of the history.
+ */
 export class FreehandGestures {
-  /** How far the curve may be from the stroke, in CSS pixels. */
+  /** The tolerance between curve and stroke, in CSS pixels. */
   tolerance = 3;
 
   constructor(
@@ -38,7 +43,7 @@ export class FreehandGestures {
     private readonly session: Session,
     private readonly viewer: Viewer,
     private readonly snapping: Snapping,
-    /** Called with a sentence where a stroke ends before the hand does. */
+    /** Called with a sentence if a stroke ends before the hand does. */
     private readonly stopped: (why: string) => void,
   ) {}
 
@@ -78,7 +83,7 @@ export class FreehandGestures {
     };
   }
 
-  /** The picked point at a place, and its position on the stage. */
+  /** The surface's point under a place, and its position on the stage. */
   #at({ x, y }: Place, pick: Pick | null): Drawn | null {
     if (!pick) return null;
     const { left, top } = this.viewer.box;
@@ -112,7 +117,10 @@ export class FreehandGestures {
     editor.perform(command, { selection: null, chosen: [] });
   }
 
-  /** How many places of a stroke lie on the part of the surface where it begins, before it leaves that. */
+  /**
+   * The number of samples of a stroke before it leaves the component of the surface on which it
+   * begins.
+   */
   async #countOnOnePart(stroke: readonly Drawn[]): Promise<number> {
     const { client } = this.session;
     if (!client || client.info.components < 2) return stroke.length;
@@ -131,7 +139,7 @@ export class FreehandGestures {
     return apart;
   }
 
-  /** The anchors of a curve that is seen within the tolerance of a stroke. */
+  /** The anchors of a curve that appears within the tolerance of a stroke. */
   async #fitted(stroke: readonly Drawn[], closed: boolean): Promise<ControlPoint[]> {
     const { viewer, tolerance } = this;
     const surface = viewer.surface!;
@@ -156,7 +164,7 @@ export class FreehandGestures {
     return points;
   }
 
-  /** The curve of anchors as it would be drawn; null if there is none. */
+  /** The drawn form of the curve of anchors; null if there is none. */
   async #seen(points: readonly ControlPoint[], closed: boolean): Promise<SeenLine | null> {
     const { editor, session, viewer } = this;
     const { client } = session;
@@ -170,7 +178,7 @@ export class FreehandGestures {
   }
 }
 
-/** How far a place of the stage is from a line there. */
+/** The distance of a place of the stage from a line there. */
 function distanceTo(line: SeenLine, place: { x: number; y: number }): number {
   let least = Infinity;
   for (let i = 1; i < line.x.length; i++) {

@@ -27,34 +27,35 @@ import { twoFingersMeanTheView } from './two_fingers';
 /** The distance in CSS pixels within which a click means a knot. */
 const nearKnot = { mouse: 6, touch: 12 };
 
-/** Clicks that ask for an edit that the engine has a part in. */
+/** Receives clicks whose edits need the engine. */
 export interface CurveClicks {
   surfaceClicked(point: SurfacePoint): void;
   /**
-   * `within` is the distance, in the surface's unit, up to which a click means things of the curve beside it.
+   * `within` is the distance, in the surface's unit, within which a click means a knot or an anchor
+   * near the curve.
    */
   curveClicked(tool: CurveTool, position: Vector3, within: number): void;
-  /** The pointer is over the curve that is measured, or a click was there. */
+  /** The pointer is over the curve that is measured, or clicked there. */
   curveMeasured(position: Vector3): void;
-  /** The pointer is over the surface while the tool measures, or a click was there. */
+  /** The pointer is over the surface while the tool measures, or clicked there. */
   rulerAimed(point: SurfacePoint): void;
   rulerClicked(point: SurfacePoint): void;
-  /** An anchor of the pen, by its number. */
+  /** An anchor of the pen, by its index. */
   anchorRemoved(index: number): void;
-  /** Words that say what a click at the pointer would do; empty if nothing is said. */
+  /** Words for what a click at the pointer would do; empty if there are none. */
   aimed(words: string): void;
   /** Another object, by its id. */
   otherClicked(tool: CurveTool, id: number): void;
-  /** The number of the object in the view. */
+  /** The index of the shorter path in the view. */
   shorterClicked(index: number): void;
-  /** The pointer is over the surface while the tool mirrors, or a click was there. */
+  /** The pointer is over the surface while the tool mirrors, or clicked there. */
   mirrorAimed(point: SurfacePoint): void;
   mirrorClicked(point: SurfacePoint): void;
-  /** Called with a sentence that says why a gesture goes no farther. */
+  /** Called with a sentence that says why a gesture stops. */
   stopped(why: string): void;
 }
 
-/** Turns what the pointer and the keys do on the stage into commands. */
+/** Turns the actions of pointer and keys on the stage into commands. */
 export class Gestures {
   readonly #drags: HandleDrags;
   readonly #handles: Handles;
@@ -72,7 +73,7 @@ export class Gestures {
   /** Whether the pointer is over the stage, and over which handle of the pen. */
   #isOver = false;
   #overHandle: UnderPointer | null = null;
-  /** Whether the pointer's place on the surface was marked last. */
+  /** Whether the last mark showed the pointer's place on the surface. */
   #rules = false;
   #frame = 0;
 
@@ -155,7 +156,7 @@ export class Gestures {
     });
   }
 
-  /** Undoes the pointer's gesture; until it is released, its events do not make a click. */
+  /** Undoes the pointer's gesture; the events until its release do not make a click. */
   letGo(): void {
     this.#press = null;
     this.#drags.letGo();
@@ -183,11 +184,11 @@ export class Gestures {
           }))
         : [],
     );
-    // The view moved: something else may lie under the pointer.
+    // The view moved, so that another thing may lie under the pointer.
     if (this.#hover) this.#schedule();
   }
 
-  /** The selected anchor's handles are joined with it. */
+  /** Joins the selected anchor to its handles by lines. */
   #showTangents(): void {
     const { figure, selection } = this.editor.state;
     if (figure.kind !== 'pen') return;
@@ -197,17 +198,17 @@ export class Gestures {
     this.viewer.aids.showPolygon(paths, false);
   }
 
-  /** Places what is selected by numbers. */
+  /** Places the selection by numbers. */
   place(numbers: Numbers): void {
     void this.#transforms.place(numbers);
   }
 
-  /** Makes the selected anchor of the pen, or else all of them, corners or smooth. */
+  /** Makes corners or smooth anchors of the selected anchor, or of all if none is selected. */
   setJoint(joint: Joint): void {
     this.#pen.setJoint(joint);
   }
 
-  /** Marks the place of the curve that is measured. */
+  /** Marks the measured place of the curve. */
   showMeasured(position: Vector | null): void {
     const { surface } = this.viewer;
     const place = position && surface?.toScene(Float32Array.from(position));
@@ -298,7 +299,7 @@ export class Gestures {
         if (this.editor.state.tool === 'measure') this.events.rulerAimed(target.pick.point);
       } else if (this.editor.state.tool === 'measure') {
         if (target?.type === 'curve') this.events.curveMeasured(target.position);
-        // The mark of what is measured of the curve stays; that of the ruler's aim goes.
+        // The mark of the measured place stays; that of the ruler disappears.
         else if (this.#rules) this.#handles.showPreview(null, 'surface');
       } else if (target?.type === 'curve') this.#handles.showPreview(target.position, 'curve');
       else this.#handles.showPreview(null, 'surface');
@@ -321,7 +322,7 @@ export class Gestures {
     }
   }
 
-  /** Tells what the pen would do where the pointer is. */
+  /** Shows what the pen would do at the pointer. */
   #showAction(target: Target | null): void {
     const { figure, tool } = this.editor.state;
     const isPen = figure.kind === 'pen' && this.#isOver;
@@ -373,8 +374,8 @@ export class Gestures {
   }
 
   /**
-   * A double click adds an anchor to the pen's curve, or removes the anchor that it hits. With the tool that
-   * only selects, it goes on with drawing the object that it hits.
+   * A double click adds an anchor to the pen's curve, or removes the anchor that it hits. With the
+   * tool that only selects, it continues the drawing of the object that it hits.
    */
   #doubleClick({ clientX: x, clientY: y, target: element }: MouseEvent): void {
     const { tool, figure } = this.editor.state;
@@ -391,7 +392,7 @@ export class Gestures {
     if (target?.type === 'other' && !this.editor.refuses()) this.editor.setTool('insert');
   }
 
-  /** The target to which a click there snaps; null if the click places nothing. */
+  /** The target to which a click there snaps; null if the click adds no point. */
   #snapAt(place: { x: number; y: number; touch: boolean }, target: Target | null): Snapped | null {
     const { control } = this.#keys;
     const places =
@@ -400,7 +401,7 @@ export class Gestures {
     return places || draws ? this.snapping.pick({ ...place, control }) : null;
   }
 
-  /** Adds what a click adds: a control point, a circle or an ellipse, or its radius. */
+  /** Adds a control point, a circle or an ellipse, or its radius. */
   #put({ point }: Pick): void {
     const { figure, tool } = this.editor.state;
     if (tool === 'mirror') {

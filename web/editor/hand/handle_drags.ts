@@ -34,7 +34,7 @@ interface Hand {
   readonly snapping: Snapping;
   /** The keys that are held while the pointer moves. */
   keys(): HeldKeys;
-  /** Has `dragNow` called before the next frame. */
+  /** Requests a call of `dragNow` before the next frame. */
   schedule(): void;
 }
 
@@ -46,7 +46,7 @@ export class HandleDrags {
   #grabbed: Grabbed | null = null;
   /** Whether a handle is moved by keys. */
   #nudges = false;
-  /** The pointer's newest place, to which a handle is not moved yet. */
+  /** The pointer's newest place, which the handle has not reached yet. */
   #drag: { id: string; x: number; y: number } | null = null;
 
   constructor(
@@ -64,7 +64,7 @@ export class HandleDrags {
       },
       release: (_, cancelled) => this.#release(cancelled),
       focus: (id) => {
-        // A press has selected what it means, perhaps several.
+        // A press has already made its selection, perhaps of several points.
         if (!this.#grabbed) selectFocused(editor, id);
       },
       key: (id, event) => this.#nudge(id, event),
@@ -72,11 +72,11 @@ export class HandleDrags {
     layer.addEventListener('keyup', (event) => {
       if (event.key in arrows) this.#endNudge();
     });
-    // The release of the key would not be heard.
+    // Without the focus, the layer would miss the release of the key.
     layer.addEventListener('focusout', () => this.#endNudge());
   }
 
-  /** Takes back the drag that is going on. */
+  /** Undoes the drag under way. */
   letGo(): void {
     if (this.#nudges) this.editor.cancelDrag();
     this.#nudges = false;
@@ -118,7 +118,7 @@ export class HandleDrags {
     return this.#grabbed;
   }
 
-  /** Whether a click on a control point closes the curve that is drawn, as the pen's does. */
+  /** Whether a click on a control point closes the curve under construction, as with the pen. */
   #closesAt(point: Selection): boolean {
     const { figure, tool, selection, dragging } = this.editor.state;
     const { kind, points, settings } = figure;
@@ -127,10 +127,10 @@ export class HandleDrags {
     return point === 0 && points.length > 2 && selection === points.length - 1;
   }
 
-  /** Moves a handle to the surface's point there; past the silhouette it stays where it was. */
+  /** Moves a handle to the surface's point there; outside the silhouette it stays where it was. */
   #moveTo(id: string, x: number, y: number, grabbed: Grabbed, keys: HeldKeys): void {
     const selection = selectionOf(id);
-    // A handle of the pen gives a direction, and goes as it is drawn.
+    // A handle of the pen gives a direction, and does not snap.
     const control = keys.control || tangentOf(id) !== null;
     const picked = this.hand.snapping.pick({ x, y, control }, selection);
     if (!picked) return;
@@ -150,7 +150,7 @@ export class HandleDrags {
     }
   }
 
-  /** Moves a point, and those that are selected with it along. */
+  /** Moves a point, together with those that are selected with it. */
   #movePoint(
     base: Figure,
     index: number,
@@ -196,7 +196,7 @@ export class HandleDrags {
     else editor.commitDrag();
   }
 
-  /** Makes what the keys have moved one step of the history. */
+  /** Makes one step of the history of the moves by keys. */
   #endNudge(): void {
     if (this.#nudges) this.editor.commitDrag();
     this.#nudges = false;

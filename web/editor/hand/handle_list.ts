@@ -59,7 +59,7 @@ export function handlesOf(
   ];
 }
 
-/** Anchors, and the handles of the selected one. */
+/** The handles of anchors, and the tangent handles of the selected one. */
 function penHandles(
   points: readonly ControlPoint[],
   view: View,
@@ -103,7 +103,7 @@ function penHandles(
 
 const tangentId = (side: Side, anchor: number) => `${side}-${anchor}`;
 
-/** The handle of an anchor that an id names; null if it names something else. */
+/** The tangent handle of an anchor by its id; null if the id names something else. */
 export function tangentOf(id: string): { side: Side; anchor: number } | null {
   const [, side, anchor] = /^(before|after)-(\d+)$/.exec(id) ?? [];
   return side ? { side: side as Side, anchor: Number(anchor) } : null;
@@ -119,7 +119,7 @@ export function selectionOf(id: string): NonNullable<Selection> {
   return isCircleHandle(id) ? id : Number(id.slice('point-'.length));
 }
 
-/** What of the pen a handle is, by its id. */
+/** The part of the pen under a handle, by its id. */
 export function underHandle(id: string): UnderPointer | null {
   const tangent = tangentOf(id);
   if (tangent) return { type: 'handle', side: tangent.side };
@@ -127,7 +127,7 @@ export function underHandle(id: string): UnderPointer | null {
   return typeof index === 'number' && !Number.isNaN(index) ? { type: 'anchor', index } : null;
 }
 
-/** What of the pen's handles an element is. */
+/** The part of the pen under an element. */
 export function underPointer(element: EventTarget | null): UnderPointer | null {
   const handle = element instanceof Element ? element.closest('.handle') : null;
   return handle instanceof HTMLElement ? underHandle(handle.dataset.id ?? '') : null;

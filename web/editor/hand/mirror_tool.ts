@@ -14,13 +14,13 @@ import type { Session } from '../engine/session';
 import { isTorn } from '../engine/tearing';
 import type { Editor } from '../state/editor';
 
-/** Takes the tool that moves, turns and scales what is selected, or puts it away. */
+/** Starts or ends the tool that moves, turns and scales the selection. */
 export function toggleTransform(editor: Editor): void {
   editor.chooseSome();
   editor.setTool(editor.state.tool === 'transform' ? 'select' : 'transform');
 }
 
-/** Takes the tool that mirrors what is selected, or puts it away. */
+/** Starts or ends the tool that mirrors the selection. */
 export function toggleMirror(editor: Editor): void {
   editor.chooseSome();
   if (editor.state.tool === 'mirror') editor.rest();
@@ -47,21 +47,21 @@ const hints: Record<MirrorIn, readonly string[]> = {
 const torn =
   'The mirror image would be torn: the figure is too far from the line to have all of it beside it. Choose a line nearer to it.';
 
-/** Clicks on the surface mirror what is selected in the geodesic or the plane through them. */
+/** Mirrors the selection by clicks on the surface, in the geodesic or the plane through them. */
 export class MirrorTool {
-  /** Whether copies are mirrored, and what is selected stays. */
+  /** Whether copies are mirrored while the originals stay. */
   copies = false;
-  /** Called when there is another hint. */
+  /** Called when the hint changes. */
   onChange: () => void = () => {};
   #in: MirrorIn = 'line';
   #clicked: SurfacePoint[] = [];
   /** The surface's plane of symmetry; null if it has none, undefined while the search goes on. */
   #symmetry: Symmetry | null | undefined;
-  /** The surface whose symmetry that is. */
+  /** The surface that this symmetry belongs to. */
   #of: Surface | null = null;
   readonly #aimed = new Newest<SurfacePoint>((point) => this.#showLine(point));
 
-  /** `problem` is called with a sentence where there is no mirror image. */
+  /** `problem` is called with a sentence if no mirror image exists. */
   constructor(
     private readonly editor: Editor,
     private readonly session: Session,
@@ -76,7 +76,7 @@ export class MirrorTool {
     });
   }
 
-  /** Sets what the selected objects are mirrored in. */
+  /** Chooses the kind of mirror. */
   set in(what: MirrorIn) {
     this.#in = what;
     this.#begin();
@@ -93,7 +93,10 @@ export class MirrorTool {
     return hints[this.#in][this.#clicked.length]!;
   }
 
-  /** How far the surface's sides differ, as a part of its diagonal; null where nothing is mirrored in its symmetry. */
+  /**
+   * The difference of the surface's sides as a part of its diagonal; null unless its symmetry is
+   * the mirror.
+   */
   get apart(): number | null {
     return this.#in === 'symmetry' ? (this.#symmetry?.apart ?? null) : null;
   }
@@ -103,7 +106,7 @@ export class MirrorTool {
     if (this.#clicked.length === hints[this.#in].length - 1) this.#aimed.push(point);
   }
 
-  /** Resolves when all that a click leads to is done. */
+  /** Resolves when all effects of the click are done. */
   async click(point: SurfacePoint): Promise<void> {
     if (this.#in === 'symmetry') return this.mirrorInSymmetry();
     const clicked = [...this.#clicked, point];
@@ -125,7 +128,7 @@ export class MirrorTool {
     else await this.#mirror((objects) => figuresInPlane(surface, plane, objects));
   }
 
-  /** Mirrors what is selected in the surface's plane of symmetry, if it has one. */
+  /** Mirrors the selection in the surface's plane of symmetry, if it has one. */
   async mirrorInSymmetry(): Promise<void> {
     const { surface } = this.viewer;
     const symmetry = this.#symmetry;
@@ -182,7 +185,7 @@ export class MirrorTool {
     this.viewer.aids.showFrame([Float32Array.from(places)]);
   }
 
-  /** Forgets the clicks, and looks for the surface's symmetry where that is mirrored in. */
+  /** Forgets the clicks, and looks for the surface's symmetry if it is the mirror. */
   #begin(): void {
     const isShown = this.#clicked.length > 0 || this.#symmetry;
     this.#clicked = [];

@@ -13,15 +13,15 @@ import { isResting } from '../state/tool';
 import type { Hold, Place } from './stage_pointer';
 import { reach, targetAt } from './targets';
 
-/** A line that is dragged, and what is moved with it. */
+/** A line under a drag, and the objects that move with it. */
 interface HeldLine {
   move: Promise<Move | null>;
   stopped: boolean;
-  /** Whether copies stay where it was. */
+  /** Whether copies stay at the old place. */
   copies: boolean;
 }
 
-/** A move by keys: where it has come to, and the revision of the drawing that it made. */
+/** A move by keys: its sum so far, and the revision of the drawing that it made. */
 interface KeyedMove {
   move: Move;
   x: number;
@@ -29,15 +29,15 @@ interface KeyedMove {
   revision: number;
 }
 
-/** Drags of a line of an object: it is moved, with all that are selected with it. */
+/** Moves an object by a drag of its line, together with all selected objects. */
 export class MoveGestures {
   #held: HeldLine | null = null;
   readonly #newest = new Newest<Place>((place) => this.#moveTo(place));
-  /** The move by keys that goes on. */
+  /** The move by keys under way. */
   #keyed: KeyedMove | null = null;
   #nudges: Promise<void> = Promise.resolve();
 
-  /** `clicked` is called where nothing was dragged; `stopped` with a sentence where a move goes no farther. */
+  /** `clicked` is called if the press was not a drag, `stopped` with a sentence if a move stops. */
   constructor(
     private readonly editor: Editor,
     private readonly session: Session,
@@ -45,7 +45,7 @@ export class MoveGestures {
     private readonly events: { clicked(place: Place): void; stopped(why: string): void },
   ) {}
 
-  /** Holds the line that is pressed. */
+  /** Takes hold of the line under a press. */
   take(press: Place): Hold | null {
     const { editor } = this;
     if (press.shift || press.control || this.#held) return null;
@@ -53,7 +53,7 @@ export class MoveGestures {
     // With other tools Alt turns the view.
     if (press.alt && editor.state.tool !== 'select') return null;
     const id = this.#lineAt(press);
-    // A finger turns the view wherever it lies, except on what is selected.
+    // A finger turns the view everywhere except on the selection.
     if (id === null || (press.touch && !editor.state.chosen.includes(id))) return null;
     return {
       drag: (place) => {
@@ -68,7 +68,7 @@ export class MoveGestures {
     };
   }
 
-  /** Takes back what is moved, also where its last step is still under way. */
+  /** Undoes the move, even if its last step is still under way. */
   letGo(): void {
     const keyed = this.#keyed?.revision === this.editor.state.revision;
     const held = this.#held !== null;
@@ -78,7 +78,7 @@ export class MoveGestures {
     if (keyed || held) this.editor.cancelDrag();
   }
 
-  /** The id of the object whose line is seen at a place; null without one. */
+  /** The id of the object whose line is at a place of the window; null without one. */
   #lineAt(place: Place): number | null {
     const { state, isOpen } = this.editor;
     const target = targetAt(this.viewer, state, place);
@@ -88,7 +88,7 @@ export class MoveGestures {
     return own && isOpen ? state.drawing.active : null;
   }
 
-  /** Holds what is under the pointer, with what is selected with it. */
+  /** Holds the object under the pointer, with the selection. */
   async #begin(press: Place): Promise<Move | null> {
     const { editor, session, viewer } = this;
     const id = this.#lineAt(press);
@@ -103,7 +103,7 @@ export class MoveGestures {
 
   /** Moves the selection by a number of CSS pixels; nudges are one step until `endNudge`. */
   nudge(dx: number, dy: number): void {
-    // A nudge that fails is dropped; the next one starts from the beginning.
+    // A nudge that fails is dropped; the next one starts afresh.
     this.#nudges = this.#nudges
       .then(() => this.#nudge(dx, dy))
       .catch(() => {
@@ -111,7 +111,7 @@ export class MoveGestures {
       });
   }
 
-  /** Ends a move by keys: the key was released, or its release would not be heard. */
+  /** Ends a move by keys: the key was released, or its release would be missed. */
   endNudge(): void {
     this.#nudges = this.#nudges.then(() => {
       if (this.#keyed?.revision === this.editor.state.revision) this.editor.commitDrag();
@@ -121,7 +121,7 @@ export class MoveGestures {
 
   async #nudge(dx: number, dy: number): Promise<void> {
     const { editor, viewer } = this;
-    // The move starts again from the drawing that another edit has left.
+    // After another edit the move starts again from the new drawing.
     if (this.#keyed?.revision !== editor.state.revision) this.#keyed = null;
     // The keys do not move what a pointer drags.
     if (!this.#keyed && editor.state.dragging) return;
@@ -140,7 +140,7 @@ export class MoveGestures {
     [keyed.x, keyed.y, keyed.revision] = [x, y, editor.state.revision];
   }
 
-  /** Holds what is selected at a place of it that is seen. */
+  /** Holds the selection at one of its visible places. */
   async #keyedMove(): Promise<KeyedMove | null> {
     const { editor, session, viewer } = this;
     const { revision } = editor.state;
@@ -175,12 +175,12 @@ export class MoveGestures {
     }
   }
 
-  /** The move, with copies of what is moved that stay: one step. */
+  /** The move, with copies that stay at the old place: one step. */
   #leaving(command: Command): Command {
     const { drawing, chosen } = this.editor.state;
     const ids = chosen.length > 0 ? chosen : [drawing.active];
     const moved = new Set(movableObjects(drawing, ids).map(({ id }) => id));
-    // What is made of others goes with them, and what stays needs no copy.
+    // Objects that are made of others are copied with them; unmoved objects need no copy.
     const copied = withSources(drawing, ids).filter((id) => {
       const { figure, locked } = objectOf(drawing, id)!;
       return moved.has(id) || (isDerived(figure.kind) && !locked);

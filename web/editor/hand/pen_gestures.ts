@@ -21,7 +21,7 @@ const atLast = 8;
 /** With Shift held handles keep to multiples of this angle. */
 const angleStep = Math.PI / 4;
 
-/** Keys that are held while something is dragged. */
+/** Keys held during a drag. */
 export interface HeldKeys {
   alt: boolean;
   shift: boolean;
@@ -30,8 +30,8 @@ export interface HeldKeys {
 }
 
 /**
- * The pen: a click on the surface places a corner, a drag from there a smooth anchor with its handles
- * under the pointer. Each is one step of the history.
+ * The pen: a click on the surface places a corner, and a drag from there a smooth anchor with its
+ * handles under the pointer. Each is one step of the history.
  */
 export class PenGestures {
   constructor(
@@ -46,7 +46,7 @@ export class PenGestures {
     const { editor, viewer } = this;
     const { figure, tool } = editor.state;
     const { snapping } = this;
-    // Ctrl turns the view, except where it keeps a point from snapping.
+    // Ctrl turns the view, unless it keeps a point from snapping.
     if (press.shift || (press.control && !snapping.on)) return null;
     if (figure.kind !== 'pen' || tool !== 'insert') return null;
     const target = targetAt(viewer, editor.state, press);
@@ -97,7 +97,7 @@ export class PenGestures {
     };
   }
 
-  /** A drag bends the segment that goes through a place of the scene; a click selects its nearer anchor. */
+  /** Drags the segment at a place of the scene to bend it; a click selects its nearer anchor. */
   #bend(position: Vector3): Hold {
     const { editor } = this;
     const near = this.viewer.surface!.fromScene(position);
@@ -109,7 +109,7 @@ export class PenGestures {
       const point = this.viewer.pick(x, y)?.point;
       const segment = await bend;
       const command = point && (await segment?.through(point, corrections).catch(() => null));
-      // After the release the curve may have gone.
+      // The curve may have been removed after the release.
       if (held && segment && command && editor.state.base === figure) {
         editor.preview(command, segment.anchors);
       }
@@ -147,19 +147,19 @@ export class PenGestures {
     return Bend.of(client, surface, figure, tangents, methodOptions(method), at).catch(() => null);
   }
 
-  /** Selects the nearer anchor of the segment that goes through a place of the scene. */
+  /** Selects the nearer anchor of the segment at a place of the scene. */
   async selectNear(position: Vector3): Promise<void> {
     const near = this.viewer.surface!.fromScene(position);
     const { figure, selection } = this.editor.state;
     const measured = await this.session.measured(near);
-    // The user may have gone on and selected something else.
+    // The user may have selected something else meanwhile.
     const { state } = this.editor;
     if (!measured || state.figure !== figure || state.selection !== selection) return;
     const { from, to, t } = segmentAt(figure, measured.parameter);
     this.editor.select(t < 0.5 ? from : to);
   }
 
-  /** Makes a corner of an anchor with handles, and of one without a smooth one. */
+  /** Makes an anchor with handles a corner, and one without handles smooth. */
   convert(index: number): void {
     const { figure } = this.editor.state;
     const from = figure.points[index];
@@ -168,7 +168,7 @@ export class PenGestures {
     this.editor.run({ type: 'change', index, from, to: withTangents(from, tangents) }, index);
   }
 
-  /** The handle of an anchor at a place of the window; null past the silhouette. */
+  /** The handle of an anchor at a place of the window; null outside the silhouette. */
   tangentAt(anchor: SurfacePoint, place: { x: number; y: number }, kept: boolean): Tangent | null {
     const { surface } = this.viewer;
     const point = this.viewer.pick(place.x, place.y)?.point;
@@ -197,7 +197,10 @@ export class PenGestures {
     return to && withTangents(anchor, withHandleAt(anchor.tangents, drawn, side, to, options));
   }
 
-  /** An anchor at another point, to which its handles go along; with Alt new ones are drawn out. */
+  /**
+   * An anchor at another point, with its handles moved along; with Alt, new handles are drawn out
+   * instead.
+   */
   moved(
     anchor: ControlPoint,
     drawn: DrawnTangents,
@@ -209,7 +212,7 @@ export class PenGestures {
     return withTangents({ ...anchor, ...point }, byVectors(anchor.tangents, drawn, carried));
   }
 
-  /** Makes the selected anchor, or else all of them, corners or smooth. */
+  /** Makes corners or smooth anchors of the selected anchor, or of all if none is selected. */
   setJoint(joint: Joint): void {
     const { figure, selection } = this.editor.state;
     const { tangents } = this.session.view;

@@ -8,12 +8,12 @@ import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
 import type { Editor } from '../state/editor';
 
-/** How many places of a curved band are found. */
+/** The number of places along a curved band. */
 const samples = 24;
 
 /**
- * The line that a click would add: the way on the surface, or a curve from the last anchor's handle, to the
- * pointer.
+ * The line that a click would add: the path on the surface to the pointer, or a curve from the last
+ * anchor's handle.
  */
 export class RubberBand {
   readonly #newest = new Newest<SurfacePoint>((point) => this.#show(point));
@@ -26,14 +26,17 @@ export class RubberBand {
     private readonly viewer: Viewer,
   ) {}
 
-  /** Leads to a point that a click would add; nowhere with null. */
+  /** Leads the band to the point that a click would add; null removes it. */
   aim(point: SurfacePoint | null): void {
     this.#wanted = point && this.#last ? point : null;
     if (this.#wanted) this.#newest.push(this.#wanted);
     else this.#hide();
   }
 
-  /** The last point of the curve being drawn; null if a click begins another one or adds no point. */
+  /**
+   * The last point of the curve under construction; null if a click begins another one or adds no
+   * point.
+   */
   get #last(): ControlPoint | null {
     const { figure, selection, dragging, tool } = this.editor.state;
     const { kind, points, settings } = figure;

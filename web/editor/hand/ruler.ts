@@ -4,19 +4,22 @@ import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
 import type { Editor } from '../state/editor';
 
-/** How far it is from one point of the surface to another, in the surface's unit. */
+/** The distance between two points of the surface, in its unit. */
 export interface Ruled {
   along: number;
   straight: number;
 }
 
-/** Measures between two clicks, along the surface and straight. A third click starts again. */
+/**
+ * Measures between two clicks, along the surface and in a straight line. A third click starts
+ * again.
+ */
 export class Ruler {
   #from: SurfacePoint | null = null;
   #to: SurfacePoint | null = null;
   readonly #newest = new Newest<SurfacePoint>((to) => this.#show(to));
 
-  /** Called with what is measured; null while there is nothing, and whether one end is there. */
+  /** Called with the measurement, null if there is none, and whether one end is placed. */
   onChange: (ruled: Ruled | null, begun: boolean) => void = () => {};
 
   constructor(
@@ -29,7 +32,7 @@ export class Ruler {
     });
   }
 
-  /** Leads to a point from the first click, until the second. */
+  /** Measures from the first click to a point, until the second click. */
   aim(point: SurfacePoint): void {
     if (this.#from && !this.#to) this.#newest.push(point);
   }

@@ -1,4 +1,6 @@
-/** Selections of several points of a curve, made with Shift; they go along with the one that is dragged. */
+/**
+ * Selections of several points of a curve, made with Shift; they move along with the dragged one.
+ */
 import type { ControlPoint } from '../../model/figure';
 import type { Editor } from '../state/editor';
 import { selectionOf, tangentOf } from './handle_list';
@@ -24,7 +26,7 @@ export function selectPressed(editor: Editor, id: string, shift: boolean): numbe
   return isIn ? others : [...others, selection];
 }
 
-/** The keys go to a point's handle: others that are selected with it stay so. */
+/** Selects the point whose handle gets the focus; other points selected with it stay selected. */
 export function selectFocused(editor: Editor, id: string): void {
   const { selection, more } = editor.state;
   const focused = selectionOf(id);
@@ -33,7 +35,10 @@ export function selectFocused(editor: Editor, id: string): void {
   else selectPressed(editor, id, false);
 }
 
-/** Points of which one was moved, and others with it: `moved` says where, or null where it stays. */
+/**
+ * The new places of points when one of them moved others along; `moved` returns the place of each,
+ * or null if it stays.
+ */
 export function takenAlong(
   points: readonly ControlPoint[],
   { index, to, more }: { index: number; to: ControlPoint; more: readonly number[] },

@@ -9,13 +9,13 @@ import type { Editor } from '../state/editor';
 export type SnapKind = 'anchor' | 'point' | 'center' | 'curve' | 'vertex' | 'edge';
 
 export interface Snapped extends Pick {
-  /** Null where the place is the pointer's own. */
+  /** The target; null if the place is the pointer's own. */
   kind: SnapKind | null;
 }
 
 /** The distance in CSS pixels within which places snap. */
 const within = { mouse: 9, touch: 18 };
-/** Triangles whose sides are seen shorter, in CSS pixels, are too small to aim at. */
+/** Triangles whose sides appear shorter, in CSS pixels, are too small to aim at. */
 const leastSide = 30;
 
 interface Where {
@@ -26,7 +26,7 @@ interface Where {
   control: boolean;
 }
 
-/** The magnet: places near points, curves, vertices and edges are taken to these. */
+/** The magnet: it snaps places to nearby points, curves, vertices and edges. */
 export class Snapping {
   on = false;
 
@@ -35,7 +35,10 @@ export class Snapping {
     private readonly viewer: Viewer,
   ) {}
 
-  /** Whether a click on another object places a point there: the magnet is on, and a curve goes on. */
+  /**
+   * Whether a click on another object places a point there: the magnet is on, and a curve is under
+   * construction.
+   */
   placesOn(control: boolean): boolean {
     const { tool, figure, selection } = this.editor.state;
     const goesOn = !isEmpty(figure) && !figure.settings.closed && selection !== null;
@@ -43,8 +46,8 @@ export class Snapping {
   }
 
   /**
-   * The surface's point that is meant at a place of the window, but for a held point of the edited
-   * object; null past the silhouette.
+   * The surface's point for a place of the window, snapped to targets except a held point of the
+   * edited object; null outside the silhouette.
    */
   pick(where: Where, held: number | string | null = null): Snapped | null {
     const { viewer } = this;
@@ -93,7 +96,7 @@ export class Snapping {
     return { point, position: surface!.position(point), kind: 'curve' };
   }
 
-  /** A corner or a side of the triangle under the pointer, where that is large enough. */
+  /** A corner or a side of the triangle under the pointer, if the triangle is large enough. */
   #cornerNear(place: { x: number; y: number }, reach: number, free: Pick): Snapped | null {
     const { viewer } = this;
     const { face } = free.point;
@@ -128,7 +131,7 @@ export class Snapping {
 
 type Weights = [number, number, number];
 
-/** What of a figure a place can be taken to. */
+/** The places of a figure that points can snap to. */
 function placesOf({ kind, points, circle }: Figure): {
   point: SurfacePoint;
   kind: SnapKind;

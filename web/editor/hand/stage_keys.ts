@@ -2,12 +2,14 @@ import type { Viewer } from '../../viewer/viewer';
 import type { Editor } from '../state/editor';
 import type { MoveGestures } from './move_gestures';
 
-/** How far an arrow moves what is selected, in CSS pixels; with Shift ten times. */
+/**
+ * The step in CSS pixels by which an arrow moves the selection; Shift makes it ten times as long.
+ */
 const nudgePixels = 4;
-/** How far an arrow moves the view, in CSS pixels, and turns it, in radians. */
+/** The steps by which an arrow moves the view, in CSS pixels, and turns it, in radians. */
 const panPixels = 40;
 const turnAngle = 0.12;
-/** Where the arrows point on the screen. */
+/** The directions of the arrow keys on the screen. */
 export const arrows: Record<string, [number, number]> = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],
@@ -20,9 +22,9 @@ interface Place {
   y: number;
 }
 
-/** The stage's own keys: they turn and zoom the view, move what is selected and place points. */
+/** The keys of the stage: they turn and zoom the view, move the selection and place points. */
 export class StageKeys {
-  /** `clicked` is called where a key clicks, and `aimed` for where the next one would. */
+  /** `clicked` is called when a key clicks, and `aimed` with the place of the next such click. */
   constructor(
     private readonly editor: Editor,
     private readonly viewer: Viewer,
@@ -44,7 +46,9 @@ export class StageKeys {
     });
   }
 
-  /** While the space bar is held the pointer moves the view; on a button it presses that. */
+  /**
+   * While the space bar is held the pointer moves the view; on a button the space bar presses it.
+   */
   #space(event: KeyboardEvent): void {
     if (event.key !== ' ' || event.defaultPrevented) return;
     const { target } = event;
@@ -61,7 +65,7 @@ export class StageKeys {
     if (event.target !== stage || event.altKey) return;
     const arrow = arrows[event.key];
     if (event.ctrlKey || event.metaKey) {
-      // These keys move the view, whatever is selected.
+      // These keys move the view, whatever the selection is.
       if (!arrow) return;
       if (event.shiftKey) viewer.pan(panPixels * arrow[0], panPixels * arrow[1]);
       else this.#turn(arrow);

@@ -3,7 +3,7 @@ import type { Held } from './two_fingers';
 /** A press that moves less, in CSS pixels, is a click. */
 export const clickSlop = { mouse: 4, touch: 10 };
 
-/** Where a pointer is in the window, in CSS pixels, and the keys that are held with it. */
+/** A place of the pointer in the window, in CSS pixels, and the keys that are held. */
 export interface Place {
   x: number;
   y: number;
@@ -14,20 +14,20 @@ export interface Place {
   control: boolean;
 }
 
-/** The handlers of a pointer from its press on. */
+/** The handlers of a pointer after its press. */
 export interface Hold {
   /**
-   * Hears of a drag at most once a frame: the newest place of the pointer, and all places since the last call.
-   * A press that hardly moves is no drag.
+   * Called during a drag at most once a frame: with the newest place of the pointer, and all places
+   * since the last call. A press that hardly moves is not a drag.
    */
   drag(place: Place, way: readonly Place[]): void;
-  /** The pointer is up; `dragged` says whether `drag` was called. */
+  /** The pointer was released; `dragged` says whether `drag` was called. */
   release(place: Place, dragged: boolean): void;
   /** The gesture is undone. */
   cancel(): void;
 }
 
-/** Takes a press on the stage, or leaves it to the next one and at last to the view. */
+/** Takes a press on the stage, or leaves it to the next taker and finally to the view. */
 export type Taker = (press: Place) => Hold | null;
 
 interface Pressed {
@@ -49,20 +49,20 @@ const placeOf = (event: PointerEvent): Place => ({
 });
 
 /**
- * The pointer on the stage, for those who draw and drag there: the first one that takes a press has it
- * until the pointer is up, Escape is pressed or another finger comes down.
+ * Distributes presses on the stage to the tools that draw and drag there: the first that takes a
+ * press keeps the pointer until its release, Escape, or another finger's press.
  */
 export class StagePointer implements Held {
   readonly #takers: Taker[] = [];
   #pressed: Pressed | null = null;
   #frame = 0;
 
-  /** `severalFingers` says whether the view has the pointer. */
+  /** `severalFingers` returns whether the view has the pointer. */
   constructor(
     private readonly stage: HTMLElement,
     private readonly severalFingers: () => boolean,
   ) {
-    // Before the view's controls, which listen on the stage too.
+    // The listener runs before those of the view's controls on the same stage.
     stage.addEventListener('pointerdown', (event) => this.#down(event), { capture: true });
     stage.addEventListener('pointermove', (event) => this.#move(event));
     stage.addEventListener('pointerup', (event) => this.#up(event));
@@ -72,7 +72,10 @@ export class StagePointer implements Held {
     window.addEventListener('keydown', (event) => this.#key(event), { capture: true });
   }
 
-  /** Presses are offered in the order of these calls; presses with Alt only to those who ask for them. */
+  /**
+   * Adds a taker; presses are offered in the order of these calls, and those with Alt only with
+   * `withAlt`.
+   */
   offer(taker: Taker, { withAlt = false } = {}): void {
     this.#takers.push((press) => (press.alt && !withAlt ? null : taker(press)));
   }
@@ -91,7 +94,7 @@ export class StagePointer implements Held {
     const { stage } = this;
     const free = event.target === stage || event.target instanceof HTMLCanvasElement;
     if (!free || event.button !== 0 || this.#pressed || this.severalFingers()) return;
-    // The view takes presses with the space bar held, and those with Alt that nobody takes.
+    // The view takes presses with the space bar held, and those with Alt that no tool takes.
     if (stage.classList.contains('moving')) return;
     const from = placeOf(event);
     for (const taker of this.#takers) {
@@ -111,7 +114,7 @@ export class StagePointer implements Held {
   #move(event: PointerEvent): void {
     const pressed = this.#pressed;
     if (pressed?.pointer !== event.pointerId) return;
-    // A slow page hears of several places at once.
+    // A slow page receives several places at once.
     const events = event.getCoalescedEvents?.() ?? [];
     pressed.way.push(...(events.length > 0 ? events : [event]).map(placeOf));
     this.#frame ||= requestAnimationFrame(() => {

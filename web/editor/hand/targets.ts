@@ -7,18 +7,18 @@ import type { State } from '../state/state';
 
 /** The target of a click at a place of the window. */
 export type Target =
-  /** The curve that is edited: a point is put on it there. */
+  /** The edited curve: the click adds a point there. */
   | { type: 'curve'; position: Vector3 }
-  /** An object beside it, by its id: that one is edited next. */
+  /** Another object, by its id: the click selects it for editing. */
   | { type: 'other'; id: number }
-  /** A shorter way than a leg of the curve: the leg takes it. */
+  /** A path that is shorter than a leg of the curve: the click makes it the leg. */
   | { type: 'shorter'; index: number }
   | { type: 'surface'; pick: Pick };
 
 /** The distance in CSS pixels within which a click means a curve. */
 export const reach = { mouse: 7, touch: 16 };
 
-/** A click that measures the curve need not hit it. */
+/** The distance in CSS pixels within which a click measures the curve, which need not be hit. */
 const measuredWithin = { mouse: 16, touch: 28 };
 
 export function targetAt(
@@ -26,7 +26,7 @@ export function targetAt(
   { drawing, figure: { kind }, tool, none }: State,
   place: { x: number; y: number; touch: boolean },
 ): Target | null {
-  // A stroke ignores all that it goes over.
+  // A stroke ignores everything under it.
   if (tool === 'freehand') return null;
   const pick = viewer.pick(place.x, place.y);
   const lines = viewer.linesAt(place.x, place.y);
@@ -47,7 +47,7 @@ export function targetAt(
     const painted = pick && viewer.pickRegion(pick.point);
     return painted === null ? null : { type: 'other', id: painted };
   }
-  // The pen edits its own path: over another line it goes on as over the surface.
+  // The pen edits only its own path: other lines do not interrupt its curve.
   if (kind === 'pen' && tool === 'insert') {
     const own = !none && !activeObject(drawing).locked;
     const position = own ? lines.curve(within) : null;

@@ -15,22 +15,28 @@ export interface TransformFrame {
   pivot: SurfacePoint;
   /** The frame's first axis, a unit vector in the plane of the pivot's face. */
   right: Vector;
-  /** The sides of the frame, in coordinates from the pivot along the axis, and across it to the left. */
+  /**
+   * The sides of the frame, in coordinates from the pivot: along the axis, and across it to the
+   * left.
+   */
   box: { left: number; right: number; bottom: number; top: number };
 }
 
 export type FrameHandle = 'turn' | 'move' | 'pivot' | 'scale-1' | 'scale-2' | 'scale-3' | 'scale-4';
 
 export interface ShownFrame {
-  /** In the scene. */
+  /** The lines, in the scene. */
   lines: Float32Array[];
   handles: { id: FrameHandle; position: Vector3 }[];
 }
 
-/** As parts of the surface's diagonal: around what is selected, and from there to the turning handle. */
+/**
+ * Distances as parts of the surface's diagonal: from the selection to the frame, and from there to
+ * the turning handle.
+ */
 const margin = 0.02;
 const stalk = 0.05;
-/** Points of a side between its corners. */
+/** The number of pieces of each side. */
 const piecesOfSide = 16;
 
 /** The second axis, to the left of the first one. */
@@ -43,7 +49,7 @@ export async function acrossFrame(
   return normal.cross(new Vector3(...right)).toArray();
 }
 
-/** A direction in the plane of a point's face, of length 1. */
+/** A unit direction in the plane of a point's face. */
 async function inPlane(
   client: EngineClient,
   surface: Surface,
@@ -52,13 +58,13 @@ async function inPlane(
 ): Promise<Vector> {
   const normal = await faceNormal(client, surface, at);
   const projected = new Vector3(...along).projectOnPlane(normal);
-  // A view from the side has no direction of its own there.
+  // Seen edge-on, the plane shows no such direction.
   if (projected.length() < 1e-3) projected.set(normal.z, normal.x, normal.y).projectOnPlane(normal);
   return projected.normalize().toArray();
 }
 
 /**
- * The frame of objects, upright where `right` points to the right; round a pivot, or else round their
+ * The frame of objects, with its first axis along `right`, around a pivot or else around their
  * middle.
  */
 export async function frameOf(
@@ -112,7 +118,7 @@ export async function frameOf(
   };
 }
 
-/** What of an object the frame goes round: its places, and how far it reaches around them. */
+/** The places of an object that the frame encloses, each with a radius. */
 function extentsOf({ figure }: DrawnObject): { place: SurfacePoint; radius: number }[] {
   const { circle, kind } = figure;
   if (!isRound(kind)) {
@@ -130,7 +136,7 @@ export const carriedFrame = ({ pivot, right }: TransformFrame): Carried[] => [
   { place: pivot, direction: right },
 ];
 
-/** The frame at its new place, scaled like its contents. */
+/** The frame at its new place, scaled with its contents. */
 export function frameAt(
   { box }: TransformFrame,
   { points, directions }: CarriedTo,
@@ -149,7 +155,7 @@ export function frameAt(
   };
 }
 
-/** The frame as it lies on the surface. */
+/** The frame in the form in which it lies on the surface. */
 export async function shownFrame(
   client: EngineClient,
   surface: Surface,

@@ -20,7 +20,7 @@ import {
   type TransformFrame,
 } from './transform_frame';
 
-/** With Shift held angles and parts are multiples of these. */
+/** With Shift held, angles and scales are multiples of these. */
 const angleStep = Math.PI / 12;
 const scaleStep = 0.1;
 /** A key turns and scales by these; with Shift by the steps above. */
@@ -57,7 +57,7 @@ interface Place {
   y: number;
 }
 
-/** A handle of the frame that is held. */
+/** A handle of the frame under a drag. */
 interface Hold {
   id: FrameHandle;
   from: SurfacePoint;
@@ -68,7 +68,7 @@ interface Hold {
   stopped: boolean;
 }
 
-/** The frame round what is selected while the tool is `transform`, and drags of its handles. */
+/** The frame around the selection while the tool is `transform`, and the drags of its handles. */
 export class TransformGestures {
   readonly #handles: Handles;
   readonly #newest = new Newest<Place>((place) => this.#dragTo(place));
@@ -76,7 +76,7 @@ export class TransformGestures {
   #shown: ShownFrame | null = null;
   /** The state for which the frame was computed. */
   #made: { drawing: Drawing; chosen: string; client: EngineClient } | null = null;
-  /** Where the user put the pivot. */
+  /** The pivot that the user chose. */
   #pivot: { point: SurfacePoint; chosen: string } | null = null;
   #held: Hold | null = null;
   /** The sum of the arrow keys' moves, until they are released. */
@@ -89,7 +89,7 @@ export class TransformGestures {
   #keys: Promise<void> = Promise.resolve();
   #shift = false;
 
-  /** `stopped` is called with a sentence where it goes no farther. */
+  /** `stopped` is called with a sentence if a drag stops. */
   constructor(
     private readonly editor: Editor,
     private readonly session: Session,
@@ -121,7 +121,7 @@ export class TransformGestures {
     return this.#handles.heldBy;
   }
 
-  /** Takes back what is held, also where its last step is still under way. */
+  /** Undoes the drag, even if its last step is still under way. */
   letGo(): void {
     if (this.#keyed) this.editor.cancelDrag();
     this.#keyed = null;
@@ -129,7 +129,7 @@ export class TransformGestures {
     if (this.#held) void this.#release(true);
   }
 
-  /** Shows the frame of the editor's state, which is computed again if the state has changed otherwise. */
+  /** Shows the frame of the editor's state, and computes it again after other changes. */
   show(): void {
     const { tool, drawing, chosen, dragging } = this.editor.state;
     const { client } = this.session;
@@ -145,7 +145,7 @@ export class TransformGestures {
     void this.#makeFrame();
   }
 
-  /** Places what is selected by numbers, as one step. Resolves when it is done. */
+  /** Places the selection by numbers, as one step. Resolves when it is done. */
   async place({ x = 0, y = 0, angle = 0, scale = 1 }: Numbers): Promise<void> {
     const frame = this.#frame;
     const move = frame && (await this.#moveAt(frame.pivot, frame));
@@ -221,7 +221,7 @@ export class TransformGestures {
     const log = client.mesh
       .logMap(frame.pivot, [from])
       .then(({ vectors }) => new Vector3().fromArray(vectors));
-    // If they fail, the drag does nothing.
+    // If they fail, the drag has no effect.
     for (const promise of [move, log]) promise.catch(() => {});
     this.#held = { id, from, frame, move, log, stopped: false };
   }
@@ -263,7 +263,7 @@ export class TransformGestures {
     return { scale: Math.max(leastScale, kept) };
   }
 
-  /** Turns and scalings are round this point from now on. */
+  /** Makes this point the pivot of turns and scalings. */
   async #putPivot(point: SurfacePoint): Promise<void> {
     const { client } = this.session;
     const { surface } = this.viewer;
@@ -293,7 +293,7 @@ export class TransformGestures {
     this.#commit();
   }
 
-  /** Ends the drag as one step; the frame stays as it was carried. */
+  /** Ends the drag as one step; the frame stays where it was carried. */
   #commit(): void {
     const { editor } = this;
     const { client } = this.session;
@@ -305,7 +305,7 @@ export class TransformGestures {
     this.#draw();
   }
 
-  /** Shows a placement by numbers, as a drag's next position; false where it leaves the surface. */
+  /** Shows a placement by numbers, as a drag's next position; false if it leaves the surface. */
   async #place(
     frame: TransformFrame,
     move: Move,

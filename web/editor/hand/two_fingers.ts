@@ -1,20 +1,20 @@
-/** The thing that a finger holds. */
+/** A gesture that can hold a finger. */
 export interface Held {
-  /** The finger that moves a handle, by its pointer's number; null without one. */
+  /** The pointer id of the finger that moves a handle; null without one. */
   readonly heldBy: number | null;
-  /** Takes back what was begun. */
+  /** Undoes the gesture. */
   letGo(): void;
 }
 
 /**
- * Two fingers on the stage always mean the view: where the first one has hold of a handle when the
- * second comes down, its drag is taken back, and the view goes on with both. Answers whether there are
- * several fingers down.
+ * Two fingers on the stage always move the view: if the first one drags a handle when the second
+ * comes down, the drag is undone, and the view takes both. The returned function says whether
+ * several fingers are down.
  */
 export function twoFingersMeanTheView(stage: HTMLElement, held: Held): () => boolean {
   const fingers = new Map<number, PointerEvent>();
   const isTouch = (event: PointerEvent) => event.pointerType === 'touch';
-  // This comes before what the finger touches hears of it.
+  // Capturing listeners run before those of the touched element.
   const heard = { capture: true };
   stage.addEventListener(
     'pointerdown',

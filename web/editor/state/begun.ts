@@ -3,7 +3,10 @@ import { type Drawing, objectOf } from '../../model/drawing';
 import { isEmpty, isUnfinished } from '../../model/figure';
 import type { State } from './state';
 
-/** Which object was begun and was never more than a few points: once it is let go of it goes. */
+/**
+ * Remembers the object that was begun and has only a few points: it is removed once it is
+ * deselected.
+ */
 export class Begun {
   #id: number | null;
 
@@ -15,19 +18,25 @@ export class Begun {
     return this.#id === id;
   }
 
-  /** It stays however few its points are: something was made of it, or it is of another drawing. */
+  /**
+   * Keeps the object even with few points: another object was made of it, or it belongs to another
+   * drawing.
+   */
   keep(): void {
     this.#id = null;
   }
 
-  /** Hears of each state that lasts; `isBack` where a step is taken back, maybe to where the object was begun. */
+  /**
+   * Follows each lasting state; `isBack` says that a step was undone, possibly back to the begun
+   * object.
+   */
   follow({ figure, drawing }: State, isBack = false): void {
     const { active } = drawing;
     const goesOn = (isBack || this.is(active)) && isUnfinished(figure);
     this.#id = isEmpty(figure) || goesOn ? active : null;
   }
 
-  /** The command with what takes the object away, where another one is edited then. */
+  /** The command, extended by the removal of the object if another one is edited afterwards. */
   gone(command: Command, base: Drawing): Command {
     const begun = this.#id === null ? undefined : objectOf(base, this.#id);
     if (!begun || begun.locked || !isUnfinished(begun.figure)) return command;

@@ -44,28 +44,28 @@ import {
 } from './state';
 import { type CurveTool, isResting, type RestingTool } from './tool';
 
-/** The page's one state, and the only way to change it. */
+/** The page's single state, and the only way to change it. */
 export class Editor {
   #state: State = firstState;
   /** The edits of whole objects. */
   readonly objects = new ObjectEdits(this);
   readonly #listeners: ((state: State, before: State) => void)[] = [];
-  /** The history on each surface that was shown, by its key, and the resulting drawing. */
+  /** The history of each surface shown so far, by its key, and the resulting drawing. */
   readonly #histories = new Map<string, History>();
   readonly #drawings = new Map<string, Drawing>();
-  /** The drawing before the drag that is going on, and the drag as one command. */
+  /** The drawing before the drag under way, and the drag as one command. */
   #drag: { base: Drawing; command: Command | null; inside?: Command | null } | null = null;
   #resting: RestingTool = 'insert';
   readonly #begun = new Begun(firstState.drawing);
 
-  /** Called where an edit is refused, with a sentence. */
+  /** Called with a sentence when an edit is refused. */
   onRefusal: (sentence: string) => void = () => {};
 
-  /** Called where something other than the drag is done: a gesture lets go of what it drags. */
+  /** Called when another action interrupts the drag: its gesture then ends. */
   onInterrupt: () => void = () => {};
-  /** Returns the edited figure for the end of a drag of its points. */
+  /** Returns the edited figure at the end of a drag of its points. */
   onEnded: (figure: Figure) => Figure = (figure) => figure;
-  /** The side that a figure encloses, as it is shown: a drag keeps to it. */
+  /** The side that a figure encloses in the view: a drag keeps it. */
   insideOf: (figure: Figure) => Inside | null = () => null;
 
   get state(): State {
@@ -77,8 +77,8 @@ export class Editor {
   }
 
   /**
-   * Shows another surface, with the drawing it had when it was last shown, or else with this one and
-   * what was done to it. What was done there can still be undone.
+   * Shows another surface, with the drawing it had when last shown, or else with this drawing and
+   * history. Earlier steps on it can still be undone.
    */
   open(
     mesh: string,
@@ -105,8 +105,8 @@ export class Editor {
   }
 
   /**
-   * Changes the object that is edited. Knots of its own that do not fit any more go: `CurveEdits`
-   * knows how they go on.
+   * Changes the edited object. Its own knots are removed if they no longer fit: `CurveEdits` knows
+   * how to keep them.
    */
   run(edit: FigureCommand, selection: Selection = this.#state.selection): void {
     this.cancelDrag();
@@ -115,8 +115,8 @@ export class Editor {
   }
 
   /**
-   * Shows the drawing as it is after an edit that is not yet done: a drag's next position. `dragged` are
-   * the points that an edit of several moves together.
+   * Shows the drawing after an unfinished edit: a drag's next position. `dragged` are the points
+   * that an edit of several moves together.
    */
   preview(edit: FigureCommand, dragged: readonly number[] = noNumbers): void {
     if (!this.#drag && this.refuses()) return;
@@ -128,7 +128,7 @@ export class Editor {
     this.#change({ drawing, dragging: true, dragged: single ? [edit.index] : dragged }, false);
   }
 
-  /** Shows the drawing as it is after a command on whole objects, as a drag's next position. */
+  /** Shows the drawing after a command on whole objects, as a drag's next position. */
   previewCommand(command: Command): void {
     this.#drag ??= { base: this.#state.drawing, command: null };
     this.#drag.command = command;
@@ -136,7 +136,7 @@ export class Editor {
     this.#change({ drawing, dragging: true, dragged: noNumbers }, false);
   }
 
-  /** Shows an edit of an object of a kind that begins with it: both are one step, or none. */
+  /** Shows an edit of a new object of this kind: both are one step, or none. */
   previewBegun(kind: Kind, edit: FigureCommand): void {
     const base = this.baseDrawing;
     const begin = beginning(base, kind);
@@ -162,8 +162,8 @@ export class Editor {
   }
 
   /**
-   * The edit that keeps the edited figure to the side that it encloses; null if it keeps to one already, or
-   * encloses none.
+   * The edit that stores the side that the edited figure encloses; null if it is stored already, or
+   * the figure encloses no region.
    */
   #insideKept(): Command | null {
     const { id, figure } = this.active;
@@ -176,7 +176,7 @@ export class Editor {
     return inside ? { type: 'steps', steps: [command, inside] } : command;
   }
 
-  /** A drag's command once it ends, with what it made of the figure beside what the hand did. */
+  /** The command of an ended drag, with the changes that follow from it. */
   #ended(command: Command, base: Drawing): Command {
     if (command.type !== 'figure' || this.#state.dragged.length === 0) return command;
     const { figure } = this.#state;
@@ -192,10 +192,7 @@ export class Editor {
     if (drag) this.#change({ drawing: drag.base, dragging: false, dragged: noNumbers }, true);
   }
 
-  /**
-   * Ends whatever is dragged, which goes back to where it was: what is done next is done to the drawing
-   * as it was before the drag.
-   */
+  /** Cancels the drag under way: the next edit starts from the drawing before it. */
   interrupt(): void {
     this.onInterrupt();
     this.cancelDrag();
@@ -207,7 +204,7 @@ export class Editor {
     if (from?.leg) this.run({ type: 'change', index, from, to: withLeg(from, null) });
   }
 
-  /** The drawing without the drag that is going on. */
+  /** The drawing without the drag under way. */
   get baseDrawing(): Drawing {
     return this.#drag?.base ?? this.#state.drawing;
   }
@@ -224,12 +221,12 @@ export class Editor {
     return this.#history.undone.length > 0;
   }
 
-  /** The history on the surface that is shown. */
+  /** The history of the visible surface. */
   get history(): Readonly<History> {
     return this.#history;
   }
 
-  /** Takes the newest step back, or what is dragged. */
+  /** Undoes the newest step, or the drag under way. */
   undo(): void {
     const dragged = this.#drag !== null;
     this.interrupt();
@@ -252,7 +249,7 @@ export class Editor {
     if (tool !== this.#state.tool) this.#change({ tool }, false);
   }
 
-  /** Trying a tool leaves nothing in the drawing, and nothing selected. */
+  /** A tool that was only tried leaves no object and no selection. */
   #dropBegun(): void {
     this.cancelDrag();
     const { drawing } = this.#state;
@@ -268,8 +265,8 @@ export class Editor {
   }
 
   /**
-   * Another object is edited. Where points go with that, it is a step, so that they come back alone; but
-   * what was taken back before can still be done again.
+   * Edits another object. If points are removed with that, it is a step that can be undone alone;
+   * undone steps can still be redone.
    */
   #leave(command: Command, drops: boolean): void {
     const isStep = drops && this.#history.undone.length === 0;
@@ -277,7 +274,7 @@ export class Editor {
     else recordActivation(this.#history, command);
   }
 
-  /** Ends the tool that cuts, joins or measures. */
+  /** Ends a tool for one click. */
   rest(): void {
     this.setTool(this.#resting);
   }
@@ -286,7 +283,7 @@ export class Editor {
     if (selection !== this.#state.selection) this.#change({ selection }, false);
   }
 
-  /** Selects points of the edited object by their numbers, the last one foremost. */
+  /** Selects points of the edited object by their indices; the last is the main one. */
   selectPoints(points: readonly number[]): void {
     this.#change({ selection: points.at(-1) ?? null, more: points.slice(0, -1) }, false);
   }
@@ -296,7 +293,9 @@ export class Editor {
     this.#change({ selection, chosen }, false);
   }
 
-  /** Selects objects, of which the last one is edited: no step of the history (`recordActivation`). */
+  /**
+   * Selects objects and edits the last one; this is no step of the history (`recordActivation`).
+   */
   choose(ids: readonly number[]): void {
     const chosen = withGroups(this.#state.drawing, ids);
     const edited = ids.findLast((id) => objectOf(this.#state.drawing, id));
@@ -312,12 +311,12 @@ export class Editor {
     } else if (chosen.length > 0 && this.#state.none) this.#change({ none: false }, false);
   }
 
-  /** Edits another object, which alone is selected with those of its group. */
+  /** Edits another object, and selects it alone or with the rest of its group. */
   activate(id: number): void {
     this.choose([id]);
   }
 
-  /** Selects an object, or takes it out of the selection. */
+  /** Adds an object to the selection, or removes it. */
   toggle(id: number): void {
     const { drawing } = this.#state;
     const selected = selectedObjects(this.#state).filter(
@@ -333,7 +332,7 @@ export class Editor {
     else this.letGo();
   }
 
-  /** Selects nothing; what was only begun goes. */
+  /** Clears the selection; an object that was only begun is removed. */
   letGo(): void {
     const { none, selection, chosen, figure } = this.#state;
     if (isUnfinished(figure) && !this.active.locked) this.#dropBegun();
@@ -344,7 +343,7 @@ export class Editor {
     }
   }
 
-  /** Selects the edited object where nothing is selected. */
+  /** Selects the edited object if the selection is empty. */
   chooseSome(): void {
     const { chosen, none, drawing, figure } = this.#state;
     if (none) return;
@@ -359,7 +358,7 @@ export class Editor {
     if (last !== undefined) this.choose([...chosen.filter((id) => id !== last), last]);
   }
 
-  /** The next drawing becomes another object. */
+  /** Makes the next drawing another object. */
   begin(kind?: Kind): void {
     this.interrupt();
     this.setTool('insert');
@@ -367,7 +366,7 @@ export class Editor {
     if (this.#state.chosen.length > 0) this.#change({ chosen: [] }, false);
   }
 
-  /** Chooses the kind of what is drawn next; a curve with points becomes another kind of curve. */
+  /** Chooses the kind of the next drawing; a curve with points becomes another kind of curve. */
   setKind(kind: Kind): void {
     this.interrupt();
     this.setTool('insert');
@@ -381,7 +380,7 @@ export class Editor {
     else this.perform(command, { selection: null, chosen: [] });
   }
 
-  /** Gives settings to the selected curves. */
+  /** Changes settings of the selected curves. */
   setSettings(part: Partial<CurveSettings>): void {
     this.interrupt();
     const { drawing, selection } = this.#state;
@@ -417,7 +416,7 @@ export class Editor {
     if (method !== this.#state.method) this.#change({ method }, true);
   }
 
-  /** Makes the selected control point one of so many numbers more, as far as there are points. */
+  /** Moves the selected control point by some places in the order, as far as possible. */
   moveInOrder(steps: number): void {
     this.interrupt();
     const { figure, selection: from } = this.#state;
@@ -426,7 +425,7 @@ export class Editor {
     if (to !== from) this.run({ type: 'reorder', from, to }, to);
   }
 
-  /** Makes the edited object another figure, as one step of the history. */
+  /** Replaces the figure of the edited object, as one step of the history. */
   replace(to: Figure, selection: Selection = null): void {
     const from = this.#state.figure;
     if (to !== from) this.run({ type: 'replace', from, to }, selection);
@@ -445,7 +444,9 @@ export class Editor {
     if (!isEmpty(figure)) this.replace(cleared(figure));
   }
 
-  /** An edit of an object, the active one where none is named, as a command of the drawing before the drag. */
+  /**
+   * An edit of an object, by default the active one, as a command on the drawing before the drag.
+   */
   #commandOf(edit: FigureCommand, of?: number): Command {
     const base = this.baseDrawing;
     const { id, figure: from } = (of !== undefined && objectOf(base, of)) || activeObject(base);
@@ -454,13 +455,13 @@ export class Editor {
     return { type: 'figure', id, edit: to === wanted ? edit : { type: 'replace', from, to } };
   }
 
-  /** Whether what is clicked goes into the active object: it is selected, seen, and not locked. */
+  /** Whether clicks add to the active object: it is selected, visible and not locked. */
   get isOpen(): boolean {
     const { locked, visible } = this.active;
     return visible && !locked && !this.#state.none;
   }
 
-  /** Whether the active object is locked; if so, says so. */
+  /** Whether the active object is locked; if so, reports it. */
   refuses(): boolean {
     const { locked } = this.active;
     if (locked)
@@ -478,7 +479,7 @@ export class Editor {
     return history;
   }
 
-  /** One step back or forth; what the step touched is selected, so that it is seen. */
+  /** Undoes or redoes a step; the touched objects are selected, so that the change is visible. */
   #step(command: Command): void {
     const drawing = apply(this.#state.drawing, command);
     const chosen = this.#state.chosen.filter((id) => indexOf(drawing, id) >= 0);
@@ -486,7 +487,10 @@ export class Editor {
     this.#change({ drawing, selection, chosen }, true);
   }
 
-  /** The edited object stays once it is let go of, however few its points are: something was made of it. */
+  /**
+   * Keeps the edited object when it is deselected, even with few points: another object was made of
+   * it.
+   */
   keepBegun(): void {
     this.#begun.keep();
   }

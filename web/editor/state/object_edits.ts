@@ -14,7 +14,7 @@ import { type Inside, isEmpty, opposite, type Figure } from '../../model/figure'
 import { type Selection, type State, selectedObjects } from './state';
 import type { CurveTool } from './tool';
 
-/** The parts of the editor that edits of whole objects use. */
+/** The parts of the editor that edits of whole objects need. */
 interface Editing {
   readonly state: State;
   perform(command: Command | null, part?: PartOfStep): void;
@@ -33,7 +33,10 @@ export interface PartOfStep {
   none?: boolean;
 }
 
-/** Edits of whole objects, each one step of the history; of those that are selected where none are named. */
+/**
+ * Edits of whole objects, each one step of the history. They apply to the selection unless objects
+ * are named.
+ */
 export class ObjectEdits {
   readonly #editor: Editing;
 
@@ -41,7 +44,7 @@ export class ObjectEdits {
     this.#editor = editor;
   }
 
-  /** Deletes objects; the edited one only where there is something of it. */
+  /** Deletes objects; the edited one only if it is not empty. */
   delete(wanted: readonly number[] = selectedObjects(this.#editor.state)): void {
     this.#editor.interrupt();
     const { objects } = this.#editor.state.drawing;
@@ -63,7 +66,7 @@ export class ObjectEdits {
     this.#perform(duplication(this.#editor.state.drawing, ids), ids);
   }
 
-  /** Adds copies of objects, whose ids become others; `of` are those of the drawing that were copied. */
+  /** Adds copies of objects, with new ids; `of` are the ids of the originals in the drawing. */
   add(objects: readonly DrawnObject[], of: readonly number[] = []): void {
     this.#editor.interrupt();
     this.#perform(addition(this.#editor.state.drawing, objects), of);
@@ -89,13 +92,13 @@ export class ObjectEdits {
     this.#editor.perform(restyling(this.#editor.state.drawing, ids, to), { none });
   }
 
-  /** Prepares for a click on an object whose look the selected ones take, or ends that. */
+  /** Waits for a click on an object whose look the selected ones take, or stops waiting. */
   toggleLook(): void {
     if (this.#editor.state.tool === 'look') this.#editor.rest();
     else if (selectedObjects(this.#editor.state).length > 0) this.#editor.setTool('look');
   }
 
-  /** Gives the selected objects the look of another one. */
+  /** Applies the look of another object to the selected ones. */
   takeLook(id: number): void {
     const object = objectOf(this.#editor.state.drawing, id);
     if (object) this.setProperties(selectedObjects(this.#editor.state), lookOf(object));
@@ -108,7 +111,9 @@ export class ObjectEdits {
     this.#editor.perform(reordering(this.#editor.state.drawing, id, steps));
   }
 
-  /** Puts objects into an order, from the lowest, and one of them into a group or out of its own. */
+  /**
+   * Puts objects into an order, from the lowest, and one of them into a group or out of its group.
+   */
   arrange(ids: readonly number[], joins: { id: number; group: string | null }): void {
     this.#editor.interrupt();
     this.#editor.perform(arranging(this.#editor.state.drawing, ids, joins));

@@ -5,50 +5,59 @@ import type { Figure } from '../../model/figure';
 import { defaultMethod, type MethodId } from '../../model/methods';
 import type { CurveTool } from './tool';
 
-/** A control point by its number, or one of a circle's or ellipse's handles. */
+/** A control point by its index, or a handle of a circle or an ellipse. */
 export type Selection = number | CircleHandle | null;
 
 export interface State {
-  /** The key of the surface that is shown; empty before the first one. */
+  /** The key of the visible surface; empty before the first one. */
   readonly mesh: string;
   readonly drawing: Drawing;
-  /** The figure of the object that is edited. */
+  /** The figure of the edited object. */
   readonly figure: Figure;
-  /** The same without the drag that is going on. */
+  /** The same figure without the drag under way. */
   readonly base: Figure;
-  /** Whether this surface stands in for one that could not be opened, and nothing was done on it. */
+  /** Whether this surface stands in for one that could not be opened, and is still unedited. */
   readonly standIn: boolean;
   /** The selected part of the edited object. */
   readonly selection: Selection;
-  /** Points that are selected with the one of `selection`, by their numbers. */
+  /** Indices of points that are selected besides `selection`. */
   readonly more: readonly number[];
-  /** The objects that are selected, by their ids. */
+  /** The ids of the selected objects. */
   readonly chosen: readonly number[];
-  /** Whether nothing is selected, the edited object neither: it has no handles, and what is drawn next is another. */
+  /**
+   * Whether the selection is empty and excludes even the edited object: it has no handles, and the
+   * next drawing is a new object.
+   */
   readonly none: boolean;
   readonly method: MethodId;
-  /** Whether the drawing is a drag's, which may go on. */
+  /** Whether the drawing belongs to an unfinished drag. */
   readonly dragging: boolean;
-  /** The numbers of the points that are dragged, or of the anchor that is drawn out. */
+  /** The indices of the dragged points, or of the anchor whose handles are drawn out. */
   readonly dragged: readonly number[];
   /** The tool, which determines what a click does; `split` and `join` are for one click. */
   readonly tool: CurveTool;
-  /** Grows with every change of the drawing or the method. */
+  /** The revision, which grows with every change of the drawing or the method. */
   readonly revision: number;
-  /** Grows where an older curve would be wrong to show: any change but a drag's next position. */
+  /**
+   * The epoch, which grows when an older curve must not stay visible: with every change but a
+   * drag's next position.
+   */
   readonly epoch: number;
 }
 
-/** No points or objects, which stays the same array. */
+/** An empty list of points or objects, always the same array. */
 export const noNumbers: readonly number[] = [];
 
-/** The one selection: the ids of the objects that panels, keys and files mean; the edited one is among them. */
+/**
+ * The selection: the ids of the objects that panels, keys and files act on, including the edited
+ * one.
+ */
 export function selectedObjects({ chosen, none, drawing }: State): readonly number[] {
   if (none) return [];
   return chosen.length > 0 ? chosen : [drawing.active];
 }
 
-/** The state before anything was done. */
+/** The initial state. */
 export const firstState: State = {
   mesh: '',
   drawing: emptyDrawing,
@@ -67,10 +76,12 @@ export const firstState: State = {
   epoch: 0,
 };
 
-/** What a change gives anew; figures, counts and what hangs on them follow from it. */
+/** The fields that a change sets; figures, counts and dependent fields follow. */
 export type StateChange = Partial<Omit<State, 'figure' | 'base'>>;
 
-/** The state after a change. `dragBase` is the drawing without the drag that is going on; null without one. */
+/**
+ * The state after a change. `dragBase` is the drawing without the drag under way; null without one.
+ */
 export function changedState(
   before: State,
   part: StateChange,
@@ -78,17 +89,18 @@ export function changedState(
   newEpoch: boolean,
 ): State {
   const state = { ...before, ...part };
-  // An empty object goes where another one is edited, and is selected no more.
+  // An empty object is removed when another one is edited, and leaves the selection.
   const isThere = (id: number) => indexOf(state.drawing, id) >= 0;
   if (!state.chosen.every(isThere)) state.chosen = state.chosen.filter(isThere);
-  // The edited object is always among those that are selected.
+  // The edited object is always selected.
   if (!state.chosen.includes(state.drawing.active)) state.chosen = [];
   const count = (drawing: Drawing) => activeObject(drawing).figure.points.length;
   const isOther =
     state.drawing.active !== before.drawing.active ||
     count(state.drawing) !== count(before.drawing);
   if (part.more === undefined && (part.selection !== undefined || isOther)) state.more = noNumbers;
-  // What was done, and a place that is selected, has to be seen: then nothing is no longer what is selected.
+  // A changed drawing and a selected place must be visible, so that the selection is no longer
+  // empty.
   const isSeen = state.drawing !== before.drawing || state.selection !== null;
   state.none = part.none ?? (before.none && !isSeen && state.chosen.length === 0);
   const traced =
@@ -110,7 +122,7 @@ export function selectionAfter(command: Command, drawing: Drawing, before: Selec
   const edit = onlyEditOf(command, drawing.active);
   if (edit?.type === 'insert' || edit?.type === 'change') return edit.index;
   if (edit?.type === 'reorder') return edit.to;
-  // The last added point is gone: the curve continues from the one before.
+  // The last added point is removed: the curve continues from the one before.
   if (edit?.type === 'remove' && edit.index > 0) return edit.index - 1;
   return edit?.type === 'circle' && edit.to ? before : null;
 }
