@@ -9,19 +9,21 @@ namespace karcher {
 /// The end of a shortest path.
 struct Arrival {
   double distance = kInfinity;
-  double pseudoSourceDistance = 0;  ///< distance of the last vertex at which the path turns
-  int pseudoSource = -1;            ///< that vertex, or -1 if the path is straight
+  double pseudoSourceDistance = 0;  ///< the distance of the last vertex at which the path turns
+  int pseudoSource = -1;  ///< the last vertex at which the path turns, or -1 if it is straight
 };
 
-/// A line that misses its window by at most this part of the edge counts as passing through it.
+/// The largest miss, as a part of the edge, with which a line still counts as passing through a
+/// window.
 inline constexpr double kSeenTolerance = 1e-10;
 
-/// The length of a path with a slight bend at the end of a window, as it is compared: a straight
-/// path of the same length wins, whose direction is exact.
+/// The length of a path with a slight bend at the end of a window, for comparisons. A straight path
+/// of the same length wins, since its direction is exact.
 inline double bentLength(double length) { return length * (1 + kLocalRounding); }
 
-/// Whether two lengths differ only by rounding. The mesh's numbering then decides between the
-/// paths, so that a moved mesh has the same path unless its coordinates are rounded more coarsely.
+/// Whether two lengths differ only by rounding. The numbers of the mesh's elements then decide
+/// between the paths, so that a moved mesh has the same path unless its coordinates are rounded
+/// more coarsely.
 inline bool isTie(double a, double b) {
   constexpr double kRounding = 2e-13;
   return b < kInfinity && std::abs(a - b) <= kRounding * b;

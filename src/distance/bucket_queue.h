@@ -8,13 +8,13 @@ namespace karcher {
 
 /// A queue of items with keys >= 0. Items leave in the order of their keys, up to the width of a
 /// bucket, and first in, first out within a bucket. An item may be pushed into the bucket that is
-/// being emptied. An item whose key is beyond the ring of buckets leaves early, never late.
+/// being emptied. An item with a key beyond the ring of buckets leaves early, never late.
 class BucketQueue {
  public:
   explicit BucketQueue(double width)
       : width_(width), inverseWidth_(1 / width), buckets_(static_cast<size_t>(kBuckets)) {}
 
-  /// The bucket of a key, but not one before the bucket that is being emptied.
+  /// The bucket of a key, or the bucket that is being emptied if that is later.
   int bucketOf(double key) const {
     const int last = current_ + kBuckets - 1;
     const double bucket = key * inverseWidth_;
@@ -63,7 +63,7 @@ class BucketQueue {
   double inverseWidth_;
   Array<Array<int>> buckets_;
   int current_ = 0;
-  int next_ = 0;  ///< place in the current bucket
+  int next_ = 0;  ///< the place in the current bucket
   int64_t count_ = 0;
 };
 

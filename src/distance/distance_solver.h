@@ -6,25 +6,26 @@
 
 #include "intrinsic/geometry.h"
 
-/// What all solvers of geodesic distances give. A caller holds a solver by this interface and does
-/// not ask which one it is.
+/// The interface of all solvers of geodesic distances. A caller need not know which solver it
+/// holds.
 namespace karcher {
 
-/// How a shortest path reaches the midpoint of an edge.
+/// The arrival of a shortest path at the midpoint of an edge.
 struct MidpointArrival {
   double distance = kInfinity;
-  Vec2 toSource = Vec2(1, 0);  ///< unit, in the half-edge's frame: its direction is the x axis
+  /// a unit vector towards the source, in the half-edge's frame, whose x axis is its direction
+  Vec2 toSource = Vec2(1, 0);
 };
 
-/// Where the path to a vertex comes from: a point of the line between two of its neighbours, `part`
-/// of the way from `tail` to `head`.
+/// The last step of the path to a vertex: it starts from the point that lies at `part` of the line
+/// from `tail` to `head`, two neighbours of the vertex.
 struct PathStep {
-  int tail = -1;  ///< none at the source
+  int tail = -1;  ///< -1 at the source
   int head = -1;
-  double part = 0;  ///< in [0, 1]
+  double part = 0;  ///< a number in [0, 1]
 };
 
-/// What paths are wanted for: those to a ball in space, none longer than `mostLength`.
+/// The purpose of paths: they lead to a ball in space, and none is longer than `mostLength`.
 struct PathAim {
   Vec3 center = Vec3::Zero();
   double radius = 0;
@@ -32,18 +33,19 @@ struct PathAim {
 };
 
 /// Geodesic distances from one point of a surface, and the directions of their paths. The work is
-/// bounded and resumable: it ends at a radius or at a vertex and later goes on from there, and
-/// every final value is the same as in one go.
+/// bounded and resumable: it stops at a radius or at a vertex and can continue from there. Every
+/// final value is the same as without a stop.
 class DistanceSolver {
  public:
   virtual ~DistanceSolver() = default;
 
-  /// Starts anew from a point of a face, an edge or a vertex. The time grows with what was touched.
+  /// Starts anew from a point of a face, an edge or a vertex. The time grows with the part of the
+  /// mesh that was touched.
   virtual void setSource(const SurfacePoint& source) = 0;
 
-  /// From the next `setSource` on the solver may leave out places from which the straight way to
+  /// From the next `setSource` on, allows the solver to omit places from which the straight line to
   /// the ball is too long. Distances of points in the ball are then right up to `mostLength`; all
-  /// others are upper bounds, whatever `reached` is.
+  /// others are upper bounds, whatever `reached` returns.
   virtual void aimAt(const std::optional<PathAim>&) {}
 
   /// Works until all vertices within `radius` (any number up to kInfinity) are final.
@@ -52,32 +54,33 @@ class DistanceSolver {
   /// Works until a vertex is final. Returns its distance; kInfinity if no path leads there.
   virtual double growTo(int vertex) = 0;
 
-  /// All vertices up to this distance are final; kInfinity once the whole component is.
+  /// The distance up to which all vertices are final; kInfinity once the whole component is.
   virtual double reached() const = 0;
 
-  /// Whether a vertex's values change no more. Final values depend on the source alone, not on
-  /// where the work stopped.
+  /// Whether a vertex's values are final. Final values depend on the source alone, not on where the
+  /// work stopped.
   virtual bool isFinal(int vertex) const = 0;
 
-  /// Length of the shortest path found so far; kInfinity where no path has arrived.
+  /// The length of the shortest path found so far; kInfinity where no path has arrived.
   virtual double distance(int vertex) const = 0;
 
-  /// -2 log_v(source), the gradient of the squared distance, in the frame of the vertex: of length
-  /// 2 d, it points on along the path that arrives. Meaningless where no path has arrived.
+  /// -2 log_v(source), the gradient of the squared distance, in the frame of the vertex. Its length
+  /// is 2 d, and it points in the direction in which the path would continue beyond the vertex. It
+  /// is meaningless where no path has arrived.
   virtual Vec2 logVector(int vertex) const = 0;
 
-  /// The last step of the path to a final vertex; none where the solver cannot tell.
+  /// The last step of the path to a final vertex. An empty step if the solver does not know it.
   virtual PathStep stepTo(int) const { return {}; }
 
-  /// From the next `setSource` on also finds the midpoints of edges. Returns false if the solver
+  /// From the next `setSource` on, also finds the midpoints of edges. Returns false if the solver
   /// cannot.
   virtual bool keepMidpoints() { return false; }
 
-  /// The arrival at the midpoint of an edge that is not on the boundary, by one of its half-edges.
-  /// Final once its distance is <= reached(). Requires `keepMidpoints`.
+  /// The arrival at the midpoint of an edge that is not on the boundary, given by one of its
+  /// half-edges. It is final once its distance is <= reached(). Requires `keepMidpoints`.
   virtual MidpointArrival midpointOf(int) const { return {}; }
 
-  /// About how many bytes its values take.
+  /// The approximate number of bytes of its values.
   virtual int64_t bytesHeld() const = 0;
   DistanceSolver& operator=(const DistanceSolver&) = delete;
 
@@ -97,7 +100,7 @@ inline Vec2 logVectorAlong(const Geometry& geometry, int vertex, double distance
 }
 
 /// `growTo` for a solver that grows by radius only: first to the straight distance, then in steps
-/// so small that little is done in excess.
+/// small enough to do little excess work.
 template <class Solver>
 double growInSteps(Solver& solver, const Geometry& geometry, const SurfacePoint& source,
                    int vertex) {

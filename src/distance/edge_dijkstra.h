@@ -4,8 +4,8 @@
 
 namespace karcher {
 
-/// Lengths of the shortest paths along edges from a vertex to all vertices; kInfinity for
-/// unreachable ones. Its time for each vertex is the unit of other times in the benchmarks.
+/// The lengths of the shortest paths along edges from a vertex to all vertices; kInfinity for
+/// unreachable ones. In benchmarks, its time for each vertex is the unit of other times.
 Array<double> edgeDijkstra(const Geometry& geometry, int source);
 
 }  // namespace karcher

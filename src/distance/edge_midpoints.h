@@ -7,8 +7,8 @@
 
 namespace karcher {
 
-/// Exact arrivals at the midpoints of edges. Stores for each half-edge the window of least distance
-/// at the midpoint among those that arrived.
+/// Exact arrivals at the midpoints of edges. Stores for each half-edge the arrived window that
+/// gives the least distance at the midpoint.
 class EdgeMidpoints {
  public:
   /// The geometry must outlive the object.
@@ -17,7 +17,7 @@ class EdgeMidpoints {
 
   void clear() { records_.clear(); }
 
-  /// Takes a window that arrived at half-edge h when all distances below `reached` were final.
+  /// Takes a window that arrived at half-edge h while all distances below `reached` were final.
   void take(int h, const Window& window, double reached) {
     const double length = geometry_.edgeLength[h];
     const double middle = length / 2;

@@ -8,7 +8,7 @@
 namespace karcher {
 namespace {
 
-/// Writes to each point the least length from a face's images and over its corners.
+/// Writes to each point the least length of a path from a face's images or over its corners.
 void writeLengths(const Geometry& geometry, const WindowDistance& distance,
                   const Array<SurfacePoint>& points, Array<double>& lengths) {
   Array<const SourceImage*> images;

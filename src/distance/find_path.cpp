@@ -10,18 +10,18 @@
 namespace karcher {
 namespace {
 
-/// The largest distance of points for the thorough searches, in mean edges.
+/// The largest distance between points for the thorough searches, in mean edges.
 constexpr double kNear = 100;
 
 /// The weight of searches between points that are farther apart (strip_search.h).
 constexpr double kGreedyWeight = 1.2;
 
-/// The length of the pieces in which such paths are searched again, in mean edges.
+/// The length, in mean edges, of the pieces in which paths between such points are searched again.
 constexpr double kPiece = 24;
 
 /// An order of a path's ends that depends neither on its direction nor on the surface's position in
 /// space: by the weights of the points, then by the angles at the first of their nearest vertices.
-/// Points with equal ones are ordered by the mesh's numbers.
+/// If these are equal, the mesh's numbers decide.
 bool isBefore(const Geometry& geometry, const SurfacePoint& a, const SurfacePoint& b) {
   const auto told = [&](const SurfacePoint& point) {
     int corner = 0;
@@ -70,7 +70,7 @@ class PathFinder {
   }
 
  private:
-  /// Takes the path in the strip if it is shorter than the one so far.
+  /// Takes the path in the strip if it is shorter than the current one.
   void take(const SurfacePoint& from, const SurfacePoint& to, bool reversed) {
     Array<SurfacePoint>& points = workspace_.points;
     points.clear();
@@ -83,7 +83,8 @@ class PathFinder {
     measure(mesh_, path_);
   }
 
-  /// Searches even pieces of the path again; the first is this part as long as the others.
+  /// Searches even pieces of the path again. The first piece has `first` times the length of the
+  /// others.
   void searchPieces(double first) {
     // The points lie at one place but share no face.
     if (!(path_.length() > 0)) return;

@@ -3,23 +3,22 @@
 #include "intrinsic/strip_path.h"
 #include "intrinsic/surface_path.h"
 
-/// Geodesics to be cut.
+/// Geodesics that are to be divided.
 namespace karcher {
 
-/// Scratch memory; reuse one to spare the allocations.
+/// Scratch memory, which can be reused.
 struct GeodesicWorkspace {
   StripWorkspace strip;
   SurfacePath back;
 };
 
-/// A locally shortest path (local_path.h), wherever the points lie: in a small part of the time of
-/// the shortest path of all, than which it is seldom longer by more than 1 %.
-/// Written to `line`, whose memory is used again.
-/// Throws Error kUnreachable where the points lie on different components.
+/// A locally shortest path (local_path.h) between any two points. It is seldom longer than the
+/// shortest path of all by more than 1 %, and takes a small part of its time. Writes to `line`,
+/// whose memory is reused. Throws Error kUnreachable if the points lie on different components.
 void geodesicLine(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                   GeodesicWorkspace& workspace, SurfacePath& line);
 
-/// A line cut in the middle of its length.
+/// A line divided in the middle of its length.
 struct LineHalves {
   SurfacePath first;
   SurfacePath second;

@@ -24,8 +24,8 @@ class GraphDistance final : public DistanceSolver {
   bool isFinal(int vertex) const override { return distance(vertex) <= reached(); }
 
   double distance(int vertex) const override { return distance_[vertex]; }
-  /// Unscaled direction (geometry.h) in which the path leaves the vertex towards the source; 0 at
-  /// the source.
+  /// The unscaled direction (geometry.h) in which the path leaves the vertex towards the source; 0
+  /// at the source.
   double direction(int vertex) const { return direction_[vertex]; }
   Vec2 logVector(int vertex) const override {
     return logVectorAlong(geometry_, vertex, distance(vertex), direction(vertex));

@@ -8,24 +8,25 @@
 namespace karcher {
 namespace {
 
-/// A joint window lies above the kink where the two that it replaces meet, by this part of what it
-/// cuts off, so that distances become neither longer nor shorter on average.
+/// The height of a joint window above the kink where its two windows meet, as a part of the height
+/// that it cuts off. With this value the mean error of distances is zero.
 constexpr double kAboveKink = 0.25;
 
-/// The distance of a joint source is at most this many widths of its window, since fronts are never
-/// quite straight.
+/// The largest distance of a joint source, in widths of its window. Real fronts are never quite
+/// straight.
 constexpr double kFarthestSource = 1000;
 
-/// A gap that opens where windows are joined is at most this part of the edge.
+/// The widest gap, as a part of the edge, that may open where windows are joined.
 constexpr double kWidestGap = 0.1;
 
-/// Windows whose sources differ by less than this part of their distance have the same source.
+/// The distance between sources, as a part of their distance from the window, below which they
+/// count as the same source.
 constexpr double kSameSource = 1e-10;
 
-/// Joins two windows of which neither lies in the other to one over both, unless distances along
+/// Joins two windows, neither of which contains the other, to one over both, unless distances along
 /// the edge would change by more than `tolerance`. The joint source keeps the distances at the two
-/// outer ends; together with the distance where they meet, these give the front's curvature, and so
-/// the offset.
+/// outer ends. Together with the distance where the windows meet, these give the front's curvature,
+/// and so the offset.
 bool join(Window& first, const Window& second, double tolerance) {
   const double begin = first.begin;
   const double end = second.end;
@@ -80,7 +81,7 @@ bool join(Window& first, const Window& second, double tolerance) {
   return true;
 }
 
-/// Whether a window that lies in a wider one is no shorter, up to the tolerance.
+/// Whether a window that lies in a wider one gives no shorter distances, up to the tolerance.
 bool isCovered(const Window& window, const Window& wider, double tolerance) {
   const auto longer = [&](double x) { return distanceAt(wider, x) - distanceAt(window, x); };
   return longer(window.begin) <= tolerance && longer(window.end) <= tolerance;

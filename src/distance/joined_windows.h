@@ -2,19 +2,20 @@
 
 #include "distance/window.h"
 
-/// Joining of windows that wait at an edge and are parts of one front: see window_distance.h.
+/// Joining of windows that wait at an edge and belong to one front: see window_distance.h.
 namespace karcher {
 
-/// A half-edge at which windows are joined: the tolerance there and what is known.
+/// A half-edge at which windows are joined, with its tolerance and the known distances.
 struct JoinedEdge {
   double length = 0;
-  double tolerance = 0;     ///< the most that distances along the edge may change
-  double tailDistance = 0;  ///< the distances of the ends, as far as they are known
+  double tolerance = 0;     ///< the largest permitted change of distances along the edge
+  double tailDistance = 0;  ///< the distances of the ends, as far as known
   double headDistance = 0;
 
-  /// The most by which a vertex and the front that arrives at it may differ.
+  /// The largest difference between the distances of a vertex and of a front that is still the
+  /// vertex's own.
   double frontTolerance() const { return kSameFront * tolerance; }
-  static constexpr double kSameFront = 0.25;  ///< as a part of the tolerance
+  static constexpr double kSameFront = 0.25;  ///< the same as a part of the tolerance
 };
 
 /// Joins windows, at least one, and removes those that lie in others.

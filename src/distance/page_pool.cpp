@@ -8,10 +8,11 @@
 namespace karcher {
 namespace {
 
-/// Where there is no spare page, this part of all pages is made at once, in one block.
+/// The inverse of the part of all pages that is allocated at once, in one block, when there is no
+/// spare page.
 constexpr int kGrowth = 8;
 
-/// For so many numbers there is room from the start.
+/// The number of page numbers for which memory is reserved first.
 constexpr size_t kFirstNumbers = 64;
 
 }  // namespace
@@ -29,7 +30,7 @@ void PagePool::put(Shelf& shelf, void* page) noexcept {
 }
 
 void* PagePool::take(size_t bytes, int number, Array<int>& numbers) {
-  // First, so that a page that was taken is known to be.
+  // The array grows before a page is taken, so that its number can be recorded in any case.
   if (numbers.size() == numbers.capacity()) numbers.reserve(2 * numbers.size() + kFirstNumbers);
   Shelf& shelf = shelfOf(bytes);
   if (shelf.spare == nullptr) grow(shelf);
@@ -43,7 +44,7 @@ void PagePool::give(void* page, size_t bytes) noexcept { put(shelfOf(bytes), pag
 
 void PagePool::grow(Shelf& shelf) {
   const int more = 1 + shelf.pages / kGrowth;
-  // First, so that nothing is lost where there is no room for it.
+  // The list grows before the block is allocated, so that the block is recorded in any case.
   if (shelf.blocks.size() == shelf.blocks.capacity())
     shelf.blocks.reserve(2 * shelf.blocks.size() + 8);
   auto* const memory =

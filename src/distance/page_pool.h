@@ -7,7 +7,7 @@
 
 namespace karcher {
 
-/// Memory for the pages of paged arrays. A page that one array gives back serves the next one. So
+/// Memory for the pages of paged arrays. A page that one array returns serves the next one. So
 /// fields that move over a surface take new memory only when all of them together need more than
 /// ever before.
 class PagePool {
@@ -21,25 +21,25 @@ class PagePool {
   void* take(size_t bytes, int number, Array<int>& numbers);
   void give(void* page, size_t bytes) noexcept;
 
-  /// Frees the pages that no array holds, but for those that were made together with held ones.
+  /// Frees the pages that no array holds, except those allocated in one block with held ones.
   void trim() noexcept;
 
  private:
-  /// What a page holds while no array holds it.
+  /// The content of a page that no array holds.
   struct Spare {
     Spare* next;
   };
-  /// Pages that were made together, side by side.
+  /// Pages that were allocated together, side by side.
   struct Block {
     std::byte* memory;
     int pages;
-    int spare;  ///< of them, while the pool is trimmed
+    int spare;  ///< the number of its spare pages, counted while the pool is trimmed
   };
   /// The pages of one size.
   struct Shelf {
     size_t bytes = 0;
-    int pages = 0;        ///< spare or in use
-    Array<Block> blocks;  ///< by their place in memory
+    int pages = 0;        ///< the number of pages, spare or in use
+    Array<Block> blocks;  ///< the blocks in the order of their addresses
     Spare* spare = nullptr;
   };
 

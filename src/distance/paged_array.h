@@ -33,14 +33,14 @@ class PagedArray {
     return page[i & kMask];
   }
 
-  /// The element, or null if nothing near it was touched.
+  /// The element, or null if no element of its page was touched.
   const T* find(int i) const {
     const T* page = pageOf_[i >> kPageBits];
     return page == nullptr ? nullptr : page + (i & kMask);
   }
 
-  /// Calls visit(i) for the number of every existing element; some of a page may never have been
-  /// touched.
+  /// Calls visit(i) for the number of every existing element, including untouched ones of touched
+  /// pages.
   template <class Visit>
   void forEach(const Visit& visit) const {
     for (const int page : used_) {
@@ -52,7 +52,7 @@ class PagedArray {
   /// The bytes of all pages.
   int64_t bytesHeld() const { return static_cast<int64_t>(used_.size() * kBytes); }
 
-  /// Removes every element, in time linear in what was touched. The pool keeps the memory.
+  /// Removes every element, in time linear in the number of pages. The pool keeps the memory.
   [[gnu::noinline]] void clear() {
     for (const int page : used_) {
       pool_->give(pageOf_[page], kBytes);

@@ -21,8 +21,8 @@ Vec2 wayThrough(const Window& window, bool isFront, double x) {
   return isFront ? Vec2(window.sourceX, window.depth) : Vec2(x - window.sourceX, window.depth);
 }
 
-/// Trims what the paths over the ends of an edge of this length beat. Returns false if nothing is
-/// left.
+/// Trims the part of a window that paths over the ends of an edge of this length beat. Returns
+/// false if nothing is left.
 bool trimFront(Window& window, double tailDistance, double headDistance, double length) {
   const double slope = window.sourceX;
   const double tail = beatingLength(tailDistance);
@@ -129,7 +129,7 @@ void PathDistance::carryAcross(const Waiting& waiting) {
     const double back = geometry_.cumulatedAngle[previous(h)] + angleFromTo(-apex, -way);
     arrive(mesh_.opposite(h), window.offset + leg, back, waiting.side);
   }
-  // The window goes on over the side at the tail, and over the side at the head.
+  // The window continues to the sides at the tail and at the head.
   for (const bool isHead : {false, true}) {
     const int t = mesh_.twin[isHead ? next(h) : previous(h)];
     if (t < 0) continue;
@@ -156,8 +156,7 @@ void PathDistance::carryAcross(const Waiting& waiting) {
     carried.depth = waiting.isFront ? seen.y() : std::max(0.0, -seen.y());
     if (waiting.isFront && !(seen.y() > 0)) continue;
     if (waiting.isFront) carried.offset = window.offset + source.dot(from);
-    // Drops the window if the vertex at the other end of the edge that it came through beats all of
-    // it.
+    // Drop the window if the vertex at the other end of the edge that it crossed beats all of it.
     const double far = arrivals_[isHead ? mesh_.tail(h) : mesh_.head(h)].distance;
     const Vec2 farPlace = isHead ? Vec2(0, 0) : Vec2(length, 0);
     const double farEnd = isHead ? carried.end : carried.begin;
@@ -219,14 +218,14 @@ PathDistance::Distance PathDistance::at(int face, const Vec2& place) const {
   for (int i = firstOfFace_[number]; i < firstOfFace_[number + 1]; ++i) {
     const Image& image = images_[i];
     const Vec2 way = place - image.source;
-    // The region behind an edge along the image's border is no part of it.
+    // The region beyond an edge along the image's border does not belong to the image.
     const auto offerBeyond = [&](double value) {
       if (value >= image.least - gap) offer(value, image.side);
     };
     if (image.kind == Image::kPiece) {
       const Vec2 along = image.end - image.source;
       const double part = way.dot(along) / along.squaredNorm();
-      // A point nearest to an end belongs to the fan there.
+      // A point that is nearest to an end belongs to the end's fan.
       if (part < -kChainRounding || part > 1 + kChainRounding) continue;
       offer((way - part * along).norm(),
             cross(along, way) >= 0 ? SideOfPath::kLeft : SideOfPath::kRight);
@@ -269,7 +268,7 @@ Array<double> distancesFromPaths(const Geometry& geometry, std::span<const Surfa
     for (int i = 0; i < distances.count(); ++i) {
       if (distances[i] < kInfinity) continue;
       const double distance = field.at(points[static_cast<size_t>(i)]).value;
-      // What lies beyond the limit may have been reached by a longer way.
+      // A distance beyond the limit may be that of a longer path.
       if (distance <= limit) {
         distances[i] = distance;
       } else {

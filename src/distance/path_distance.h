@@ -14,24 +14,24 @@
 /// ends, in the wedge between the right angles there. So each straight piece of a path sends out a
 /// front to both of its sides, and each turn a fan. Both are propagated from face to face as
 /// windows (D. Bommes, L. Kobbelt, "Accurate computation of geodesic distance fields for polygonal
-/// curves on triangle meshes", 2007); windows that vertices beat are trimmed or dropped, and
+/// curves on triangle meshes", 2007). Windows that vertices beat are trimmed or dropped, and
 /// vertices of negative curvature send out fans behind them, as in window_distance.h. Every face
 /// keeps the images of the paths that it sees, from which the distance of any point follows.
 namespace karcher {
 
-/// The side of a path from which a shortest connection arrives; kEnd around an end of it.
+/// The side of a path from which a shortest connection arrives; kEnd if it arrives around an end.
 enum class SideOfPath : int8_t { kLeft = 1, kRight = -1, kEnd = 0 };
 
-/// The points of the path of this number without those that are the point before up to rounding,
-/// where directions would have no digits. Throws Error kBadArgument if it has no length, or if
-/// consecutive points have no face in common.
+/// The points of a path, which has this number. A point that equals the previous one up to rounding
+/// is omitted, since directions between them would have no digits. Throws Error kBadArgument if the
+/// path has no length, or if consecutive points have no face in common.
 Array<SurfacePoint> pointsApart(const Geometry& geometry, const SurfacePath& path, int number);
 
 class PathDistance {
  public:
   /// Finds the distances of all points that are at most `limit` away. The geometry must outlive the
   /// object. Throws Error kBadArgument if a path has no length, if consecutive points have no face
-  /// in common, or if more than kMostWindowsPerFace windows a face are needed.
+  /// in common, or if more than kMostWindowsPerFace windows for each face are needed.
   PathDistance(const Geometry& geometry, std::span<const SurfacePath> paths, double limit);
 
   struct Distance {
@@ -41,11 +41,11 @@ class PathDistance {
 
   /// The distance of a position in the frame of a face.
   Distance at(int face, const Vec2& place) const;
-  /// The distance of a point, in all faces that hold it.
+  /// The distance of a point, by all faces that contain it.
   Distance at(const SurfacePoint& point) const;
   double atVertex(int vertex) const { return arrivals_[vertex].distance; }
 
-  /// The faces that are within the limit, in the order in which they were reached.
+  /// The faces within the limit, in the order in which they were reached.
   const Array<int>& faces() const { return faces_; }
 
  private:
@@ -57,9 +57,10 @@ class PathDistance {
     SideOfPath side = SideOfPath::kEnd;
     double offset = 0;
     double least = 0;            ///< a lower bound on the distances through it
-    Vec2 source = Vec2::Zero();  ///< kPiece: its begin; kFront: its direction, of length 1
-    Vec2 end = Vec2::Zero();     ///< kPiece
-    Vec2 right = Vec2::Zero();   ///< kFront: a point on its right border; kFan: a unit vector
+    Vec2 source = Vec2::Zero();  ///< of kPiece, its begin; of kFront, its direction, of length 1
+    Vec2 end = Vec2::Zero();     ///< of kPiece, its end
+    /// of kFront, a point on its right border; of kFan, a unit vector along it
+    Vec2 right = Vec2::Zero();
     Vec2 left = Vec2::Zero();
   };
 
@@ -68,7 +69,7 @@ class PathDistance {
   struct Waiting {
     double key = 0;
     int number = 0;
-    int halfedge = -1;  ///< -1: the vertex `vertex` sends out its fan
+    int halfedge = -1;  ///< -1 if the vertex `vertex` sends out its fan
     int vertex = -1;
     bool isFront = false;
     SideOfPath side = SideOfPath::kEnd;
@@ -81,7 +82,7 @@ class PathDistance {
 
   struct VertexArrival {
     double distance = kInfinity;
-    double back = 0;  ///< unscaled direction in which the shortest connection leaves the vertex
+    double back = 0;  ///< the unscaled direction in which the shortest connection leaves the vertex
     SideOfPath side = SideOfPath::kEnd;
     bool isOnPath = false;
   };
@@ -108,11 +109,12 @@ class PathDistance {
   int count_ = 0;
   Array<Image> images_;
   Array<int> faces_;
-  Array<int> firstOfFace_;  ///< per entry of `faces_`, and one more
+  /// the first image of each entry of `faces_`, and the end of the last one's
+  Array<int> firstOfFace_;
 };
 
-/// The distances of points from the nearest of paths; kInfinity where none of them leads. No
-/// farther than needed is searched. Throws Error as PathDistance does.
+/// The distances of points from the nearest of the paths; kInfinity where no connection exists. The
+/// search stops as soon as all distances are known. Throws Error as PathDistance does.
 Array<double> distancesFromPaths(const Geometry& geometry, std::span<const SurfacePath> paths,
                                  std::span<const SurfacePoint> points);
 

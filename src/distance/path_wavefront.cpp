@@ -9,11 +9,11 @@
 #include "mesh/rounding.h"
 
 /// The wavefront that leaves paths: straight fronts from their pieces, fans where they turn or end,
-/// and fans from vertices that shortest connections turn round.
+/// and fans from vertices at which shortest connections turn.
 namespace karcher {
 namespace {
 
-/// Heights over an edge below this part of the face's height count as 0.
+/// The part of a face's height below which heights over an edge count as 0.
 constexpr double kNoHeight = 1e-13;
 
 Vec2 leftOf(const Vec2& v) { return {-v.y(), v.x()}; }
@@ -32,7 +32,8 @@ Array<SurfacePoint> pointsApart(const Geometry& geometry, const SurfacePath& pat
       refusePath("has points " + std::to_string(i - 1) + " and " + std::to_string(i) +
                  " that have no face in common");
     }
-    // Only a point that was left out may have the face to the next one.
+    // If the last point kept shares no face with this one, the omitted point between them is
+    // needed.
     if (i > 0 && !haveCommonFace(mesh, apart.back(), points[i])) apart.push_back(points[i - 1]);
     if (apart.empty() || (position(mesh, apart.back()) - position(mesh, points[i])).norm() >
                              kLocalRounding * geometry.meanEdge) {
@@ -69,7 +70,8 @@ void PathDistance::leavePath(const SurfacePath& path, int number) {
   }
 }
 
-/// Lets a straight piece in a face send a front to both sides, and adds its image there.
+/// Sends out a front from a straight piece in a face to both sides, and adds the piece's image
+/// there.
 void PathDistance::leavePiece(int face, const Vec2& from, const Vec2& to) {
   if (!((to - from).norm() > 0)) return;
   Image image;
@@ -98,7 +100,7 @@ void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, SideOf
         foot <= (1 + kChainRounding) * width) {
       arrive(mesh_.tail(h), tailHeight, directionAtTail(geometry_, h, -way), side);
     }
-    // The part of the edge over the piece.
+    // The part of the edge that lies over the piece.
     const double out = way.x() * edge.y() - way.y() * edge.x();
     const int t = mesh_.twin[h];
     if (t < 0 || !(out > 0)) continue;
@@ -126,12 +128,12 @@ void PathDistance::leaveTurn(const SurfacePoint& point, const SurfacePoint* befo
                              const SurfacePoint* after) {
   const PointFan fan = fanAt(geometry_, point);
   const double right = kPi / 2;
-  // Adjacent windows of one front are off each other by rounding. The windows beside such a gap
-  // find paths through it, with an error of second order.
+  // Adjacent windows of one front differ by rounding. The windows beside such a gap find paths
+  // through it, with an error of second order.
   const auto leave = [&](double from, double to, SideOfPath side) {
     if (to - from > kChainRounding) leaveFan(fan, from, to, 0, side);
   };
-  // Counterclockwise from one direction to another, on the surface.
+  // The fan counterclockwise from one direction to another, on the surface.
   const auto leaveBetween = [&](double from, double to, SideOfPath side) {
     if (to > from) {
       leave(from + right, to - right, side);
@@ -154,7 +156,7 @@ void PathDistance::leaveTurn(const SurfacePoint& point, const SurfacePoint* befo
     leave(only + right, only + fan.total - right, SideOfPath::kEnd);
     return;
   }
-  // At a point of the boundary the fan has two parts, one on either side of the path.
+  // At a point of the boundary the fan has two parts, one on each side of the path.
   leave(only + right, kInfinity, after != nullptr ? SideOfPath::kLeft : SideOfPath::kRight);
   leave(-kInfinity, only - right, after != nullptr ? SideOfPath::kRight : SideOfPath::kLeft);
 }
@@ -173,7 +175,7 @@ void PathDistance::leaveFan(const PointFan& fan, double from, double to, double 
   }
 }
 
-/// Sends out the part of a fan in one face: from a point of it, in the directions between two
+/// Sends out the part of a fan in one face: from a point of the face, in the directions between two
 /// angles of its frame.
 void PathDistance::leaveCorner(int face, const Vec2& middle, double from, double to, double offset,
                                SideOfPath side) {
@@ -209,7 +211,8 @@ void PathDistance::leaveCorner(int face, const Vec2& middle, double from, double
       const double start =
           near + std::remainder(angleOf(toTail) + width / 2 - near, 2 * kPi) - width / 2;
       const double foot = -toTail.dot(edge);
-      const double down = std::atan2(foot, height);  // from the tail to the foot of the height
+      // the angle from the tail to the foot of the height
+      const double down = std::atan2(foot, height);
       const auto hit = [&](double angle) { return foot + height * std::tan(angle - start - down); };
       const double first = begin > start ? hit(begin) : 0;
       const double last = end < start + width ? hit(end) : length;

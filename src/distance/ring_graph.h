@@ -16,14 +16,14 @@ struct RingGraph {
   Array<int64_t> start;  ///< the index of each vertex's first arc, and the number of arcs
   Array<int> target;
   Array<double> length;
-  /// The unscaled direction of each arc's reverse, at its target.
+  /// The unscaled direction of each arc's reverse, at the arc's target.
   Array<float> backDirection;
 };
 
 /// Throws Error kBadArgument if `rings` is outside 1 to 10.
 void checkRings(int rings);
 
-/// Builds the graph in slices, so that a caller can show progress and stop the work.
+/// A builder of the graph in slices, so that a caller can show progress and stop the work.
 class RingGraphBuilder {
  public:
   /// The geometry must outlive the builder. Throws as `checkRings` does.
@@ -31,9 +31,9 @@ class RingGraphBuilder {
 
   /// Adds the next `vertices` vertices. Returns true when all are done.
   bool advance(int vertices);
-  /// The part that is done, from 0 to 1.
+  /// The completed part of the work, from 0 to 1.
   double progress() const;
-  /// Moves the graph out when all vertices are done.
+  /// Moves the graph out once all vertices are done.
   RingGraph take() { return std::move(graph_); }
 
  private:

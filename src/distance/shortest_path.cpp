@@ -13,15 +13,15 @@
 namespace karcher {
 namespace {
 
-/// A path through a vertex that is longer than the shortest by less than this part differs only by
-/// rounding.
+/// The relative difference of lengths up to which a path through a vertex differs from the shortest
+/// only by rounding.
 constexpr double kSameLength = 1e-11;
 
-/// The length of a path's points equals its distance up to this part.
+/// The largest relative difference between the length of a path's points and its distance.
 [[maybe_unused]] constexpr double kSameMeasure = 1e-6;
 
-/// The vertex that a straight piece may go through at a walk's point; -1 if there is none. It may
-/// pass at ten times kSeenTolerance, which windows see past their ends.
+/// The vertex through which a straight piece may go at a walk's point, or -1. It may pass at a
+/// distance of ten times kSeenTolerance, since windows see past their ends.
 int vertexAt(const Geometry& geometry, const SurfacePoint& point) {
   int corner = 0;
   if (point.bary.maxCoeff(&corner) < 1 - kChainRounding) return -1;
@@ -29,8 +29,9 @@ int vertexAt(const Geometry& geometry, const SurfacePoint& point) {
 }
 
 /// Appends the points of a straight piece that starts `left` from the source, without its first, up
-/// to the first saddle. A path does not have one straight continuation at a saddle: it continues
-/// with the saddle's own shortest path. Returns that vertex, or -1 if the piece is complete.
+/// to the first saddle. At a saddle there is no unique straight continuation, and the path
+/// continues with the saddle's own shortest path. Returns that vertex, or -1 if the piece is
+/// complete.
 int appendUpToSaddle(const Geometry& geometry, const WindowDistance& distance,
                      const SurfacePath& path, double left, Array<SurfacePoint>& points) {
   const SurfacePoint start = path.start();
@@ -53,7 +54,7 @@ int appendUpToSaddle(const Geometry& geometry, const WindowDistance& distance,
 void followBack(const Geometry& geometry, const WindowDistance& distance, SurfacePath piece,
                 const Arrival& from, Array<SurfacePoint>& points) {
   Arrival arrival = from;
-  // Each turn is nearer to the source than the last, which bounds the loop by the number of
+  // Each turn is nearer to the source than the previous one, which bounds the loop by the number of
   // vertices.
   for (;;) {
     int vertex = appendUpToSaddle(geometry, distance, piece, arrival.distance, points);
@@ -69,8 +70,8 @@ void followBack(const Geometry& geometry, const WindowDistance& distance, Surfac
   }
 }
 
-/// Reverses the points that were walked from the target to the source, without repetitions.
-/// Rounding may lead a walk along an edge, or past the end of one, into faces next to the path's:
+/// Reverses the points that were traced from the target to the source, and removes repetitions.
+/// Rounding may lead the trace along an edge, or past an edge's end, into faces next to the path's;
 /// straight lines close such gaps. `length` is the path's distance.
 SurfacePath cleaned(const Geometry& geometry, const Array<SurfacePoint>& walked,
                     [[maybe_unused]] double length) {

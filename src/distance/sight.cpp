@@ -9,19 +9,19 @@
 namespace karcher {
 namespace {
 
-/// Paths that bend more often are left to solvers.
+/// The most bends of a path. Paths with more are left to solvers.
 constexpr int kMostBends = 8;
 /// The number of strips tried for a path, each with a better aim or on the other side of a vertex.
 constexpr int kMostWalks = 6;
 
-/// Over a ridge, or around a limb, several paths are straight. A path longer than this many times
-/// the line in space is compared with those found to either side.
+/// A ratio of lengths: a path longer than this many times the line in space is compared with those
+/// found to either side, since over a ridge, or around a limb, several paths are straight.
 constexpr double kSmallDetour = 1.1;
-constexpr double kAside = 0.7;  ///< radians
-/// A path longer than this many times the line, or a compared path that passes a vertex of this
-/// curvature, may not be the shortest and is refused.
+constexpr double kAside = 0.7;  ///< in radians
+/// A ratio of lengths: a path longer than this many times the line may not be the shortest and is
+/// rejected. So is a compared path that passes a vertex of the curvature kSharp.
 constexpr double kMostDetour = 1.4;
-constexpr double kSharp = 0.25;  ///< radians
+constexpr double kSharp = 0.25;  ///< in radians
 
 /// The strip of faces between a source and a vertex, unfolded in the frame of the source's face
 /// with the source at the origin, and the path in it.
@@ -53,12 +53,12 @@ class SightLine {
   }
 
  private:
-  /// The path that begins with an aim.
+  /// The path that begins in the direction of an aim.
   std::optional<Sight> search(Vec2 aim) {
     for (int walk = 0; walk < kMostWalks; ++walk) {
       if (!follow(aim)) return std::nullopt;
       if (leaving_ < 0) {
-        // Steps are halved, since full ones may alternate between two aims.
+        // Steps after the first are halved, since full ones may alternate between two aims.
         aim += (walk == 0 ? 1 : 0.5) * better_;
         continue;
       }
@@ -141,8 +141,8 @@ class SightLine {
     return better_.allFinite();
   }
 
-  /// Bends the path between two places around those of the vertices first <= i < last beside the
-  /// strip that are in the way. Returns false if it bends too often.
+  /// Bends the path between two places around the vertices first <= i < last beside the strip that
+  /// are in its way. Returns false if it bends too often.
   bool pullTight(const Vec2& from, const Vec2& to, int first, int last) {
     const Vec2 way = to - from;
     int bend = -1;
@@ -150,7 +150,7 @@ class SightLine {
     for (int i = first; i < last; ++i) {
       const Vec2 off = sides_[i].at() - from;
       const double area = -sides_[i].sign * cross(off, way);
-      // Vertices behind the part are on no side.
+      // Vertices behind the start of the part are not in its way.
       if (area <= 0 || off.dot(way) <= 0) continue;
       const double sine = area / off.norm();
       if (!(sine > most)) continue;
@@ -167,7 +167,7 @@ class SightLine {
   }
 
   Vec2 bendAt(int k) const { return sides_[bends_[k]].at(); }
-  /// The ends of the path's straight part k.
+  /// The start of the path's straight part k, and below its end.
   Vec2 partStart(int k) const { return k == 0 ? Vec2(0, 0) : bendAt(k - 1); }
   Vec2 partEnd(int k) const { return k == bendCount_ ? at_ : bendAt(k); }
 
@@ -177,8 +177,7 @@ class SightLine {
     return sum;
   }
 
-  /// The index of a vertex beside the strip on whose other side the path is shorter; -1 if there is
-  /// none.
+  /// The index of a vertex beside the strip on whose other side the path is shorter, or -1.
   int passedOnWrongSide() const {
     for (int k = 0; k < bendCount_; ++k) {
       const Vec2 before = bendAt(k) - partStart(k);
@@ -194,9 +193,9 @@ class SightLine {
     return -1;
   }
 
-  /// Two straight paths lead around a vertex of positive curvature, and the shorter passes at a
-  /// greater distance; of two of equal length the one on its left is taken. Returns the index of a
-  /// vertex that a straight part passes on the wrong side, or -1.
+  /// Returns the index of a vertex that a straight part passes on the wrong side, or -1. Two
+  /// straight paths lead around a vertex of positive curvature; the shorter one passes it at a
+  /// greater distance. If both have the same length, the one on the vertex's left counts.
   int passedTooNear(const Vec2& from, const Vec2& to) const {
     const Vec2 way = to - from;
     const double squared = way.squaredNorm();
@@ -243,12 +242,13 @@ class SightLine {
   int vertex_;
   Side sides_[kMostFacesOfSight + 2];
   int sideCount_ = 0;
-  int bends_[kMostBends] = {};  ///< numbers of vertices beside the strip
+  /// the numbers, in `sides_`, of the vertices at which the path bends
+  int bends_[kMostBends] = {};
   int bendCount_ = 0;
   int leaving_ = -1;            ///< the half-edge that leaves the vertex in the last face
-  Vec2 at_ = Vec2::Zero();      ///< where the vertex lies
-  Vec2 better_ = Vec2::Zero();  ///< from the aim to a better one
-  Vec2 edge_ = Vec2::Zero();    ///< the half-edge
+  Vec2 at_ = Vec2::Zero();      ///< the place of the vertex
+  Vec2 better_ = Vec2::Zero();  ///< the vector from the aim to a better one
+  Vec2 edge_ = Vec2::Zero();    ///< the vector of the half-edge
 };
 
 }  // namespace
@@ -267,8 +267,8 @@ SightSource sourceInFace(const Geometry& geometry, const SurfacePoint& point) {
   return source;
 }
 
-/// Whether paths to a vertex leave a source at a vertex into the source's face: the vertex then
-/// lies in the face's corner, seen along the normal.
+/// Whether paths to a vertex leave a source, itself at a vertex, into the source's face: seen along
+/// the normal, the vertex lies in the face's corner.
 bool isAhead(const Geometry& geometry, const SightSource& source, int vertex) {
   const Vec3 way = geometry.mesh->positions[vertex] - source.position;
   const Vec2 aim(way.dot(source.x), way.dot(source.y));

@@ -4,8 +4,8 @@
 
 #include "distance/distance_solver.h"
 
-/// Straight paths to near vertices, each found independently: a few of them cost less than a solver
-/// that grows over all vertices between.
+/// Straight paths to near vertices. Each is found independently, so that a few of them cost less
+/// than a solver that grows over all vertices between.
 ///
 /// The faces along the line in space are unfolded, the path is pulled tight between the sides of
 /// this strip, and the strip is led around the other side of a vertex as long as that makes the
@@ -15,7 +15,7 @@
 /// armadillo, and .2 % on spot, whose ears are thin, by a quarter at most.
 namespace karcher {
 
-/// Paths that cross more faces are left to solvers.
+/// The most faces that a path crosses. Paths that cross more are left to solvers.
 inline constexpr int kMostFacesOfSight = 64;
 
 /// The start of paths, in one of its faces.
@@ -27,10 +27,11 @@ struct SightSource {
   Vec2 corners[3] = {Vec2::Zero(), Vec2::Zero(),
                      Vec2::Zero()};  ///< the face's corners, relative to the point
 };
-/// One face for a point in a face or on an edge; all faces around a point at a vertex.
+/// The sources of a point: one face for a point in a face or on an edge; all faces around a point
+/// at a vertex.
 using SightSources = Array<SightSource>;
 
-/// Writes what paths from a point need to `sources`.
+/// Writes to `sources` the data of a point that `sightFrom` needs.
 void findSightSources(const Geometry& geometry, const SurfacePoint& point, SightSources& sources);
 
 struct Sight {
@@ -38,8 +39,8 @@ struct Sight {
   Vec2 logVector = Vec2::Zero();  ///< -2 log_v(source), in the frame of the vertex
 };
 
-/// The path from a source to a near vertex; none if no straight path is found, or if it is so much
-/// longer than the line in space that another may be shorter. Depends only on the source and the
+/// The path from a source to a near vertex. None if no straight path is found, or if it is so much
+/// longer than the line in space that another may be shorter. It depends only on the source and the
 /// vertex; on a plane it is the straight line.
 std::optional<Sight> sightFrom(const Geometry& geometry, const SightSources& sources, int vertex);
 

@@ -14,8 +14,8 @@ namespace karcher {
 struct SourceImage {
   int face = -1;
   Vec2 source = Vec2::Zero();
-  double offset = 0;      ///< distance of the point that the image stands for
-  int pseudoSource = -1;  ///< that point, if it is a vertex at which paths turn
+  double offset = 0;      ///< the distance of the point that the image represents
+  int pseudoSource = -1;  ///< this point, if it is a vertex at which paths turn
   /// The paths lie in a sector, counterclockwise from the unit vector `right` to `left`; in all
   /// directions if the image lies in the face itself.
   Vec2 right = Vec2(1, 0);
@@ -24,7 +24,7 @@ struct SourceImage {
 };
 
 /// The length of the path from an image to a point of its face, given in the face's frame;
-/// kInfinity where the image does not see the point.
+/// kInfinity if the image does not see the point.
 double lengthFrom(const SourceImage& image, const Vec2& point);
 
 /// The images with paths to points at one distance from the source, or to points of given faces.
@@ -33,12 +33,12 @@ class SourceImages {
   /// The geometry must outlive the object.
   explicit SourceImages(const Geometry& geometry) : geometry_(geometry) {}
 
-  /// From now on keeps images for points at this distance.
+  /// Keeps, from now on, images for points at this distance.
   void keep(double distance) {
     distance_ = distance;
     faces_.clear();
   }
-  /// From now on keeps all images in these faces.
+  /// Keeps, from now on, all images in these faces.
   void keepIn(Array<int> faces) {
     distance_ = kInfinity;
     faces_ = std::move(faces);
@@ -51,23 +51,23 @@ class SourceImages {
   /// Adds the source in one of its own faces.
   void addSource(int face, const SurfacePoint& source);
   /// Adds the sources of windows that are propagated across the face of half-edge h, if the face
-  /// may have points at the distance. An image without such points may matter where its paths are
-  /// shorter than another's. `tailDistance` is that of h's tail.
+  /// may have points at the distance. An image without such points may still matter where its paths
+  /// are shorter than another's. `tailDistance` is that of h's tail.
   void addWindows(int h, const Array<Window>& windows, double tailDistance);
-  /// Adds a vertex at `distance` at which paths turn, in the corner of half-edge h, between the
-  /// angles `from` and `to`, which are measured from h.
+  /// Adds a vertex at `distance` at which paths turn, for the corner of half-edge h between the
+  /// angles `from` and `to`, measured from h.
   void addCorner(int h, double distance, double from, double to);
 
  private:
-  /// Whether a face has no relevant points, if all of them lie between two distances.
+  /// Whether a face has no relevant points, given that all of its points lie between two distances.
   bool isNotAsked(int face, double nearest, double farthest) const {
     if (!faces_.empty()) return !std::binary_search(faces_.begin(), faces_.end(), face);
     return nearest > distance_ || farthest < distance_;
   }
 
   const Geometry& geometry_;
-  double distance_ = -1;  ///< -1: none are kept
-  Array<int> faces_;      ///< sorted; empty if the distance decides
+  double distance_ = -1;  ///< -1 if none are kept
+  Array<int> faces_;      ///< sorted faces; empty if the distance decides
   Array<SourceImage> images_;
 };
 

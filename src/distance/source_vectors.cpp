@@ -39,7 +39,7 @@ void SourceVectors::know(int vertex, const Vec2& vector) {
 }
 
 const Vec2& SourceVectors::at(const DistanceSolver& solver, int vertex) {
-  // Each vertex is visited once, so that this ends. If rounding makes two paths come from each
+  // Each vertex is visited once, so that the loop ends. If rounding makes two paths come from each
   // other's vertices, only the other end of the edge counts.
   ask(solver, vertex);
   while (!asked_.empty()) {
@@ -51,7 +51,7 @@ const Vec2& SourceVectors::at(const DistanceSolver& solver, int vertex) {
   return vectors_[vertex];
 }
 
-/// Returns whether the vertex had to be added.
+/// Queues a vertex if its vector is unknown, and returns whether it did.
 bool SourceVectors::ask(const DistanceSolver& solver, int vertex) {
   if (vertex < 0 || states_[vertex] != State::kUnknown) return false;
   states_[vertex] = State::kAsked;

@@ -28,7 +28,7 @@ class SourceVectors {
  private:
   enum class State : uint8_t { kUnknown, kAsked, kKnown };
 
-  /// A vertex that waits for the vertices before it on its path.
+  /// A vertex that waits for the earlier vertices on its path.
   struct Asked {
     int vertex = -1;
     PathStep step;

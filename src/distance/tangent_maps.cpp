@@ -12,12 +12,12 @@
 namespace karcher {
 namespace {
 
-/// The number of parts of a line between which its nearest point is searched.
+/// The number of parts of a line between whose ends its nearest point is searched.
 constexpr int kParts = 12;
 
 /// A point of a line, and the path to it from the point that is mirrored.
 struct LinePoint {
-  double length = 0;  ///< from the line's start
+  double length = 0;  ///< the length from the line's start
   SurfacePath path;
   Vec2 along = Vec2::Zero();  ///< the line's unit tangent, at the end of the path
   double slope = 0;           ///< the derivative of the path's length along the line
@@ -48,7 +48,8 @@ LinePoint linePointAt(const Geometry& geometry, const SurfacePath& line, double 
       "end");
 }
 
-/// The nearest point of a line, between the neighbours of the nearest of a dozen points.
+/// The point of a line nearest to a point. It is searched between the neighbours of the nearest of
+/// a dozen points of the line.
 LinePoint footOn(const Geometry& geometry, const SurfacePath& line, const SurfacePoint& point,
                  FindPathWorkspace& workspace) {
   const double whole = line.length();
@@ -60,7 +61,7 @@ LinePoint footOn(const Geometry& geometry, const SurfacePath& line, const Surfac
     LinePoint candidate = at(whole * i / kParts);
     if (candidate.path.length() < best.path.length()) best = std::move(candidate);
   }
-  // The slope changes its sign between these two.
+  // The slope changes its sign between these two lengths.
   const double low = best.slope < 0 ? best.length : std::max(0.0, best.length - whole / kParts);
   const double high = best.slope < 0 ? std::min(whole, best.length + whole / kParts) : best.length;
   if (low >= high) throwNoFoot();

@@ -8,17 +8,19 @@
 /// maps are inverse wherever the straightest geodesic of the exp map is the path that the log map
 /// finds to its end.
 ///
-/// Vectors and directions are those of tangent planes (tangent.h); a direction of length 0 is none.
+/// Vectors and directions are those of tangent planes (tangent.h). A direction of length 0 stands
+/// for no direction.
 namespace karcher {
 
 /// The path of the log map. Throws Error kUnreachable if the points lie on different components.
 SurfacePath pathBetween(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                         FindPathWorkspace& workspace);
 
-/// Another point and a direction there, in the tangent plane of the point that they are seen from.
+/// Another point, and a direction there, in the tangent plane of the point from which they are
+/// seen.
 struct LogMapped {
-  Vec2 vector = Vec2::Zero();     ///< as long as the path
-  Vec2 direction = Vec2::Zero();  ///< at the other point, transported along the path
+  Vec2 vector = Vec2::Zero();     ///< the log vector, as long as the path
+  Vec2 direction = Vec2::Zero();  ///< the direction at the other point, transported along the path
 };
 
 LogMapped logMap(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& point,

@@ -7,12 +7,12 @@
 namespace karcher {
 namespace {
 
-/// A bound on the windows of one call; only a surface folded upon itself many times comes near.
+/// The bound on the windows of one call. Only a surface folded upon itself many times comes near.
 constexpr int kMostWindows = 200'000;
 
-/// Rings do not extend past a vertex with more edges, since all its neighbours would see each
-/// other, and arcs would grow as the square of their number. Paths to vertices behind lead over the
-/// vertex, or from neighbour to neighbour.
+/// The most edges of a vertex past which rings extend. All neighbours of a vertex with more edges
+/// would see each other, and the number of arcs would grow as the square of theirs. Paths to
+/// vertices behind it lead over the vertex, or from neighbour to neighbour.
 constexpr int kMostEdges = 256;
 
 bool hasManyEdges(const TriangleMesh& mesh, int vertex) {
@@ -45,7 +45,8 @@ const Array<Visibility::Sight>& Visibility::fromVertex(int vertex, int rings) {
     }
     const int t = mesh_.twin[onward];
     if (t >= 0) {
-      // Seen from the face behind, the edge runs the other way and the vertex lies below it.
+      // Seen from the face behind, the edge has the opposite direction and the vertex lies below
+      // it.
       const Vec2 apex = oppositeOverHalfedge(geometry_, onward);
       const double length = geometry_.edgeLength[t];
       addWindow(t, {0, length, length - apex.x(), apex.y()});
@@ -122,7 +123,8 @@ void Visibility::see(int vertex, double length, double direction) {
 
 void Visibility::addWindow(int h, Window window) {
   if (!allowed(mesh_.opposite(h))) return;
-  // A part that the path over an end of the edge beats leads to no shortest path (Xin, Wang 2009).
+  // No shortest path crosses a part of the edge that the path over one of its ends beats (Xin, Wang
+  // 2009).
   const double length = geometry_.edgeLength[h];
   if (trimByTail(window, seen(mesh_.tail(h))) && trimByHead(window, seen(mesh_.head(h)), length) &&
       !isTooNarrow(window, kNarrowestWindow * length)) {

@@ -6,7 +6,7 @@
 namespace karcher {
 
 /// The vertices that a point sees in a straight line across the faces around it, unfolded: the arcs
-/// of the graph solver. A window is the part of an edge that the point sees; it is propagated
+/// of the graph solver. A window is the part of an edge that the point sees. It is propagated
 /// across the face behind and split at the vertex there. Unlike in window_distance.h, paths do not
 /// turn at vertices: a path that does consists of several arcs.
 class Visibility {
@@ -19,9 +19,9 @@ class Visibility {
 
   explicit Visibility(const Geometry& geometry);
 
-  /// The vertices that a vertex sees within its k-ring, the faces whose corners are all at most
-  /// `rings` edges away. Each has its shortest line; a line longer than another path may be left
-  /// out.
+  /// The vertices that a vertex sees within its k-ring: the faces whose corners are all at most
+  /// `rings` edges away. Each has its shortest line; a line longer than another path may be
+  /// omitted.
   const Array<Sight>& fromVertex(int vertex, int rings);
 
   /// The vertices that a point inside a face or on an edge sees within the faces that share a
@@ -46,11 +46,11 @@ class Visibility {
 
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
-  /// For each vertex, the number of the last call that allowed it and of the last that saw it, so
-  /// that a new call need not clear them.
+  /// The number of the last call that allowed each vertex and of the last that saw it. With these a
+  /// new call need not clear them.
   Array<int> ringCall_;
   Array<int> sightCall_;
-  Array<int> sightOf_;  ///< per vertex, its number in sights_
+  Array<int> sightOf_;  ///< the number of each vertex in sights_
   int call_ = 0;
   Array<int> ring_;
   Array<WaitingWindow> windows_;

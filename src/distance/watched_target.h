@@ -10,7 +10,7 @@ namespace karcher {
 struct TargetArrival {
   Arrival arrival;
   int face = -1;                ///< the face through which the path arrives
-  Vec2 direction = Vec2(1, 0);  ///< unit, towards the source, in the frame of that face
+  Vec2 direction = Vec2(1, 0);  ///< a unit vector towards the source, in the frame of that face
 };
 
 /// A point of a face or an edge whose distance is updated as windows pass it.
@@ -19,9 +19,9 @@ class WatchedTarget {
   /// The geometry must outlive the object.
   explicit WatchedTarget(const Geometry& geometry) : geometry_(geometry) {}
 
-  /// Watches no point.
+  /// Stops watching a point.
   void clear();
-  /// Throws Error kBadArgument for a point at a vertex.
+  /// Watches a point. Throws Error kBadArgument for a point at a vertex.
   void set(const SurfacePoint& point);
 
   bool liesIn(int face) const { return face == faces_[0] || face == faces_[1]; }

@@ -10,7 +10,7 @@ namespace {
 /// The number of even parts of their lengths at which two paths are compared.
 constexpr int kComparedParts = 32;
 
-/// The largest distance there of equal paths, as a part of their length.
+/// The largest distance between equal paths there, as a part of their length.
 constexpr double kSamePath = 1e-4;
 
 bool areAlike(const TriangleMesh& mesh, const SurfacePath& a, const SurfacePath& b) {
@@ -25,7 +25,7 @@ bool areAlike(const TriangleMesh& mesh, const SurfacePath& a, const SurfacePath&
   return true;
 }
 
-/// Whether the waypoints are themselves a path across faces from edge to edge.
+/// Whether the waypoints themselves are a path across faces from edge to edge.
 bool areCrossings(const TriangleMesh& mesh, const SurfacePoint& from,
                   const Array<SurfacePoint>& waypoints, const SurfacePoint& to) {
   const SurfacePoint* last = &from;

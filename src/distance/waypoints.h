@@ -2,20 +2,20 @@
 
 #include "distance/find_path.h"
 
-/// Paths between two points that are not the shortest, given by a few points that they pass.
+/// Paths between two points that are not the shortest, given by a few of their points.
 namespace karcher {
 
 /// Writes to `path` the locally shortest path from `from` to `to` along the waypoints: the fast
 /// paths (find_path.h) from each to the next, pulled tight as a whole. Without waypoints it is the
 /// fast path itself. If the waypoints all lie on edges, and each shares a face with the next and
-/// with the ends, they are the path itself, which is taken unchanged. Returns false and changes
+/// with the ends, they are the path itself, which is left unchanged. Returns false and changes
 /// nothing if the points lie on several components.
 bool findPathBy(const Geometry& geometry, const SurfacePoint& from,
                 const Array<SurfacePoint>& waypoints, const SurfacePoint& to,
                 FindPathWorkspace& workspace, SurfacePath& path);
 
 /// A few points of a locally shortest path by which `findPathBy` finds it again, to a
-/// ten-thousandth of its length; none if `findPath` with these options finds it between its ends;
+/// ten-thousandth of its length. None if `findPath` with these options finds it between its ends;
 /// all points of the path if a few are not enough.
 Array<SurfacePoint> waypointsOf(const Geometry& geometry, const SurfacePath& path,
                                 FindPathWorkspace& workspace, const FindPathOptions& options = {});

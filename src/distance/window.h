@@ -12,48 +12,49 @@
 namespace karcher {
 
 struct Window {
-  double begin = 0;  ///< of the interval, from the half-edge's tail
+  double begin = 0;  ///< the begin of the interval, from the half-edge's tail
   double end = 0;
   double sourceX = 0;  ///< the source lies at (sourceX, -depth)
   double depth = 0;
-  double offset = 0;      ///< distance of the source itself, if it is a vertex at which paths turn
-  int pseudoSource = -1;  ///< that vertex, or -1
+  double offset = 0;  ///< the distance of the source itself, if it is a vertex at which paths turn
+  int pseudoSource = -1;  ///< this vertex, or -1
 };
 
-/// The most windows that solvers carry on, for each face. Ordinary meshes take 10 to 100; only a
+/// The most windows for each face that solvers propagate. Ordinary meshes take 10 to 100; only a
 /// surface whose shape is rounding noise comes near the limit.
 inline constexpr int kMostWindowsPerFace = 10'000;
 
-/// A window, or its rest, that is narrower than this part of its edge is dropped. The region behind
-/// it is found from its neighbours, with an error of second order in this number.
+/// The least width of a window, or of the rest of one, as a part of its edge. Narrower ones are
+/// dropped, and the region behind is found from their neighbours, with an error of second order in
+/// this number.
 inline constexpr double kNarrowestWindow = 1e-11;
 
-/// The length with which a path beats others: they must be longer by more than rounding.
+/// The length with which a path beats others: these must be longer by more than rounding.
 inline double beatingLength(double length) { return length * (1 + kLocalRounding); }
 
 inline double square(double x) { return x * x; }
 
-/// Distance from the window's source to the point at x, without the offset, squared.
+/// The squared distance from the window's source to the point at x, without the offset.
 inline double squaredLegTo(const Window& w, double x) {
   return square(x - w.sourceX) + square(w.depth);
 }
 
-/// Distance of the point at x, through the window.
+/// The distance of the point at x, through the window.
 inline double distanceAt(const Window& w, double x) {
   return w.offset + std::sqrt(squaredLegTo(w, x));
 }
 
-/// Least distance over the window.
+/// The least distance over the window.
 inline double leastDistance(const Window& w) {
   return distanceAt(w, std::min(std::max(w.sourceX, w.begin), w.end));
 }
 
-/// Where the line from the window's source to a point above the half-edge crosses it.
+/// The place at which the line from the window's source to a point above the half-edge crosses it.
 inline double crossingTowards(const Window& w, const Vec2& point) {
   return w.sourceX + (point.x() - w.sourceX) * w.depth / (w.depth + point.y());
 }
 
-/// The same window seen with head and tail exchanged; `length` is the half-edge's.
+/// The same window seen with head and tail exchanged. `length` is the half-edge's.
 inline Window mirrored(const Window& w, double length) {
   Window m = w;
   m.begin = length - w.end;
@@ -62,15 +63,15 @@ inline Window mirrored(const Window& w, double length) {
   return m;
 }
 
-/// Trims the interval that the path over the half-edge's tail and along the edge beats, up to where
-/// both are equal. Returns false if nothing is left.
+/// Trims the part of the interval that the path over the half-edge's tail and along the edge beats,
+/// up to where both are equal. Returns false if nothing is left.
 inline bool trimByTail(Window& w, double tailDistance) {
   const double lead = beatingLength(tailDistance) - w.offset;
   const double leg = square(w.sourceX) + square(w.depth);
   if (lead >= 0 && square(lead) >= leg) return true;
-  // Solves |x - source| = lead + x, whose difference falls with x. If this is ill-conditioned, the
-  // two paths are almost equal over a long range, so that x may be far off but not the lengths at
-  // x.
+  // This solves |x - source| = lead + x, whose difference falls with x. If this is ill-conditioned,
+  // the two paths are almost equal over a long range, so that x may be far off but the lengths at x
+  // are not.
   const double slope = 2 * (lead + w.sourceX);
   if (!(slope > 0)) return false;
   w.begin = std::max(w.begin, (leg - square(lead)) / slope);
@@ -97,9 +98,9 @@ inline bool isTooNarrow(const Window& w, double width) { return !(w.end - w.begi
 /// edge.
 inline Window carriedToTailEdge(const Window& w, const Vec2& along, double from, double length,
                                 double apexCrossing) {
-  // Positions on an edge, and of sources beside it, are known to a part of its length. Ends of
-  // windows this near to an end of the edge, or to the line to the apex, are moved there: a source
-  // much nearer than the edge is long would miss everything behind such a gap.
+  // Positions on an edge, and those of sources beside it, are known to a part of its length. Ends
+  // of windows this near to an end of the edge, or to the line to the apex, are moved there: a
+  // source much nearer than the edge is long would miss everything behind such a gap.
   const double rounding = kStepRounding * from;
   const auto hit = [&](double x) {
     const double across = along.x() * w.depth - along.y() * (x - w.sourceX);
@@ -135,7 +136,7 @@ class WindowPool {
  public:
   WindowBlock& operator[](int block) { return blocks_[block]; }
 
-  /// Adds a window in front of the list of blocks that starts with `first`, and returns the new
+  /// Adds a window to the front of the list of blocks that starts with `first`, and returns the new
   /// start.
   int add(int first, const Window& window) {
     if (first < 0 || blocks_[first].count == WindowBlock::kCapacity) {

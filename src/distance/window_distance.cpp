@@ -17,12 +17,12 @@ namespace karcher {
 namespace {
 
 /// The width of the queue's buckets: wide enough that many windows cross a face together, narrow
-/// enough that few are carried on in vain. It is half a mean edge. Where a few long edges make the
-/// mean, it is halved as long as a fourth of a sample of the edges are shorter than half a bucket.
+/// enough that few are propagated in vain. It is half a mean edge, halved until at most a fourth of
+/// a sample of the edges are shorter than half a bucket.
 double bucketWidth(const Geometry& geometry) {
   constexpr int kMostEdges = 1024;
   const int count = geometry.edgeLength.count();
-  // Not the same corner of every face.
+  // The step is no multiple of 3, so that the sample does not take the same corner of every face.
   const int most = (count + kMostEdges - 1) / kMostEdges;
   const int step = most % 3 == 0 ? most + 1 : most;
   const auto areShort = [&](double length) {
@@ -31,22 +31,22 @@ double bucketWidth(const Geometry& geometry) {
     return 4 * int64_t{step} * shorter > count;
   };
   double width = geometry.meanEdge / 2;
-  // This ends, since no edge is shorter than the shortest.
+  // The loop ends, since no edge is shorter than the shortest.
   while (areShort(width / 2)) width /= 2;
   return width;
 }
 
-/// A corner of a smaller angle (radians) may lie as a whole in the shadow of a vertex that is flat
-/// up to kChainRounding.
+/// The angle of a corner, in radians, below which all of it may lie in the shadow of a vertex that
+/// is flat up to kChainRounding.
 constexpr double kSliver = 1e-8;
 
-/// If lengths differ by more than this factor, windows are carried by both sides of a face, so that
-/// short lengths are not computed as differences of long ones. Windows that leave vertices and
-/// sources always are.
+/// The ratio of lengths above which both sides of a face propagate windows, so that short lengths
+/// are not computed as differences of long ones. Windows that leave vertices and sources are always
+/// propagated so.
 constexpr double kWide = 1e6;
 
-/// If lengths differ by more than this factor, a window may circle over the same edges and come no
-/// nearer to a vertex that would beat it.
+/// The ratio of lengths above which a window may circle over the same edges without coming nearer
+/// to a vertex that would beat it.
 constexpr double kThin = 1e3;
 
 /// The two sides of a face above half-edge h, as vectors from its tail and from its head. Each is
@@ -64,15 +64,15 @@ FaceSides sidesOver(const Geometry& geometry, int h) {
           geometry.edgeLength[right] * Vec2(-atHead.x(), atHead.y())};
 }
 
-/// An edge that windows are carried to, seen from the end that it shares with the edge they leave.
+/// An edge to which windows are propagated, seen from its end on the previous edge.
 struct SideEdge {
   int twin;  ///< the half-edge where they will wait; -1 at the boundary
   double length;
-  Vec2 along;           ///< unit, in the frame of the edge they leave
-  double leftLength;    ///< of the edge they leave
-  double nearDistance;  ///< of the shared end
+  Vec2 along;           ///< a unit vector along the edge, in the frame of the previous edge
+  double leftLength;    ///< the length of the previous edge
+  double nearDistance;  ///< the distance of the shared end
   double apexDistance;
-  double farDistance;  ///< of the other end of the edge they leave
+  double farDistance;  ///< the distance of the other end of the previous edge
 };
 
 /// The squared distance from the window's source to a point above the half-edge, without the
@@ -81,8 +81,8 @@ inline double squaredLeg(const Window& w, const Vec2& point) {
   return square(point.x() - w.sourceX) + square(point.y() + w.depth);
 }
 
-/// Trims a window that was carried to a side, by the distances of the face's three corners. Returns
-/// false if nothing worth keeping is left.
+/// Trims a window that was propagated to a side, by the distances of the face's three corners.
+/// Returns false if nothing worth keeping is left.
 inline bool isWorthKeeping(const SideEdge& side, double narrowest, Window& window) {
   return trimByTail(window, side.nearDistance) &&
          trimByHead(window, side.apexDistance, side.length) &&
@@ -296,7 +296,7 @@ void WindowDistance::takeWaiting(int h) {
   waiting = {};
 }
 
-/// Carries the windows that wait at half-edge h across its face: first to the apex, whose best
+/// Propagates the windows that wait at half-edge h across its face: first to the apex, whose best
 /// distance then trims them all, then to the edges on its sides.
 void WindowDistance::carryAcross(int h) {
   const double length = geometry_.edgeLength[h];
@@ -317,7 +317,7 @@ void WindowDistance::carryAcross(int h) {
   VertexRecord& top = vertices_.touch(apexVertex);
 
   takeWaiting(h);
-  // A joint window may be longer than those before it, so a vertex must beat it by more.
+  // Joint windows may give longer distances than the original ones; they are beaten by more.
   double slack = 0;
   if (tolerance_ > 0) {
     const double least = length * apex.y() / std::max({length, leftLength, rightLength});
@@ -334,7 +334,7 @@ void WindowDistance::carryAcross(int h) {
   }
 
   crossings_.resize(std::max(crossings_.size(), batch_.size()));
-  int nearest = 0;  // to seeing the apex
+  int nearest = 0;  // the window that comes nearest to seeing the apex
   double leastMiss = kInfinity;
   const double tolerance = kSeenTolerance * length;
   for (int i = 0; i < batch_.count(); ++i) {
@@ -352,7 +352,7 @@ void WindowDistance::carryAcross(int h) {
           {window.offset + std::sqrt(squaredLeg(window, apex)), window.offset, window.pseudoSource},
           h, crossing);
     } else if (tolerance_ > 0) {
-      // A joint window may just miss what one of those before it saw.
+      // A joint window may just miss a point that an original one saw.
       arriveBent(apexVertex, top, h, apex, window, crossing);
     }
   }
@@ -364,8 +364,8 @@ void WindowDistance::carryAcross(int h) {
     for (const Window& window : batch_) target_.arriveThrough(h, window);
   }
 
-  // The way to the right is the mirror image of the way to the left. Unit vectors are normalized,
-  // since in a needle the apex is known to rounding of the long edges only.
+  // The path to the right is the mirror image of the path to the left. Unit vectors are normalized,
+  // since in a needle the apex is known only to the rounding of the long edges.
   const SideEdge leftSide{mesh_.twin[left], leftLength,   apex.normalized(),
                           length,           tail + slack, top.arrival.distance + slack,
                           head + slack};
@@ -389,10 +389,10 @@ void WindowDistance::carryAcross(int h) {
 }
 
 /// Takes the path to the apex that bends slightly at the end of a window that does not see it. Its
-/// length is an upper bound, and exact where rounding left a gap between two windows.
+/// length is an upper bound, and exact if rounding left a gap between two windows.
 void WindowDistance::arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex,
                                 const Window& window, double crossing) {
-  // Where the straight way is too long, so is the bent one.
+  // If the straight path is too long, so is the bent one.
   const double lead = record.arrival.distance - window.offset;
   if (lead <= 0 || square(lead) <= squaredLeg(window, apex)) return;
   const double bend = std::min(std::max(crossing, window.begin), window.end);
@@ -424,7 +424,7 @@ void WindowDistance::arrive(int vertex, VertexRecord& record, const Arrival& arr
   }
 }
 
-/// Goes on along edges, from the vertices that were reached to all others (E. Dijkstra's
+/// Continues along edges, from the vertices that were reached to all others (E. Dijkstra's
 /// algorithm).
 void WindowDistance::reachAlongEdges() {
   using Item = std::pair<double, int>;
@@ -446,7 +446,7 @@ void WindowDistance::reachAlongEdges() {
       reach(mesh_.opposite(h), geometry_.edgeLength[via], h, 0);
     }
   };
-  // Windows come first: only vertices without one are reached so.
+  // Windows come first: this reaches only vertices without one.
   Array<int> reached;
   vertices_.forEach([&](int v) {
     if (vertices_.touch(v).arrival.distance == kInfinity) return;
@@ -465,7 +465,7 @@ void WindowDistance::reachAlongEdges() {
   }
 }
 
-/// Whether every point of the window has a shorter path through a window that came before.
+/// Whether every point of the window has a shorter path through an earlier window.
 bool WindowDistance::isBehindAnother(int h, const Window& window) {
   constexpr double kAtTip = 1e-6;
   const auto [entry, isNew] = widest_.try_emplace(h, window);
@@ -473,7 +473,7 @@ bool WindowDistance::isBehindAnother(int h, const Window& window) {
   Window& other = entry->second;
   if (other.offset == window.offset && other.begin <= window.begin && window.end <= other.end) {
     // Squared lengths through both differ by a linear function along the edge. At a tip they are
-    // equal but for the rounding of all faces round it, which moves that place along the edge.
+    // equal, except that the rounding of all faces round it moves that place along the edge.
     const double atBegin = squaredLegTo(other, window.begin) / squaredLegTo(window, window.begin);
     const double atEnd = squaredLegTo(other, window.end) / squaredLegTo(window, window.end);
     const double most = std::max(atBegin, atEnd);
@@ -487,7 +487,7 @@ bool WindowDistance::isBehindAnother(int h, const Window& window) {
   return false;
 }
 
-/// Whether every path through the window is too long when it comes to the ball that is aimed at.
+/// Whether every path through the window is too long when it comes to the ball of the aim.
 bool WindowDistance::leadsAway(int h, const Window& window) const {
   const Vec3 middle = (mesh_.positions[mesh_.tail(h)] + mesh_.positions[mesh_.head(h)]) / 2;
   const double left = (middle - aim_->center).norm() - geometry_.edgeLength[h] / 2 - aim_->radius;

@@ -15,34 +15,35 @@
 
 /// Geodesic distances from a point of the surface, by windows: exact, or with a tolerance.
 ///
-/// A window is an interval of an edge with the position of the source, or of a vertex that shortest
-/// paths turn round, unfolded into the plane of the face behind it: all points of the interval see
-/// that source in a straight line. Windows are carried across faces from the nearest outwards
-/// (J. Chen, Y. Han, "Shortest paths on a polyhedron", 1990). Those that a vertex of their face
-/// beats are cut down or dropped (S. Xin, G. Wang, "Improving Chen and Han's algorithm on the
-/// discrete geodesic problem", 2009). All windows that wait at an edge are carried across its face
-/// at once, edges in the order of distance up to half an ordinary edge (after the triangle-oriented
-/// propagation of Y. Qin, X. Han, H. Yu, Y. Yu, J. Zhang, "Fast and exact discrete geodesic
-/// computation based on triangle-oriented wavefront propagation", 2016).
+/// A window is an interval of an edge with the position of the source, or of a vertex at which
+/// shortest paths turn, unfolded into the plane of the face behind it: all points of the interval
+/// see that source in a straight line. Windows are propagated across faces from the nearest
+/// outwards (J. Chen, Y. Han, "Shortest paths on a polyhedron", 1990). Those that a vertex of their
+/// face beats are trimmed or dropped (S. Xin, G. Wang, "Improving Chen and Han's algorithm on the
+/// discrete geodesic problem", 2009). All windows that wait at an edge are propagated across its
+/// face at once. Edges follow in the order of distance, up to half an ordinary edge (after the
+/// triangle-oriented propagation of Y. Qin, X. Han, H. Yu, Y. Yu, J. Zhang, "Fast and exact
+/// discrete geodesic computation based on triangle-oriented wavefront propagation", 2016).
 ///
-/// Where edges of very different lengths meet, rounding of the long ones may be more than what a
-/// window of the short ones spans, and no window comes to a vertex. Such a vertex is reached along
-/// edges.
+/// Where edges of very different lengths meet, the rounding of the long ones may exceed the width
+/// of a window on the short ones, so that no window comes to a vertex. Such a vertex is reached
+/// along edges.
 ///
-/// A vertex that shortest paths turn round sends windows only into the wedge that lies straight
+/// A vertex at which shortest paths turn sends windows only into the wedge that lies straight
 /// behind it, at least pi from the path that reached it on both sides.
 ///
-/// With a tolerance windows that wait at an edge are joined where that changes distances along the
-/// edge by less than that part of the height of the face before them (after V. Surazhsky,
-/// T. Surazhsky, D. Kirsanov, S. Gortler, H. Hoppe, "Fast exact and approximate geodesics on
-/// meshes", 2005): it is what the way through the face gains. A joint window's source and offset
-/// are those of the front that both windows are parts of, so on smooth surfaces distances converge
-/// with the mesh as exact ones do. Errors of many faces are of both signs; distances are off by far
-/// less than the tolerance, which is measured (`npm run study -- fields`) and not proven.
+/// With a tolerance, windows that wait at an edge are joined if that changes distances along the
+/// edge by less than the tolerance times the height of the next face (after V. Surazhsky, T.
+/// Surazhsky, D. Kirsanov, S. Gortler, H. Hoppe, "Fast exact and approximate geodesics on meshes",
+/// 2005): the height is the length that a path through the face gains. A joint window's source and
+/// offset are those of the front to which both windows belong, so that on smooth surfaces distances
+/// converge with the mesh as exact ones do. Errors of many faces are of both signs; distances are
+/// off by far less than the tolerance, which is measured (`npm run study -- fields`) and not
+/// proven.
 namespace karcher {
 
-/// Whether shortest paths turn round a vertex: where there is more angle than on a plane. At the
-/// tip of a sliver also where there is as much.
+/// Whether shortest paths turn at a vertex: its total angle is more than that of a plane, or equal
+/// to it at the tip of a sliver.
 bool spreadsPaths(const Geometry& geometry, int vertex);
 
 class WindowDistance final : public DistanceSolver {
@@ -55,11 +56,11 @@ class WindowDistance final : public DistanceSolver {
   void setSource(const SurfacePoint& source) override;
   const SurfacePoint& source() const { return source_; }
 
-  /// Carries windows on. Steps are taken in one fixed order, and none changes a vertex nearer than
-  /// its least key.
-  /// Throws Error kBadArgument if that takes more than kMostWindowsPerFace windows a face.
+  /// Propagates windows. Steps are taken in one fixed order, and none changes a vertex nearer than
+  /// its least key. Throws Error kBadArgument if more than kMostWindowsPerFace windows for each
+  /// face are needed.
   void grow(double radius) override;
-  /// The work since `setSource`.
+  /// The number of windows propagated since `setSource`.
   int64_t windowsCarried() const {
     return static_cast<int64_t>(kMostWindowsPerFace) * mesh_.faceCount() - windowsLeft_;
   }
@@ -81,11 +82,12 @@ class WindowDistance final : public DistanceSolver {
     vertices_.forEach(visit);
   }
 
-  /// The path's last turn. Meaningless where nothing arrived.
+  /// The path's last turn. It is meaningless where no path has arrived.
   const Arrival& arrival(int vertex) const { return vertices_.find(vertex)->arrival; }
 
-  /// Unscaled direction (geometry.h), in [0, total angle], in which the shortest path leaves the
-  /// vertex towards the source; 0 at the source itself. Meaningless where nothing arrived.
+  /// The unscaled direction (geometry.h), in [0, total angle], in which the shortest path leaves
+  /// the vertex towards the source; 0 at the source itself. It is meaningless where no path has
+  /// arrived.
   double direction(int vertex) const;
   Vec2 logVector(int vertex) const override {
     return logVectorAlong(geometry_, vertex, distance(vertex), direction(vertex));
@@ -98,17 +100,18 @@ class WindowDistance final : public DistanceSolver {
     return midpoints_.arrival(h, source_, distance(mesh_.tail(h)), distance(mesh_.head(h)));
   }
 
-  /// Also finds the distance of a point of a face or an edge. To be called after `setSource` and
-  /// before `grow`; the source must not lie in a face of the target.
-  /// Throws Error kBadArgument for a point at a vertex.
+  /// Also finds the distance of a point of a face or an edge. Call it after `setSource` and before
+  /// `grow`; the source must not lie in a face of the target. Throws Error kBadArgument for a point
+  /// at a vertex.
   void setTarget(const SurfacePoint& target) { target_.set(target); }
-  /// Final once `arrival.distance` <= reached().
+  /// The arrival at the target, final once `arrival.distance` <= reached().
   const TargetArrival& targetArrival() const { return target_.best(); }
 
-  /// From the next `setSource` on keeps the images whose paths pass points at this distance: once
-  /// all within it is grown, the least of their lengths to such a point is its distance.
+  /// From the next `setSource` on, keeps the images whose paths pass points at this distance. Once
+  /// all points within it are final, the least of these paths' lengths to such a point is its
+  /// distance.
   void keepImages(double distance) { images_.keep(distance); }
-  /// From the next `setSource` on keeps all images in these faces.
+  /// From the next `setSource` on, keeps all images in these faces.
   void keepImagesIn(Array<int> faces) { images_.keepIn(std::move(faces)); }
   const Array<SourceImage>& images() const { return images_.all(); }
 
@@ -123,11 +126,11 @@ class WindowDistance final : public DistanceSolver {
 
   struct VertexRecord {
     Arrival arrival;
-    /// The path arrives through the face of this half-edge, opposite to the vertex, and meets the
-    /// half-edge's line at `crossing` from its tail; -1 at the source.
+    /// The path arrives through the face of half-edge `via`, opposite to the vertex, and meets the
+    /// half-edge's line at `crossing` from its tail; `via` is -1 at the source.
     double crossing = 0;
     int via = -1;
-    int bucket = kNotQueued;  ///< where the vertex waits to send out windows of its own
+    int bucket = kNotQueued;  ///< the bucket in which the vertex waits to send out its own windows
   };
   /// The windows that wait at a half-edge to be carried across its face.
   struct WaitingWindows {
@@ -159,10 +162,11 @@ class WindowDistance final : public DistanceSolver {
   SurfacePoint source_;
   PagedArray<VertexRecord, 7> vertices_;
   PagedArray<FaceRecord, 7> faces_;
-  bool isWide_;                             ///< edges of very different lengths meet
-  bool isThin_;                             ///< paths may wind round a tip
-  double narrowest_;                        ///< the least width of a window, as a part of its edge
-  std::unordered_map<int, Window> widest_;  ///< by half-edge the widest window so far, if isThin_
+  bool isWide_;       ///< whether edges of very different lengths meet
+  bool isThin_;       ///< whether paths may wind round a tip
+  double narrowest_;  ///< the least width of a window, as a part of its edge
+  /// the widest window so far at each half-edge, if isThin_
+  std::unordered_map<int, Window> widest_;
   bool keepsMidpoints_ = false;
   EdgeMidpoints midpoints_;
   BucketQueue queue_;
@@ -170,7 +174,8 @@ class WindowDistance final : public DistanceSolver {
   int64_t windowsLeft_ = 0;
   int reachedCount_ = 0;  ///< the number of vertices reached
   Array<Window> batch_;
-  Array<double> crossings_;  ///< where lines from the batch's sources to the apex cross
+  /// the places where lines from the batch's sources to the apex cross the half-edge
+  Array<double> crossings_;
   std::optional<PathAim> aim_;
   WatchedTarget target_;
   SourceImages images_;
