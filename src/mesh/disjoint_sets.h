@@ -7,7 +7,7 @@
 
 namespace karcher {
 
-/// Sets of numbers, each named by its smallest (R. Tarjan, 1975; paths are halved).
+/// Sets of numbers. The name of each is its smallest number (R. Tarjan, 1975; paths are halved).
 class DisjointSets {
  public:
   explicit DisjointSets(int count) : parent_(static_cast<size_t>(count)) {
@@ -19,7 +19,7 @@ class DisjointSets {
     return v;
   }
 
-  /// False where both were in one set.
+  /// Unites the sets of two numbers. Returns false if they were one set already.
   bool unite(int a, int b) {
     a = find(a);
     b = find(b);
@@ -28,7 +28,7 @@ class DisjointSets {
     return true;
   }
 
-  /// For each number, the smallest of its set.
+  /// The smallest number of each number's set.
   Array<int> names() {
     Array<int> result(parent_.size());
     for (int v = 0; v < result.count(); ++v) result[v] = find(v);
@@ -48,8 +48,8 @@ class OrientedSets {
   }
 
   struct Place {
-    int set;      ///< named by one of its faces
-    bool turned;  ///< against that face
+    int set;      ///< the set, named by one of its faces
+    bool turned;  ///< whether the face is turned relative to that face
   };
 
   Place find(int f) {
@@ -60,7 +60,7 @@ class OrientedSets {
       root = parent_[root];
     }
     const Place place{root, turned};
-    // Every face on the way now points at the root.
+    // Every face on the path is made to point at the root.
     while (f != root) {
       const int up = parent_[f];
       const bool own = turned_[f] != 0;
@@ -87,7 +87,7 @@ class OrientedSets {
 
  private:
   Array<int> parent_;
-  Array<uint8_t> turned_;  ///< against the parent
+  Array<uint8_t> turned_;  ///< whether each face is turned relative to its parent
 };
 
 }  // namespace karcher

@@ -12,8 +12,8 @@ struct EdgeSide {
   int halfedge;
 };
 
-/// The half-edges of faces by their smaller vertex v: sides[start[v]] to sides[start[v + 1]],
-/// sorted by the other vertex and then by half-edge.
+/// The half-edges of faces, by the smaller vertex v of their edge: sides[start[v]] to sides[start[v
+/// + 1]], sorted by the other vertex and then by half-edge.
 struct SortedSides {
   Array<int> start;
   Array<EdgeSide> sides;
@@ -22,9 +22,9 @@ struct SortedSides {
 /// Corners must be in [0, vertexCount).
 SortedSides sortSides(const Array<Triangle>& faces, int vertexCount);
 
-/// Groups the half-edges of `faces` by their undirected edge and calls
-/// visit(int smallerVertex, std::span<const EdgeSide> sides) once an edge, in the order of its
-/// vertices, the sides in the order of their half-edges. Corners must be in [0, vertexCount).
+/// Groups the half-edges of `faces` by their undirected edge and calls visit(int smallerVertex,
+/// std::span<const EdgeSide> sides) once for each edge. Edges are in the order of their vertices,
+/// and sides in the order of their half-edges. Corners must be in [0, vertexCount).
 template <class Visit>
 void forEachEdge(const Array<Triangle>& faces, int vertexCount, Visit&& visit) {
   const SortedSides sorted = sortSides(faces, vertexCount);

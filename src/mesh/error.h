@@ -5,7 +5,7 @@
 
 namespace karcher {
 
-/// What went wrong.
+/// The kind of a failure.
 enum class ErrorCode {
   kBadFile,            ///< the file cannot be read as OBJ, or holds no faces
   kBadIndex,           ///< a face or a point names a vertex or face that does not exist
@@ -21,19 +21,19 @@ enum class ErrorCode {
   kUnreachable,        ///< points lie on different components
   kBoundary,           ///< a geodesic meets the boundary where it must not
   kRadiusTooLarge,     ///< a circle is wider than its component
-  kNoEmbedding,        ///< weighted averages: no acceptable embedding of the mesh was found
+  kNoEmbedding,        ///< no acceptable embedding of the mesh was found, for weighted averages
 };
 
 /// The name of a code, for callers in other languages: "nonManifoldEdge".
 const char* errorCodeName(ErrorCode code);
 
-/// A number as it is written in a sentence: 0.25, 1e-07.
+/// A number in the form in which sentences have it: 0.25, 1e-07.
 std::string inSentence(double value, int digits = 6);
 
-/// The same with enough digits to identify the double, at least six: 3.000000000001.
+/// A number with enough digits to identify the double, at least six: 3.000000000001.
 std::string inFull(double value);
 
-/// Every failure of the engine: a code, and a sentence that names the thing and the limit.
+/// A failure of the engine, of any kind: a code, and a sentence that names the thing and the limit.
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& sentence) : std::runtime_error(sentence), code_(code) {}
@@ -43,7 +43,7 @@ class Error : public std::runtime_error {
   ErrorCode code_;
 };
 
-/// Throws kBadArgument.
+/// Throws kBadArgument with this sentence.
 [[noreturn]] void refuse(const std::string& sentence);
 
 }  // namespace karcher

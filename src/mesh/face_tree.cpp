@@ -36,7 +36,7 @@ FaceTree::Nearest FaceTree::nearest(const Vec3& place) const {
   return best;
 }
 
-/// Recursion is as deep as the tree: some twenty levels.
+/// The recursion is as deep as the tree: some twenty levels.
 void FaceTree::search(int node, const Vec3& place, Nearest& best) const {
   if (node >= leaves_) {
     const int first = (node - leaves_) * kFacesInLeaf;
@@ -64,7 +64,7 @@ void FaceTree::search(int node, const Vec3& place, Nearest& best) const {
   if (toFar <= best.distance * best.distance) search(far, place, best);
 }
 
-/// Returns kInfinity for a box without faces.
+/// The squared distance of a place from a node's box; kInfinity for a box without faces.
 double FaceTree::squaredDistance(int node, const Vec3& place) const {
   const Box& box = boxes_[node];
   if (box.low.x() > box.high.x()) return kInfinity;

@@ -5,7 +5,7 @@
 namespace karcher {
 
 /// A tree of boxes around the faces of a mesh, which finds the point of the surface nearest to a
-/// place. Boxes hold faces of consecutive numbers, which are neighbours in an imported mesh
+/// place. A box holds faces of consecutive numbers, which are neighbours in an imported mesh
 /// (morton.h).
 class FaceTree {
  public:
@@ -18,8 +18,8 @@ class FaceTree {
     double distance = kInfinity;
   };
 
-  /// Returns the point in the face of the smallest number if several are equally near. Throws Error
-  /// kNotFinite, and kBadArgument for a place beyond 1e30.
+  /// The nearest point. If several are equally near, it is in the face of the smallest number.
+  /// Throws Error kNotFinite, and kBadArgument for a place beyond 1e30.
   Nearest nearest(const Vec3& place) const;
 
  private:
@@ -32,8 +32,9 @@ class FaceTree {
   double squaredDistance(int node, const Vec3& place) const;
 
   const TriangleMesh& mesh_;
-  int leaves_ = 1;    ///< a power of 2
-  Array<Box> boxes_;  ///< node i has the children 2 i and 2 i + 1; the root is 1
+  int leaves_ = 1;  ///< the number of leaves, a power of 2
+  /// the boxes of nodes: node i has the children 2 i and 2 i + 1; the root is 1
+  Array<Box> boxes_;
 };
 
 }  // namespace karcher

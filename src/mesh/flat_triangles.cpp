@@ -21,7 +21,7 @@ class Flips {
     first_.assign(positions_.size(), -1);
     if (faces_.part.empty()) faces_.part.assign(faces_.corners.size(), -1);
     for (int f = 0; f < whole; ++f) enter(f);
-    // Each flip removes a longest edge, so that only rounding could make this endless.
+    // Each flip removes a longest edge, so that only rounding could make the loop endless.
     const int most = 100 * (flat.count() + 10);
     for (int i = 0; i < flat.count() && i < most; ++i) flip(flat[i], flat);
     faces_.leaveOut([&](int f) { return !alive_[f]; });
@@ -72,11 +72,11 @@ class Flips {
     for (const int g : across) cut(g, a, b, c, s, flat);
   }
 
-  /// Cuts face g between a and b, where c lies at s of the way from a to b.
+  /// Cuts face g between a and b by a line from c, which lies at s of the way from a to b.
   void cut(int g, int a, int b, int c, double s, Array<int>& flat) {
     const Triangle corners = faces_.corners[g];
     alive_[g] = 0;
-    // The face is the flat triangle's other side and has no area either.
+    // The face is the other side of the flat triangle, so that it has no area either.
     if ((corners.array() == c).any()) return;
     const std::array<Vec3, 3> weights = faces_.weightsOf(g);
     int atA = 0;
@@ -103,8 +103,8 @@ class Flips {
 
   const Array<Vec3>& positions_;
   WorkFaces& faces_;
-  Array<uint8_t> alive_;  ///< per face
-  Array<int> first_;      ///< per vertex a corner 3 f + k that it is, and for each the next
+  Array<uint8_t> alive_;  ///< whether each face exists
+  Array<int> first_;      ///< the first corner 3 f + k at each vertex, and for each corner the next
   Array<int> next_;
 };
 

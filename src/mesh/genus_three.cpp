@@ -18,8 +18,9 @@ namespace {
 
 constexpr double kRing = 0.5;
 constexpr double kTube = 0.22;
-constexpr double kSpacing = 0.95;  ///< of the rings' centers; under 2 kRing, so that they merge
-constexpr double kBlend = 0.07;    ///< how far the joints are rounded
+/// the distance of the rings' centers; less than 2 kRing, so that they merge
+constexpr double kSpacing = 0.95;
+constexpr double kBlend = 0.07;  ///< the width over which joints are rounded
 
 struct Implicit {
   double value;
@@ -43,7 +44,7 @@ Implicit threeTori(const Vec3& p) {
   return {-kBlend * std::log(sum), gradient / sum};
 }
 
-/// A step of Newton's method along the gradient; none at the surface.
+/// The step of Newton's method along the gradient; zero at the surface.
 Vec3 nearerToSurface(const Vec3& p) {
   constexpr double kArrived = 1e-14;
   const Implicit f = threeTori(p);
@@ -51,7 +52,7 @@ Vec3 nearerToSurface(const Vec3& p) {
   return p - f.value / std::max(f.gradient.squaredNorm(), 0.1) * f.gradient;
 }
 
-/// The outside of unit cubes in this plan, scaled to the rings.
+/// The outer faces of unit cubes in this plan, scaled to the rings.
 TriangleMesh slab() {
   const std::array<std::string_view, 3> plan = {"#######",  //
                                                 "# # # #",  //
@@ -129,7 +130,7 @@ TriangleMesh splitMesh(const TriangleMesh& mesh, int parts) {
 
 TriangleSoup genusThree(int triangles) {
   const TriangleMesh coarse = slab();
-  // 2 to 7 parts, doubled as often as needed.
+  // The number of parts is 2 to 7, and is doubled as often as needed.
   double parts = std::sqrt(static_cast<double>(triangles) / coarse.faceCount());
   int doublings = 0;
   for (; parts > 7.5; parts /= 2) ++doublings;

@@ -8,7 +8,8 @@
 namespace karcher {
 namespace {
 
-/// The neighbour's weight at an interior vertex of this valence; the vertex keeps the rest.
+/// The weight of each neighbour of an interior vertex of this valence. The vertex itself has the
+/// rest.
 double neighbourWeight(int valence) {
   const double c = 0.375 + 0.25 * std::cos(2 * kPi / valence);
   return (0.625 - c * c) / valence;
@@ -18,7 +19,7 @@ Vec3 movedVertex(const TriangleMesh& mesh, int v) {
   const Vec3& p = mesh.positions[v];
   const int first = mesh.outgoing[v];
   if (mesh.onBoundary[v]) {
-    // The boundary leaves along `first` and arrives along the last face's far side.
+    // The boundary leaves along `first` and arrives along the far side of the last face.
     int last = first;
     for (const int h : outgoingHalfedges(mesh, v)) last = h;
     return 0.75 * p +

@@ -13,7 +13,7 @@
 namespace karcher {
 namespace {
 
-/// Edges with more faces are not paired, since the time grows with the square.
+/// The most faces of an edge that are paired. The time grows with the square of their number.
 constexpr int kMostPaired = 64;
 
 class ManifoldRepair {
@@ -39,8 +39,8 @@ class ManifoldRepair {
     mesh_.twin[h] = g;
   }
 
-  /// Pairs the half-edges of edges with two faces. Returns false if it found others, in
-  /// `branching_` and `mirrored_`.
+  /// Pairs the half-edges of edges with two faces. Returns false if there are others, and puts
+  /// these into `branching_` and `mirrored_`.
   bool pairHalfedges() {
     mesh_.twin.assign(static_cast<size_t>(mesh_.halfedgeCount()), -1);
     branching_.clear();
@@ -61,8 +61,8 @@ class ManifoldRepair {
     return branching_.empty() && mirrored_.empty();
   }
 
-  /// Turns faces over until the half-edges of each edge with two faces are opposite, and finds the
-  /// sets of faces that such edges connect.
+  /// Turns faces over until the two half-edges of each edge with two faces are opposite, and finds
+  /// the sets of faces that such edges connect.
   void orient() {
     OrientedSets sets(mesh_.faceCount());
     for (int h = 0; h < mesh_.halfedgeCount(); ++h) {
@@ -80,7 +80,7 @@ class ManifoldRepair {
       ++faces[place.set];
       turned[place.set] += place.turned;
     }
-    // Between two equal halves, the one without the caller's first face is turned.
+    // If both halves are equal, the one without the caller's first face is turned.
     Array<int> first(mesh_.faces.size(), -1);
     for (int f = 0; f < mesh_.faceCount(); ++f) {
       int& face = first[part_[f]];
@@ -146,8 +146,8 @@ class ManifoldRepair {
       away.push_back(awayFromEdge(sides[i], along));
     }
     while (true) {
-      // If angles are equal in the file, faces that other edges connect stay together. Among
-      // angles that differ by rounding, the file's first is taken.
+      // If angles are equal in the file, faces that other edges connect stay together. If they
+      // differ by rounding, the file's first counts.
       double best = kInfinity;
       int first = -1;
       int second = -1;
@@ -168,8 +168,8 @@ class ManifoldRepair {
     }
   }
 
-  /// The fan with the file's first face keeps the vertex. The engine's face numbers must not
-  /// decide, since they depend on the mesh's position in space.
+  /// Splits vertices of several fans. The fan with the file's first face keeps the vertex. The
+  /// engine's face numbers must not decide, since they depend on the mesh's position in space.
   void splitFans() {
     const int before = mesh_.vertexCount();
     connectVertices(mesh_);
@@ -217,7 +217,8 @@ class ManifoldRepair {
     sortNumbers(halfedges, [&](int g, int h) { return place(g) < place(h); });
   }
 
-  /// The half-edge that leaves the tail of h at the boundary, clockwise; h where there is none.
+  /// The half-edge that leaves the tail of h at the boundary, clockwise; h itself if the fan has no
+  /// boundary.
   int firstOfFan(int h) const {
     int first = h;
     while (mesh_.twin[first] >= 0) {
@@ -241,7 +242,7 @@ class ManifoldRepair {
   }
 
   /// Separates the faces of two edges with the same vertices if one fan meets both, which splits
-  /// the fan, too; then joins faces that lie along each other.
+  /// the fan, too. Then joins faces that lie along each other.
   void partSharedEdges() {
     bool changed = true;
     for (int round = 0; changed && round < kMostPaired; ++round) {
@@ -264,8 +265,8 @@ class ManifoldRepair {
   ManifoldRepairs repairs_;
   Array<Array<int>> branching_;
   Array<std::array<int, 2>> mirrored_;
-  Array<int> part_;             ///< for each face, the set that edges of two faces connect
-  Array<uint8_t> atBranching_;  ///< per vertex
+  Array<int> part_;  ///< the number, for each face, of the set that edges of two faces connect
+  Array<uint8_t> atBranching_;  ///< a flag for each vertex
 };
 
 }  // namespace

@@ -15,8 +15,8 @@ namespace {
 
 struct Words {
   const char* name;
-  const char* one;   ///< behind "1"
-  const char* many;  ///< behind another number
+  const char* one;   ///< the words after "1"
+  const char* many;  ///< the words after another number
 };
 
 /// The words for each kind of repair, for one and for several.
@@ -54,12 +54,12 @@ constexpr std::array<Words, 12> kWords = {{
 
 const Words& wordsOf(Repair::Kind kind) { return kWords[static_cast<size_t>(kind)]; }
 
-/// Repairs made while polygons were cut.
+/// Counts of the repairs made while polygons were cut.
 struct CutRepairs {
   int polygonsCut;
   int repeatedCorners;
   int leftOut;
-  std::string firstLeftOut;  ///< the place of the first that was left out
+  std::string firstLeftOut;  ///< the place of the first face that was omitted
 };
 
 void addRepairs(const CutRepairs& cut, Array<Repair>& repairs) {

@@ -16,18 +16,18 @@ namespace karcher {
 struct Repair {
   enum class Kind {
     kTriangulated,    ///< polygons were cut into triangles
-    kLeftOut,         ///< faces of fewer than three corners, or that cannot be cut, were left out
+    kLeftOut,         ///< faces of fewer than three corners, or that cannot be cut, were omitted
     kContracted,      ///< vertices were merged with neighbours at the other ends of edges without
                       ///< length
     kWelded,          ///< vertices at the same place became one
-    kKeptApart,       ///< vertices at the same place were kept apart: parts only touch there
-    kRepeatedCorner,  ///< faces with the same vertex at two corners were left out
-    kDuplicate,       ///< faces that repeat another were left out
+    kKeptApart,       ///< vertices at the same place were kept apart, since parts only touch there
+    kRepeatedCorner,  ///< faces with the same vertex at two corners were omitted
+    kDuplicate,       ///< faces that repeat another were omitted
     kNoArea,          ///< faces whose corners lie on a line were flipped away
     kTurnedOver,      ///< faces that disagreed with their neighbours were turned over
-    kBranching,       ///< edges of more than two faces were parted
+    kBranching,       ///< edges of more than two faces were separated
     kBowTie,          ///< vertices between several fans of faces were split
-    kDropped,         ///< vertices that no face uses were left out
+    kDropped,         ///< vertices that no face uses were omitted
   };
   Kind kind;
   int count = 0;
@@ -38,12 +38,12 @@ struct Repair {
 const char* repairName(Repair::Kind kind);
 
 struct ImportOptions {
-  /// If false, meshes that are no manifold surface are refused, and only vertices at exactly the
-  /// same place are welded.
+  /// Whether to repair. If false, meshes that are not manifold surfaces are rejected, and only
+  /// vertices at exactly the same place are welded.
   bool repair = true;
-  /// The largest distance between vertices that are welded, in the mesh's units. Negative: the
-  /// smaller of 1e-6 of the diagonal and 1 % of the shortest edge at either vertex; 0: only equal
-  /// positions.
+  /// The largest distance between vertices that are welded, in the mesh's units. 0 welds only equal
+  /// positions. A negative value stands for the smaller of 1e-6 of the diagonal and 1 % of the
+  /// shortest edge at either vertex.
   double weld = -1;
 };
 
@@ -56,26 +56,27 @@ struct ImportedMesh {
 };
 
 /// Repairs a mesh, in this order, and counts each kind in `repairs`:
-/// - edges of at most 1e-14 of the diagonal, or 1e-12 of their face's longest edge, are
-///   contracted;
+/// - edges of at most 1e-14 of the diagonal, or 1e-12 of their face's longest edge, are contracted;
 /// - vertices on boundaries are welded where two faces lie along each other (`closeSeams`), which
 ///   closes the seams of unwelded files; parts that only touch stay apart;
-/// - faces with a repeated corner, and duplicates, are left out;
+/// - faces with a repeated corner, and duplicates, are omitted;
 /// - the longest edges of faces without area are flipped (`flipFlatTriangles`);
-/// - faces are turned over until they agree, edges of more than two faces are parted, and vertices
-///   between several fans are split (`connectRepaired`). A mesh without such defects is unchanged,
-///   to the last bit.
+/// - faces are turned over until they agree, edges of more than two faces are separated, and
+///   vertices between several fans are split (`connectRepaired`). A mesh without such defects is
+///   unchanged, to the last bit.
 ///
 /// Throws Error as `buildMesh` does, and kNotOrientable, kBadArgument (a weld that is not finite);
 /// errors name the caller's vertices and triangles. Vertices that no face uses may have any
 /// position.
 ImportedMesh importMesh(TriangleSoup soup, const ImportOptions& options = {});
 
-/// Cuts polygons as `cutPolygons` does, and imports the triangles; face numbers count those. Throws
-/// as both do, and kBadArgument for counts of corners below 3, or that are not those of `corners`.
+/// Cuts polygons as `cutPolygons` does, and imports the triangles, whose numbers face numbers are.
+/// Throws as both do, and kBadArgument for counts of corners below 3, or whose sum is not the
+/// number of `corners`.
 ImportedMesh importPolygons(PolygonSoup polygons, const ImportOptions& options = {});
 
-/// Imports what `readObj` gave; face numbers count triangles. Throws as `importMesh` does.
+/// Imports the result of `readObj`. Face numbers are those of triangles. Throws as `importMesh`
+/// does.
 ImportedMesh importObj(ObjContents contents, const ImportOptions& options = {});
 /// Reads an OBJ file's content and imports it.
 ImportedMesh importObj(std::string_view bytes, const ImportOptions& options = {});

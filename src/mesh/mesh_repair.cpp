@@ -15,7 +15,7 @@
 namespace karcher {
 namespace {
 
-/// Edges up to this part of the diagonal count as having no length, and so do edges up to
+/// The part of the diagonal up to which edges count as having no length. So do edges up to
 /// kLocalRounding of their face's longest.
 constexpr double kShortOfDiagonal = 1e-14;
 
@@ -33,8 +33,8 @@ Array<int> usedVertices(const TriangleSoup& soup) {
   return result;
 }
 
-/// Returns the number of each face, by its smallest vertex, and thus along the curve that the
-/// vertices follow.
+/// The number of each face, by its smallest vertex, and thus along the curve that the vertices
+/// follow.
 Array<int> faceOrder(const Array<Triangle>& faces, int vertexCount) {
   Array<int> slot(static_cast<size_t>(vertexCount) + 1, 0);
   for (const Triangle& t : faces) ++slot[t.minCoeff() + 1];
@@ -94,7 +94,8 @@ class MeshRepair {
     return before - faces_.count();
   }
 
-  /// Returns how many vertices were merged into another. Leaves out faces that lost an edge.
+  /// Contracts short edges and omits faces that lost an edge. Returns the number of vertices that
+  /// were merged into another.
   int contractShortEdges(double diagonal) {
     int contracted = 0;
     for (const Triangle& t : faces_.corners) {
@@ -235,12 +236,12 @@ class MeshRepair {
     }
   }
 
-  /// Marks a triangle in `engineFace` until its image is known.
+  /// A mark of a triangle in `engineFace` until its image is known.
   static constexpr int kGone = std::numeric_limits<int>::min();
 
   TriangleSoup soup_;
   ImportOptions options_;
-  DisjointSets target_;  ///< of the file's vertices
+  DisjointSets target_;  ///< the representatives of the file's vertices
   WorkFaces faces_;
   ImportedMesh result_;
 };

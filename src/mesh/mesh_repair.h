@@ -4,7 +4,7 @@
 
 namespace karcher {
 
-/// The same as `importMesh`, but `repairs` also lists the kinds with a count of 0.
+/// The result of `importMesh`, but `repairs` also lists the kinds with a count of 0.
 ImportedMesh repairMesh(TriangleSoup soup, const ImportOptions& options);
 
 /// The repair with its sentence for reports.

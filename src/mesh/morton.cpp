@@ -31,9 +31,9 @@ Array<int> mortonOrder(const Array<Vec3>& positions, Array<int> vertices) {
     low = low.cwiseMin(positions[v]);
     high = high.cwiseMax(positions[v]);
   }
-  // Halves, since the difference of two finite numbers may overflow.
+  // Halves are subtracted, since the difference of two finite numbers may overflow.
   const double halfWidth = (high / 2 - low / 2).maxCoeff();
-  constexpr double kCells = (1 << 21) - 1;  // of numbers of 21 bits
+  constexpr double kCells = (1 << 21) - 1;  // the greatest number of 21 bits
   const double scale = halfWidth > 0 ? kCells / halfWidth : 0;
   Array<Entry> entries;
   entries.reserve(vertices.size());

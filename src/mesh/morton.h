@@ -6,8 +6,8 @@
 namespace karcher {
 
 /// Sorts `vertices`, numbers of entries of `positions` (all finite), by the Morton codes of their
-/// positions, 21 bits an axis of their common bounding cube. Entries of equal position follow one
-/// another, the smallest number first.
+/// positions, with 21 bits for each axis of their common bounding cube. Entries of equal position
+/// follow one another, the smallest number first.
 Array<int> mortonOrder(const Array<Vec3>& positions, Array<int> vertices);
 
 }  // namespace karcher

@@ -12,7 +12,7 @@ class NearPoints {
   /// `radius` is the largest distance of points that are found.
   NearPoints(const Array<Vec3>& positions, const Array<int>& points, double radius);
 
-  /// visit(q) for each point q > p that lies within the radius, and for some beyond.
+  /// Calls visit(q) for each point q > p within the radius, and for some beyond.
   template <class Visit>
   void forEachNear(int p, Visit&& visit) const {
     const Cell cell = cellOf(p);

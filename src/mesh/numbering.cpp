@@ -13,7 +13,7 @@ namespace {
 
 /// The weights in a piece of the point that has `bary` in the whole triangle.
 Vec3 weightsInPiece(const FacePiece& piece, const Vec3& bary) {
-  // Weights sum to 1, so two of them are coordinates of a plane.
+  // Weights sum to 1, so that two of them are coordinates in a plane.
   const auto plane = [](const Vec3& b) { return Vec2(b[1], b[2]); };
   const Vec2 a = plane(piece.corners[0]);
   const Vec2 u = plane(piece.corners[1]) - a;
@@ -35,8 +35,8 @@ SurfacePoint inPieces(const FaceImage& image, const Vec3& bary) {
     most = least;
     best = {piece.face, weights};
   }
-  // The point is outside of all pieces only by rounding, which is large in a piece much smaller
-  // than the whole.
+  // The point is outside all pieces only by rounding, which is large in a piece much smaller than
+  // the whole.
   best.bary = best.bary.cwiseMax(0);
   best.bary /= best.bary.sum();
   return clampedPoint(best.face, best.bary);
@@ -51,7 +51,7 @@ Vec3 placeIn(const FaceImage& image, const Vec3& bary) {
 }
 
 /// The nearest point of the adjacent faces, and of faces reached from them by steps that each come
-/// nearer, since several triangles on one line may lie side by side.
+/// nearer. Such steps are needed since several triangles on one line may lie side by side.
 SurfacePoint nearestBeside(const TriangleMesh& mesh, const FaceImage& image, const Vec3& place) {
   SurfacePoint best;
   double nearest = kInfinity;
@@ -68,7 +68,7 @@ SurfacePoint nearestBeside(const TriangleMesh& mesh, const FaceImage& image, con
   };
   for (const int f : image.beside) consider(f);
   bool nearer = nearest > 0;
-  // Each step leads to a nearer face, so that none comes twice.
+  // Each step leads to a nearer face, so that no face occurs twice.
   for (int step = 0; nearer && step < mesh.faceCount(); ++step) {
     nearer = false;
     const Triangle corners = mesh.faces[best.face];
@@ -110,7 +110,7 @@ SurfacePoint toEngine(const Numbering& numbering, const TriangleMesh& mesh, int 
   if (!image.pieces.empty()) return inPieces(image, point.bary);
   const Vec3 place = placeIn(image, point.bary);
   if (!image.beside.empty()) return nearestBeside(mesh, image, place);
-  // Uses the triangle's own vertices first, since others may be at the same place.
+  // The triangle's own vertices come first, since others may be at the same place.
   SurfacePoint nearest = nearestPoint(mesh, place);
   const double distance = (position(mesh, nearest) - place).norm();
   if (distance <= kFloatRounding * boundingBoxDiagonal(mesh)) return nearest;

@@ -18,43 +18,44 @@ struct FacePiece {
 /// An input triangle that is not one face of the engine.
 struct FaceImage {
   Triangle corners;            ///< the input vertices
-  std::array<Vec3, 3> places;  ///< of the corners
-  Array<FacePiece> pieces;     ///< none where it was left out
-  Array<int> beside;           ///< if there are no pieces: the engine's faces at its corners
+  std::array<Vec3, 3> places;  ///< the places of the corners
+  Array<FacePiece> pieces;     ///< the pieces; empty if the triangle was omitted
+  Array<int> beside;           ///< the engine's faces at its corners, if there are no pieces
 };
 
 struct Numbering {
-  /// The engine's vertex for each input vertex; -1 if it was dropped. Welded vertices share one.
-  /// For a vertex that was split it is the first part.
+  /// The engine's vertex for each input vertex; -1 if it was dropped. Welded vertices share one. A
+  /// split vertex has that of its first part.
   Array<int> engineVertex;
-  Array<int> inputVertex;  ///< per engine vertex, the first input vertex that became it
-  /// For each input triangle, the engine's face that equals it, with the same order of corners, or
-  /// else -1 - i, where images[i] describes what became of it.
+  Array<int> inputVertex;  ///< the first input vertex that became each engine vertex
+  /// The engine's face that equals each input triangle, with the same order of corners. If there is
+  /// none, -1 - i, and images[i] describes the triangle's image.
   Array<int> engineFace;
-  Array<int> inputFace;  ///< per engine face the input triangle that it is, or is a part of
-  /// 1 for each input triangle whose face was turned over, which swaps corners 1 and 2; empty if
-  /// none was.
+  Array<int> inputFace;  ///< the input triangle that each engine face is, or is a part of
+  /// 1 for each input triangle whose face was turned over, which swaps corners 1 and 2; empty if no
+  /// face was.
   Array<uint8_t> turnedOver;
   Array<FaceImage> images;
 
   int inputFaceCount() const { return engineFace.count(); }
   bool isTurnedOver(int t) const { return !turnedOver.empty() && turnedOver[t] != 0; }
-  /// The input vertices of an input triangle, each replaced by the first of those it is welded to.
+  /// The input vertices of an input triangle, each replaced by the first vertex to which it is
+  /// welded.
   Triangle inputCorners(const TriangleMesh& mesh, int inputFace) const;
 };
 
 /// Converts a caller's point to the engine's and checks it by `checkedPoint`. If the input triangle
-/// was cut, the result is in the piece that holds the point; if it was left out, the result is the
+/// was cut, the result is in the piece that holds the point; if it was omitted, the result is the
 /// nearest point of the adjacent faces. Throws what `checkedPoint` throws, and Error kBadIndex for
-/// a triangle that was left out and has no adjacent faces.
+/// a triangle that was omitted and has no adjacent faces.
 SurfacePoint toEngine(const Numbering& numbering, const TriangleMesh& mesh, int inputFace,
                       const Vec3& bary);
 
 /// The same point in the caller's numbers: `face` is the input triangle.
 SurfacePoint toInput(const Numbering& numbering, const SurfacePoint& point);
 
-/// Converts a change of a point's weights in its engine face to one of its weights in the input
-/// triangle.
+/// Converts a change of a point's weights in its engine face to a change of its weights in the
+/// input triangle.
 Vec3 changeToInput(const Numbering& numbering, int engineFace, const Vec3& change);
 
 }  // namespace karcher

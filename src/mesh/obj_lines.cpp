@@ -12,7 +12,7 @@ bool isSpace(char c) { return c == ' ' || c == '\t'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 
-/// Longer exponents are not meaningful; this one fits an integer.
+/// The most digits of an exponent. More are not meaningful; these fit an integer.
 constexpr size_t kMostExponentDigits = 9;
 
 size_t countDigits(std::string_view word, size_t from) {
@@ -27,7 +27,7 @@ size_t lineEnd(std::string_view text, size_t from) {
   return text[from] == '\r' && from + 1 < text.size() && text[from + 1] == '\n' ? 2 : 1;
 }
 
-/// A # inside of a word belongs to it.
+/// Whether a comment starts here. A # inside a word belongs to the word.
 bool startsComment(std::string_view text, size_t at) {
   return text[at] == '#' && (at == 0 || isSpace(text[at - 1]) || isLineEnd(text[at - 1]));
 }
@@ -133,8 +133,8 @@ class LineCheck {
     ++found_.faces;
   }
 
-  /// A corner is the number of a vertex, and after a slash others that are not read: 7, 7/1, 7//2.
-  /// A negative number counts back from the last vertex so far.
+  /// Checks a corner: the number of a vertex, and after a slash others that are not read, as in 7,
+  /// 7/1, 7//2. A negative number counts back from the latest vertex.
   void checkCorner(std::string_view word) {
     const size_t sign = word[0] == '-' || word[0] == '+' ? 1 : 0;
     const size_t digits = countDigits(word, sign);
@@ -172,7 +172,7 @@ class LineCheck {
 
   ObjLines found_;
   int line_ = 0;
-  int64_t greatest_ = 0;  ///< the greatest vertex number that a face used, and its line
+  int64_t greatest_ = 0;  ///< the greatest vertex number that a face has used, and its line
   int greatestLine_ = 0;
 };
 
@@ -208,7 +208,7 @@ std::string_view takeObjWord(std::string_view& line) {
   return word;
 }
 
-// sign? (digits (. digits?)? | . digits) (e sign? digits)?
+// The grammar is: sign? (digits (. digits?)? | . digits) (e sign? digits)?
 bool isDecimalNumber(std::string_view word) {
   const auto isSign = [&](size_t i) {
     return i < word.size() && (word[i] == '+' || word[i] == '-');

@@ -9,10 +9,12 @@ namespace karcher {
 
 /// Cuts the next line off the front of `text` and returns it without its end (\n, \r or both) and
 /// without a comment, which begins at a # that starts a word. A backslash at the end of a line,
-/// unless in a comment, continues it on the next; the returned line then has line ends inside.
+/// unless in a comment, continues the line on the next one; the returned line then has line ends
+/// inside.
 std::string_view takeObjLine(std::string_view& text);
 
-/// Cuts the next word off the front of `line`, which may be continued; empty at its end.
+/// Cuts the next word off the front of `line`, which may be continued. Returns an empty word at the
+/// end.
 std::string_view takeObjWord(std::string_view& line);
 
 /// Whether the word is a decimal number such as 1, -.5 or 2.e-3.
@@ -21,7 +23,7 @@ bool isDecimalNumber(std::string_view word);
 /// A vertex with a coordinate that is not finite, such as nan or inf.
 struct NotFinite {
   int vertex;
-  int line;  ///< from 1
+  int line;  ///< the number of the line, from 1
   std::string sentence;
 };
 
@@ -29,9 +31,9 @@ struct NotFinite {
 struct ObjLines {
   int vertices = 0;
   int faces = 0;
-  Array<int> polygonLines;     ///< for each face with more than three corners, its line from 1
+  Array<int> polygonLines;     ///< the line, from 1, of each face with more than three corners
   Array<int> shortLines;       ///< the lines of faces with fewer than three corners
-  Array<NotFinite> notFinite;  ///< in the file's order
+  Array<NotFinite> notFinite;  ///< the vertices in the file's order
 };
 
 /// Checks that every vertex line has three decimal or non-finite numbers, and that every face line

@@ -13,7 +13,7 @@
 #include "mesh/polygon_soup.h"
 #include "mesh/positions.h"
 
-// Renamed, since a program that links this library may have a tinyobjloader of its own.
+// The namespace is renamed, since a program that links this library may have its own tinyobjloader.
 #define tinyobj karcherTinyobj
 #define TINYOBJLOADER_USE_DOUBLE
 #define TINYOBJLOADER_IMPLEMENTATION
@@ -22,10 +22,10 @@
 namespace karcher {
 namespace {
 
-/// A checked file in a form that tinyobjloader reads: it knows neither a backslash at a line's end
-/// nor a comment after a number. It gets only the lines that are used, each on one line, with
-/// corners reduced to the vertex. A vertex's color is passed as a normal, since callbacks get no
-/// colors in the versions of Debian 12 and 13.
+/// A checked file in a form that tinyobjloader reads, since it knows neither a backslash at a
+/// line's end nor a comment after a number. It gets only the lines that are used, each on one line,
+/// with corners reduced to the vertex. A vertex's color is passed as a normal, since callbacks get
+/// no colors in the versions of Debian 12 and 13.
 class PlainLines : public std::streambuf {
  public:
   explicit PlainLines(std::string_view text) : text_(text) {}
@@ -94,7 +94,7 @@ class PlainLines : public std::streambuf {
   std::string block_;
 };
 
-/// Collects what tinyobjloader reads from a checked file.
+/// A collector of what tinyobjloader reads from a checked file.
 class Reading {
  public:
   Reading(const ObjLines& lines, const ObjOptions& options) : lines_(lines), options_(options) {
@@ -128,7 +128,7 @@ class Reading {
     checkParts();
   }
 
-  /// The marks of the triangles that the faces were cut into.
+  /// The marks of the triangles into which the faces were cut.
   ObjMarks marksOf(const Array<int>& triangles) {
     ObjMarks marks;
     const auto of = [&](auto member) {
@@ -256,15 +256,17 @@ class Reading {
 
   const ObjLines& lines_;
   const ObjOptions& options_;
-  int polygons_ = 0;  ///< of more than three corners, including those of unwanted parts
+  /// the number of faces with more than three corners, including those of unwanted parts
+  int polygons_ = 0;
   int shortFaces_ = 0;
-  Array<Vec3> colors_;  ///< up to the last vertex that has one; -1 for none
+  /// colors up to the last vertex that has one; -1 for vertices without a color
+  Array<Vec3> colors_;
   Array<ObjPart> parts_;
   Array<std::string> materials_;
   Numbers partNumbers_;
   Numbers materialNumbers_;
   Array<Kind> kinds_;
-  int kind_ = -1;  ///< that of the next face; -1 until there is one
+  int kind_ = -1;  ///< the kind of the next face; -1 until it is known
   std::string object_;
   std::string group_;
   std::string material_;

@@ -13,15 +13,15 @@ namespace karcher {
 /// An object or group, which a line `o` or `g` begins. A repeated name continues its part.
 struct ObjPart {
   std::string name;   ///< "object, group"; "mesh" for faces before any such line
-  int triangles = 0;  ///< a polygon counts as the triangles it is cut into
+  int triangles = 0;  ///< the number of triangles; a polygon counts as those into which it is cut
 };
 
 /// The parts, materials and colors of an OBJ file.
 struct ObjMarks {
-  Array<ObjPart> parts;          ///< all of the file, in the order of their first faces
-  Array<int> part;               ///< per triangle; empty if the file has only one
+  Array<ObjPart> parts;          ///< all parts of the file, in the order of their first faces
+  Array<int> part;               ///< the part of each triangle; empty if the file has only one
   Array<std::string> materials;  ///< names, in the order of their first faces
-  Array<int> material;           ///< per triangle, -1 for none; empty where the file has none
+  Array<int> material;  ///< the material of each triangle, -1 for none; empty if the file has none
   /// Red, green and blue of each vertex, white if its line has none; empty if no line has them. In
   /// the file they range to 1, or to 255 if any is greater than 1.
   Array<uint8_t> colors;
@@ -32,27 +32,28 @@ struct ObjContents {
   /// polygon one after another.
   TriangleSoup soup;
   ObjMarks marks;
-  int polygonsCut = 0;  ///< faces with more than three corners
+  int polygonsCut = 0;  ///< the number of faces with more than three corners
   int repeatedCorners =
-      0;            ///< of them, those that named a vertex twice in a row; it was taken once
-  int leftOut = 0;  ///< faces of fewer than three corners, or that cannot be cut
-  int firstLineLeftOut = 0;  ///< the line of the first of them, from 1
+      0;            ///< the number of them that named a vertex twice in a row, which counts once
+  int leftOut = 0;  ///< the number of faces that have fewer than three corners or cannot be cut
+  int firstLineLeftOut = 0;  ///< the line of the first of these faces, from 1
 };
 
 struct ObjOptions {
-  /// Accepts non-finite coordinates of vertices that no face uses, leaves out faces of fewer than
-  /// three corners, and mends polygons as `cutPolygons` does.
+  /// Whether to mend the file: non-finite coordinates are accepted for vertices that no face uses,
+  /// faces of fewer than three corners are omitted, and polygons are mended as by `cutPolygons`.
   bool mend = true;
-  /// The parts whose faces are read; if unset, all are.
+  /// The parts whose faces are read; all parts if unset.
   std::optional<Array<int>> parts;
 };
 
 /// `bytes` is the content of the file, with any line ends. Every line is checked before
-/// tinyobjloader reads the file, since that reads whatever it does not understand as 0. Numbers are
-/// read to within 10 units in the last place. Throws Error with the number of the line, from 1:
-/// kBadFile (not text, no faces, a vertex or face that cannot be read), kNotFinite (a coordinate
-/// nan or inf), kBadIndex (a face uses a vertex that the file does not have), kDegenerateFace (a
-/// polygon that cannot be cut into triangles); and kBadArgument for a part that does not exist.
+/// tinyobjloader reads the file, since tinyobjloader reads 0 where it does not understand a number.
+/// Numbers are read to within 10 units in the last place. Throws Error with the number of the line,
+/// from 1: kBadFile (not text, no faces, a vertex or face that cannot be read), kNotFinite (a
+/// coordinate nan or inf), kBadIndex (a face uses a vertex that the file does not have),
+/// kDegenerateFace (a polygon that cannot be cut into triangles); and kBadArgument for a part that
+/// does not exist.
 ObjContents readObj(std::string_view bytes, const ObjOptions& options = {});
 
 }  // namespace karcher

@@ -9,8 +9,8 @@
 namespace karcher {
 namespace {
 
-/// A corner beyond an ear's box by more than this part of the box is not in the ear, whatever the
-/// rounding.
+/// The margin of an ear's box, as a part of the box. A corner beyond it is not in the ear, whatever
+/// the rounding.
 constexpr double kBeside = 1e-3;
 
 /// The corners projected along the mean normal (Newell), counterclockwise around the polygon.
@@ -31,7 +31,7 @@ Array<Vec2> projected(const Array<Vec3>& corners) {
 }
 
 /// Points of the plane in the cells of a grid, about one in each, so that points in a box are found
-/// without visiting all.
+/// without visiting all points.
 class PointGrid {
  public:
   explicit PointGrid(const Array<Vec2>& points)
@@ -53,7 +53,7 @@ class PointGrid {
     }
   }
 
-  /// Whether `test` is true of the number of a point in the cells that meet the box.
+  /// Whether `test` is true for the number of a point in the cells that meet the box.
   template <class Test>
   bool any(const Vec2& low, const Vec2& high, const Test& test) const {
     for (int row = place(low.y(), 1); row <= place(high.y(), 1); ++row) {
@@ -96,7 +96,7 @@ class EarClipping {
     while (ring_.count() >= 3) {
       int ear = shortest();
       if (diagonal_[ear] == kInfinity) {
-        // The removed corner may have blocked others.
+        // The removed corner may have blocked other ears.
         for (int i = 0; i < ring_.count(); ++i) diagonal_[i] = earDiagonal(i);
         ear = shortest();
         if (diagonal_[ear] == kInfinity) return {};
@@ -125,14 +125,15 @@ class EarClipping {
     return ring_[(i + n) % n];
   }
 
-  /// Squared length of the diagonal that cuts off corner i of the ring; infinite if that is no ear.
+  /// The squared length of the diagonal that cuts off corner i of the ring; infinite if it cuts off
+  /// no ear.
   double earDiagonal(int i) const {
     const Vec2& a = plane_[at(i - 1)];
     const Vec2& b = plane_[at(i)];
     const Vec2& c = plane_[at(i + 1)];
     // Corners whose sine is below this lie on a line.
     const double flat = kLocalRounding * ((b - a).squaredNorm() + (c - b).squaredNorm());
-    // Written so that it is also taken for coordinates that are NaN, as without a normal.
+    // The negation also holds for coordinates that are NaN, as without a normal.
     if (!(cross(b - a, c - b) > flat)) return kInfinity;
     const int own[3] = {at(i - 1), at(i), at(i + 1)};
     const auto blocks = [&](int k) {
@@ -141,11 +142,11 @@ class EarClipping {
       const bool inside = cross(b - a, p - a) >= -flat && cross(c - b, p - b) >= -flat &&
                           cross(a - c, p - c) >= -flat;
       if (!inside || p == a || p == c) return false;
-      // At the end of a bridge to a hole the ring passes twice; there it blocks the ear only if it
-      // enters it.
+      // The ring passes the end of a bridge to a hole twice. There the corner blocks the ear only
+      // if the ring enters the ear.
       return p != b || isBetween(next_[k], a, b, c, flat) || isBetween(previous_[k], a, b, c, flat);
     };
-    // The slack of `flat` reaches a little beyond the triangle.
+    // The slack of `flat` reaches slightly beyond the triangle.
     const Vec2 low = a.cwiseMin(b).cwiseMin(c);
     const Vec2 high = a.cwiseMax(b).cwiseMax(c);
     const Vec2 slack = kBeside * (high - low).maxCoeff() * Vec2::Ones();
@@ -162,11 +163,11 @@ class EarClipping {
   const Array<Vec3>& corners_;
   Array<Vec2> plane_;
   PointGrid grid_;
-  Array<uint8_t> isLeft_;   ///< per corner, whether it is in the ring
-  Array<int> next_;         ///< for each corner that is left, the one after it
-  Array<int> previous_;     ///< and before it
-  Array<int> ring_;         ///< the corners that are left
-  Array<double> diagonal_;  ///< the earDiagonal of each of them
+  Array<uint8_t> isLeft_;   ///< whether each corner is in the ring
+  Array<int> next_;         ///< the next corner after each one in the ring
+  Array<int> previous_;     ///< the previous corner before each one in the ring
+  Array<int> ring_;         ///< the remaining corners
+  Array<double> diagonal_;  ///< the earDiagonal of each remaining corner
 };
 
 }  // namespace

@@ -69,9 +69,9 @@ CutPolygons cutPolygons(PolygonSoup polygons, bool mend,
   Array<Vec3> polygon;
   Array<int> ring;
   PolygonNumber number;
-  int firstCount = 0;  // corners of the first that was left out
+  int firstCount = 0;  // the number of corners of the first face that was omitted
   const int* corner = polygons.corners.data();
-  // Marks the triangles of the face before, however it was cut.
+  // Marks the triangles of the previous face, however it was cut.
   const auto markTriangles = [&] {
     if (number.face < 0 || polygons.mark.empty()) return;
     result.mark.resize(triangles.size(), polygons.mark[number.face]);

@@ -11,34 +11,34 @@ namespace karcher {
 struct PolygonSoup {
   Array<Vec3> positions;
   Array<int> corners;
-  Array<int> cornerCount;  ///< per face, at least 3
-  Array<int> mark;         ///< a number for each face that its triangles get, or empty
+  Array<int> cornerCount;  ///< the number of corners of each face, at least 3
+  Array<int> mark;         ///< a number for each face, which its triangles get; may be empty
 };
 
-/// A face's number among all, and among those of more than three corners.
+/// A face's number among all faces, and among those of more than three corners.
 struct PolygonNumber {
   int face = -1;
   int polygon = -1;
 };
 
 struct CutPolygons {
-  /// The vertices as given, and the triangles in the faces' order, those of a polygon one after
-  /// another.
+  /// The vertices, unchanged, and the triangles in the order of the faces, those of a polygon one
+  /// after another.
   TriangleSoup soup;
   Array<int> mark;      ///< the mark of each triangle's face; empty without marks
-  int polygonsCut = 0;  ///< faces with more than three corners
+  int polygonsCut = 0;  ///< the number of faces with more than three corners
   int repeatedCorners =
-      0;            ///< of them, those that named a vertex twice in a row; it was taken once
-  int leftOut = 0;  ///< faces that cannot be cut
+      0;            ///< the number of them that named a vertex twice in a row, which counts once
+  int leftOut = 0;  ///< the number of faces that cannot be cut
   PolygonNumber firstLeftOut;
 };
 
 /// Cuts polygons into triangles; their corners must be existing vertices with finite positions.
-/// With `mend` a vertex that a polygon names twice in a row counts once, a polygon whose corners
+/// With `mend`, a vertex that a polygon names twice in a row counts once, a polygon whose corners
 /// all lie on a line becomes a fan of triangles without area, a quad that crosses itself is cut
-/// along its shorter diagonal, and others that cannot be cut are left out, unless no face would be
-/// left. Throws Error kDegenerateFace for one that cannot be cut, naming it by `placeOf`: "line
-/// 12".
+/// along its shorter diagonal, and others that cannot be cut are omitted, unless no face would be
+/// left. Throws Error kDegenerateFace for a polygon that cannot be cut, naming it by `placeOf`:
+/// "line 12".
 CutPolygons cutPolygons(PolygonSoup polygons, bool mend,
                         const std::function<std::string(PolygonNumber)>& placeOf);
 

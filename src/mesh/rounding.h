@@ -1,7 +1,8 @@
 #pragma once
 
-/// How far apart computed numbers may be that should be equal, as a part of what they are computed
-/// from: the longer the computation, the farther. A comparison takes the one for its numbers.
+/// The largest differences between computed numbers that should be equal, as parts of the numbers
+/// from which they are computed. The longer the computation, the larger the difference. A
+/// comparison uses the constant that fits its numbers.
 namespace karcher {
 
 /// A few operations on doubles, each of which rounds by 1.1e-16.

@@ -14,7 +14,7 @@ namespace {
 /// The default tolerance relative to the shortest edge; relative to the diagonal it is
 /// kFloatRounding.
 constexpr double kNearPartOfEdge = 0.01;
-/// The largest tolerance relative to the shortest edge, whatever the caller wants, so that
+/// The largest tolerance relative to the shortest edge, even on a caller's request, so that
 /// triangles keep their shape.
 constexpr double kMostPartOfEdge = 1.0 / 3;
 
@@ -44,9 +44,9 @@ class Seams {
  private:
   /// Half-edges grouped by the places of their vertices.
   struct Edges {
-    Array<int> boundary;                 ///< those alone
-    Array<int> branching;                ///< those of more than two
-    Array<std::array<int, 2>> mirrored;  ///< two in the same direction
+    Array<int> boundary;                 ///< edges of one half-edge
+    Array<int> branching;                ///< edges of more than two
+    Array<std::array<int, 2>> mirrored;  ///< edges of two in the same direction
   };
 
   int placeAt(int h) const { return place_[faces_.corners[h / 3][h % 3]]; }
@@ -187,7 +187,7 @@ class Seams {
     DisjointSets sets(positions_.count());
     if (!uniteNear(points, reach, most, sets)) return false;
     Array<int> joined = sets.names();
-    // Two corners of a face are never united: their set is then left as it was.
+    // Two corners of a face are never united. A set that would unite them is left unchanged.
     Array<uint8_t> torn(positions_.size(), 0);
     for (const Triangle& t : faces_.corners) {
       for (int k = 0; k < 3; ++k) {
@@ -236,8 +236,8 @@ class Seams {
 
   /// Points that lie in one cube.
   struct Heaps {
-    Array<int> points;  ///< one heap after the other
-    Array<int> begin;   ///< where each heap begins, and the end of the last
+    Array<int> points;  ///< the points, one heap after the other
+    Array<int> begin;   ///< the begin of each heap, and the end of the last
     Array<int> first;   ///< the first point of each heap
 
     std::span<const int> at(int i) const {
@@ -251,7 +251,7 @@ class Seams {
   Heaps heapsOf(const Array<int>& points, double width) const {
     Heaps heaps;
     heaps.points = points;
-    const double side = width / 2;  // smaller than width / sqrt(3)
+    const double side = width / 2;  // a side smaller than width / sqrt(3)
     Array<Vec3> cubes;
     double farthest = 0;
     for (const int p : points) {
@@ -306,7 +306,7 @@ class Seams {
     if (options_.tolerance != 0) {
       const DisjointSets before = target_;
       const int welded = repairs_.welded;
-      // Each round keeps at least one more place apart.
+      // Each round keeps at least one more place apart, so that the loop ends.
       do {
         target_ = before;
         repairs_.welded = welded;
@@ -358,7 +358,8 @@ class Seams {
   /// and its turned copy, welded along their rim, are not torn where an edge leads from rim to rim.
   /// Returns whether such an end had been welded.
   bool keepWholeEdges() {
-    constexpr size_t kMostCompared = 64;  // the time grows with the square
+    // the most sides compared; the time grows with their square
+    constexpr size_t kMostCompared = 64;
     Array<Triangle> joined = faces_.corners;
     for (Triangle& t : joined) t = {target_.find(t[0]), target_.find(t[1]), target_.find(t[2])};
     bool any = false;
@@ -367,7 +368,7 @@ class Seams {
       const std::span<const EdgeSide> sides = all.first(std::min(all.size(), kMostCompared));
       const int first = sides[0].halfedge;
       bool isWhole = false;
-      bool atTail = false;  // whether the file's vertices differ there
+      bool atTail = false;  // whether the file's vertices differ at the tail
       bool atHead = false;
       for (const EdgeSide& side : sides) {
         const int h = side.halfedge;
@@ -397,8 +398,8 @@ class Seams {
     unite(vertexAt(nextCorner(g)), vertexAt(turned ? nextCorner(h) : h));
   }
 
-  /// Joins first those that are joined in the file, then the others, as long as the surface stays
-  /// two-sided.
+  /// First joins half-edges whose faces are joined in the file, then the others, as long as the
+  /// surface stays two-sided.
   void weldMirrored(const Edges& edges) {
     const auto isJoined = [&](const std::array<int, 2>& pair) {
       const auto same = [&](int v, int w) { return target_.find(v) == target_.find(w); };
@@ -438,8 +439,9 @@ class Seams {
   WorkFaces& faces_;
   SeamOptions options_;
   DisjointSets& target_;
-  Array<int> place_;      ///< for each vertex, the first at its place
-  Array<uint8_t> apart_;  ///< for each place, whether its vertices stay unwelded; empty if none do
+  Array<int> place_;  ///< the first vertex at each vertex's place
+  /// whether the vertices of each place stay unwelded; empty if all are welded
+  Array<uint8_t> apart_;
   SeamRepairs repairs_;
 };
 

@@ -34,7 +34,7 @@ Vec3 trefoil(double t) {
          3;
 }
 
-/// Points at equal distances along a closed curve, given as a function on [0, 2 pi].
+/// Points at equal distances along a closed curve, a function on [0, 2 pi].
 template <class Curve>
 Array<Vec3> evenPoints(int count, Curve&& curve) {
   constexpr int kSteps = 20'000;
@@ -55,9 +55,9 @@ Array<Vec3> evenPoints(int count, Curve&& curve) {
   return result;
 }
 
-/// Unit normals along a closed curve that turn as little as possible: two reflections move each one
+/// Unit normals along a closed curve that turn as little as possible. Two reflections move each one
 /// to the next point (W. Wang, B. Juettler, D. Zheng, Y. Liu, "Computation of Rotation Minimizing
-/// Frames", 2008); the angle missing at the end is spread evenly.
+/// Frames", 2008), and the angle missing at the end is spread evenly.
 Array<Vec3> minimalNormals(const Array<Vec3>& points, const Array<Vec3>& tangents) {
   const int n = points.count();
   Array<Vec3> normals = {tangents[0].unitOrthogonal()};
@@ -82,7 +82,7 @@ Array<Vec3> minimalNormals(const Array<Vec3>& points, const Array<Vec3>& tangent
 
 TriangleSoup knot(int triangles) {
   constexpr double kRadius = 0.15;
-  constexpr double kLength = 9.61;  // of the trefoil
+  constexpr double kLength = 9.61;  // the length of the trefoil
   const GridSize size = staggeredGridSize(kLength, 2 * kPi * kRadius, triangles);
   const Array<Vec3> points = evenPoints(size.rows, trefoil);
   Array<Vec3> tangents;

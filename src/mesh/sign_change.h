@@ -4,16 +4,16 @@
 
 namespace karcher {
 
-/// The place between `from` and `to` at which a function changes its sign, up to `rounding`: by
-/// regula falsi, which halves the value of an end that stays twice (the Illinois rule), and by
-/// bisection where a value is not finite or that does not end. Of values at the ends that have the
-/// same sign, the first is taken to be the negative one.
+/// The place between `from` and `to` at which a function changes its sign, up to `rounding`. The
+/// search is by regula falsi, which halves the value of an end that stays twice (the Illinois
+/// rule). It becomes bisection where a value is not finite, or after many steps. If the values at
+/// both ends have the same sign, the first is taken to be negative.
 template <class Function>
 double signChange(double from, double to, double atFrom, double atTo, double rounding,
                   const Function& valueAt) {
   if (atFrom == 0) return from;
   if (atTo == 0) return to;
-  // After half of the steps bisection goes down to the rounding of doubles.
+  // Half of these steps suffice for bisection to the rounding of doubles.
   constexpr int kMostSteps = 100;
   const bool falls = atFrom > 0 && atTo < 0;
   double at = from;

@@ -4,7 +4,7 @@
 
 #include "mesh/types.h"
 
-/// A sort shared by rare callers: each instance of std::sort would add three kilobytes of code.
+/// A sort that rare callers share. Each instance of std::sort would add three kilobytes of code.
 namespace karcher {
 
 /// Sorts numbers by a comparison, and equal ones in ascending order.

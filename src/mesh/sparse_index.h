@@ -7,13 +7,14 @@
 
 namespace karcher {
 
-/// Numbers the few of many items (faces, cells) that a search meets: 0, 1, 2, ... in the order in
-/// which they are added. Uses open addressing, so that its memory does not grow with the mesh.
+/// Numbers 0, 1, 2, ... for the items (faces, cells) that a search meets, few of many, in the order
+/// in which they are added. The index uses open addressing, so that its memory does not grow with
+/// the mesh.
 class SparseIndex {
  public:
   int count() const { return static_cast<int>(places_.size()); }
 
-  /// The number of an item >= 0; -1 if it has none.
+  /// The number of an item >= 0, or -1.
   int find(int item) const {
     uint32_t place = placeOf(item);
     while (entries_.data()[place].item != item) {
@@ -65,10 +66,11 @@ class SparseIndex {
 
   static constexpr int kFirstBits = 8;
 
-  Array<Entry> entries_ = Array<Entry>(size_t{1} << kFirstBits);  ///< their number a power of two
+  /// the entries, a power of two in number
+  Array<Entry> entries_ = Array<Entry>(size_t{1} << kFirstBits);
   uint32_t mask_ = (uint32_t{1} << kFirstBits) - 1;
   int shift_ = 32 - kFirstBits;
-  Array<uint32_t> places_;  ///< of the occupied entries
+  Array<uint32_t> places_;  ///< the places of the occupied entries
 };
 
 }  // namespace karcher

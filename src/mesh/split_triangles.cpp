@@ -3,8 +3,8 @@
 namespace karcher {
 namespace {
 
-/// Adds parts - 1 vertices along each edge. Stores for each half-edge the first of them, seen from
-/// its tail, and the step to the next.
+/// The vertices that divide edges: parts - 1 new ones along each. Stores for each half-edge the
+/// first of them, seen from its tail, and the step to the next.
 struct EdgeVertices {
   Array<int> first;
   Array<int> step;
@@ -47,7 +47,7 @@ TriangleSoup splitTriangles(const TriangleMesh& mesh, int parts) {
     const auto alongEdge = [&](int k, int i) {
       return edges.first[3 * f + k] + (i - 1) * edges.step[3 * f + k];
     };
-    // The vertex i steps from corner 0 to corner 1 and j to corner 2.
+    // The vertex at i steps from corner 0 towards corner 1 and j steps towards corner 2.
     const auto vertex = [&](int i, int j) {
       if (i == 0 && j == 0) return mesh.corner(f, 0);
       if (i == parts) return mesh.corner(f, 1);
@@ -55,7 +55,7 @@ TriangleSoup splitTriangles(const TriangleMesh& mesh, int parts) {
       if (j == 0) return alongEdge(0, i);
       if (i + j == parts) return alongEdge(1, j);
       if (i == 0) return alongEdge(2, parts - j);
-      const int above = parts - 1 - j;  // vertices inside of row j
+      const int above = parts - 1 - j;  // the number of inner vertices in row j
       return inside + (parts - 1) * (parts - 2) / 2 - above * (above + 1) / 2 + i - 1;
     };
     for (int j = 0; j < parts; ++j) {

@@ -9,12 +9,12 @@
 namespace karcher {
 
 struct GridSize {
-  int rows = 0;     ///< steps along u, even
-  int columns = 0;  ///< steps along v
+  int rows = 0;     ///< the number of steps along u, even
+  int columns = 0;  ///< the number of steps along v
 };
 
-/// The size for a rectangle of uLength x vLength and about this number of nearly equilateral
-/// triangles.
+/// The size of a grid of about this number of nearly equilateral triangles on a rectangle of
+/// uLength x vLength.
 inline GridSize staggeredGridSize(double uLength, double vLength, int triangles) {
   // A row is as high as an equilateral triangle.
   const double rowsPerColumn = uLength / vLength * 2 / std::sqrt(3.0);
@@ -51,8 +51,8 @@ TriangleSoup closedGrid(const GridSize& size, Point&& point) {
   return soup;
 }
 
-/// A sheet from point(u, v) for u and v in [0, 1]; rows that are shifted have half steps at their
-/// ends. Faces to the side from which v, then u turn counterclockwise.
+/// A sheet from point(u, v) for u and v in [0, 1]. Shifted rows have half steps at their ends.
+/// Faces to the side from which the derivatives by v, then u turn counterclockwise.
 template <class Point>
 TriangleSoup openGrid(const GridSize& size, Point&& point) {
   TriangleSoup soup;
@@ -66,7 +66,7 @@ TriangleSoup openGrid(const GridSize& size, Point&& point) {
     }
   }
   for (int i = 0; i < size.rows; ++i) {
-    const bool upper = i % 2 == 0;  // the shifted row is the upper one
+    const bool upper = i % 2 == 0;  // whether the shifted row is the upper one
     const int straight = rowStart[upper ? i : i + 1];
     const int shifted = rowStart[upper ? i + 1 : i];
     for (int j = 0; j <= size.columns; ++j) {

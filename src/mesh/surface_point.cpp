@@ -13,13 +13,13 @@ SurfacePoint checkedPoint(int faceCount, int face, const Vec3& bary) {
                                           ": the mesh has " + std::to_string(faceCount) +
                                           " faces, numbered from 0");
   }
-  // Raycasts in floats and weights of nine digits are allowed for.
+  // The tolerance allows for raycasts in floats and for weights of nine digits.
   const bool isFinite = bary.allFinite();
   if (isFinite && bary.minCoeff() >= -kFloatRounding &&
       std::abs(bary.sum() - 1) <= kFloatRounding) {
     return clampedPoint(face, bary);
   }
-  // The point is named for an error only: that takes longer than all else of a point.
+  // The point's name is built only for an error. This takes longer than the rest of the check.
   throw Error(isFinite ? ErrorCode::kBadPoint : ErrorCode::kNotFinite,
               "the point (" + inSentence(bary[0]) + ", " + inSentence(bary[1]) + ", " +
                   inSentence(bary[2]) + ") in face " + std::to_string(face) +

@@ -11,8 +11,8 @@ struct SurfacePoint {
   Vec3 bary = Vec3(1, 0, 0);
 };
 
-/// Weights below this count as 0, since they come from rounding: the point lies on the edge or
-/// vertex.
+/// The tolerance below which weights count as 0, since they come from rounding: the point lies on
+/// the edge or vertex.
 inline constexpr double kOnEdgeTolerance = 1e-12;
 
 /// Checks and cleans a caller's point on a mesh of `faceCount` faces. Weights within 1e-6 of the
@@ -41,14 +41,14 @@ SurfacePoint vertexPoint(const TriangleMesh& mesh, int vertex);
 
 Vec3 position(const TriangleMesh& mesh, const SurfacePoint& point);
 
-/// Where a point lies: in a face, on an edge (not at its ends), or at a vertex.
+/// The place of a point: in a face, on an edge (not at its ends), or at a vertex.
 enum class Simplex { kFace, kEdge, kVertex };
 
 struct PointLocation {
   Simplex simplex = Simplex::kFace;
   int face = 0;
-  int halfedge = -1;  ///< kEdge: the half-edge in the point's own face
-  int vertex = -1;    ///< kVertex
+  int halfedge = -1;  ///< of kEdge, the half-edge in the point's own face
+  int vertex = -1;    ///< of kVertex, the vertex
 };
 
 PointLocation locate(const TriangleMesh& mesh, const SurfacePoint& point);

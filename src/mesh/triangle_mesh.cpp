@@ -12,7 +12,7 @@
 namespace karcher {
 namespace {
 
-/// Throws for an edge that is not manifold.
+/// Throws Error for an edge that is not manifold.
 [[noreturn]] void throwEdge(const TriangleMesh& mesh, std::span<const EdgeSide> sides,
                             const MeshNames& names) {
   const int h = sides[0].halfedge;
@@ -39,7 +39,7 @@ void pairHalfedges(TriangleMesh& mesh, const MeshNames& names) {
   });
 }
 
-/// Throws for a vertex without a face, or with several fans of them.
+/// Throws Error for a vertex without a face, or with several fans of faces.
 void checkFans(const TriangleMesh& mesh, const MeshNames& names) {
   Array<int> valence(mesh.positions.size(), 0);
   for (int h = 0; h < mesh.halfedgeCount(); ++h) ++valence[mesh.tail(h)];

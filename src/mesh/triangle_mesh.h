@@ -18,7 +18,7 @@ struct TriangleMesh {
   /// For each vertex, a half-edge that leaves it. At a boundary vertex it is the first
   /// counterclockwise, which has no twin, so that `outgoingHalfedges` meets every face.
   Array<int> outgoing;
-  /// 1 for each vertex on the boundary.
+  /// 1 for each vertex on the boundary, else 0.
   Array<uint8_t> onBoundary;
 
   int vertexCount() const { return positions.count(); }
@@ -38,7 +38,7 @@ inline int cornerOf(int h) { return h % 3; }
 inline int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
 inline int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
-/// The half-edge after h, counterclockwise, among those that leave h's tail; -1 past the boundary.
+/// The next half-edge, counterclockwise, among those that leave h's tail; -1 past the boundary.
 inline int rotateLeft(const TriangleMesh& mesh, int h) { return mesh.twin[previous(h)]; }
 
 /// The half-edges that leave a vertex of a mesh (or of another `Connectivity` with `rotateLeft`),
@@ -73,7 +73,7 @@ class HalfedgesAround {
   int first_;
 };
 
-/// All half-edges that leave a vertex, from `outgoing` on.
+/// All half-edges that leave a vertex, starting with `outgoing`.
 inline HalfedgesAround<TriangleMesh> outgoingHalfedges(const TriangleMesh& mesh, int vertex) {
   return {mesh, mesh.outgoing[vertex]};
 }
@@ -84,8 +84,8 @@ bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Builds the adjacency. Every vertex must belong to a face; any number of components and
 /// boundaries is allowed. Throws Error: kBadFile (no faces), kBadIndex, kNotFinite, kBadArgument
-/// (size), kDegenerateFace, kNonManifoldEdge, kNonManifoldVertex, each naming the place by the
-/// indices that were passed in.
+/// (size), kDegenerateFace, kNonManifoldEdge, kNonManifoldVertex. Each names the place by the
+/// caller's indices.
 TriangleMesh buildMesh(Array<Vec3> positions, Array<Triangle> faces);
 
 /// The first half of `buildMesh`, for callers that renumber before the second. Checks positions and
@@ -93,7 +93,8 @@ TriangleMesh buildMesh(Array<Vec3> positions, Array<Triangle> faces);
 /// without a face.
 void checkTriangles(const Array<Vec3>& positions, const Array<Triangle>& triangles);
 
-/// The part of `checkTriangles` that checks the number of faces and that their vertices exist.
+/// The part of `checkTriangles` that checks the number of faces and the existence of their
+/// vertices.
 void checkCorners(int vertexCount, const Array<Triangle>& triangles);
 
 /// The part of `checkTriangles` that checks that a triangle has an area. `name` is its number in
@@ -102,8 +103,8 @@ void checkArea(const Array<Vec3>& positions, const Triangle& triangle, int name)
 
 /// The numbers of vertices and faces in errors, if they differ from the mesh's own.
 struct MeshNames {
-  const Array<int>* vertex = nullptr;  ///< per vertex of the mesh
-  const Array<int>* face = nullptr;    ///< per face of the mesh
+  const Array<int>* vertex = nullptr;  ///< the number of each vertex of the mesh
+  const Array<int>* face = nullptr;    ///< the number of each face of the mesh
 
   int ofVertex(int v) const { return vertex ? (*vertex)[v] : v; }
   int ofFace(int f) const { return face ? (*face)[f] : f; }
@@ -117,16 +118,16 @@ TriangleMesh connectMesh(Array<Vec3> positions, Array<Triangle> faces, const Mes
 /// them is used, at the boundary if possible. Every vertex must belong to a face.
 void connectVertices(TriangleMesh& mesh);
 
-/// Length of the bounding box's diagonal.
+/// The length of the bounding box's diagonal.
 double boundingBoxDiagonal(const TriangleMesh& mesh);
 
-/// Mean length over the edges, each counted once.
+/// The mean length of the edges, each counted once.
 double meanEdgeLength(const TriangleMesh& mesh);
 
 struct Topology {
   int components = 0;
   int boundaryLoops = 0;
-  int genus = 0;  ///< summed over the components, with their boundary loops filled in
+  int genus = 0;  ///< the sum over the components, with their boundary loops filled in
 };
 
 Topology topology(const TriangleMesh& mesh);

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-/// The small vocabulary that every room of the engine shares.
+/// The basic types that every part of the engine shares.
 namespace karcher {
 
 using Vec2 = Eigen::Vector2d;
@@ -18,8 +18,8 @@ using Vec3 = Eigen::Vector3d;
 /// Corner indices of a triangle, counterclockwise seen from outside.
 using Triangle = Eigen::Vector3i;
 
-/// A std::vector that is indexed by int. Vertices, faces and half-edges are numbered by int, and -1
-/// means none.
+/// A std::vector that is indexed by int. Vertices, faces and half-edges have int numbers, and -1
+/// stands for none.
 template <class T>
 class Array : public std::vector<T> {
  public:
@@ -39,15 +39,15 @@ class Array : public std::vector<T> {
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// z-component of the cross product of two plane vectors: positive if b is to the left of a.
+/// The z-component of the cross product of two plane vectors: positive if b is to the left of a.
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Turns v by the angle of the unit vector `rotation` (a product of complex numbers).
+/// The vector v, turned by the angle of the unit vector `rotation` (a product of complex numbers).
 inline Vec2 rotate(const Vec2& rotation, const Vec2& v) {
   return {rotation.x() * v.x() - rotation.y() * v.y(), rotation.x() * v.y() + rotation.y() * v.x()};
 }
 
-/// Turns v back by the angle of the unit vector `rotation`.
+/// The vector v, turned back by the angle of the unit vector `rotation`.
 inline Vec2 rotateBack(const Vec2& rotation, const Vec2& v) {
   return {rotation.x() * v.x() + rotation.y() * v.y(), rotation.x() * v.y() - rotation.y() * v.x()};
 }
@@ -55,7 +55,7 @@ inline Vec2 rotateBack(const Vec2& rotation, const Vec2& v) {
 /// The unit vector at `angle` (radians) from the x axis.
 inline Vec2 unitVector(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// Angle of v from the x axis, in (-pi, pi].
+/// The angle of v from the x axis, in (-pi, pi].
 inline double angleOf(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 
 }  // namespace karcher

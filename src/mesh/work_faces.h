@@ -9,9 +9,9 @@ namespace karcher {
 /// represents welded vertices.
 struct WorkFaces {
   Array<Triangle> corners;
-  Array<int> source;  ///< per face the input triangle that it is, or is a part of
-  /// For each face, -1 if it is the whole input triangle, else the index of its corners' weights in
-  /// `weights`; empty if all are whole.
+  Array<int> source;  ///< the input triangle that each face is, or is a part of
+  /// The index, for each face, of its corners' weights in `weights`, or -1 if it is the whole input
+  /// triangle; empty if all are whole.
   Array<int> part;
   Array<std::array<Vec3, 3>> weights;
 
@@ -26,7 +26,7 @@ struct WorkFaces {
   void renumber(const Array<int>& number) {
     for (Triangle& t : corners) t = {number[t[0]], number[t[1]], number[t[2]]};
   }
-  /// Leaves out the faces f with gone(f).
+  /// Omits the faces f for which gone(f) is true.
   template <class Gone>
   void leaveOut(Gone&& gone) {
     int kept = 0;
