@@ -58,7 +58,7 @@ import type { Surface } from './viewer/surface';
 import { Viewer } from './viewer/viewer';
 import { checkedUp } from './worker/checkup';
 
-/** Lets the browser start its requests before work that holds the page up. */
+/** Lets the browser send its requests before work that blocks the page. */
 const breathe = () => new Promise((resolve) => setTimeout(resolve));
 
 /** An object beside the edited one, in the scene. */
@@ -75,7 +75,7 @@ function drawingOf(
   };
 }
 
-/** The edited curve by the method that it is compared with; it cannot be picked. */
+/** The edited curve by the method of the comparison; it cannot be picked. */
 function comparedDrawing(
   { active, state }: Editor,
   { shown }: Comparison,
@@ -91,14 +91,14 @@ function comparedDrawing(
   return [{ id: -state.drawing.active - 1, style, locked: true, lines, dots: [] }];
 }
 
-/** Several selected objects are shown by halos; a single one by its handles. */
+/** Marks several selected objects by halos; a single one has handles. */
 function showChosen(viewer: Viewer, { drawing, chosen }: State): void {
   const others = chosen.filter((id) => id !== drawing.active);
   viewer.showChosen(others, others.length > 0 && chosen.includes(drawing.active));
 }
 
 /**
- * Builds the page from its parts and opens the first surface; rejects where the browser cannot draw
+ * Builds the page from its parts and opens the first surface; rejects if the browser cannot draw
  * it.
  */
 export async function start(): Promise<void> {
@@ -109,7 +109,7 @@ export async function start(): Promise<void> {
   const opening = new Opening(editor, session);
   // A user who comes back to a drawing continues as before; a link opens ready for drawing.
   const usualTool = location.hash === '' ? recall('tool') : null;
-  // The engine loads while the graphics start, which takes as long.
+  // The engine loads while the graphics start, which takes equally long.
   const first = opening.first();
   await breathe();
 
@@ -174,8 +174,8 @@ export async function start(): Promise<void> {
   };
   let cutShown: { cut: ShownCut | null; surface: Surface | null; colored: boolean } | null = null;
   /**
-   * The parts of the topmost cut that is seen, colored while it is edited. While what it is cut along is edited, all
-   * of the surface is there.
+   * Shows the parts of the topmost visible cut, in colors while it is edited. While one of its
+   * sources is edited, the whole surface is shown.
    */
   const showCut = () => {
     const { drawing, none } = editor.state;
@@ -215,12 +215,12 @@ export async function start(): Promise<void> {
     viewer.showStyle(editor.active);
     if (view.isolines) viewer.showLines(polylinesOf(view));
     else viewer.showCurve(view.curve);
-    // With nothing selected, no control polygon is shown.
+    // Without a selection, no control polygon is shown.
     viewer.aids.showPolygon(editor.state.none ? [] : view.legs, view.polygonOnly);
     distances.update();
     if (viewer.surface !== surfaceShown && distances.shown) distances.onChange(distances.shown);
     const isNew = view.others !== besideShown || viewer.surface !== surfaceShown;
-    // The style of what is compared may be another one.
+    // The style of the compared curve may have changed.
     if (isNew || (comparison.shown && !editor.state.dragging)) {
       [besideShown, surfaceShown] = [view.others, viewer.surface];
       showBeside();
@@ -408,7 +408,7 @@ export async function start(): Promise<void> {
   viewer.onFrame(viewChanged);
   onKeeping((kept) => status.setKept(kept));
   window.addEventListener('hashchange', ({ newURL }) => {
-    // By now the page may have replaced the requested address by another one.
+    // Meanwhile the page may have replaced the requested address by another one.
     const { hash } = new URL(newURL);
     const found = linkOf(hash);
     if (found && hash.slice(1) !== addressOf(editor.state, viewer.place)) void opening.link(found);

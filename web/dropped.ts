@@ -1,4 +1,6 @@
-/** Which of the files that are dropped or chosen together is opened, and what belongs to it. */
+/**
+ * Chooses which of several dropped or chosen files to open, and finds the files that belong to it.
+ */
 
 import { formatInteger } from './panels/elements';
 
@@ -7,9 +9,9 @@ const companions = /\.(mtl|bin|png|jpe?g|webp|ktx2|basis|tga|bmp|gif|tiff?|dds|h
 const openable = /\.(obj|ply|stl|off|glb|gltf|json)$/i;
 const drawing = /\.json$/i;
 
-/** Files that came together. */
+/** Files that were dropped or chosen together. */
 export interface Dropped {
-  /** Surfaces. */
+  /** Files of surfaces. */
   surfaces: File[];
   drawings: File[];
   /** Files that are neither surfaces nor drawings, and belong to no surface. */
@@ -27,7 +29,7 @@ export function sorted(files: readonly File[]): Dropped {
   return { surfaces, drawings, unknown: others.filter(({ name }) => !companions.test(name)) };
 }
 
-/** Says that files are neither opened nor belong to what is. */
+/** Says that files are neither opened nor part of the opened one. */
 export function sentenceOfUnknown([first, second, ...more]: readonly File[]): string {
   if (!second) return `${first!.name} is no surface or drawing, and is left out.`;
   const others = more.length > 0 ? `${formatInteger(1 + more.length)} more` : second.name;
@@ -46,8 +48,8 @@ function asAddress(file: File): Promise<string> {
 }
 
 /**
- * A glTF file of text with the buffers inside that came with it, so that it is one file wherever it goes;
- * any other file as it is. The reader says what is missing or is no glTF.
+ * A textual glTF file with its buffers embedded, so that it is a single file; any other file is
+ * unchanged. The reader reports missing buffers and invalid files.
  */
 export async function whole(file: File, together: readonly File[]): Promise<File> {
   if (!/\.gltf$/i.test(file.name) || together.length < 2) return file;

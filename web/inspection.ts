@@ -8,20 +8,23 @@ import type { Vector } from './model/figure';
 import { arraysOf, type MeshArrays } from './model/mesh_blobs';
 import type { Viewer } from './viewer/viewer';
 
-/** Copies of what the page shows, for tests and for the browser's console. */
+/** Copies of the page's contents, for tests and for the browser's console. */
 export interface Inspection {
   /** Whether the engine has answered the newest state, control polygon included. */
   readonly settled: boolean;
-  /** The revision of the state that is shown. */
+  /** The revision of the visible state. */
   readonly shown: number;
-  /** How many the surface has; 0 without one. */
+  /** The number of triangles of the surface; 0 without one. */
   readonly triangles: number;
-  /** Whether the newest view is drawn, and nothing moves. */
+  /** Whether the newest view is drawn, and no motion is under way. */
   readonly still: boolean;
   state(): State;
   view(): View;
   distances(): ShownDistances | null;
-  /** Where a place in the surface's coordinates is seen in the window; null where it is hidden. */
+  /**
+   * The place in the window at which a place in the surface's coordinates is visible; null if it is
+   * hidden.
+   */
   seen(position: Vector): { x: number; y: number } | null;
   /** The objects with a halo, by their ids. */
   marked(): readonly number[];

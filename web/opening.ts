@@ -35,34 +35,37 @@ import type { Surface } from './viewer/surface';
 import type { Viewer } from './viewer/viewer';
 import { EngineClient } from './worker/client';
 
-/** Larger ones would not fit into the engine's memory. */
+/** The largest file in bytes: a larger one would not fit into the engine's memory. */
 const largestFile = 1 << 30;
 
 /** The number of times that an engine that stopped by itself is started again for one surface. */
 const mostRestarts = 2;
 
-/** A drawing for a new surface: from a link, or made from what was shown before. */
+/** The drawing for a new surface: from a link, or made from the previous one. */
 type Wanted = (surface: Surface, before: Surface | null) => Drawing | null;
 
 /**
- * Opens surfaces, each in an engine of its own. What is on the stage stays there until the new
- * surface is whole, so a file that is bad, or a wait that is cancelled, changes nothing.
+ * Opens surfaces, each in an engine of its own. The stage keeps its surface until the new one is
+ * complete, so that a bad file or a cancelled wait changes nothing.
  */
 export class Opening {
   #running: AbortController | null = null;
   #restarts = 0;
-  /** The number of choices of another way to show the file, of which only the last one counts. */
+  /** Counts choices of reading options, since only the last one applies. */
   #turns = 0;
   #complaint: HTMLElement | null = null;
-  /** Curves on files that this browser does not have, as links: shown once their file is opened. */
+  /**
+   * Links to curves on files that this browser does not have: they are shown once the file is
+   * opened.
+   */
   readonly #awaited = new Map<string, string>();
-  /** The last file that was opened, where the browser does not keep it. */
+  /** The last opened file, if the browser does not keep it. */
   #file: { key: string; file: File } | null = null;
-  /** The history, from before a reload, of the drawing with which the page starts. */
+  /** The history, from before a reload, of the first drawing. */
   #history: { history: History; link: Link } | null = null;
   #viewer: Viewer | null = null;
   readonly #viewerReady = withResolvers<Viewer>();
-  /** Called when an attempt has ended, well or not, and no other took its place. */
+  /** Called when an attempt has ended, with or without success, unless another replaced it. */
   onEnd: () => void = () => {};
 
   constructor(
@@ -70,13 +73,13 @@ export class Opening {
     private readonly session: Session,
   ) {}
 
-  /** Surfaces that are whole wait for the viewer. */
+  /** Complete surfaces wait for the viewer. */
   show(viewer: Viewer): void {
     this.#viewerReady.resolve(viewer);
     this.#viewer = viewer;
   }
 
-  /** Opens a sample. Another detail of the surface that is shown keeps the curve. */
+  /** Opens a sample. Another level of detail of the same surface keeps the curve. */
   async sample(key: string): Promise<boolean> {
     const parsed = parseKey(key);
     if (!parsed || !('sample' in parsed)) {
@@ -91,8 +94,8 @@ export class Opening {
   }
 
   /**
-   * Opens files that came together: a surface with what belongs to it, and then a drawing; of several
-   * surfaces, or of several drawings, the one that is chosen. Says what is left.
+   * Opens files that came together: a surface with the files that belong to it, and then a drawing.
+   * Of several surfaces or drawings the user chooses one. Reports the other files.
    */
   async files(files: readonly File[]): Promise<void> {
     const { surfaces, drawings, unknown } = sorted(files);
@@ -133,14 +136,14 @@ export class Opening {
     }
   }
 
-  /** Has a surface's file here; says where a reload will not. */
+  /** Keeps a surface's file in this browser; reports if a reload will lose it. */
   async #keep(key: string, file: File): Promise<void> {
     this.#file = { key, file };
     if (await keepFile(key, file)) return;
     showNote(`${file.name} is not kept by this browser. After a reload, drop it again.`);
   }
 
-  /** The same of one that was inside a drawing's file. */
+  /** Keeps the surface's file that was inside a drawing's file. */
   async #keepInside(file: File, { mesh }: Link): Promise<void> {
     const key = await fileKey(file);
     if (key !== keyOfFile(mesh)) {
@@ -149,15 +152,18 @@ export class Opening {
     await this.#keep(key, file);
   }
 
-  /** The file of a surface; null where this browser does not have it, or the page makes the surface. */
+  /**
+   * The file of a surface; null if this browser does not have it, or the page generates the
+   * surface.
+   */
   async fileOf(mesh: string): Promise<Blob | null> {
     const key = keyOfFile(mesh);
     return (await keptFile(key)) ?? (this.#file?.key === key ? this.#file.file : null);
   }
 
   /**
-   * Shows the file that is shown in another way, which its key says: other parts of it, or welded with
-   * another tolerance or with another axis up, which keep the curve.
+   * Shows the present file with the reading options in a key: other parts of it, or another
+   * tolerance of welding or another upward axis, which keep the curve.
    */
   async reread(key: string): Promise<void> {
     const turn = ++this.#turns;
@@ -167,20 +173,20 @@ export class Opening {
     const sameParts = `${before.parts}` === `${after.parts}`;
     if (sameParts && before.weld === after.weld) return this.#turn(key, () => turn === this.#turns);
     const content = await this.fileOf(key);
-    // Points are on the file's own triangles, which stay the same ones.
+    // Points refer to the file's own triangles, which do not change.
     const wanted = () => (sameParts ? this.editor.state.drawing : null);
     if (content) await this.#open(key, fileSource(key, content), wanted);
     else showError(`This browser does not have ${meshLabel(key)} any more. Drop it here again.`);
   }
 
-  /** Shows the surface that is shown as another key's, with that key's axis up, if that is still wanted. */
+  /** Shows the present surface with the upward axis of a key, if that is still requested. */
   async #turn(key: string, wanted: () => boolean): Promise<void> {
     const [client, viewer] = [this.session.client, this.#viewer];
     if (!client || !viewer) return;
     const drawn = await drawnGeometry(drawnMesh(client, key));
     if (client !== this.session.client || !wanted()) return;
     this.editor.cancelDrag();
-    // The present drawing, which may have been edited in the meantime.
+    // The present drawing may have been edited in the meantime.
     const { drawing, standIn } = this.editor.state;
     const { triangles } = viewer.showSurface(drawn);
     viewer.resetView({ animated: false });
@@ -189,8 +195,8 @@ export class Opening {
   }
 
   /**
-   * Opens what a link says; false where that can't be, and why was said. One that was made here or is
-   * told by a file has any number of points.
+   * Opens the drawing of a link; returns false after a message if that is impossible. A link that
+   * was made here or comes from a file may have any number of points.
    */
   async link({ link, own }: FoundLink): Promise<boolean> {
     const { mesh, method, problems } = link;
@@ -229,7 +235,7 @@ export class Opening {
     return false;
   }
 
-  /** Shows one of the finished drawings in place of what is drawn on its surface. */
+  /** Shows a finished drawing instead of the present drawing on its surface. */
   async example({ mesh, draw }: Example): Promise<void> {
     const wanted = (surface: Surface) => draw(placesOn(surface));
     const shown = this.session.client && mesh === this.editor.state.mesh;
@@ -239,8 +245,8 @@ export class Opening {
   }
 
   /**
-   * Opens the drawing of the address, or the last one made here, or the first example, in which case it returns
-   * true.
+   * Opens the drawing of the address, or the last one made here; otherwise opens the first example
+   * and returns true.
    */
   async first(): Promise<boolean> {
     const found = startingLink();
@@ -253,14 +259,17 @@ export class Opening {
     return !wanted;
   }
 
-  /** Where nothing is shown and nothing comes, the page's first surface, in place of a link's. */
+  /**
+   * Shows the page's first surface instead of a link's, if the stage is empty and no surface is on
+   * its way.
+   */
   async #fallBack(): Promise<void> {
     if (this.#running || this.editor.state.mesh !== '') return;
     const standIn = startingLink() !== null;
     await this.#open(defaultMesh, madeSource(defaultMesh)!, () => null, { standIn });
   }
 
-  /** Makes ready what a method needs; false when that failed or was cancelled. */
+  /** Prepares a method; returns false after a failure or a cancellation. */
   async prepare(method: Parameters<typeof methodOptions>[0]): Promise<boolean> {
     const client = this.session.client;
     if (!client) return false;
@@ -287,7 +296,7 @@ export class Opening {
     return opened;
   }
 
-  /** Keeps a link until its file is there. An empty link ends the waiting. */
+  /** Keeps a link until its file is opened. An empty link ends the waiting. */
   #await(mesh: string, link: string): void {
     const file = keyOfFile(mesh);
     this.#awaited.set(file, link);
@@ -343,7 +352,7 @@ export class Opening {
     }
   }
 
-  /** Says why nothing was opened, until something is. */
+  /** Shows why no surface was opened, until one is. */
   #complain(sentence: string): void {
     this.#complaint?.remove();
     this.#complaint = showError(sentence);
@@ -359,18 +368,20 @@ export class Opening {
     const drawing = starting || fitting(kept, triangles);
     this.editor.open(key, drawing, { standIn, history });
     if (wanted) this.#replace(wanted);
-    // The engine is new, even where the drawing is not.
+    // The engine is new, even if the drawing is not.
     this.session.update(this.editor.state);
   }
 
-  /** Shows another drawing of the surface that is shown; the one before can be had back. */
+  /** Shows another drawing on the present surface; undo restores the one before. */
   #replace(to: Drawing): void {
     const { mesh, method, drawing: from } = this.editor.state;
     if (formatLink(mesh, method, from) === formatLink(mesh, method, to)) return;
     this.editor.draw(to);
   }
 
-  /** An engine that ended by itself, as when memory ran out, is replaced; the drawing stays. */
+  /**
+   * Replaces an engine that ended by itself, for example because memory ran out; the drawing stays.
+   */
   #restart(source: MeshSource): void {
     if (this.#restarts++ >= mostRestarts) {
       showError(
@@ -384,7 +395,7 @@ export class Opening {
   }
 }
 
-/** A surface to be drawn, with the axis up that its key says, or that seems to be. */
+/** A surface to draw, with the upward axis of its key, or else the guessed one. */
 function drawnMesh(client: EngineClient, key: string): GeometryRequest {
   const { info, arrays } = client;
   return {
@@ -396,7 +407,7 @@ function drawnMesh(client: EngineClient, key: string): GeometryRequest {
   };
 }
 
-/** The drawing of a link, as far as it is on the surface; says what is not. */
+/** The part of a link's drawing that lies on the surface; reports the rest. */
 function wantedOf(link: Link) {
   return (surface: Surface): Drawing => {
     const fit = fitting(link.drawing, surface.triangles);
@@ -426,7 +437,7 @@ const stageNames: Record<string, string> = { graph: 'Building the graph' };
 
 const stageName = (stage: string) => stageNames[stage] ?? 'Preparing';
 
-/** A drawing taken to another mesh of the same surface: to the nearest points. */
+/** A drawing transferred to another mesh of the same surface, to the nearest points. */
 const carried = (drawing: Drawing, from: Surface, to: Surface) =>
   withDrawingPlaces(drawing, (point) =>
     to.nearest(to.inScene(from.fromScene(from.position(point)))),

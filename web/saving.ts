@@ -8,11 +8,11 @@ import { parseView, type ViewPlace } from './model/view_place';
 
 const delayMilliseconds = 200;
 
-/** Longer addresses are cut off by some programs that pass them on. */
+/** The longest address that all programs pass on; some cut off longer ones. */
 export const longestLink = 16_000;
 
 /**
- * The address of a drawing: its link; of one that is too long only where this browser keeps it.
+ * The address of a drawing: its link, or for a long one an address that works only in this browser.
  */
 export function addressOf({ mesh, method, drawing }: State, view: ViewPlace | null): string {
   const link = formatLink(mesh, method, drawing, view);
@@ -27,8 +27,8 @@ function keptAddress(mesh: string, method: string): string {
 }
 
 /**
- * Keeps a drawing with what was done to it in the browser and in the tab, as far as there is room; false
- * where a reload finds it in none of them, and its address does not tell it.
+ * Keeps a drawing and its history in the browser and in the tab, as far as there is room; returns
+ * false if neither they nor the address would restore the drawing after a reload.
  */
 export function keepDrawing(
   { mesh, method, drawing }: Pick<State, 'mesh' | 'method' | 'drawing'>,
@@ -37,7 +37,7 @@ export function keepDrawing(
   const text = formatLink(mesh, method, drawing);
   const document = `document.${mesh}`;
   const short = text.length <= longestLink;
-  // A long one is kept once.
+  // A long text is stored once.
   const last = short ? text : keptAddress(mesh, method);
   const left = rememberAll({ [document]: text, last, method });
   const inTab =
@@ -48,11 +48,11 @@ export function keepDrawing(
 }
 
 /**
- * Keeps what is made, and from where it is looked at, where a reload finds it: in the address and in the browser's storage, with what
- * was done in that of the tab. Saving waits for a moment's rest, as browsers limit how often an
- * address may change. A surface that stands in for another is not saved: what could not be opened may
- * be opened later. `onLost` is called, once until it is kept again, where a reload would not find what
- * is drawn. What is given back is called where the view may have changed.
+ * Saves the drawing and the view for a reload: in the address and in the browser's storage, and the
+ * history in that of the tab. Saving waits for a moment's rest, as browsers limit how often an
+ * address may change. A surface that stands in for another is not saved, since the original may be
+ * opened later. `onLost` is called if a reload would lose the drawing, once until it is saved
+ * again. Call the returned function when the view may have changed.
  */
 export function saveChanges(
   editor: Editor,
@@ -68,7 +68,7 @@ export function saveChanges(
     const address = addressOf(state, viewNow());
     if (before === address) return;
     history.replaceState(null, '', `#${address}`);
-    // A reload that has begun may still lead to the former address.
+    // A reload that has begun may still use the former address.
     rememberInTab('overtaken', `${before} ${location.hash.slice(1)}`);
   };
   const save = (state: State) => {
@@ -113,7 +113,7 @@ export function saveChanges(
   };
 }
 
-/** A link, and whether this browser kept it, so that it may be of any size. */
+/** A link, and whether this browser kept it; a kept link may have any size. */
 export interface FoundLink {
   link: Link;
   own: boolean;
@@ -125,8 +125,8 @@ function found(text: string | null | undefined, own: boolean): FoundLink | null 
 }
 
 /**
- * The link that a fragment is, or that it finds in this browser: first what this tab made on its
- * surface, as other tabs keep theirs in the same place.
+ * The link in a fragment, or the one that it refers to in this browser: this tab's own comes first,
+ * since all tabs share the browser's storage.
  */
 export function linkOf(fragment: string): FoundLink | null {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
@@ -136,14 +136,14 @@ export function linkOf(fragment: string): FoundLink | null {
   return kept && { ...kept, link: { ...kept.link, view } };
 }
 
-/** The drawing that this browser keeps for a surface. */
+/** The drawing that this browser kept for a surface. */
 function keptLink(mesh: string | null): FoundLink | null {
   const inTab = found(linkOfWork(recallInTab('work') ?? ''), true);
   if (inTab?.link.mesh === mesh) return inTab;
   return found(recall(`document.${mesh}`), true);
 }
 
-/** The drawing with which the page starts: that of its address, or the last one made in this browser. */
+/** The first drawing of the page: that of its address, or the last one made in this browser. */
 export function startingLink(): FoundLink | null {
   const fragment = location.hash.slice(1);
   const [before, after] = (recallInTab('overtaken') ?? '').split(' ');
@@ -158,7 +158,7 @@ export function startingLink(): FoundLink | null {
   return linkOf(newest) ?? last();
 }
 
-/** The history in this tab of a link's drawing, with the drawing at its end. */
+/** The history in this tab of a link's drawing, with the newest drawing. */
 export function workOn(link: Link): { link: Link; history: History } | null {
   const { mesh, method, drawing } = link;
   const work = method && readWork(recallInTab('work') ?? '', formatLink(mesh, method, drawing));

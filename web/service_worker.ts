@@ -1,14 +1,17 @@
 /**
- * Keeps the built page for when there is no network: its files are stored with the first visit. Pages
- * come from the network where it answers, so that a new version is seen at once; the files that they
- * are made of have names of their own content, and come from the store. The book is kept as a whole as soon as one
- * of its pages has been read.
+ * Keeps the built page for use without a network: its files are stored on the first visit. Pages
+ * come from the network if it answers, so that a new version appears at once; their files have
+ * names made from their content, and come from the store. The book is stored as a whole once a
+ * reader has opened one of its pages.
  */
 
-/** Put in by the build: the page's files, and a name for all they hold. */
+/** The build replaces this: the page's files, and a name made from their content. */
 declare const __KARCHER_FILES__: { readonly version: string; readonly files: readonly string[] };
 
-/** The used parts of a service worker's scope, whose types exclude those of a page. */
+/**
+ * The parts of a service worker's scope that this file uses; the types of a page exclude the
+ * scope's own.
+ */
 interface Scope {
   readonly registration: { readonly scope: string };
   readonly clients: { claim(): Promise<void> };
@@ -49,7 +52,8 @@ async function activate(): Promise<void> {
 
 async function page(request: Request): Promise<Response> {
   try {
-    // A page of an older version, which the browser may have kept, would request files that are gone.
+    // A page of an older version, possibly in the browser's cache, would request files that no
+    // longer exist.
     return await fetch(request, { cache: 'no-cache' });
   } catch (error) {
     const { pathname } = new URL(request.url);
@@ -77,14 +81,14 @@ async function keepBook(): Promise<void> {
       listed.map((file) => new Request(addressOf(`book/${file}`), { cache: 'no-cache' })),
     );
   } catch (error) {
-    // An incomplete cache is filled again with the next page.
+    // An incomplete store is filled again with the next page.
     await caches.delete(kept);
     throw error;
   }
   await Promise.all(names.map((name) => caches.delete(name)));
 }
 
-/** A file of the book: its names are the same in every version. */
+/** A file of the book: file names are the same in every version. */
 async function ofBook(request: Request): Promise<Response> {
   try {
     return await fetch(request, { cache: 'no-cache' });
@@ -112,11 +116,11 @@ scope.addEventListener('fetch', (event) => {
   if (request.url.startsWith(addressOf('book/'))) return event.respondWith(ofBook(request));
   event.respondWith(request.mode === 'navigate' ? page(request) : file(request));
 });
-// Each page of the book sends one.
+// Each page of the book sends a message.
 scope.addEventListener('message', (event) => {
   keeping ??= keepBook().finally(() => {
     keeping = undefined;
   });
-  // Without a network the book stays as it is kept.
+  // Without a network the stored book stays as it is.
   event.waitUntil(keeping.catch(() => {}));
 });

@@ -1,18 +1,18 @@
-/** Lines as they are seen, as few Bézier curves for the data of an SVG's path. */
+/** Visible lines as few Bézier curves, for the data of an SVG's path. */
 import { cornersOf, fittedCubics, type Planar } from '../model/cubic_fit';
 
 /**
- * A path lies within a quarter of a pixel of its line: vertices nearer to each other than the first are one,
- * and the curves are as near as the second to what is left, which is no farther apart than the third.
+ * A path lies within a quarter of a pixel of its line. Vertices within the first distance are
+ * merged, the curves keep to the second, and the fitted places lie no farther apart than the third.
  */
 const [together, tolerance, apart] = [0.1, 0.12, 4];
-/** A line has a corner where it turns by this angle within this many pixels. */
+/** A corner turns by this angle within this many pixels. */
 const corner = { reach: 2, angle: 0.35 };
 
 const far = (p: Planar, q: Planar) => Math.hypot(p[0] - q[0], p[1] - q[1]);
 const short = (value: number) => `${Number(value.toFixed(2))}`;
 
-/** The places of a line, without repetitions. */
+/** The places of a line, without repeated ones. */
 function merged(line: readonly Planar[]): Planar[] {
   const places = line.slice(0, 1);
   for (const [i, place] of line.entries()) {
@@ -24,7 +24,7 @@ function merged(line: readonly Planar[]): Planar[] {
   return places;
 }
 
-/** The line with places added where two are far apart; corners keep their places. */
+/** The line with extra places where two are far apart; corners keep their places. */
 function filled(places: readonly Planar[]): Planar[] {
   const result = places.slice(0, 1);
   for (const place of places.slice(1)) {
@@ -39,11 +39,11 @@ function filled(places: readonly Planar[]): Planar[] {
   return result;
 }
 
-/** The data of a path along a line's places; it never ends elsewhere than the line. */
+/** The data of a path along a line's places; it ends exactly where the line does. */
 export function pathData(line: readonly Planar[]): string {
   const points = filled(merged(line));
   const at = ([x, y]: Planar) => `${short(x)} ${short(y)}`;
-  // A dot, which is visible by its round ends.
+  // A dot, whose round ends make it visible.
   if (points.length < 2) return `M${at(line[0]!)}L${at(line.at(-1)!)}`;
   const { pieces } = fittedCubics(points, {
     tolerances: points.map(() => tolerance),

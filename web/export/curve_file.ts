@@ -11,10 +11,10 @@ import type { ViewPlace } from '../model/view_place';
 
 const format = 'karcher-curve';
 const version = 2;
-/** The limit in letters; even the largest drawing is shorter. */
+/** The largest size of a file in letters; even the largest drawing is shorter. */
 const longestFile = 256 * 1024 * 1024;
 
-/** Float32 coordinates as the shortest decimals that are these floats. */
+/** A Float32 coordinate as the shortest decimal for that float. */
 export function shortest(value: number): string {
   for (let digits = 6; digits < 9; digits++) {
     const text = value.toPrecision(digits);
@@ -24,8 +24,8 @@ export function shortest(value: number): string {
 }
 
 /**
- * Polylines (x, y, z each) as the parts of an OBJ file's text: vertices, and a line element for each;
- * then points that are marked, in a point element.
+ * Polylines (x, y, z each) as the parts of an OBJ file's text: vertices and a line element for
+ * each, then marks as a point element.
  */
 export function* partsOfObj(
   polylines: readonly Float32Array[],
@@ -46,21 +46,24 @@ export function* partsOfObj(
   }
 }
 
-/** A surface's file that is passed on within a drawing's. */
+/** A surface's file within a drawing's file. */
 export interface FileInside {
   name: string;
   bytes: Blob;
 }
 
-/** The limit in bytes; encoding a longer file would make the page wait. */
+/**
+ * The largest file in bytes that is stored within another; encoding a longer one would make the
+ * page wait.
+ */
 export const longestInside = 16 * 1024 * 1024;
-/** The bytes that are encoded at once: base64 makes four letters of three bytes. */
+/** The number of bytes that are encoded at once: base64 makes four letters of three bytes. */
 const encodedAtOnce = 3 * 256 * 1024;
 const decodedAtOnce = 4 * 256 * 1024;
 
 /**
- * Everything about a drawing: all of its objects, a link that opens it again with the place that it is
- * seen from, and of the edited object what the engine made of it.
+ * A complete description of a drawing: all of its objects, a link that opens it again with the same
+ * view, and the engine's results for the edited object.
  */
 export function jsonOf(state: State, view: View, place: ViewPlace | null): string {
   const { curve, isolines } = view;
@@ -147,7 +150,10 @@ function samplesOf({ samples, lost }: TracedCurve) {
   }));
 }
 
-/** The link in a file made by `jsonOf`, and the surface's file if that is inside; throws for any other file. */
+/**
+ * The link in a file made by `jsonOf`, and the surface's file if it is inside; throws for any other
+ * file.
+ */
 export async function readJson(text: string): Promise<{ link: Link; file: File | null }> {
   const notOurs = 'the file is JSON, but no drawing that this page saved';
   if (text.length > longestFile) throw new Error('the file is too long for a drawing');
@@ -160,7 +166,7 @@ export async function readJson(text: string): Promise<{ link: Link; file: File |
   if (content?.format !== format || typeof content.link !== 'string') throw new Error(notOurs);
   const link = parseLink(content.link);
   if (!link) throw new Error(notOurs);
-  // In files of the first version the link holds everything.
+  // In files of version 1 the link holds everything.
   if (content.version === 1) return { link, file: null };
   if (content.version !== version) {
     throw new Error(`the file is a drawing in JSON of version ${content.version}, which is newer`);

@@ -7,13 +7,16 @@ export interface DrawnLine extends SeenLine {
   object?: { id: number; name: string; opacity: number };
   color: string;
   width: number;
-  /** As `stroke-dasharray`; solid without any. */
+  /** The value of `stroke-dasharray`; a line without it is solid. */
   dashes?: string;
-  /** Segments, by the number of their first vertex, that are drawn otherwise. */
+  /** Segments in another color, by the index of their first vertex. */
   lost?: { color: string; has(segment: number): boolean };
 }
 
-/** A region as it is seen: six numbers a triangle, x and y of its corners, all turning alike. */
+/**
+ * A region in the view: six numbers a triangle, x and y of its corners, all with the same
+ * orientation.
+ */
 export interface DrawnFill {
   id?: number;
   color: string;
@@ -28,13 +31,16 @@ export interface Drawing {
   fills?: DrawnFill[];
   lines: DrawnLine[];
   points: { x: number; y: number; color: string; filled?: boolean; hidden?: boolean }[];
-  /** The surface's, as it is seen: x, y of each line's points. What the surface hides is then left out. */
+  /**
+   * The surface's outline in the view: x, y of each line's points. Hidden parts of lines are then
+   * left out.
+   */
   outline?: { lines: readonly Float32Array[]; color: string };
 }
 
 /**
- * The curve as it is seen, as an SVG file; what the surface hides is faint, and with its outline left
- * out.
+ * The curve as it appears, as an SVG file. Parts behind the surface are faint; with an outline they
+ * are left out.
  */
 export const svgOf = (drawing: Drawing): string => [...partsOfSvg(drawing)].join('');
 
@@ -60,7 +66,7 @@ export function* partsOfSvg({
       if (group) yield '</g>\n';
       group = line.object;
       if (group) {
-        // The group has the opacity, since its lines lie over each other.
+        // The opacity applies to the group, since its lines overlap.
         const opacity = group.opacity < 1 ? ` opacity="${short(group.opacity)}"` : '';
         yield `<g id="object-${group.id}"${opacity}><title>${escaped(group.name)}</title>\n`;
       }
@@ -82,7 +88,7 @@ const escaped = (text: string) => text.replaceAll('&', '&amp;').replaceAll('<', 
 
 const short = (value: number) => `${Number(value.toFixed(2))}`;
 
-/** A fill as one path, since no seam shows between triangles of one path. */
+/** A fill as one path, since no seam is visible between triangles of one path. */
 function* fillPath({ id, color, opacity, triangles }: DrawnFill): Generator<string> {
   yield `<path fill="${color}" fill-opacity="${short(opacity)}" d="`;
   for (let i = 0; i < triangles.length; i += 6) {
@@ -108,7 +114,7 @@ function* outlinePaths({ lines, color }: NonNullable<Drawing['outline']>): Gener
   yield '</g>';
 }
 
-/** A path for each run of segments that look alike. */
+/** A path for each run of segments with the same look. */
 function pathsOf(
   { x, y, hidden, color, width, dashes, lost }: DrawnLine,
   behind: 'faint' | 'left out',

@@ -5,26 +5,26 @@ import { byId, formatCount, formatInteger, make } from './elements';
 import { sentenceOf } from './messages';
 import { showProgress } from './progress';
 
-/** A surface as it is looked over. */
+/** The surface to check. */
 export interface CheckedSurface {
   readonly info: Readonly<MeshInfo>;
   readonly arrays: MeshBlobs;
-  /** The file that the surface comes from; null for other surfaces. */
+  /** The file of the surface; null for other surfaces. */
   readonly file: object | null;
 }
 
-/** The surface's check-up, which runs on request. The places that it names can be shown. */
+/** Shows a check-up of the surface, which runs on request, and the places of its findings. */
 export class CheckUpPanel {
   readonly #details = byId<HTMLDetailsElement>('checkup');
   readonly #found = byId('checkup-found');
   #client: CheckedSurface | null = null;
-  /** The surface that was looked over, or is. */
+  /** The surface of the last or present check. */
   #checked: CheckedSurface | null = null;
   #shown: HTMLButtonElement | null = null;
 
   /**
-   * `check` looks a surface over; `showPlaces` draws outlines on it, x, y, z each, in place of those
-   * before; `weld` reads its file anew with a tolerance.
+   * `check` examines a surface; `showPlaces` draws outlines on it, x, y, z each, instead of earlier
+   * ones; `weld` reads its file anew with a tolerance.
    */
   constructor(
     private readonly check: (surface: CheckedSurface, work: LongWorkOptions) => Promise<CheckedUp>,
@@ -37,7 +37,7 @@ export class CheckUpPanel {
     });
   }
 
-  /** Forgets what was found: another surface is shown, or the same one in another way. */
+  /** Discards the findings, because another surface is shown, or the same one in another form. */
   show(client: CheckedSurface): void {
     this.#client = client;
     this.#toggle(null, []);
@@ -62,7 +62,7 @@ export class CheckUpPanel {
     } catch (error) {
       if (client !== this.#checked) return;
       this.#checked = null;
-      // The reader can open it again, which starts another check.
+      // The user can open it again, which starts another check.
       if (controller.signal.aborted) this.#details.open = false;
       else this.#found.replaceChildren(make('p', sentenceOf(error)));
     } finally {
@@ -99,7 +99,7 @@ export class CheckUpPanel {
     this.#found.replaceChildren(facts, ...(rows.length > 0 ? [list] : []), expected);
   }
 
-  /** A button that joins the boundaries that lie on each other. */
+  /** A button that joins boundaries that coincide. */
   #weldButton(tolerance: number): HTMLButtonElement {
     const button = make('button', 'Weld', { type: 'button', className: 'link' });
     button.title = `Read the file again and join what is up to ${tolerance} apart`;
@@ -107,7 +107,7 @@ export class CheckUpPanel {
     return button;
   }
 
-  /** A count of something, and a button that shows it; null for none. */
+  /** A count of findings, and a button that shows them; null if there are none. */
   #row(count: number, one: string, lines: () => Float32Array[], many = `${one}s`) {
     if (count === 0) return null;
     const row = make('li');
@@ -133,7 +133,7 @@ export class CheckUpPanel {
 
 const degrees = (angle: number) => `${Number(angle.toPrecision(3))}°`;
 
-/** Splits numbers into lines of equal length. */
+/** Splits an array into lines of equal length. */
 function parts(lines: Float32Array | Float64Array, length: number): Float32Array[] {
   const count = Math.min(mostPlaces, lines.length / length);
   return Array.from({ length: count }, (_, i) =>
@@ -141,7 +141,7 @@ function parts(lines: Float32Array | Float64Array, length: number): Float32Array
   );
 }
 
-/** Lines at these places, so short that they are seen as dots. */
+/** Lines at these places, so short that they look like dots. */
 function dots(places: Float64Array, diagonal: number): Float32Array[] {
   const count = Math.min(mostPlaces, places.length / 3);
   return Array.from({ length: count }, (_, i) => {

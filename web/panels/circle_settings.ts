@@ -20,7 +20,7 @@ const typeNotes: Record<CircleType, string> = {
 
 const ellipseNote = 'Smooth arcs, joined. The handle Along also turns the ellipse.';
 
-/** How far the circle that is shown is from its radius. */
+/** The deviation of the visible circle from its radius. */
 function deviationOf({ curve }: View): string {
   if (typeof curve?.deviation !== 'number') return '';
   const percent = 100 * curve.deviation;
@@ -28,7 +28,9 @@ function deviationOf({ curve }: View): string {
   return ` It is ${most} percent off.`;
 }
 
-/** The settings of circles and ellipses beside their handles: their construction and their radii. */
+/**
+ * The settings of circles and ellipses besides their handles: their construction and their radii.
+ */
 export class CircleSettings {
   readonly #group = byId('circle-settings');
   readonly #type = byId<HTMLSelectElement>('circle-type');

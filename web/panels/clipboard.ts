@@ -5,10 +5,10 @@ import { withSources } from '../model/sources';
 import { isEmpty } from '../model/figure';
 import { sentenceOf, showNote } from './messages';
 
-/** Fields in which the browser itself copies and pastes. */
+/** Fields in which the browser's own copy and paste apply. */
 const typing = 'input[type="text"], textarea';
 
-/** Copies, cuts and pastes objects as text on the system's clipboard, so between tabs too. */
+/** Copies, cuts and pastes objects as text on the system's clipboard, and thus between tabs too. */
 export class Clipboard {
   constructor(
     private readonly editor: Editor,
@@ -16,7 +16,7 @@ export class Clipboard {
   ) {
     document.addEventListener('copy', (event) => this.#copy(event));
     document.addEventListener('cut', (event) => {
-      // A drag ends first: objects are cut as they were before it.
+      // A drag under way is undone first: objects are cut as they were before it.
       editor.interrupt();
       if (this.#copy(event)) editor.objects.delete(this.#ids);
     });
@@ -27,7 +27,7 @@ export class Clipboard {
     return selectedObjects(this.editor.state);
   }
 
-  /** Copies what is selected, from a menu; whether the browser allowed it. */
+  /** Copies the selection, from a menu; returns whether the browser allowed it. */
   async copy(): Promise<boolean> {
     const text = this.#text;
     if (text === null) return false;
@@ -46,7 +46,7 @@ export class Clipboard {
     if (await this.copy()) this.editor.objects.delete(ids);
   }
 
-  /** Pastes what was copied, from a menu. */
+  /** Pastes the clipboard, from a menu. */
   async paste(): Promise<void> {
     const text = await navigator.clipboard?.readText().catch(() => null);
     if (typeof text !== 'string')
@@ -57,7 +57,7 @@ export class Clipboard {
   /** The selection as text; null if nothing is selected. */
   get #text(): string | null {
     const { mesh, drawing } = this.editor.state;
-    // Objects are copied with what they are made of, which is not there elsewhere.
+    // Objects are copied with their sources, which another drawing does not have.
     const ids = withSources(drawing, this.#ids);
     const objects = drawing.objects.filter(
       ({ id, figure }) => ids.includes(id) && !isEmpty(figure),
@@ -80,7 +80,7 @@ export class Clipboard {
     if (this.#add(text)) event.preventDefault();
   }
 
-  /** Adds the objects of a text; false if it holds none. */
+  /** Adds the objects in a text; false if it has none. */
   #add(text: string): boolean {
     try {
       const objects = pastedObjects(text, this.editor.state.mesh, this.triangles());

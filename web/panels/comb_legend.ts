@@ -9,7 +9,9 @@ import { formatCount, make, write } from './elements';
 import { Legend } from './legend';
 import { nameOf } from './object_rows';
 
-/** The curvature comb of the edited curve, with its scale and its greatest number; off at first. */
+/**
+ * The curvature comb of the edited curve, with its scale and its largest curvature; initially off.
+ */
 export class CombLegend {
   readonly #legend: Legend;
   readonly #scale = make('input', '', {
@@ -18,7 +20,7 @@ export class CombLegend {
   });
   readonly #factor = make('output', '', { id: 'comb-factor' });
   #on = false;
-  /** The curve of which the shown comb was made. While that stays the same, so do the comb and its scale. */
+  /** The curve of the visible comb. As long as it is the same, comb and scale do not change. */
   #shown: { lines: readonly Float32Array[]; object: number; surface: Surface | null } | null = null;
 
   constructor(
@@ -47,7 +49,7 @@ export class CombLegend {
     this.show();
   }
 
-  /** Shows what is edited now. */
+  /** Shows the comb of the edited curve. */
   show(): void {
     const { state, view, meanEdge } = this.now();
     const lines = this.#on ? polylinesOf(view) : [];

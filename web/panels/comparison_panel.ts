@@ -6,7 +6,7 @@ import { isMethod, type MethodId, methods } from '../model/methods';
 import { byId, formatInteger, write } from './elements';
 import { sentenceOf } from './messages';
 
-/** Chooses the method with which the edited curve is compared, and shows the gap between the two. */
+/** Offers a second method for the edited curve, and shows the gap between the two. */
 export class ComparisonPanel {
   readonly #choice = byId<HTMLSelectElement>('compare');
   readonly #box = byId('comparison');
@@ -23,7 +23,7 @@ export class ComparisonPanel {
     });
   }
 
-  /** What is compared; `method` is chosen, perhaps without an answer yet. */
+  /** Shows the comparison with the chosen method, which may still be without an answer. */
   show({ method: own, drawing }: State, method: MethodId | null, told: Compared | null): void {
     if (own !== this.#offered) {
       this.#offered = own;
@@ -53,20 +53,20 @@ export class ComparisonPanel {
   }
 }
 
-/** The second curve has a color that the first one has not. */
+/** The color of the second curve, which differs from that of the first. */
 export const comparedColor = (own: string | null) => (own === '#d9480f' ? '#0e7c9e' : '#d9480f');
 
 const noCurve = (told: Compared | null) =>
   told && !told.polyline && !told.late ? 'There is no curve to compare yet.' : '';
 
-/** Two digits of it, as short as the panel's columns are wide. */
+/** A number with two digits, short enough for the panel's columns. */
 function short(value: number): string {
   if (value === 0) return '0';
   if (value < 1e-4) return '< 0.0001';
   return value < 100 ? value.toPrecision(2) : formatInteger(Math.round(value));
 }
 
-/** A gap in a unit; dots while it is measured, nothing if it is unknown. */
+/** A gap in a unit; dots while it is measured, empty if it is unknown. */
 function wordsOf(gap: Gap | null | undefined, which: keyof Gap, scale = 1): string {
   if (gap === undefined) return '…';
   return gap ? short(scale * gap[which]) : '';

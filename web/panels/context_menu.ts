@@ -14,14 +14,14 @@ import { hasOtherSide } from './object_panel';
 const restMilliseconds = 500;
 
 /**
- * The menu of actions for a place of the stage, which a click of the other button or a resting finger opens, or
- * for the selection, which the menu key opens.
+ * The menu of actions: a right click or a resting finger opens it for a place of the stage, and the
+ * menu key for the selection.
  */
 export class ContextMenu {
   readonly #menu = new Menu('context-menu');
   #press: { pointer: number; x: number; y: number; slop: number; timer: number } | null = null;
 
-  /** `letGo` takes back what the gestures on the stage have begun. */
+  /** `letGo` undoes unfinished gestures on the stage. */
   constructor(
     private readonly editor: Editor,
     private readonly viewer: Viewer,
@@ -30,13 +30,15 @@ export class ContextMenu {
     private readonly clipboard: Clipboard,
     private readonly align: (how: Alignment) => void,
     private readonly makers: () => readonly Action[],
-    /** Of the surface, at a face of it or at none. */
+    /** The actions on the surface, at one of its faces or at none. */
     private readonly ofSurface: (face: number | null) => readonly Action[],
   ) {
-    // The menu is closed by hand: the browser would close it when the finger that opened it is lifted.
+    // The page closes the menu itself: the browser would close it when the finger that opened it is
+    // lifted.
     window.addEventListener('pointerdown', ({ target }) => this.#close(target), { capture: true });
     window.addEventListener('blur', () => this.#close(null));
-    // The window listens, because the menu has the keys only a moment after it is seen.
+    // The listener is on the window, because the menu gets the focus only a moment after it
+    // appears.
     const byKey = (event: KeyboardEvent) => {
       if (event.key !== 'Escape' && event.key !== 'Tab') return;
       if (!this.#menu.element.matches(':popover-open')) return;
@@ -85,11 +87,11 @@ export class ContextMenu {
       this.letGo();
       this.#open({ x, y, touch });
     };
-    // A page that was busy hears of the finger's moves in the next frame, before what waits for it.
+    // A busy page receives the finger's moves in the next frame, before other waiting tasks.
     press.timer = window.setTimeout(() => requestAnimationFrame(open), restMilliseconds);
   }
 
-  /** Closes it, unless the press is on it. */
+  /** Closes the menu, unless the press is on it. */
   #close(target: EventTarget | null): void {
     const { element } = this.#menu;
     if (!(target instanceof Node && element.contains(target))) element.hidePopover();
@@ -100,7 +102,7 @@ export class ContextMenu {
     this.#press = null;
   }
 
-  /** Selects what lies there, unless it is selected with others, and shows what can be done. */
+  /** Selects the object there, unless it is part of the selection, and shows its actions. */
   #open(place: { x: number; y: number; touch: boolean }): void {
     const { editor } = this;
     const target = targetAt(this.viewer, { ...editor.state, tool: 'select' }, place);
@@ -175,7 +177,7 @@ export class ContextMenu {
 
 type Action = [name: string, act: () => void];
 
-/** The selected objects, where there is something of them. */
+/** The selected objects that are not empty. */
 function targetsOf(state: State): readonly number[] {
   const ids = selectedObjects(state);
   return state.drawing.objects

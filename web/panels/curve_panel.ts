@@ -19,7 +19,7 @@ export interface CurveEvents {
   setJoint(joint: Joint): void;
 }
 
-/** The curve's kind, how it is computed, and the list of its control points. */
+/** The curve's kind, its method, and the list of its control points. */
 export class CurvePanel {
   readonly #method = byId<HTMLSelectElement>('method');
   readonly #kindGroup = byId('kind-group');
@@ -63,7 +63,7 @@ export class CurvePanel {
 
   show(state: State, view: View): void {
     const { kind } = state.figure;
-    // A stroke has a tolerance.
+    // A freehand stroke has a tolerance.
     this.#kindGroup.hidden = state.none && state.tool !== 'freehand';
     this.#pointsGroup.hidden = state.none || isDerived(kind);
     const group = kindGroups.find(({ kinds }) => kinds.includes(kind))!;
@@ -82,7 +82,7 @@ export class CurvePanel {
     // Curves of the pen are edited by their anchors.
     for (const button of [this.#split, this.#reverse]) {
       button.hidden = !isSpline(kind);
-      // The panel stays where it is, so that nothing jumps while the first points are set.
+      // The panel keeps its layout, so that no control jumps while the first points are set.
       button.disabled = !view.curve;
     }
     this.#split.setAttribute('aria-pressed', `${tool === 'split'}`);
@@ -96,7 +96,10 @@ export class CurvePanel {
     this.#fine.show(state, view);
   }
 
-  /** Shows the choice of kinds: kinds of splines, which differ by their mathematics, among the advanced settings. */
+  /**
+   * Shows the choice of kinds. The kinds of splines, which differ by their mathematics, are among
+   * the advanced settings.
+   */
   #showKinds(kinds: readonly Kind[]): void {
     const row = byId('kind');
     row.hidden = kinds.length < 2;

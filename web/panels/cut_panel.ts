@@ -12,12 +12,12 @@ import { sentenceOf, showError } from './messages';
 import { NumberField } from './number_field';
 import { eye } from './object_rows';
 
-/** Colors of parts that differ visibly on light and dark surfaces. */
+/** Colors of parts that are distinguishable on light and dark surfaces. */
 const partColors = ['#2f9e8f', '#d9480f', '#8a3ffc', '#c81e5b', '#0b8457', '#b58900'];
 
 export const partColor = (index: number) => partColors[index % partColors.length]!;
 
-/** The number of parts that are listed at most. */
+/** The largest number of parts in the list. */
 const mostListed = 50;
 
 const bin =
@@ -32,7 +32,7 @@ const types: Record<WrittenFormat, string> = {
   glb: 'model/gltf-binary',
 };
 
-/** The parts of a cut surface: which are seen, how thick they become, and their files. */
+/** The parts of a cut surface: their visibility, their thickness, and their files. */
 export class CutPanel {
   readonly #group = byId('cut-settings');
   readonly #list = byId('parts');

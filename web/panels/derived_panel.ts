@@ -28,7 +28,7 @@ import { kindNames, kindNotes } from './kind_names';
 import { NumberField } from './number_field';
 import { nameOf } from './object_rows';
 
-/** A first distance as a part of the surface's diagonal. */
+/** The first distance of an offset as a part of the surface's diagonal. */
 const firstDistance = 0.02;
 
 const sideNames: Record<OffsetSide, string> = {
@@ -52,7 +52,7 @@ export class DerivedPanel {
   readonly #sides: readonly HTMLInputElement[];
   readonly #corners: readonly HTMLInputElement[];
 
-  /** `diagonal` is the surface's. */
+  /** `diagonal` is the surface's diagonal. */
   constructor(
     private readonly editor: Editor,
     expansion: Expansion,
@@ -81,17 +81,17 @@ export class DerivedPanel {
     byId('expand').addEventListener('click', () => void expansion.expand());
   }
 
-  /** The objects that can be made of the selection, and the commands that make them. */
+  /** The objects that can be made of the selection, with the commands for them. */
   get possible(): readonly [name: string, act: () => void][] {
     if (byId('makers-group').hidden) return [];
     return this.#actions.flatMap(([name, act], i) => {
       const { hidden, disabled } = this.#makers[i]!;
-      // In a menu 'Cut' alone would mean the clipboard's.
+      // In a menu the single word 'Cut' would mean the clipboard.
       return hidden || disabled ? [] : [[name === 'Cut' ? 'Cut the surface' : name, act]];
     });
   }
 
-  /** Makes an offset of what is selected, whose distance may be typed at once. */
+  /** Makes an offset of the selection, and lets the user type its distance. */
   offset(): void {
     const power = 10 ** Math.floor(Math.log10(firstDistance * this.diagonal()));
     const rounded = Math.round((firstDistance * this.diagonal()) / power) * power;
@@ -107,7 +107,7 @@ export class DerivedPanel {
     const { drawing, figure, none, dragging } = state;
     if (dragging) return;
     const count = combinable(drawing, selectedObjects(state)).length;
-    // The panel is there from the first point, so that nothing jumps while others are set.
+    // The panel appears with the first point, so that nothing jumps while others are set.
     byId('makers-group').hidden = !willCombine(drawing, selectedObjects(state));
     for (const [i, button] of this.#makers.entries()) {
       button.hidden = count < 2 && i >= 2;
@@ -152,7 +152,7 @@ export class DerivedPanel {
   }
 }
 
-/** A choice of one of several, as radio buttons in an element with a given name. */
+/** A choice between options, as radio buttons in an element with a given name. */
 function choices<Choice extends string>(
   name: string,
   all: readonly Choice[],

@@ -7,7 +7,7 @@ import { make } from './elements';
 import { Legend } from './legend';
 import { nameOf } from './object_rows';
 
-/** How many numbers stand below the ramp, beside 0. */
+/** The largest number of labels below the ramp, besides 0. */
 const mostTicks = 4;
 
 /** The legend of the colors of distances; its button removes them. */
@@ -30,7 +30,7 @@ export class DistanceLegend {
     );
   }
 
-  /** `on` is also true while the requested distances are not yet there. */
+  /** Shows the legend; `on` is also true while the requested distances are not ready. */
   show(shown: ShownDistances | null, on: boolean, state: State): void {
     this.#legend.shown = on;
     this.#legend.busy = on && !shown?.current;

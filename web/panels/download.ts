@@ -1,6 +1,6 @@
 import { make } from './elements';
 
-/** Hands a file to the browser, under a name that is its title. */
+/** Passes a file to the browser, with its title as name. */
 export function download(title: string, file: Blob, extension: string): void {
   const name = `${title.replaceAll(/[^\p{L}\p{N}]+/gu, '-').toLowerCase()}.${extension}`;
   const address = URL.createObjectURL(file);

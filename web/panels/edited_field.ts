@@ -1,17 +1,17 @@
-/** The writer and reader of a field's value; null for a text that is none. */
+/** Writes and reads a field's value; the reader returns null for an invalid text. */
 export interface FieldFormat<Value> {
   read(text: string): Value | null;
   write(value: Value): string;
 }
 
 /**
- * A field that takes a value when it is left or with Enter; Escape, or what is no such value, brings
- * back the one that was there. While it holds what is typed and not yet taken it has `data-edited`, and
- * the page's keys are its own. What is typed is for the object whose value was shown when that began.
+ * A field that takes its value on Enter or when it loses the focus; Escape or an invalid value
+ * restores the one before. While it holds an unfinished text it has `data-edited`, and the page's
+ * shortcuts do not apply. The text is for the object whose value was shown when the typing began.
  */
 export class EditedField<Value> {
   #shown = '';
-  /** The id of the object whose value is shown. */
+  /** The id of the object with the shown value. */
   #of: number | null = null;
   #began: { shown: string; of: number | null } | null = null;
 
@@ -41,7 +41,7 @@ export class EditedField<Value> {
     });
   }
 
-  /** Null where there is nothing to change. */
+  /** Shows a value; null if the field has nothing to change. */
   show(value: Value | null, of: number | null = null): void {
     this.#shown = value === null ? '' : this.format.write(value);
     this.#of = of;
@@ -50,7 +50,9 @@ export class EditedField<Value> {
     if (!this.#began || value === null) this.#restore();
   }
 
-  /** Leaves the field open, where several objects have several values; what is typed is for all of them. */
+  /**
+   * Leaves the field empty if the objects have different values; a typed value is for all of them.
+   */
   showOpen(): void {
     this.#shown = '';
     this.#of = null;

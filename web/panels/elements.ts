@@ -1,4 +1,4 @@
-/** An element of index.html; a wrong name is a mistake of ours. */
+/** An element of index.html; a wrong name is a programming error. */
 export function byId<Type extends HTMLElement = HTMLElement>(id: string): Type {
   const element = document.getElementById(id);
   if (!element) throw new Error(`index.html has no element '${id}'`);
@@ -25,13 +25,16 @@ export const formatCount = (count: number, one: string, many = `${one}s`) =>
 
 export const formatInteger = (value: number) => integers.format(value);
 
-/** A size as a person reads it: 3.2 MB. */
+/** A readable size, such as 3.2 MB. */
 export function formatBytes(bytes: number): string {
   const power = Math.min(3, Math.max(1, Math.floor(Math.log10(Math.max(1, bytes)) / 3)));
   return `${Number((bytes / 1000 ** power).toPrecision(2))} ${['', 'kB', 'MB', 'GB'][power]}`;
 }
 
-/** Writes a text into an element, if it has another one: each writing would lay out the page again. */
+/**
+ * Writes a text into an element, unless it has this text already: each writing would lay out the
+ * page again.
+ */
 export function write(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }

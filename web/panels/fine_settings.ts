@@ -17,7 +17,7 @@ import { sentenceOf } from './messages';
 import { NumberField, positiveNumber, wholeNumbers } from './number_field';
 import { sharedSettings, showShared } from './shared_settings';
 
-/** The tolerance that is offered first, as a part of the surface's size. */
+/** The first tolerance in the field, as a part of the surface's size. */
 const firstTolerance = 1e-4;
 
 /** The fine settings of a curve: its samples, the marks along it, a B-spline's knots. */
@@ -83,13 +83,13 @@ export class FineSettings {
     this.#tolerance.show(tolerance ?? defaultSettings.tolerance);
     showNumber(this.#marks, shared('marks'));
     const knots = settings.knots ?? Array.from(curve?.knots ?? []);
-    // Several curves have no list of knots in common.
+    // Several curves do not share a list of knots.
     this.#knots.show(withKnots && state.chosen.length < 2 ? knots : null);
   }
 
   #showLevels(levels: CurveLevels | undefined): void {
     const isOffered = [...this.#levels.options].some(({ value }) => value === `${levels}`);
-    // A link may ask for a number that is no choice of the menu.
+    // A link may have a number that the menu does not offer.
     if (!isOffered && levels !== undefined) {
       this.#levels.append(new Option(`${levels} levels`, `${levels}`));
     }
@@ -102,12 +102,13 @@ function showNumber(field: NumberField, value: number | undefined): void {
   else field.show(value);
 }
 
-/** A knot as it is shown; where it is left as it is, its own digits stay. */
+/** A knot for display; an unchanged knot keeps all of its digits. */
 const shown = (knot: number) => `${Number(knot.toPrecision(6))}`;
 
 /**
- * A B-spline's knots as a list. It is taken when it is left or with Enter; empty, the knots are even
- * again. What can be no knots stays to be mended, with the engine's sentence; Escape takes it back.
+ * A B-spline's knots as a list, which takes effect on Enter or when the field loses the focus; an
+ * empty list makes the knots uniform. An invalid list stays in the field, with the engine's
+ * sentence; Escape restores the one before.
  */
 class KnotsField {
   readonly #text = byId<HTMLTextAreaElement>('knots');
@@ -130,7 +131,7 @@ class KnotsField {
     });
   }
 
-  /** Null where there are none to show. */
+  /** Shows knots; null if the curve has none to show. */
   show(knots: readonly number[] | null): void {
     byId('knots-field').hidden = !knots;
     if (!knots) this.#restore();

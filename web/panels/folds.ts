@@ -3,12 +3,12 @@ import { isEmpty, isRound, parameterOf } from '../model/figure';
 import { recall, remember } from '../model/storage';
 import { byId, write } from './elements';
 
-/** Longer lists are folded until the user opens them. */
+/** The longest list that is not folded. */
 const longest = 6;
 
 /**
- * The folds of the panel: the mathematics of curves, which is closed at first, and long lists of points.
- * Reloads keep them open or closed.
+ * The folds of the panel: the mathematics of curves, initially closed, and long lists of points.
+ * They survive reloads.
  */
 export class Folds {
   readonly #advanced = byId<HTMLDetailsElement>('fine');
@@ -30,7 +30,7 @@ export class Folds {
   show({ drawing, figure }: State): void {
     const count = isRound(figure.kind) || isEmpty(figure) ? 0 : figure.points.length;
     write(byId('points-count'), count > 0 ? `${count}` : '');
-    // A list that grows is folded with the next object, not under the hand.
+    // A growing list is folded only when another object is edited, never under the pointer.
     if (drawing.active === this.#active) return;
     this.#active = drawing.active;
     const said = recall('points');
@@ -38,7 +38,7 @@ export class Folds {
     this.#points.open = said ? said === 'open' : hasNumbers && count <= longest;
   }
 
-  /** The status line shows samples and times while it is open. */
+  /** The status line shows samples and times while the advanced settings are open. */
   #showAdvanced(): void {
     document.documentElement.toggleAttribute('data-advanced', this.#advanced.open);
   }

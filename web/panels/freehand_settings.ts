@@ -2,7 +2,7 @@ import type { State } from '../editor/state/state';
 import { recall, remember } from '../model/storage';
 import { byId, write } from './elements';
 
-/** How far a curve may be from the stroke that it was drawn by, in CSS pixels: kept by the browser. */
+/** The tolerance between a stroke and its curve, in CSS pixels; the browser keeps it. */
 export class FreehandSettings {
   readonly #field = byId('freehand-settings');
   readonly #tolerance = byId<HTMLInputElement>('freehand-tolerance');

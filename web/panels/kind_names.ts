@@ -1,7 +1,7 @@
 import { booleans } from '../model/derived';
 import type { Kind } from '../model/figure';
 
-/** A kind as the page calls it. */
+/** The page's names of kinds. */
 export const kindNames: Record<Kind, string> = {
   bspline: 'B-spline',
   bezier: 'Bézier',
@@ -22,7 +22,7 @@ export const kindNames: Record<Kind, string> = {
   cut: 'Cut',
 };
 
-/** A description of a kind in a few words. */
+/** Short descriptions of kinds. */
 export const kindNotes: Record<Kind, string> = {
   bspline: 'A smooth curve near its control points; with weights, a NURBS curve',
   bezier: 'One segment from the first point to the last',
@@ -43,7 +43,7 @@ export const kindNotes: Record<Kind, string> = {
   cut: 'The surface cut apart along objects',
 };
 
-/** Kinds that are offered together, each for the others. */
+/** Groups of kinds that can be exchanged for each other. */
 export const kindGroups: readonly { title: string; kinds: readonly Kind[] }[] = [
   { title: 'Pen', kinds: ['pen'] },
   {

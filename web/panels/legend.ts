@@ -1,19 +1,19 @@
 import { byId, closeIcon, make, write } from './elements';
 
 export interface LegendWords {
-  /** The prefix of the ids of its elements. */
+  /** The prefix of the ids of the legend's elements. */
   id: string;
-  /** The id of the menu's item that shows it. */
+  /** The id of the menu item that shows the legend. */
   item: string;
   title: string;
-  /** The action of its button, and the key that does the same. */
+  /** The action of the legend's button, and its key. */
   hides: string;
   key: string;
 }
 
 /**
- * What is shown over the surface, in words and on a scale, among the others of the stage. Where the
- * window is narrow all of them are rows of one strip.
+ * A legend over the surface: words and a scale. In a narrow window all legends are rows of one
+ * strip.
  */
 export class Legend {
   readonly #element: HTMLElement;
@@ -60,7 +60,7 @@ export class Legend {
   }
 }
 
-/** Words that may be cut off; the same again cost nothing, as in a drag. */
+/** Writes words that may be cut off; equal words are not written again during a drag. */
 function say(element: HTMLElement, words: string): void {
   if (element.textContent === words) return;
   write(element, words);

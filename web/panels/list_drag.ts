@@ -1,4 +1,4 @@
-/** A press that moves less, in CSS pixels, is a click. */
+/** The largest motion of a press that is a click, in CSS pixels. */
 const slop = 6;
 
 /** The dragged object: its row, its former place, and the one that it would take. */
@@ -14,15 +14,15 @@ interface Dragged {
 export interface ListMoves {
   /** A row begins to move. */
   began(row: HTMLElement): void;
-  /** The row was let go of at another place; both are counted from the top. */
+  /** The row was dropped at another place; both are counted from the top. */
   moved(from: number, to: number): void;
   /** The drag has ended, by a drop or without one. */
   ended(): void;
 }
 
 /**
- * Drags rows of a list to other places: with a mouse anywhere on a row, with a finger by its grip, as a
- * finger elsewhere scrolls.
+ * Drags rows of a list: a mouse can take a row anywhere, a finger only by its grip, since elsewhere
+ * it scrolls.
  */
 export class ListDrag {
   #dragged: Dragged | null = null;

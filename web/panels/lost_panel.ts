@@ -2,7 +2,7 @@ import type { View } from '../editor/engine/view';
 import { type LostInterval, type LostReason, lostSamples } from '../model/lost';
 import { byId, formatCount, make, write } from './elements';
 
-/** Why a part of a curve is no center of mass. */
+/** The reasons why a part of a curve is no center of mass. */
 export const reasons: Record<LostReason, string> = {
   indefinite: 'more than one center',
   jump: 'a jump between two centers',
@@ -25,19 +25,19 @@ const advice: Record<LostReason, string> = {
 const mostShown = 40;
 
 /**
- * The places that are seen: between two samples that are right a line is fine, unless it jumps from one to
- * the other.
+ * The visible places: between two good samples a line is fine, unless it jumps from one to the
+ * other.
  */
 const seenOf = (intervals: readonly LostInterval[]) =>
   intervals.filter(({ samples, reason }) => samples > 0 || reason === 'jump');
 
-/** How many places there are to look at; empty where the line is fine. */
+/** The number of places to look at, in words; empty if the line is fine. */
 export function countLost(intervals: readonly LostInterval[]): string {
   const { length } = seenOf(intervals);
   return length > 0 ? formatCount(length, 'place to check', 'places to check') : '';
 }
 
-/** The list of the places where the curve is no center of mass: a click goes there. */
+/** The list of places where the curve is no center of mass; a click shows the place. */
 export class LostPanel {
   readonly #group = byId('lost');
   readonly #kinds = byId('lost-kinds');
@@ -62,7 +62,7 @@ export class LostPanel {
     if (left > 0) this.#kinds.append(make('p', `and ${formatCount(left, 'more place')}`));
   }
 
-  /** Shows one place after the other, around. */
+  /** Shows the places in turn. */
   goToNext(): void {
     const interval = this.#intervals[this.#next % this.#intervals.length];
     if (!interval) return;

@@ -1,11 +1,11 @@
 import { byId } from './elements';
 
-/** A menu, which mostly a button opens: the arrow keys go from item to item. */
+/** A menu, usually opened by a button; the arrow keys move from item to item. */
 export class Menu {
   readonly element: HTMLElement;
   readonly #button: HTMLElement | null;
 
-  /** `opening` is called before it is shown. */
+  /** `opening` is called before the menu appears. */
   constructor(id: string, button = '', opening: () => void = () => {}) {
     this.element = byId(id);
     this.#button = button ? byId(button) : null;

@@ -5,14 +5,14 @@ const mostShown = 4;
 
 const container = byId('messages');
 
-/** A failure as a sentence; it stays until it is dismissed. */
+/** Shows a failure as a sentence, until the user dismisses it. */
 export function showError(sentence: string): HTMLElement {
   const message = show(sentence, 'error');
   message.setAttribute('role', 'alert');
   return message;
 }
 
-/** A short remark that goes away by itself. */
+/** Shows a short remark that disappears by itself. */
 export function showNote(sentence: string): void {
   const message = show(sentence, 'note');
   message.setAttribute('role', 'status');

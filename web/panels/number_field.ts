@@ -29,7 +29,7 @@ export function wholeNumbers({ least, most }: { least: number; most: number }): 
   };
 }
 
-/** A decimal comma is read as a point. */
+/** The positive number in a text, which may have a decimal comma. */
 export function positiveNumber(text: string): number | null {
   const value = Number(text.trim().replace(',', '.'));
   return text.trim() !== '' && Number.isFinite(value) && value > 0 ? value : null;

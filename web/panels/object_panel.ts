@@ -24,7 +24,7 @@ import { nameOf, ObjectRows } from './object_rows';
 import { showShared } from './shared_settings';
 import { onTheme, sceneColors } from './theme';
 
-/** Colors that differ visibly on light and dark surfaces; null is the theme's. */
+/** Colors that are distinguishable on light and dark surfaces; null is the theme's. */
 const colors: readonly [string | null, string][] = [
   [null, 'Default color'],
   ['#d9480f', 'Orange'],
@@ -39,7 +39,7 @@ const colors: readonly [string | null, string][] = [
 /** The opacity of a new fill. */
 const firstFill = 0.5;
 
-/** From one line of a pattern to the next at first, in CSS pixels. */
+/** The first spacing of a pattern, in CSS pixels. */
 const usualSpacing = 12;
 
 const inSurfaceWidths = (value: number) =>
@@ -50,13 +50,13 @@ const selectedFills = (state: State) => {
   return state.drawing.objects.filter(({ id }) => ids.includes(id)).map(({ fill }) => fill);
 };
 
-/** A number that the selected objects share; left open where they have several. */
+/** Shows a number that the selected objects share; the field is empty if they differ. */
 function showNumber(field: NumberField, shared: number | undefined): void {
   if (shared === undefined) field.showOpen();
   else field.show(shared);
 }
 
-/** A color that is written as `rgb(…)`, in hexadecimal digits. */
+/** The hexadecimal digits of a color written as `rgb(…)`. */
 const hexOf = (color: string) =>
   `#${(color.match(/\d+/g) ?? [])
     .slice(0, 3)
@@ -71,17 +71,19 @@ function wholeGroup(objects: readonly DrawnObject[], { drawing }: State): string
   return isWhole && members.length === objects.length ? group : null;
 }
 
-/** The group whose name a field has, which tells it by the negative id of a member. */
+/** The group named by a field: the field has the negative id of a member. */
 const groupNamed = (id: number | null, { drawing }: State) =>
   id !== null && id < 0 ? (objectOf(drawing, -id)?.group ?? null) : null;
 
 const percentOf = (part: number | undefined) =>
   part === undefined ? undefined : Math.round(100 * part);
 
-/** Whether a fill could lie on the other side of its line: not what is made of several regions. */
+/**
+ * Whether a fill could lie on the other side of its line; this excludes objects of several regions.
+ */
 export const hasOtherSide = ({ fill, figure }: DrawnObject) => fill > 0 && !isDerived(figure.kind);
 
-/** The list of objects, what can be done with those that are selected, and their style. */
+/** The list of objects, the actions on the selected ones, and their style. */
 export class ObjectPanel {
   readonly #rows: ObjectRows;
   readonly #name = byId<HTMLInputElement>('object-name');
@@ -99,13 +101,13 @@ export class ObjectPanel {
   readonly #spacing: NumberField;
   readonly #otherSide = byId<HTMLButtonElement>('other-side');
   readonly #actions: readonly [HTMLButtonElement, (state: State) => boolean][];
-  /** The theme's color of lines, written as fields of colors need it. */
+  /** The theme's color of lines, in the form that color fields need. */
   #themeColor = '#000000';
   #shown: State | null = null;
 
   constructor(
     private readonly editor: Editor,
-    /** How far a pixel reaches where an object is seen, in the surface's unit. */
+    /** The length of a pixel at an object, in the surface's unit. */
     reachOf: (object: DrawnObject) => number,
   ) {
     byId('new-object').addEventListener('click', () => editor.begin());
@@ -137,7 +139,7 @@ export class ObjectPanel {
     this.#fillColor.addEventListener('change', () => {
       const fillColor = this.#fillColor.value;
       const none = selectedFills(editor.state).every((fill) => fill === 0);
-      // Choosing a color for an inside that is not painted paints it.
+      // A color for an inside without a fill also makes the fill visible.
       set(none ? { fillColor, fill: firstFill } : { fillColor });
     });
     this.#pattern.addEventListener('change', () => {
@@ -179,7 +181,7 @@ export class ObjectPanel {
         set({ onSurface, width: active.width });
         return;
       }
-      // The width becomes one in the other unit that looks the same.
+      // The width is converted to the other unit, so that it looks the same.
       const reach = reachOf(active);
       const width = Number((active.width * (onSurface ? reach : 1 / reach)).toPrecision(2));
       const { least, most } = onSurface ? surfaceWidths : widthRange;
@@ -235,7 +237,7 @@ export class ObjectPanel {
   show(state: State): void {
     const before = this.#shown;
     this.#shown = state;
-    // A drag changes nothing that the panel shows.
+    // A drag does not change the panel.
     if (before?.dragging && state.dragging) return;
     const same =
       before?.drawing === state.drawing &&
@@ -253,7 +255,7 @@ export class ObjectPanel {
     byId<HTMLButtonElement>('new-object').disabled = isEmpty(activeObject(state.drawing).figure);
   }
 
-  /** Names the surface's unit, in which widths can be. */
+  /** Sets the surface's unit, which widths can have. */
   showUnit(unit: Unit): void {
     this.#widthUnit.options[this.#widthUnit.options.length - 1]!.text = unit || 'units';
   }
@@ -267,7 +269,7 @@ export class ObjectPanel {
     return selectedObjects(this.editor.state);
   }
 
-  /** The properties that the selected objects have in common; others are left open. */
+  /** Shows the properties that the selected objects share; others are left empty. */
   #showStyle(objects: readonly DrawnObject[], selected: number): void {
     const last = objects.at(-1)!;
     const common = <Key extends keyof (LineStyle & FillStyle)>(key: Key) =>

@@ -14,21 +14,24 @@ const lock =
 const chevron =
   '<svg viewBox="0 0 20 20" aria-hidden="true"><path d="m7 5.500 5 4.500-5 4.500" /></svg>';
 
-/** The page's name for an object without a name. */
+/** The page's name for an unnamed object. */
 export const nameOf = ({ id, name, figure }: DrawnObject) =>
   name || `${kindNames[figure.kind]} ${id}`;
 
 type Toggled = 'visible' | 'locked';
 
-/** The list of objects, the topmost first, each group below a row of its own that folds it. */
+/**
+ * The list of objects, the topmost first. Each group has a row of its own above its members, which
+ * folds it.
+ */
 export class ObjectRows {
   readonly #list = byId('objects');
   readonly #folded = new Set<string>();
   #rows: ListedRow[] = [];
-  /** The group that is folded only while it is dragged. */
+  /** The group that is folded while it is dragged. */
   #carried: string | null = null;
 
-  /** `rename` is asked for a name of what is selected. */
+  /** `rename` opens the field for a name of the selection. */
   constructor(
     private readonly editor: Editor,
     private readonly rename: () => void,
@@ -42,7 +45,7 @@ export class ObjectRows {
 
   show(state: State): void {
     const { drawing, chosen } = state;
-    // An object that was only begun is in no list, since trying a tool leaves nothing.
+    // The list omits an object that was only begun, since trying a tool leaves no object.
     const objects = drawing.objects.filter(({ figure }) => !isEmpty(figure)).toReversed();
     const active = state.none ? null : drawing.active;
     this.#rows = rowsOf(objects, this.#folded);
@@ -141,7 +144,7 @@ export class ObjectRows {
     return row;
   }
 
-  /** The buttons that show and lock, and the grip of a finger. */
+  /** The buttons for visibility and lock, and the grip for a finger. */
   #makeToggles(ids: () => readonly number[]): HTMLElement[] {
     const toggle = (className: string, title: string, icon: string, name: Toggled) => {
       const button = make('button', '', { type: 'button', className, title });
@@ -169,7 +172,7 @@ export class ObjectRows {
     this.show(this.editor.state);
   }
 
-  /** A group is folded while it is dragged, so that its members go along. */
+  /** Folds a group while it is dragged, so that its members move along. */
   #carry(group: string | undefined): void {
     if (this.#carried !== null) this.#fold(this.#carried);
     const places = this.#rows.filter((row) => row.type === 'group' && row.group === group);
@@ -183,7 +186,7 @@ export class ObjectRows {
     this.editor.objects.arrange(ids.toReversed(), { id: moved, group });
   }
 
-  /** Moves an object in the order; the keys stay with it. */
+  /** Moves an object in the order; it keeps the focus. */
   #key(event: KeyboardEvent, id: number): void {
     const step = stepOf(event);
     if (!step) return;

@@ -3,7 +3,7 @@ import type { DrawnObject } from '../model/drawing';
 
 export type ListedRow =
   | { type: 'object'; object: DrawnObject }
-  /** All members, and those that lie together here. */
+  /** All members of the group, and those that lie together here. */
   | {
       type: 'group';
       group: string;
@@ -31,13 +31,13 @@ export function rowsOf(objects: readonly DrawnObject[], folded: ReadonlySet<stri
   return rows;
 }
 
-/** An object, or a group as one: the ids, the topmost first. */
+/** An object, or a group as a unit: the ids, the topmost first. */
 interface Unit {
   group: string | null;
   ids: number[];
 }
 
-/** Items that stand beside each other. */
+/** Units that can change places with each other. */
 export function unitsOf(rows: readonly ListedRow[]): Unit[] {
   return rows.flatMap((row): Unit[] => {
     if (row.type === 'group') return [{ group: row.group, ids: row.here.map(({ id }) => id) }];
@@ -46,9 +46,9 @@ export function unitsOf(rows: readonly ListedRow[]): Unit[] {
 }
 
 /**
- * The ids in their order once a row is moved to the place of another one, and the group that the moved
- * object is in then: dropped among the members of one it joins it, dropped elsewhere it leaves its own.
- * A group is moved while it is folded; of it `moved` is any member.
+ * The ids in their order after a row is moved to the place of another one, and the new group of the
+ * moved object: it joins a group when dropped among its members, and leaves its own otherwise. A
+ * group is moved while it is folded; `moved` is any of its members.
  */
 export function rowsAfter(
   rows: readonly ListedRow[],
@@ -78,7 +78,7 @@ const groupOf = (row: ListedRow) => (row.type === 'group' ? row.group : row.obje
 
 const isOpenGroup = (row: ListedRow) => row.type === 'group' && row.isOpen;
 
-/** The place at or below that lies between no members of a group. */
+/** The nearest place, here or below, that does not lie between members of a group. */
 function besideGroups(rows: readonly ListedRow[], place: number): number {
   let beside = place;
   for (;;) {

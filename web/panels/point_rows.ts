@@ -18,17 +18,20 @@ import { jointOf } from '../model/pen';
 import { byId, formatInteger, make, write } from './elements';
 
 const names: Record<ParameterName, string> = { weight: 'Weight', beta: 'Beta' };
-/** Steps of a slider from one end to the other. */
+/** The number of steps of a slider. */
 const steps = 64;
 
-/** Sliders run evenly over the powers of 2: from 1/16 to 16, with 1 in the middle. */
+/**
+ * Converts a value to a slider, which is even in powers of 2: from 1/16 to 16, with 1 in the
+ * middle.
+ */
 const toSlider = (value: number) =>
   Math.round(((Math.log2(value) - Math.log2(parameterRange.least)) / span) * steps);
 const fromSlider = (position: number) =>
   Number((parameterRange.least * 2 ** ((position / steps) * span)).toPrecision(4));
 const span = Math.log2(parameterRange.most / parameterRange.least);
 
-/** The list of what was placed, each with the slider of its number. */
+/** The list of placed points, each with the slider of its number. */
 export class PointRows {
   readonly #list = byId('points');
 
@@ -71,7 +74,7 @@ export class PointRows {
     return row;
   }
 
-  /** Selects a point beside others, or takes it out of the selection. */
+  /** Adds a point to the selection, or removes it. */
   #toggle(index: number): void {
     const { selection, more } = this.editor.state;
     const selected = typeof selection === 'number' ? [...more, selection] : [];
@@ -79,7 +82,7 @@ export class PointRows {
     this.editor.selectPoints(selected.includes(index) ? others : [...others, index]);
   }
 
-  /** A button that makes a point the one before or after. */
+  /** A button that moves a point one place forwards or back. */
   #makeMove(index: number, step: -1 | 1): HTMLButtonElement {
     const [name, keys, path] =
       step < 0
@@ -95,7 +98,7 @@ export class PointRows {
     button.addEventListener('click', () => {
       this.editor.select(index);
       this.editor.moveInOrder(step);
-      // The focus goes along with the point.
+      // The focus stays with the point.
       const row = this.#list.children[index + step];
       row?.querySelector<HTMLButtonElement>(`.move:nth-of-type(${step < 0 ? 2 : 3})`)?.focus();
     });
@@ -140,7 +143,7 @@ interface Row {
   which: NonNullable<Selection>;
   name: string;
   value: string;
-  /** The point's place, for users who want to know it. */
+  /** The point's coordinates, for interested users. */
   place: string;
   slider: { point: ControlPoint; name: ParameterName } | null;
 }
@@ -189,14 +192,14 @@ function rowsOf({ kind, points, circle }: Figure, view: View): Row[] {
   }));
 }
 
-/** The words about a point beside its number. */
+/** A point's numbers in words. */
 function numbersOf(kind: Kind, point: ControlPoint, total: number): string {
   const name = parameterOf(kind);
   if (name) return numberOf(point, name, kind === 'center' ? total : null);
   return kind === 'pen' ? jointOf(point.tangents) : '';
 }
 
-/** A point's number as text, or its share in percent where the numbers are divided by their sum. */
+/** A point's number as text, or its share in percent if the numbers are divided by their sum. */
 function numberOf(point: ControlPoint, name: ParameterName, total: number | null): string {
   const value = point[name] ?? 1;
   if (total !== null) return `${((100 * value) / total).toFixed(1)} %`;

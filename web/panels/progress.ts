@@ -11,12 +11,12 @@ const cancel = byId<HTMLButtonElement>('cancel');
 let shown: object | null = null;
 
 export interface ShownProgress {
-  /** How much of the work is done, from 0 to 1; null while that is not known. */
+  /** The fraction of the work that is done, from 0 to 1; null while it is unknown. */
   set(done: number | null, stage: string): void;
   hide(): void;
 }
 
-/** Shows one piece of long work, in place of the one before. */
+/** Shows the progress of long work, instead of earlier work. */
 export function showProgress(stage: string, onCancel: () => void): ShownProgress {
   const own = {};
   shown = own;

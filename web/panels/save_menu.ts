@@ -36,10 +36,10 @@ const types: Record<Format, string> = {
 
 const isFormat = (name: string): name is Format => Object.hasOwn(types, name);
 
-/** Pixels of a picture for each that is seen. */
+/** The number of a picture's pixels for each pixel of the screen. */
 const pictureScale = 2;
 
-/** The menu that saves what is drawn, or seen, as a file. */
+/** The menu that saves the drawing or the view as a file. */
 export class SaveMenu {
   readonly #menu = new Menu('save-menu', 'save', () => this.#showWhatThereIs());
   readonly #items = this.#menu.items.filter((item) => item.dataset.save);
@@ -49,7 +49,10 @@ export class SaveMenu {
     private readonly editor: Editor,
     private readonly session: Session,
     private readonly viewer: Viewer,
-    /** The file of the surface that is shown; null where the page makes it, or has it no more. */
+    /**
+     * The file of the visible surface; null for a surface that the page generates, or whose file it
+     * no longer has.
+     */
     private readonly surfaceFile: () => Promise<Blob | null>,
   ) {
     this.#only.addEventListener('click', () => {
@@ -68,7 +71,7 @@ export class SaveMenu {
     }
   }
 
-  /** Saves what is shown; without a curve, says so. */
+  /** Saves the drawing in a format; if it has no curve, says so. */
   async save(format: Format): Promise<void> {
     if (!this.#has(format)) {
       showNote('There is no curve to save yet.');
@@ -84,7 +87,10 @@ export class SaveMenu {
     download(title, new Blob(await parts[format](), { type: types[format] }), format);
   }
 
-  /** Saves the drawing with the file of its surface, so that it opens where that file is missing. */
+  /**
+   * Saves the drawing together with the file of its surface, so that it can be opened without that
+   * file.
+   */
   async #saveWhole(): Promise<void> {
     const { state } = this.editor;
     const title = this.#title;
@@ -106,9 +112,9 @@ export class SaveMenu {
     }
   }
 
-  /** Saves what is seen, with the surface's outline, as lines. */
+  /** Saves the view, with the surface's outline, as lines. */
   async #saveOutline(): Promise<void> {
-    // The view is taken as it is now: it may turn while the outline is drawn.
+    // The drawing is of the present view, which may turn while the outline is computed.
     const drawing = this.#drawing();
     const [title, color] = [this.#title, sceneColors().marks];
     const controller = new AbortController();
@@ -148,7 +154,7 @@ export class SaveMenu {
     return [...own, ...others.flatMap(({ lines }) => lines)];
   }
 
-  /** Whether an object is to be saved: all are, or those that are selected. */
+  /** Whether to save an object: all are saved, or only the selected ones. */
   #isMeant(id: number): boolean {
     return !this.#onlySelected || selectedObjects(this.editor.state).includes(id);
   }
@@ -157,12 +163,12 @@ export class SaveMenu {
     return this.#only.getAttribute('aria-checked') === 'true' && !this.#only.disabled;
   }
 
-  /** Points that are marked along the edited curve: x, y, z each. */
+  /** The marks along the edited curve: x, y, z each. */
   get #marks(): ArrayLike<number> {
     return this.session.view.curve?.marks?.position ?? [];
   }
 
-  /** Points and centers of mass are no polylines. */
+  /** Whether the drawing has anything for a format: points and centers of mass are no polylines. */
   #has(format: Format): boolean {
     if (format === 'obj') return this.#polylines.length > 0;
     if (format === 'json') return !isBlank(this.editor.state.drawing);
@@ -176,7 +182,7 @@ export class SaveMenu {
     const { state } = this.editor;
     const drawn = state.drawing.objects.filter(({ figure }) => !isEmpty(figure));
     const selected = selectedObjects(state);
-    // The choice is offered where it makes a difference.
+    // The choice is offered only if it matters.
     const ofDrawn = drawn.filter(({ id }) => selected.includes(id)).length;
     this.#only.disabled = ofDrawn === 0 || ofDrawn === drawn.length;
     byId('save-none').hidden = this.#has('json');
@@ -187,7 +193,7 @@ export class SaveMenu {
     }
   }
 
-  /** The present view. */
+  /** The drawing in the present view. */
   async #drawing(): Promise<SvgDrawing> {
     const { viewer } = this;
     const { view } = this.session;

@@ -9,7 +9,7 @@ import { sharedSettings, showShared } from './shared_settings';
 
 const degrees = ['1, linear', '2, quadratic', '3, cubic', '4, quartic', '5, quintic'];
 
-/** The settings of a kind of curve beside its points: closed or open, degree, knots. */
+/** The settings of a kind of curve besides its points: closed or open, degree, knots. */
 export class SettingsPanel {
   readonly #group = byId('settings');
   readonly #closed = byId<HTMLInputElement>('closed');
@@ -30,7 +30,7 @@ export class SettingsPanel {
     this.#clamped.addEventListener('change', () =>
       this.#set({ clamped: this.#clamped.checked, knots: null }),
     );
-    // A user's own knots fit one degree only.
+    // A user's own knots are valid for one degree only.
     this.#degree.addEventListener('change', () =>
       this.#set({ degree: Number(this.#degree.value), knots: null }),
     );

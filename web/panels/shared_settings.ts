@@ -2,7 +2,7 @@ import { type State, selectedObjects } from '../editor/state/state';
 import { type CurveSettings, isCurve } from '../model/figure';
 import { make } from './elements';
 
-/** Reads a setting of the selected curves; undefined where they have several values. */
+/** Reads a setting of the selected curves; undefined if they differ. */
 export function sharedSettings(state: State) {
   const ids = selectedObjects(state);
   const selected = state.drawing.objects
@@ -15,7 +15,7 @@ export function sharedSettings(state: State) {
   };
 }
 
-/** Shows a value that all have; where it is undefined the control says that they are mixed. */
+/** Shows a shared value; if it is undefined the control shows that the values are mixed. */
 export function showShared(
   control: HTMLInputElement | HTMLSelectElement,
   value: string | number | boolean | undefined,

@@ -1,17 +1,17 @@
 import { byId } from './elements';
 
-/** How far the panel is drawn up where the window is narrow. */
+/** The heights of the panel in a narrow window. */
 const stops = ['collapsed', 'half', 'full'] as const;
 type Stop = (typeof stops)[number];
 
-/** A press that moves less, in CSS pixels, is a click. */
+/** The largest motion of a press that is a click, in CSS pixels. */
 const slop = 6;
-/** The parts of the window's height at which the panel comes to rest elsewhere; see layout.css. */
+/** The parts of the window's height at which the panel comes to rest; layout.css has the same. */
 const parts: Record<Stop, number> = { collapsed: 0, half: 0.38, full: 0.88 };
 
 /**
- * The panel as a sheet over the lower part of a narrow window: drawn up and down by its handle, or with
- * a click or the arrow keys from stop to stop.
+ * The panel as a sheet over the lower part of a narrow window. Its handle drags it up and down; a
+ * click or the arrow keys move it from stop to stop.
  */
 export class Sheet {
   readonly #handle = byId<HTMLButtonElement>('sheet-handle');
@@ -34,7 +34,7 @@ export class Sheet {
     this.#rest('half');
   }
 
-  /** Draws the panel up, where it is down. */
+  /** Raises the panel if it is down. */
   show(): void {
     if (this.#stop === 'collapsed') this.#rest('half');
   }

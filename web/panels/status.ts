@@ -33,13 +33,13 @@ export interface StatusEvents {
   remove(): void;
   /** Shows the next place where the curve is no center of mass. */
   goToLost(): void;
-  /** Makes the first leg that need not be so long the shortest. */
+  /** Replaces the first leg that could be shorter by the shortest path. */
   shorten(): void;
-  /** Gives up what the engine is at. */
+  /** Stops the engine's work. */
   stop(): void;
 }
 
-/** The line of figures, the hint, and what can be done with the selection. */
+/** The status line: figures, a hint, and actions for the selection. */
 export class Status {
   readonly #notice = byId('notice');
   #timers: number[] = [];
@@ -53,7 +53,7 @@ export class Status {
   readonly #slider: HTMLInputElement;
 
   constructor(editor: Editor, events: StatusEvents) {
-    // Where the list of points has no room, the selected one has its slider here.
+    // If the list of points has no room, the selected point has its slider here.
     this.#slider = makeSlider(editor, () => Number(editor.state.selection));
     byId('selected-slider').append(this.#slider);
     byId('remove').addEventListener('click', events.remove);
@@ -65,7 +65,7 @@ export class Status {
   show(state: State, view: View, info: MeshInfo | null): void {
     write(byId('status-triangles'), info ? formatCount(info.triangles, 'triangle') : '');
     const { curve, isolines, center } = view;
-    // Figures of what is selected only: the view still has what was edited last.
+    // The figures are of the selection; without one the view still has the last edited object.
     write(byId('status-samples'), state.none ? '' : countOf(view));
     write(byId('status-length'), state.none ? '' : measureOf(view, this.#unit));
     const time = (curve ?? isolines ?? center)?.milliseconds;
@@ -82,7 +82,7 @@ export class Status {
     this.showHint(state, view);
   }
 
-  /** Says that the engine is at work, once it has been for a while. */
+  /** Shows that the engine is busy, once it has been for a while. */
   setBusy(busy: boolean): void {
     for (const timer of this.#timers) clearTimeout(timer);
     const { saying, stopping } = patienceMilliseconds;
@@ -98,12 +98,14 @@ export class Status {
     }
   }
 
-  /** Says what the engine is at, and how far. */
+  /** Shows the stage and the progress of the engine's work. */
   setProgress(done: number, stage: string): void {
     write(byId('status-busy'), `${stage}… ${Math.round(100 * done)} %`);
   }
 
-  /** Shows a warning where the drawing is not kept, because the browser's storage is full or blocked. */
+  /**
+   * Shows a warning if the drawing is not kept, because the browser's storage is full or blocked.
+   */
   setKept(kept: boolean): void {
     byId('status-kept').hidden = kept;
   }
@@ -128,7 +130,7 @@ export class Status {
     mark.title = qualityText(quality, refining, shift, notRefined);
   }
 
-  /** Says what was measured, where the hint is. */
+  /** Shows the measurement instead of the hint. */
   showMeasured(measured: Measured | null, state: State, view: View): void {
     this.#measured = measured;
     this.showHint(state, view);
@@ -166,7 +168,7 @@ export class Status {
   }
 
   showHint(state: State, view: View): void {
-    // The place of the hint belongs to what is measured.
+    // The measurement takes the place of the hint.
     const selection = state.tool === 'measure' ? null : state.selection;
     const hint =
       this.#ruling(state) ||
@@ -228,7 +230,7 @@ function hintOf(
     return blank ? drawHint : dragHint;
   }
   if (view.center) return centerHint(view.center);
-  // Where nothing is selected a click begins another one.
+  // Without a selection a click begins another object.
   const begins = points.length === 0 || none;
   if (isRound(kind)) return circle && !none ? '' : 'Click the surface to place the center';
   if (isDerived(kind)) return '';
@@ -246,7 +248,7 @@ function hintOf(
 const dragHint = 'Drag a line or a point, or pick a tool';
 const drawHint = 'Choose a tool to draw';
 
-/** Words about a pattern that is not drawn. */
+/** Words about a pattern that is too fine to draw. */
 function fineHint(drawing: Drawing, { fill }: View): string {
   const { pattern, spacing } = activeObject(drawing);
   if (pattern === 'solid' || spacing === null || !fill?.region) return '';
@@ -256,7 +258,7 @@ function fineHint(drawing: Drawing, { fill }: View): string {
     : '';
 }
 
-/** Words about legs that were drawn out by a drag. */
+/** Words about legs that a drag has stretched. */
 function shorterHint({ kind }: Figure, { shorter }: View): string {
   const [first] = shorter;
   if (!first) return '';
@@ -283,7 +285,7 @@ function qualityText(
 
 const formatShift = (edges: number) => `${edges.toPrecision(2)} edges`;
 
-/** The remarks about a center that is not simply the center. */
+/** Remarks about a center that is not unique or not exact. */
 function centerHint({ status, uniqueness, otherMinima }: ShownCenter): string {
   if (status !== 'converged') return `No center was found: ${reasons[status as LostReason]}`;
   if (uniqueness !== 'notUnique' || otherMinima === 'notLooked') return '';
@@ -317,7 +319,7 @@ function measureOf({ curve, isolines, center, fill }: View, unit: Unit): string 
   if (center) {
     const { status, certificate, uniqueness } = center;
     const only = status === 'converged' ? uniquenessWords[uniqueness] : '';
-    // Energy and residual are those by exact shortest paths, once the refined answer is there.
+    // Energy and residual come from exact shortest paths once the refined answer has arrived.
     const exact = certificate ? ` · residual ${certificate.residual.toPrecision(2)}` : '';
     const { energy } = certificate ?? center;
     return `energy ${formatLength(energy)}${exact}${only}`;
@@ -327,7 +329,7 @@ function measureOf({ curve, isolines, center, fill }: View, unit: Unit): string 
   return drawn ? `length ${formatLength(drawn.length, unit)}${area}` : '';
 }
 
-/** The mathematics is shown only to a user who has opened it. */
+/** The mathematics is shown only to users who opened it. */
 function measuredText(
   { parameter, length, wholeLength, tangent }: Measured,
   unit: Unit,

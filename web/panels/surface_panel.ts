@@ -15,28 +15,28 @@ export interface SurfaceEvents {
   choose(key: string): void;
   /** Files that belong together, in any order. */
   openFiles(files: readonly File[]): void;
-  /** Shows the file in another way, which its key says. */
+  /** Shows the file with the reading options in a key. */
   reread(key: string): void;
 }
 
-/** The most parts that a menu lists: a longer one is of no use. */
+/** The largest number of parts in a menu: a longer menu is useless. */
 const mostParts = 1000;
 
-/** The facts that the panel shows about a surface. */
+/** The panel's facts about a surface. */
 export interface ShownSurface {
   info: MeshInfo;
-  /** The facts about the file that the surface comes from; null for other surfaces. */
+  /** The facts about the surface's file; null for other surfaces. */
   file: FileInfo | null;
   /** The axis that seems to point up. */
   up: UpAxis;
 }
 
-/** The engine's count as the page writes its numbers. */
+/** The engine's count in the page's number format. */
 const grouped = (count: string) => formatInteger(Number(count));
 
 /**
- * What can be done with a file of several parts where the surface is pointed at, by its face, as the menu
- * of parts can: only that part is shown, or all are again.
+ * The actions for a file of several parts at a face of the surface, as in the menu of parts: to
+ * show only that part, or all parts again.
  */
 export function partActions(
   key: string,
@@ -54,7 +54,9 @@ export function partActions(
   return part === undefined || name === undefined ? [] : [[`Show only ${name}`, show([part])]];
 }
 
-/** The surface's menu, its details and its facts; also takes files that are dropped on the page. */
+/**
+ * The surface's menu, its details and its facts; it also takes files that are dropped on the page.
+ */
 export class SurfacePanel {
   readonly #surface = byId<HTMLSelectElement>('surface');
   readonly #detail = byId<HTMLSelectElement>('detail');
@@ -85,7 +87,7 @@ export class SurfacePanel {
     this.#takeDrops();
   }
 
-  /** Shows which surface is on the stage; also takes a menu back whose choice came to nothing. */
+  /** Shows which surface is on the stage; it also resets the menu after a failed choice. */
   show(key: string, { info, file, up }: ShownSurface): void {
     this.#key = key;
     const parsed = parseKey(key);

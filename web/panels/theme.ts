@@ -1,4 +1,4 @@
-/** Light or dark: as the system has it, until it is chosen here. */
+/** The theme: light or dark as in the system, until the user chooses here. */
 import { recall, remember } from '../model/storage';
 import type { ViewerColors } from '../viewer/colors';
 
@@ -20,20 +20,20 @@ export function applyTheme(): void {
   for (const listener of listeners) listener(theme);
 }
 
-/** A choice of what the system has anyway makes the page follow the system again. */
+/** A choice that agrees with the system makes the page follow the system again. */
 export function toggleTheme(): void {
   const theme = document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark';
   remember('theme', theme === systemTheme() ? '' : theme);
   applyTheme();
 }
 
-/** Calls back now and with every change. */
+/** Calls the listener now and with every change. */
 export function onTheme(listener: (theme: Theme) => void): void {
   listeners.push(listener);
   listener(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
 }
 
-/** The colors that the style sheet has for what is drawn in the scene. */
+/** The style sheet's colors for the scene. */
 export function sceneColors(): ViewerColors & { stage: string } {
   const probe = document.body.appendChild(document.createElement('i'));
   const read = (name: string) => {

@@ -6,9 +6,9 @@ import { isEmpty, type Kind } from '../model/figure';
 import { byId, make } from './elements';
 import { kindGroups } from './kind_names';
 
-/** A button of the rail beside the surface: what the pointer does next. */
+/** A button of the rail beside the surface, which chooses the pointer's next action. */
 export interface DrawingTool {
-  /** The part of the button's id behind `tool-`. */
+  /** The part of the button's id after `tool-`. */
   id: string;
   name: string;
   /** The letter of its key. */
@@ -16,19 +16,19 @@ export interface DrawingTool {
   /** The content of its icon, an SVG of 20 by 20. */
   icon: string;
   isActive(state: State): boolean;
-  /** Whether the tool can be taken; always, where this is not given. */
+  /** Whether the tool is available; by default it always is. */
   isPossible?(state: State, view: View): boolean;
   choose(): void;
 }
 
-/** The tools in the rail's order. A new one is a new entry here. */
+/** The tools in the rail's order. A new tool is a new entry here. */
 export function drawingTools(editor: Editor, edits: CurveEdits): DrawingTool[] {
   const latest = new Map<readonly Kind[], Kind>();
   editor.subscribe(({ figure }) => {
     const group = kindGroups.find(({ kinds }) => kinds.includes(figure.kind))!.kinds;
     latest.set(group, figure.kind);
   });
-  /** Draws objects of some kinds, at first of the one that was last drawn. */
+  /** Draws objects of some kinds, initially of the last kind. */
   const draws = (kinds: readonly Kind[], group = kinds) => ({
     isActive: ({ tool, figure }: State) => tool === 'insert' && kinds.includes(figure.kind),
     choose() {

@@ -15,7 +15,8 @@ import type { ViewMenu } from './view_menu';
 export interface ToolEvents {
   removeSelected(): void;
   /**
-   * The address that opens the drawing again. A complete one does so elsewhere too, a short one in any program.
+   * An address that opens the drawing again. A complete one works elsewhere too, a short one in any
+   * program.
    */
   link(): { address: string; complete: boolean; short: boolean };
   saveJson(): void;
@@ -24,7 +25,7 @@ export interface ToolEvents {
   toggleComb(): void;
 }
 
-/** The toolbar, the keys that work everywhere, the help and the theme. */
+/** The toolbar, the global keys, the help and the theme. */
 export class Tools {
   readonly #undo = byId<HTMLButtonElement>('undo');
   readonly #redo = byId<HTMLButtonElement>('redo');
@@ -123,7 +124,7 @@ export class Tools {
       return;
     }
     const key = event.key.toLowerCase();
-    // Keys go to a field that holds what is typed and not yet taken, those of its undo included.
+    // Keys go to a field with an unfinished text, including those of its undo.
     if (element?.matches('[data-edited]')) return;
     const typing =
       element?.closest('select, input[type="text"], textarea') ??
@@ -143,7 +144,7 @@ export class Tools {
       return;
     }
     if (typing) return;
-    // On a button or a row the key presses that.
+    // On a button or a row, Enter presses it.
     if (key === 'enter' && !element?.closest('button, a, summary, input')) {
       event.preventDefault();
       this.editor.begin();

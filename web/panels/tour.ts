@@ -2,11 +2,11 @@ import { recall, remember } from '../model/storage';
 import { byId, write } from './elements';
 
 interface Step {
-  /** The selector of the element that the step speaks of. */
+  /** The selector of the element that the step describes. */
   about: string;
   title: string;
   text: string;
-  /** Whether the step is shown only where something is drawn. */
+  /** Whether the step is shown only if the drawing is not empty. */
   isOfDrawing?: boolean;
 }
 
@@ -42,13 +42,17 @@ const steps: readonly Step[] = [
 /** The gap in CSS pixels between the card, the element that it explains, and the window's edge. */
 const gap = 14;
 
-/** A walk through the page in five steps, shown to who comes for the first time, until it is skipped. */
+/**
+ * A walk through the page in five steps, for users who come for the first time, until they skip it.
+ */
 export class Tour {
   readonly #card = byId('tour');
   readonly #next = byId<HTMLButtonElement>('tour-next');
   #at = 0;
 
-  /** `reveal` shows the panel if it is drawn down; `isDrawn` says whether anything is drawn. */
+  /**
+   * `reveal` shows the panel if it is lowered; `isDrawn` returns whether the drawing is not empty.
+   */
   constructor(
     private readonly reveal: () => void,
     private readonly isDrawn: () => boolean,
@@ -73,12 +77,12 @@ export class Tour {
     });
   }
 
-  /** Begins, unless it was shown before; whoever reads or draws keeps the keys. */
+  /** Begins, unless it was shown before; the focus stays where it is. */
   greet(): void {
     if (recall('tour') === null) this.#show(0);
   }
 
-  /** Goes on where the step that is shown does not fit any more. */
+  /** Moves on when the present step no longer fits. */
   update(): void {
     if (!this.#card.hidden && !this.#fits(this.#at)) this.#show(this.#at + 1);
   }

@@ -19,10 +19,10 @@ const format = (least: number) => ({
   write: (value: number) => `${value}`,
 });
 
-/** Sides that differ by a smaller part of the surface's diagonal are said to be alike. */
+/** Sides that differ less, as a part of the surface's diagonal, count as equal. */
 const least = 1e-4;
 
-/** Numbers by which what is selected is moved, turned and scaled, each as one step. */
+/** Numbers that move, turn and scale the selection, each as one step. */
 export class TransformPanel {
   readonly #panel = byId('transform');
   readonly #transform = byId<HTMLButtonElement>('tool-transform');

@@ -11,7 +11,10 @@ const names: Record<Unit, string> = {
   in: 'inches',
 };
 
-/** The unit of the surface's lengths: guessed, until it is chosen; the browser keeps it for the surface. */
+/**
+ * The unit of the surface's lengths: a guess until the user chooses; the browser keeps the choice
+ * for the surface.
+ */
 export class UnitChoice {
   readonly #select = byId<HTMLSelectElement>('unit');
   #key = '';
@@ -24,7 +27,7 @@ export class UnitChoice {
     });
   }
 
-  /** Shows the unit of a surface, by its key. */
+  /** Shows the unit of the surface with a key. */
   show(key: string): void {
     if (key === this.#key) return;
     this.#key = key;

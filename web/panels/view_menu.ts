@@ -14,7 +14,7 @@ const labels: Record<ViewName, string> = {
   bottom: 'Bottom',
 };
 
-/** Looks that are a person's taste: chosen once they stay, for every surface. */
+/** Looks that are a matter of taste: a choice applies to every surface, and is kept. */
 const keptLooks = [
   ['relief', 'relief'],
   ['ground-shadow', 'groundShadow'],

@@ -3,7 +3,7 @@ import { byId, make } from './elements';
 /** Asks which of several files to open; null if the user chooses none. */
 export function chooseFile(files: readonly File[]): Promise<File | null> {
   const dialog = byId<HTMLDialogElement>('which-dialog');
-  // A second question takes the place of the first.
+  // A second question replaces the first.
   dialog.close();
   return new Promise((resolve) => {
     let chosen: File | null = null;

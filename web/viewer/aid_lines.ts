@@ -9,7 +9,7 @@ import type { Surface } from './surface';
 /** The drawn length of a tangent in the scene, where a surface's diagonal is 2. */
 const tangentLength = 0.16;
 
-/** Lines that help the hand and the eye, beside the drawing: legs, marks, what is being drawn or moved. */
+/** Lines that assist the user beside the drawing: legs, marks, and lines under construction. */
 export class AidLines implements Layer {
   readonly object = new Group();
   readonly #polygon = new FatLine({ width: 1.5, hidden: 0.25 }, 2);
@@ -47,7 +47,7 @@ export class AidLines implements Layer {
     }
   }
 
-  /** The color of the edited object, which lines that stand for it have. */
+  /** Sets the color of the edited object, for lines that stand for it. */
   setOwnColor(own: Color, surface: Color): void {
     for (const line of [this.#sketch, this.#stroke, this.#band]) line.setColor(own, surface);
   }
@@ -60,7 +60,7 @@ export class AidLines implements Layer {
     this.redraw();
   }
 
-  /** The geodesics between control points; bold while they stand for the curve. */
+  /** Shows the geodesics between control points; bold while they stand for the curve. */
   showPolygon(legs: readonly Float32Array[], bold: boolean): void {
     const lines = this.#inScene(legs);
     this.#polygon.set(bold ? [] : lines);
@@ -68,13 +68,13 @@ export class AidLines implements Layer {
     this.redraw();
   }
 
-  /** Shorter ways than the legs of the curve. */
+  /** Shows paths that are shorter than the legs of the curve. */
   showShorter(lines: readonly Float32Array[]): void {
     this.#shorterWays = this.#inScene(lines);
     this.#show(this.#shorter, this.#shorterWays);
   }
 
-  /** The shorter ways, in the scene. */
+  /** The shorter paths, in the scene. */
   get shorter(): readonly Float32Array[] {
     return this.#shorterWays;
   }
@@ -88,12 +88,12 @@ export class AidLines implements Layer {
     this.#show(this.#marks, dots);
   }
 
-  /** Outlines of places of the surface, in its coordinates. */
+  /** Shows outlines of places of the surface, in its coordinates. */
   showPlaces(lines: readonly Float32Array[]): void {
     this.#show(this.#places, this.#inScene(lines));
   }
 
-  /** A curve's tangent at a place, in the surface's coordinates. */
+  /** Shows a curve's tangent at a place, in the surface's coordinates. */
   showTangent(at: { position: Vector; tangent: Vector } | null): void {
     const surface = this.#surface;
     const lines: Float32Array[] = [];
@@ -105,17 +105,17 @@ export class AidLines implements Layer {
     this.#show(this.#tangent, lines);
   }
 
-  /** The way to the point that a click would add, in the scene. */
+  /** Shows the path to the point that a click would add, in the scene. */
   showBand(line: Float32Array | null): void {
     this.#show(this.#band, line ? [line] : []);
   }
 
-  /** A stroke that is being drawn, in the scene. */
+  /** Shows an unfinished stroke, in the scene. */
   showStroke(line: Float32Array | null): void {
     this.#show(this.#stroke, line ? [line] : []);
   }
 
-  /** The frame round what is transformed: polylines in the scene. */
+  /** Shows the frame of a transformation: polylines in the scene. */
   showFrame(lines: readonly Float32Array[]): void {
     this.#show(this.#frame, lines);
   }

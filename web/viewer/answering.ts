@@ -1,6 +1,6 @@
 /**
- * Answers each message to this worker with the result of `make`; `buffersOf` gives the buffers of a result that are
- * transferred. A failure becomes an error event of the worker.
+ * Answers each message to this worker with the result of `make`. `buffersOf` returns the buffers of
+ * a result to transfer. A failure becomes an error event of the worker.
  */
 export function answering<Request, Answer>(
   make: (request: Request) => Promise<Answer>,
@@ -10,7 +10,7 @@ export function answering<Request, Answer>(
     make(data).then(
       (answer) => self.postMessage(answer, { transfer: [...new Set(buffersOf(answer))] }),
       (error) => {
-        // The page would not hear of a promise that fails.
+        // A rejected promise would not reach the page; an error thrown in a timer does.
         setTimeout(() => {
           throw error;
         });

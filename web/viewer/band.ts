@@ -1,6 +1,6 @@
 import { ShaderLib } from 'three';
 
-/** A line's width on the surface, in the scene, and the surface's unit normals along it. */
+/** The width of a line on the surface, in the scene, and the surface's unit normals along it. */
 export interface Band {
   width: number;
   normals(line: Float32Array): Float32Array;
@@ -8,12 +8,13 @@ export interface Band {
 
 const usual = 'vec4 clip = ( position.y < 0.5 ) ? clipStart : clipEnd;';
 
-/** How much nearer to the eye a band is drawn, as a part of its width. */
+/** The part of its width by which a band is drawn nearer to the eye. */
 const lift = 0.25;
 
 /**
- * The vertices of three.js's lines. Those of a line with a width on the surface are moved apart in the surface's
- * plane before they are moved apart on the screen, so that the line is seen as far away and as slanted as the surface.
+ * The vertex shader of three.js's lines. A line with a width on the surface is first widened within
+ * the surface's plane, then on the screen, so that perspective and slant apply to it as to the
+ * surface.
  */
 const bandShader = ShaderLib.line!.vertexShader.replace(
   'void main()',
@@ -36,7 +37,7 @@ const bandShader = ShaderLib.line!.vertexShader.replace(
     vec4 clip = projectionMatrix * eye;`,
 );
 
-/** Gives a material of lines a width on the surface, which is 0 at first. */
+/** Gives a line material a width on the surface, initially 0. */
 export function withBand<Material extends { vertexShader: string; uniforms: object }>(
   material: Material,
 ): { material: Material; band: { value: number } } {

@@ -1,14 +1,17 @@
-/** Lines and bands of equal distance, by which a pattern is painted. */
+/** Lines and bands at equal distances, which paint a pattern. */
 import type { FillStyle } from '../model/drawing';
 
-/** Of each period of distance the part between two parts of it is painted. */
+/** Bars: the painted part of each period of distance, between two fractions of the period. */
 export interface Bars {
   period: number;
   from: number;
   to: number;
 }
 
-/** Null of a solid fill. Lines are a quarter of their spacing wide; the first band lies along the border. */
+/**
+ * The bars of a fill; null for a solid one. Lines are a quarter of their spacing wide; the first
+ * band lies along the border.
+ */
 export function barsOf({ pattern, spacing }: Pick<FillStyle, 'pattern' | 'spacing'>): Bars | null {
   if (pattern === 'solid' || spacing === null) return null;
   return pattern === 'hatched'
@@ -21,10 +24,13 @@ export const partPainted = ({ from, to }: Bars) => to - from;
 /** A place on paper, and its distance. */
 type Valued = readonly [number, number, number];
 
-/** A triangle with more bars is painted as it is: it is far smaller on paper than one of them is wide. */
+/** A triangle with more bars is painted solid: on paper it is far smaller than a bar is wide. */
 const mostBars = 64;
 
-/** The triangles that are painted of one with distances at its corners: x and y of each corner. */
+/**
+ * The painted parts of a triangle with distances at its corners: x and y of the corners of
+ * triangles.
+ */
 export function paintedParts(triangle: readonly Valued[], { period, from, to }: Bars): number[] {
   const values = triangle.map(([, , value]) => value / period);
   const first = Math.floor(Math.min(...values));
@@ -41,7 +47,7 @@ export function paintedParts(triangle: readonly Valued[], { period, from, to }: 
   return triangles;
 }
 
-/** What is left of a polygon where its distance is above a limit, or below with the sign -1. */
+/** The part of a polygon where its distance is above a limit, or with sign -1 below it. */
 function clipped(polygon: readonly Valued[], limit: number, sign: 1 | -1): Valued[] {
   const heights = polygon.map(([, , value]) => sign * (value - limit));
   const left: Valued[] = [];

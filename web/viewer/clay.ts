@@ -23,10 +23,10 @@ export interface SurfaceColors {
   edges: string;
 }
 
-/** The part of the light that a hollow loses at most. */
+/** The largest part of the light that a hollow loses. */
 const reliefShown = 0.55;
 
-/** The values that the vertex shader passes on to the fragment shader. */
+/** Values from the vertex shader to the fragment shader. */
 const varyings = `
     varying vec3 vNormal;
     varying vec3 vEye;
@@ -34,10 +34,10 @@ const varyings = `
     varying vec3 vTint;
     varying float vHollow;`;
 
-/** How much lighter a ridge is, as a part of how much darker a hollow is. */
+/** The factor between the lightening of a ridge and the darkening of a hollow. */
 const litRidges = 0.25;
 
-/** The light, which is the surface's and that of what is painted on it. */
+/** The uniforms of the light, for the surface and the paint on it. */
 const light = {
   sky: { value: new Color() },
   ground: { value: new Color() },
@@ -46,8 +46,9 @@ const light = {
 };
 
 /**
- * The part of its distance by which the surface is moved back for each unit of its slope. A sloped surface
- * rises beside a line and would hide half of the line's width. Steeper slopes count as this one.
+ * The distance by which the surface is moved back for each unit of its slope, as a part of its
+ * distance from the camera. A sloped surface rises beside a line and would hide half of the line's
+ * width. Steeper slopes count as this one.
  */
 const sunk = { value: 0 };
 const steepest = 4;
@@ -55,20 +56,21 @@ const steepest = 4;
 /** The size of a CSS pixel at a distance of 1. */
 const pixel = { value: 1 };
 /**
- * The width in pixels of the neighborhoods that relief shows best; those four times as wide or narrow fade out.
+ * The width in pixels of the neighborhoods that relief shows best; it fades out for those four
+ * times as wide or narrow.
  */
 const reliefPixels = 16;
 
 /**
- * Sets the reach to both sides, in CSS pixels, of lines that must be visible whole, for a stage of a given
- * height.
+ * Adapts the surface to a stage of a given height, for lines that reach this many CSS pixels to
+ * both sides and must be visible whole.
  */
 export function fitSurface(pixels: number, camera: PerspectiveCamera, height: number): void {
   pixel.value = (2 * Math.tan((camera.fov * Math.PI) / 360)) / height;
   sunk.value = pixels * pixel.value;
 }
 
-/** Clay lit by a soft sky and a key light that goes with the camera. */
+/** Clay under a soft sky and a key light that moves with the camera. */
 const clay = {
   uniforms: {
     front: { value: new Color() },
@@ -160,8 +162,8 @@ const clay = {
 };
 const material = new ShaderMaterial(clay);
 /**
- * The inner sides, if both sides are visible. They are moved back the most, whatever their slope, so that no
- * specks of them show before the outer sides at the rim.
+ * The inner sides, if both sides are visible. They are moved back the most whatever their slope, so
+ * that no specks of them show before the outer sides at the rim.
  */
 const inner = new ShaderMaterial({
   ...clay,
@@ -177,7 +179,7 @@ export function clayMesh(geometry: BufferGeometry): Mesh {
   return new Mesh(geometry, materials);
 }
 
-/** The same clay of another color, over the surface that it lies on, or of its bars. */
+/** The same clay in another color, over the surface that it lies on, or over its bars. */
 export function paint(color: Color, opacity: number, bars: Bars | null = null): ShaderMaterial {
   return new ShaderMaterial({
     ...clay,
@@ -188,7 +190,7 @@ export function paint(color: Color, opacity: number, bars: Bars | null = null): 
       bars: { value: bars ? new Vector3(bars.period, bars.from, bars.to) : new Vector3() },
     },
     side: inner.visible ? DoubleSide : material.side,
-    // Opaque ones count as transparent, so that they are not drawn before all that really are.
+    // Opaque paint counts as transparent, so that it is drawn in order with the paint that is.
     transparent: true,
     depthWrite: false,
     polygonOffset: true,
@@ -197,7 +199,7 @@ export function paint(color: Color, opacity: number, bars: Bars | null = null): 
   });
 }
 
-/** The sides that are drawn: hidden ones would show as specks at the silhouette. */
+/** The sides to draw: hidden ones would show as specks at the silhouette. */
 const sides = { front: FrontSide, back: BackSide, both: FrontSide };
 
 export const edgeMaterial = new MeshBasicMaterial({
@@ -207,12 +209,12 @@ export const edgeMaterial = new MeshBasicMaterial({
   depthWrite: false,
 });
 
-/** Turns the light round the line of sight, by an angle in radians; it goes with the camera. */
+/** Turns the light around the line of sight, by an angle in radians; it moves with the camera. */
 export function turnLight(angle: number): void {
   light.key.value.applyAxisAngle(new Vector3(0, 0, 1), angle);
 }
 
-/** Whether hollows are darker. */
+/** Sets whether hollows are darker. */
 export function showRelief(shown: boolean): void {
   light.relief.value = shown ? reliefShown : 0;
 }
@@ -224,7 +226,7 @@ export function colorSurface(colors: SurfaceColors): void {
   edgeMaterial.color.set(colors.edges);
 }
 
-/** Shows a surface as plain clay, with the given sides outside. */
+/** Shows a surface as plain clay, with these sides outside. */
 export function showClay(outside: DrawnGeometry['outside']): void {
   material.side = sides[outside];
   inner.visible = outside === 'both';

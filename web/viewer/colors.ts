@@ -6,7 +6,7 @@ export interface ViewerColors {
   back: string;
   sky: string;
   ground: string;
-  /** The ground below the surface, where the surface hides the sky from it. */
+  /** The ground below the surface, where the surface hides the sky. */
   shadow: string;
   edges: string;
   curve: string;
@@ -16,24 +16,30 @@ export interface ViewerColors {
   center: string;
   /** The halo around selected objects. */
   chosen: string;
-  /** The frame around the objects that are transformed. */
+  /** The frame around objects under transformation. */
   frame: string;
 }
 
-/** The brightness of most of the surface, as a part of its color. */
+/** The brightness of most of the surface under the light, as a part of its color. */
 const surfaceShade = 0.75;
 
-/** The color of most of the surface, as it is lit. */
+/** The color of most of the surface under the light. */
 export const litSurface = ({ front }: ViewerColors): Color =>
   new Color(front).multiplyScalar(surfaceShade);
 
-/** Shades of the surface as parts of its color, from its shadows to where it faces the light. */
+/**
+ * The shades of the surface as parts of its color, from its shadows to the places that face the
+ * light.
+ */
 const shades = [0.15, 0.3, 0.5, 0.75, 1, 1.2];
 
-/** The distance in OKLab below which a thin line is hard to see: five times the least difference that people see. */
+/**
+ * The distance in OKLab below which a thin line is hard to see: five times the smallest visible
+ * difference.
+ */
 const leastApart = 5 * 0.02;
 
-/** A color in OKLab, where distances are as large as they look. */
+/** A color in OKLab, where distances correspond to visible differences. */
 function oklab({ r, g, b }: Color): [number, number, number] {
   const l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
   const m = Math.cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);

@@ -5,19 +5,21 @@ import { FatLine } from './fat_line';
 import type { Layer } from './layer';
 import type { Surface } from './surface';
 
-/** The distance between teeth, in the scene; a surface's diagonal is 2. */
+/** The distance between teeth in the scene, where a surface's diagonal is 2. */
 const spacing = 0.011;
 const [fewestTeeth, mostTeeth] = [16, 600];
-/** The length that most teeth do not exceed at first, in the scene; a surface's diagonal is 2. */
+/**
+ * The initial length that most teeth do not exceed, in the scene, where a surface's diagonal is 2.
+ */
 const usualLength = 0.12;
 /** The part of the teeth that do not exceed that length. */
 const usualShare = 0.9;
 
 /** The facts that a comb shows, in the surface's coordinates. */
 export interface CombFacts {
-  /** The greatest geodesic curvature, without its sign; null without teeth. */
+  /** The greatest absolute geodesic curvature; null without teeth. */
   greatest: number | null;
-  /** Places without teeth. */
+  /** The number of places without teeth. */
   corners: number;
 }
 
@@ -39,8 +41,8 @@ export class CombLayer implements Layer {
   }
 
   /**
-   * Shows the combs of lines in the surface's coordinates. Stretches shorter than `meanEdge` give no curvature. The
-   * length of the teeth is fitted again unless it has to stay, such as during a drag.
+   * Shows the combs of lines in the surface's coordinates. Stretches shorter than `meanEdge` have
+   * no curvature. The length of the teeth is fitted again unless it must stay, as in a drag.
    */
   show(
     surface: Surface | null,

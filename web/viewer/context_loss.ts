@@ -1,9 +1,10 @@
 import { Mesh, type Object3D } from 'three';
 
 /**
- * Survives the loss of a canvas's drawing context: the browser takes it away and gives it back empty, such as after a
- * fault of the graphics driver. Resources of three.js for the scenes are given up while there is no context; later
- * they would be deleted in a context that they do not belong to.
+ * Recovers from the loss of a canvas's drawing context: the browser takes it away and returns it
+ * empty, for example after a fault of the graphics driver. The scenes' resources are disposed of
+ * while the context is lost; later three.js would delete them in the new context, to which they do
+ * not belong.
  */
 export function outliveContextLoss(
   canvas: HTMLCanvasElement,

@@ -8,10 +8,10 @@ import type { Layer } from './layer';
 import { dotAt } from './object_lines';
 import type { Surface } from './surface';
 
-/** Distances as colors of the surface, and as isolines, from a dot. */
+/** Shows distances as colors of the surface, and as isolines, from a dot. */
 export class DistanceLayer implements Layer {
   readonly object = new Group();
-  // Isolines lie below the curves, and are drawn only where the surface is seen.
+  // Isolines lie below the curves, and are drawn only where the surface is visible.
   readonly #lines = new FatLine({ width: 1.25, hidden: 0 }, 0);
   readonly #dot = new FatLine({ width: 11, hidden: 0 }, 1);
   #surface: Surface | null = null;
@@ -20,7 +20,7 @@ export class DistanceLayer implements Layer {
     this.object.add(this.#lines.object, this.#dot.object);
   }
 
-  /** Shows the distances of a surface in place of earlier ones. */
+  /** Shows the distances of a surface instead of earlier ones. */
   show(
     surface: Surface | null,
     distances: TracedDistances | null,

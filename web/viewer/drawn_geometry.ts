@@ -4,7 +4,7 @@ import type { UpAxis } from '../model/meshes';
 import type { Frame } from './frame';
 
 export interface DrawnGeometry {
-  /** The mesh that the geometry is made of. */
+  /** The mesh of the geometry. */
   mesh: MeshBlobs;
   frame: Frame;
   /** Positions in the scene's coordinates. */
@@ -13,16 +13,16 @@ export interface DrawnGeometry {
   /** The depth of each vertex among its neighborhoods (`hollows.ts`). */
   hollows: Int8Array;
   triangles: Uint32Array;
-  /** Bytes of red, green and blue at the vertices; null for clay. */
+  /** The colors of the vertices, in bytes of red, green and blue; null for clay. */
   colors: Uint8Array | null;
   tree: SerializedBVH;
-  /** Which sides of the triangles are seen from outside. */
+  /** The sides of the triangles that face outwards. */
   outside: 'front' | 'back' | 'both';
 }
 
 export interface GeometryRequest {
   mesh: MeshBlobs;
-  /** Bytes of red, green and blue at the vertices, of a file that has colors. */
+  /** The colors of the vertices, in bytes of red, green and blue, if the file has colors. */
   colors?: Uint8Array | null;
   /** Whether the surface has no boundary. */
   closed: boolean;

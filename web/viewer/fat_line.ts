@@ -21,35 +21,41 @@ export interface LineStyle {
   width: number;
   /** Dash and gap in the scene's units; without them the line is solid. */
   dash?: readonly [number, number] | null;
-  /** The part of the color that is left where the surface hides the line. */
+  /** The part of the color that remains where the surface hides the line. */
   hidden: number;
   /** The width on the surface, in addition to the one in pixels. */
   band?: Band | null;
-  /** The opacity; below 1 the line lets through what lies below it. */
+  /** The opacity; below 1 the line shows what lies below it. */
   opacity?: number;
-  /** A number from 1 to 254, by which the stencil keeps apart lines that are not opaque. */
+  /**
+   * A number from 1 to 254 that marks a line in the stencil, to separate overlapping lines that are
+   * not opaque.
+   */
   mark?: number;
-  /** `inside` is not seen, but keeps its pixels free of what is `around`. */
+  /** An `inside` line is invisible, and reserves its pixels from lines that are `around`. */
   frames?: 'inside' | 'around' | null;
 }
 
-/** The stencil's mark of pixels that are kept free. */
+/** The stencil's mark of reserved pixels. */
 const free = 255;
 
 /**
- * The part of the distance to the camera by which lines are drawn nearer, so that the surface does not cut
- * them.
+ * The part of the distance to the camera by which lines are drawn nearer, so that the surface does
+ * not cut them.
  */
 const nearer = 0.003;
 
-/** The part of a line's width that is left where the surface hides it. */
+/** The part of a line's width that remains where the surface hides it. */
 const hiddenWidth = 0.55;
 
-/** Dash and gap of lines that stand in for others, such as a part of a curve without a center. */
+/** Dash and gap of lines that replace others, such as a part of a curve without a center. */
 export const fineDash = [0.009, 0.006] as const;
 const smallest = 256;
 
-/** A geometry without an index: with one, software rendering in Chromium 156 draws the first instance alone. */
+/**
+ * A geometry without an index: with one, software rendering in Chromium 156 draws only the first
+ * instance.
+ */
 function segmentGeometry(): LineSegmentsGeometry {
   const geometry = new LineSegmentsGeometry();
   if (!geometry.index) return geometry;
@@ -58,8 +64,8 @@ function segmentGeometry(): LineSegmentsGeometry {
 }
 
 /**
- * Polylines of constant width on the screen, or on the surface; hidden parts show through faintly. The buffers
- * are kept and only grow, so that a drag allocates none.
+ * Polylines of constant width on the screen, or on the surface; hidden parts are visible faintly.
+ * Buffers are reused and only grow, so that a drag allocates none.
  */
 export class FatLine {
   readonly object = new Group();
@@ -68,12 +74,12 @@ export class FatLine {
   #left: number;
   #opacity = 1;
   #normals: Band['normals'] | null = null;
-  /** Sets the shown polylines again, for another style. */
+  /** Sets the visible polylines again, for another style. */
   #again = () => {};
   #geometry = new LineSegmentsGeometry();
   #ends = new Float32Array(0);
   #distances = new Float32Array(0);
-  /** Along the segments, where the line has a width on the surface. */
+  /** Directions across the line, along the segments, if it has a width on the surface. */
   #asides = new Float32Array(0);
   #segments = 0;
 
@@ -82,7 +88,8 @@ export class FatLine {
     const common = { transparent: true, depthWrite: false };
     const made = [0, 1].map(() => withBand(new LineMaterial(common)));
     const [hidden, seen] = made.map(({ material }) => material) as [LineMaterial, LineMaterial];
-    // The color is mixed beforehand: the segments' round ends lie over each other, and would show as beads.
+    // The color is mixed beforehand: transparent segments would show their overlapping round ends
+    // as beads.
     hidden.depthFunc = GreaterDepth;
     hidden.visible = style.hidden > 0;
     this.#materials = [hidden, seen];
@@ -122,19 +129,19 @@ export class FatLine {
     if (isNew) this.#again();
   }
 
-  /** The line's color, and the surface's around it. */
+  /** Sets the line's color, and that of the surface around it. */
   setColor(color: Color, surface: Color): void {
     const [hidden, seen] = this.#materials;
     seen!.color.copy(color);
     hidden!.color.copy(surface).lerp(color, this.#left * this.#opacity);
   }
 
-  /** Whether what the surface hides shows through. */
+  /** Sets whether parts behind the surface are visible. */
   showHidden(shown: boolean): void {
     this.#materials[0]!.visible = shown && this.#left > 0;
   }
 
-  /** Takes the lines nearer to the camera, each point along its own ray. */
+  /** Moves the lines nearer to the camera, each point along its own ray. */
   follow(camera: Vector3): void {
     this.object.position.copy(camera).multiplyScalar(nearer);
     this.object.scale.setScalar(1 - nearer);
@@ -146,7 +153,7 @@ export class FatLine {
     this.#upload();
   }
 
-  /** Shows these polylines, x, y, z each, instead of what was there. */
+  /** Shows these polylines, x, y, z each, instead of earlier ones. */
   set(polylines: readonly Float32Array[]): void {
     this.#again = () => this.set(polylines);
     const count = polylines.reduce((sum, line) => sum + Math.max(0, line.length / 3 - 1), 0);
@@ -159,7 +166,7 @@ export class FatLine {
     this.#upload();
   }
 
-  /** Shows the segments of a polyline that the choice takes. */
+  /** Shows the segments of a polyline that `choice` accepts. */
   setChosen(line: Float32Array, choice: (segment: number) => boolean): void {
     this.#again = () => this.setChosen(line, choice);
     this.#reserve(line.length / 3);

@@ -3,8 +3,8 @@ import type { UpAxis } from '../model/meshes';
 type Vector = [number, number, number];
 
 /**
- * Takes a surface's coordinates to the scene's: the bounding box's center to 0, its diagonal to 2, and
- * its axis up to y.
+ * Maps a surface's coordinates to the scene's: the bounding box's center to 0, its diagonal to 2,
+ * and its axis up to y.
  */
 export interface Frame {
   center: Vector;
@@ -12,7 +12,10 @@ export interface Frame {
   up: UpAxis;
 }
 
-/** Which of a surface's coordinates each of the scene's is, and its sign: rotations all. */
+/**
+ * The surface's coordinate and its sign for each coordinate of the scene: all of these are
+ * rotations.
+ */
 const turns: Readonly<Record<UpAxis, readonly (readonly [number, number])[]>> = {
   x: [
     [1, -1],
@@ -31,19 +34,19 @@ const turns: Readonly<Record<UpAxis, readonly (readonly [number, number])[]>> = 
   ],
 };
 
-/** A direction of the surface's coordinates, in the scene's. */
+/** A direction in the surface's coordinates, converted to the scene's. */
 export function directionInScene(up: UpAxis, direction: ArrayLike<number>): Vector {
   return turns[up].map(([axis, sign]) => sign * direction[axis]!) as Vector;
 }
 
-/** A direction of the scene's coordinates, in the surface's. */
+/** A direction in the scene's coordinates, converted to the surface's. */
 export function directionFromScene(up: UpAxis, direction: ArrayLike<number>): Vector {
   const result: Vector = [0, 0, 0];
   for (const [i, [axis, sign]] of turns[up].entries()) result[axis] = sign * direction[i]!;
   return result;
 }
 
-/** Places in the surface's coordinates, x, y, z each, in the scene's. */
+/** Places in the surface's coordinates, x, y, z each, converted to the scene's. */
 export function placesInScene(
   { center, scale, up }: Frame,
   places: ArrayLike<number>,
@@ -58,7 +61,7 @@ export function placesInScene(
   return result;
 }
 
-/** A place in the surface's coordinates, in the scene's, in doubles. */
+/** A place in the surface's coordinates, converted to the scene's, in doubles. */
 export function placeInScene({ center, scale, up }: Frame, place: Vector): Vector {
   return directionInScene(
     up,
@@ -66,7 +69,7 @@ export function placeInScene({ center, scale, up }: Frame, place: Vector): Vecto
   );
 }
 
-/** A place of the scene in the surface's coordinates. */
+/** A place of the scene, converted to the surface's coordinates. */
 export function placeFromScene({ center, scale, up }: Frame, place: ArrayLike<number>): Vector {
   return directionFromScene(up, place).map(
     (value, axis) => value / scale + center[axis]!,

@@ -8,7 +8,10 @@ import { frameOf, geometryInScene, treeOf } from './scene_mesh';
 
 type Corners = [number, number, number];
 
-/** The sides of triangles that face outwards: the sign of the volume that a closed surface encloses says so. */
+/**
+ * The sides of triangles that face outwards, from the sign of the volume that a closed surface
+ * encloses.
+ */
 function outsideOf(positions: Float32Array, triangles: Uint32Array): 'front' | 'back' {
   let volume = 0;
   for (let i = 0; i < triangles.length; i += 3) {

@@ -19,28 +19,40 @@ import { FullScreenQuad } from 'three/addons/postprocessing/Pass.js';
 import type { Surface } from './surface';
 
 /**
- * The heights above the ground, an octave apart, whose shadows are kept apart, in the scene, where a surface is 2
- * wide at most. Below the first all shadows are as sharp as of it.
+ * The heights above the ground, an octave apart, that have a shadow each, in the scene, where a
+ * surface is 2 wide at most. Below the first height all shadows are as sharp as its own.
  */
 const heights = [0.06, 0.12, 0.24, 0.48] as const;
 /**
- * Of a wide sky, what lies at a height h hides h² / (π (h² + d²)²) for each unit of its area from a place of the
- * ground at a distance d: half of its shadow is within h. A bell has half of it within 1.18 of its width.
+ * Under a wide sky, a unit of area at height h hides h² / (π (h² + d²)²) from a place of the ground
+ * at distance d: half of its shadow lies within h. A bell curve has half of its mass within 1.18 of
+ * its width.
  */
 const bellWidths = heights.map((height) => height / Math.sqrt(2 * Math.log(2)));
 const widest = Math.max(...bellWidths);
-/** Half the side of the square of ground that has a shadow: no surface is longer than 1, and its shadow is wider. */
+/**
+ * Half the side of the square of ground with a shadow: no surface is longer than 1, and its shadow
+ * is wider.
+ */
 const reach = 1 + 2 * widest;
-/** Points of the square's side at which the shadow is known: four in the width of the sharpest bell. */
+/** The resolution of the square's side: four points in the width of the sharpest bell. */
 const side = Math.ceil((4 * 2 * reach) / Math.min(...bellWidths));
-/** The number of samples of a bell to each side of its middle: those of more than a tenth of a percent. */
+/**
+ * The number of samples of a bell on each side of its middle: those of more than a tenth of a
+ * percent.
+ */
 const bellSteps = Math.ceil((3.7 * widest * side) / (2 * reach));
-/** How much of the ground's color is lost where nothing of the sky is seen. */
+/**
+ * The largest part of the ground's color that shadow removes, where the sky is hidden completely.
+ */
 const darkest = 0.7;
 
 const list = (values: readonly number[]) => values.map((value) => value.toFixed(6)).join(', ');
 
-/** How much of each height lies above a place, seen from below: four numbers, of which two are not 0. */
+/**
+ * The amount of surface above a place at each height, seen from below: four numbers, two of which
+ * are 0.
+ */
 const castMaterial = () =>
   new ShaderMaterial({
     uniforms: { ground: { value: 0 } },
@@ -64,7 +76,7 @@ const castMaterial = () =>
     blending: NoBlending,
   });
 
-/** Each height's shadow blurred along one direction. */
+/** Blurs the shadow of each height along one direction. */
 const blurMaterial = () =>
   new ShaderMaterial({
     uniforms: { from: { value: null }, along: { value: new Vector2() } },
@@ -93,7 +105,7 @@ const blurMaterial = () =>
     blending: NoBlending,
   });
 
-/** The soft shadow of a surface on the ground that it stands on, under a wide sky. */
+/** The soft shadow of a surface on the ground below it, under a wide sky. */
 export class GroundShadow {
   readonly object: Mesh;
   readonly #material = new ShaderMaterial({
@@ -118,7 +130,8 @@ export class GroundShadow {
         #include <colorspace_fragment>
         gl_FragColor *= hidden;
       }`,
-    // From above the surface is before the ground everywhere, so the ground is drawn first. From below it is not seen.
+    // From above, the surface is before the ground everywhere, so the ground is drawn first. From
+    // below, the ground is invisible.
     depthTest: false,
     depthWrite: false,
     blending: CustomBlending,
@@ -138,13 +151,16 @@ export class GroundShadow {
     this.#material.uniforms.color!.value.set(color);
   }
 
-  /** The surface has changed, or the drawing context is lost: the shadow is rendered when it is shown next. */
+  /**
+   * Discards the shadow, because the surface has changed or the drawing context is lost; it is
+   * rendered when next shown.
+   */
   forget(): void {
     this.#target?.dispose();
     this.#target = null;
   }
 
-  /** Makes the shadow where it is shown and not made yet. */
+  /** Renders the shadow if it is shown and missing. */
   prepare(renderer: WebGLRenderer, surface: Surface): void {
     if (!this.object.visible || this.#target) return;
     const ground = surface.lowest;

@@ -6,14 +6,17 @@ import type { Surface } from './surface';
 
 type Drawn = Omit<ObjectDrawing, 'id' | 'locked'>;
 
-/** How much wider than its line the halo of a selected object is, in CSS pixels; a seam lies between them. */
+/**
+ * The width of the halo of a selected object beyond its line, in CSS pixels; a seam lies between
+ * them.
+ */
 const [haloWider, seamWider] = [8, 3];
-/** How much wider than its line the rim is, where the line's color is among the surface's shades. */
+/** The width of the rim beyond its line, if the line's color is among the surface's shades. */
 const rimWider = 2.5;
 
 const plain = { id: 0, locked: true };
 
-/** Lines of one color under the lines of objects. */
+/** Lines of one color below the lines of objects. */
 const around = (objects: readonly Drawn[]): ObjectDrawing[] =>
   objects.map(({ style: { width, onSurface }, lines, dots }) => ({
     ...plain,
@@ -24,10 +27,13 @@ const around = (objects: readonly Drawn[]): ObjectDrawing[] =>
 
 /** Halos around lines that are selected, that a click would take, or that are hard to see. */
 export class Halos {
-  /** The lines, cut out of their halos: the surface shows between dashes and through lines that are not opaque. */
+  /**
+   * The lines, cut out of their halos: the surface is visible between dashes and through
+   * transparent lines.
+   */
   readonly #inside = new ObjectLines(0.1, { hidden: 0, frames: 'inside' });
   readonly #halo = new ObjectLines(0.2, { hidden: 0, wider: haloWider, frames: 'around' });
-  /** A seam between halo and line, so that the halo is seen beside a line of any color. */
+  /** A seam between halo and line, so that the halo is visible beside a line of any color. */
   readonly #seam = new ObjectLines(0.5, { hidden: 0, wider: seamWider, frames: 'around' });
   readonly #hover = new ObjectLines(0.8, { hidden: 0, wider: seamWider, frames: 'around' });
   readonly #rim = new ObjectLines(1, { hidden: 0, wider: rimWider });
@@ -65,7 +71,10 @@ export class Halos {
     for (const lines of this.#all) lines.follow(camera);
   }
 
-  /** The dashes are those of the line. A line that is not opaque has no rim, which would show through. */
+  /**
+   * The rim of an object, with the dashes of its line. A transparent line has no rim, which would
+   * show through.
+   */
   #rimOf({ style, lines, dots }: Drawn): ObjectDrawing[] {
     if (
       style.opacity < 1 ||

@@ -2,18 +2,21 @@ import type { Vector3 } from 'three';
 import type { Viewer } from './viewer';
 
 export interface Handle {
-  /** The handle's name, which stays with the point while it moves. */
+  /** The handle's id, which stays with the point while it moves. */
   id: string;
   position: Vector3;
   label: string;
-  /** Text beside the handle while it is selected or pointed at. */
+  /** Text beside the handle when it is selected or under the pointer. */
   tag: string;
   look: 'point' | 'center' | 'rim' | 'anchor' | 'tangent' | 'corner' | 'turn' | 'move' | 'pivot';
   selected: boolean;
 }
 
 export interface HandleEvents {
-  /** A drag's start, next position (of the handle's middle, in the window's pixels) and end. */
+  /**
+   * The start of a drag, its next position (of the handle's middle, in the window's pixels) and its
+   * end.
+   */
   grab(id: string, clientX: number, clientY: number): void;
   drag(id: string, clientX: number, clientY: number): void;
   release(id: string, cancelled: boolean): void;
@@ -21,7 +24,9 @@ export interface HandleEvents {
   key(id: string, event: KeyboardEvent): void;
 }
 
-/** Handles of constant size over the canvas: real buttons, so that keys and readers reach them. */
+/**
+ * Handles of constant size over the canvas: real buttons, accessible to keys and screen readers.
+ */
 export class Handles {
   readonly #buttons = new Map<string, { button: HTMLButtonElement; handle: Handle }>();
   readonly #preview = document.createElement('div');
@@ -31,12 +36,12 @@ export class Handles {
   #minima: { element: HTMLElement; position: Vector3 }[] = [];
   readonly #beacon = document.createElement('div');
   #beaconPosition: Vector3 | null = null;
-  /** The drag that is going on: its pointer, and how far from the handle's middle that is. */
+  /** The drag under way: its pointer, and that pointer's offset from the handle's middle. */
   #held: { button: HTMLButtonElement; id: string; pointer: number; x: number; y: number } | null =
     null;
   /** The number of times that handles were shown. */
   #shows = 0;
-  /** Whether several fingers are down, which mean the view. */
+  /** Whether several fingers are down; they move the view. */
   severalFingers: () => boolean = () => false;
 
   constructor(
@@ -58,12 +63,12 @@ export class Handles {
     viewer.onFrame(() => this.#place());
   }
 
-  /** Shows these handles only; a drag of one that is not among them is taken back. */
+  /** Shows these handles only; a drag of any other is undone. */
   show(handles: readonly Handle[]): void {
     const ids = new Set(handles.map(({ id }) => id));
     const shows = ++this.#shows;
     if (this.#held && !ids.has(this.#held.id)) this.letGo();
-    // Handles that stay are in the page already.
+    // Handles that remain are already in the page.
     if (shows !== this.#shows) return;
     for (const [id, { button }] of this.#buttons) {
       if (ids.has(id)) continue;
@@ -89,8 +94,8 @@ export class Handles {
   }
 
   /**
-   * Where a click would put a point: on the surface, into the curve, or on what it snaps to, with its
-   * name; or what is measured.
+   * Marks the place where a click would put a point: on the surface, in the curve, or on the target
+   * that it snaps to, with its name; or the measured place.
    */
   showPreview(
     position: Vector3 | null,
@@ -105,7 +110,7 @@ export class Handles {
     if (position) this.viewer.requestFrame();
   }
 
-  /** The center of mass; it follows from the points, and is not dragged. */
+  /** Shows the center of mass, which follows from the points and cannot be dragged. */
   showCenter(position: Vector3 | null): void {
     this.#centerPosition = position;
     this.#mark(this.#center, position !== null);
@@ -135,7 +140,7 @@ export class Handles {
     this.viewer.requestFrame();
   }
 
-  /** Shows or hides one of the marks, which stays in the layer once it was shown. */
+  /** Shows or hides one of the marks; it stays in the layer after its first use. */
   #mark(mark: HTMLElement, shown: boolean): void {
     if (shown && !mark.isConnected) this.layer.append(mark);
     mark.hidden = !shown;
@@ -145,7 +150,7 @@ export class Handles {
     this.#buttons.get(id)?.button.focus({ preventScroll: true });
   }
 
-  /** Where a handle is in the window, in CSS pixels. */
+  /** The place of a handle in the window, in CSS pixels. */
   place(id: string): { x: number; y: number } | null {
     const handle = this.#buttons.get(id)?.handle;
     if (!handle) return null;
@@ -159,7 +164,7 @@ export class Handles {
     return this.#held?.pointer ?? null;
   }
 
-  /** Takes back the drag that is going on. */
+  /** Undoes the drag under way. */
   letGo(): void {
     const held = this.#held;
     if (!held) return;
@@ -167,7 +172,7 @@ export class Handles {
     held.button.releasePointerCapture(held.pointer);
   }
 
-  /** Escape takes back the drag that is going on, and ends it. */
+  /** Escape undoes the drag under way and ends it. */
   #key(event: KeyboardEvent): void {
     if (event.key !== 'Escape' || !this.#held) return;
     event.preventDefault();
@@ -210,7 +215,7 @@ export class Handles {
     button.className = 'handle';
     button.dataset.id = id;
     button.addEventListener('mousedown', (event) => {
-      // The menu is for all selected points, and a focus would select this one alone.
+      // The menu applies to all selected points, and a focus would select only this one.
       const isMenu = event.button === 2;
       if (isMenu && button.getAttribute('aria-pressed') === 'true') event.preventDefault();
     });

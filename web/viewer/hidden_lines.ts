@@ -5,29 +5,33 @@ import { type Mesh, outlineOf } from './outline';
 
 /** The step along lines between tests of visibility, in the scene; a surface's diagonal is 2. */
 const step = 0.008;
-/** How much nearer than a line, in the scene, a face must be to hide it: the faces that the line lies on do not. */
+/**
+ * The distance by which a face must be nearer than a line to hide it, in the scene: the faces under
+ * the line must not.
+ */
 const grain = 0.004;
 /**
- * Where the surface turns away, its facets may hide the contour itself: there it is seen where a place
- * beside it is, so many edges away, which on one side is off the surface.
+ * The distance, in edges, of two places beside a contour whose visibility decides its own. Facets
+ * may hide the contour itself where the surface turns away, and on one side the place is off the
+ * surface.
  */
 const asideEdges = 0.4;
 const [leastAside, mostAside] = [0.002, 0.02];
 /** The least length of a gap and of a visible piece: facets cause shorter ones. */
 const speck = 0.02;
-/** The least length of a crease; shorter ones are the grain of a rough surface. */
+/** The least length of a crease; on a rough surface shorter ones are only grain. */
 const shortestCrease = 0.06;
 
 export interface Sight {
   eye: [number, number, number];
-  /** The matrix from the scene to the camera's cube, by columns. */
+  /** The matrix from the scene to the camera's cube, in column order. */
   matrix: number[];
   /** The size of the stage, in CSS pixels. */
   width: number;
   height: number;
 }
 
-/** The surface's outline as it is seen: x, y of its lines' points in CSS pixels of the stage. */
+/** The surface's visible outline: x, y of its lines' points in CSS pixels of the stage. */
 export function seenOutline(mesh: Mesh, tree: MeshBVH, sight: Sight): Float32Array[] {
   const { contours, creases, boundary } = outlineOf(mesh, sight.eye);
   const aside = Math.min(mostAside, Math.max(leastAside, asideEdges * meanEdge(mesh)));
@@ -40,7 +44,10 @@ export function seenOutline(mesh: Mesh, tree: MeshBVH, sight: Sight): Float32Arr
   return parts.map((part) => onStage(part, sight));
 }
 
-/** The parts of a line that are before the camera and not hidden, or not so far aside of it on one side. */
+/**
+ * The parts of a line in front of the camera that are visible, either on the line or at `aside`
+ * from it on one side.
+ */
 export function visibleParts(
   line: Float32Array,
   tree: MeshBVH,

@@ -1,12 +1,11 @@
 /**
- * How the surface bends at each vertex, for relief: how much a neighborhood of each of `hollowRadii` sinks,
- * as `widths` bytes a vertex, positive in hollows, negative on ridges, 0 where it is flat or a saddle
- * bends as much to both sides.
- *
- * A triangle's bend is the flux of its normals through its border, which is the integral of twice the mean
- * curvature whatever the triangle's shape; heat that flows along the surface spreads it to a radius, so it
- * does not matter how finely a place is cut into triangles. Positions are of the scene, in which a surface
- * is about 2 wide.
+ * The bending of the surface at each vertex, for relief: how much its neighborhood of each of
+ * `hollowRadii` sinks, as `hollowWidths` bytes a vertex, positive in hollows, negative on ridges,
+ * and 0 where the surface is flat or a saddle bends equally to both sides.
+ * A triangle's bend is the flux of its normals through its border: the integral of twice the mean
+ * curvature, for any shape of the triangle. Heat that flows along the surface spreads it to a
+ * radius, so that the result does not depend on the size of the triangles. Positions are in the
+ * scene, where a surface is about 2 wide.
  */
 export function hollowsOf(
   positions: Float32Array,
@@ -17,7 +16,7 @@ export function hollowsOf(
   const hollows = new Int8Array(hollowWidths * count);
   const { areas, bends, weights } = measured(positions, normals, triangles);
   const curvatures = new Float64Array(count);
-  // The solutions go from the finest to the widest; each begins with the previous one.
+  // Solutions are computed from the finest to the widest; each starts from the previous one.
   for (let width = hollowWidths - 1; width >= 0; width--) {
     const radius = hollowRadii[width]!;
     spread(curvatures, bends, areas, { triangles, weights, time: radius ** 2 / 4 });
@@ -31,23 +30,32 @@ export function hollowsOf(
 
 /** The number of neighborhoods of a vertex. */
 export const hollowWidths = 4;
-/** The radii, each a fourth of the one before: with the whole surface in view the second is some 15 pixels wide. */
+/**
+ * The radii, each a quarter of the one before: with the whole surface in view the second is some 15
+ * pixels wide.
+ */
 export const hollowRadii = [0.2, 0.05, 0.0125, 0.003125] as const;
-/** A ball of four times a neighborhood's radius is nearly as dark, from within, as can be. */
+/**
+ * The factor of the darkness: inside, a ball of four times a neighborhood's radius is then nearly
+ * as dark as possible.
+ */
 const steepness = 2;
-/** Steps of conjugate gradients: each reaches one edge farther, and so does what relief is seen of. */
+/** The number of steps of conjugate gradients. Each extends relief by one edge. */
 const mostSteps = 16;
 /** The tolerance of the solution; bytes cannot show a smaller error. */
 const precision = 1e-2;
 
-/** Areas and integrals of twice the mean curvature of the vertices, and the conductance of the triangles' edges. */
+/**
+ * Areas of the vertices, their integrals of twice the mean curvature, and the conductances of the
+ * triangles' edges.
+ */
 function measured(positions: Float32Array, normals: Float32Array, triangles: Uint32Array) {
   const areas = new Float64Array(positions.length / 3);
   const bends = new Float64Array(positions.length / 3);
   const weights = new Float32Array(triangles.length);
   const edges = new Float64Array(9);
   for (let at = 0; at < triangles.length; at += 3) {
-    // The edge across from each corner.
+    // Each corner's opposite edge.
     for (let corner = 0; corner < 3; corner++) {
       const from = 3 * triangles[at + ((corner + 1) % 3)]!;
       const to = 3 * triangles[at + ((corner + 2) % 3)]!;
@@ -83,12 +91,12 @@ function measured(positions: Float32Array, normals: Float32Array, triangles: Uin
   return { areas, bends, weights };
 }
 
-/** Heat crosses no edge more easily than one of a triangle a thousand times as long as wide. */
+/** The largest conductance of an edge, that of a triangle a thousand times as long as wide. */
 const longest = 1e3;
 
 /**
- * Curvatures become what those of the bends are after a time, by one implicit step: the solution of
- * (areas + time L) curvatures = bends, by conjugate gradients.
+ * Spreads the curvatures of the bends for a time, by one implicit step: it solves (areas + time L)
+ * curvatures = bends by conjugate gradients.
  */
 function spread(
   curvatures: Float64Array,
@@ -127,7 +135,7 @@ function spread(
   let [size, whole] = [0, 0];
   const way = new Float64Array(count);
   for (let i = 0; i < count; i++) {
-    // A vertex without triangles is alone.
+    // A vertex without triangles has an equation of its own.
     if (diagonal[i] === 0) diagonal[i] = 1;
     rest[i] = bends[i]! - rest[i]!;
     way[i] = rest[i]! / diagonal[i]!;

@@ -1,7 +1,7 @@
 import type { Object3D, Vector3 } from 'three';
 import type { ViewerColors } from './colors';
 
-/** Something that is drawn over the surface, beside the drawing itself. */
+/** A drawing over the surface that is not part of the user's drawing. */
 export interface Layer {
   readonly object: Object3D;
   /** Called before each frame, with the camera's place. */

@@ -7,10 +7,10 @@ import type { Vantage } from './vantage';
 export interface PickableLines {
   /** The edited curve; empty if the edited object is no curve. */
   curve: Float32Array;
-  /** All lines of the edited object, and how they are drawn. */
+  /** All lines of the edited object, and their style. */
   own: readonly Float32Array[];
   style: LineStyle;
-  /** The objects beside it, the topmost last. */
+  /** The other objects, the topmost last. */
   objects: readonly ObjectDrawing[];
   /** Paths that are shorter than the curve's legs. */
   shorter: readonly Float32Array[];
@@ -24,18 +24,18 @@ export class LinesAt {
     private readonly place: { x: number; y: number },
   ) {}
 
-  /** The curve's point there, in the scene, if one is seen. */
+  /** The curve's visible point there, in the scene; null without one. */
   curve(within: number): Vector3 | null {
     return this.#pointOf(this.lines.curve, within, this.lines.style);
   }
 
-  /** Whether the edited object is seen there. */
+  /** Whether the edited object is visible there. */
   own(within: number): boolean {
     const { own, style } = this.lines;
     return own.some((line) => this.#pointOf(line, within, style));
   }
 
-  /** The id of the topmost object beside the edited one that is seen there; null without one. */
+  /** The id of the topmost other object that is visible there; null without one. */
   object(within: number): number | null {
     const found = this.lines.objects.findLast(({ locked, style, lines, dots }) => {
       const isSeen = (line: Float32Array) => this.#pointOf(line, within, style);
@@ -44,12 +44,12 @@ export class LinesAt {
     return found?.id ?? null;
   }
 
-  /** The number of the shorter way that is seen there; -1 without one. */
+  /** The index of the shorter path that is visible there; -1 without one. */
   shorter(within: number): number {
     return this.lines.shorter.findIndex((line) => this.#pointOf(line, within));
   }
 
-  /** The point, in the scene, of a line beside the edited object that is seen nearest; null without one. */
+  /** The nearest visible point on a line of another object, in the scene; null without one. */
   nearestOnObjects(within: number): Vector3 | null {
     const found = this.lines.objects
       .flatMap(({ lines }) => lines.map((line) => this.vantage.nearest(line, this.place)))
@@ -72,7 +72,7 @@ export class LinesAt {
   }
 }
 
-/** The ids of objects beside the edited one, and whether that is among them. */
+/** The ids of other objects in the box, and whether the edited one is in it. */
 export interface ObjectsIn {
   others: number[];
   edited: boolean;

@@ -3,30 +3,30 @@ import { type Dash, defaultStyle, type LineStyle } from '../model/drawing';
 import { FatLine, type LineStyle as FatLineStyle } from './fat_line';
 import type { Surface } from './surface';
 
-/** An object as it is drawn: lines and single points, in the scene. */
+/** The drawn form of an object: lines and single points, in the scene. */
 export interface ObjectDrawing {
   id: number;
   style: LineStyle;
-  /** Whether the object is locked, and so cannot be picked. */
+  /** Whether the object is locked, so that a click cannot select it. */
   locked: boolean;
   lines: readonly Float32Array[];
   dots: readonly Vector3[];
 }
 
-/** Dash and gap of a line of the usual width, in the scene's units; a surface's diagonal is 2. */
+/** Dash and gap of a line of normal width, in the scene, where a surface's diagonal is 2. */
 const usualDashes: Record<Dash, readonly [number, number] | null> = {
   solid: null,
   dashed: [0.032, 0.02],
   dotted: [0.007, 0.013],
 };
 
-/** The width of a usual line in the scene, where the whole surface is seen on a large screen. */
+/** The width of a normal line in the scene when a large screen shows the whole surface. */
 const usualBand = 0.0125;
 
 /** The least width of a line on the surface, in CSS pixels. */
 const leastSeen = 0.5;
 
-/** The material of a line on a surface, wider than its style by a number of CSS pixels. */
+/** The material of a line on a surface; `wider` adds CSS pixels to the width of its style. */
 export function fatStyle(style: LineStyle, surface: Surface | null, wider = 0) {
   const { width, onSurface, opacity } = style;
   const band = onSurface && surface ? width * surface.frame.scale : 0;
@@ -44,9 +44,9 @@ export function fatStyle(style: LineStyle, surface: Surface | null, wider = 0) {
   };
 }
 
-/** The part of the color that is left where the surface hides a line. */
+/** The part of the color that remains where the surface hides a line. */
 const usuallyHidden = 0.22;
-/** The number of marks that keep apart lines that are not opaque; the edited object has one more. */
+/** The number of stencil marks that separate transparent lines; the edited object has one more. */
 export const mostMarks = 253;
 /** The width of a point, as a factor on the line's width. */
 const dotWidth = 2.4;
@@ -54,7 +54,10 @@ const dotWidth = 2.4;
 /** A line so short that its round ends are a dot. */
 export const dotAt = ({ x, y, z }: Vector3) => Float32Array.of(x, y, z, x + 1e-4, y, z);
 
-/** The objects beside the edited one: a line for each style, so that many objects are few draws. */
+/**
+ * The objects other than the edited one. Objects of one style share a line, so that many need few
+ * draw calls.
+ */
 export class ObjectLines {
   readonly object = new Group();
   /** The surface that the lines lie on. */
@@ -68,7 +71,10 @@ export class ObjectLines {
 
   constructor(
     private readonly order: number,
-    /** The part of the color that is left where the surface hides a line, and what is added to its style's width. */
+    /**
+     * The part of the color that remains where the surface hides a line, and an addition to its
+     * style's width.
+     */
     private readonly looks: Partial<Pick<FatLineStyle, 'hidden' | 'frames'>> & {
       wider?: number;
     } = {},
@@ -115,7 +121,7 @@ export class ObjectLines {
     for (const line of this.#lines.values()) line.follow(camera);
   }
 
-  /** Whether what the surface hides shows through. */
+  /** Sets whether parts behind the surface are visible. */
   showHidden(shown: boolean): void {
     this.#hiddenShown = shown;
     for (const line of this.#lines.values()) line.showHidden(shown);

@@ -6,18 +6,18 @@ import { views } from './views';
 
 const fieldOfView = 30;
 const halfSlope = Math.tan((fieldOfView * Math.PI) / 360);
-/** The part of its bounding sphere that a surface rarely leaves, with some room around it. */
+/** The part of its bounding sphere that a surface rarely leaves, with a margin. */
 const margin = 0.88;
 /** The part of the stage's width that a surface may take. */
 const widthTaken = 0.94;
 const startDirection = new Vector3(0.34, 0.22, 1).normalize();
 const flightMilliseconds = 260;
-/** The distance from which a place is looked at, unless the view is nearer already. */
+/** The distance from which the camera looks at a place, unless it is nearer already. */
 const closeDistance = 1.6;
 const [nearest, farthest] = [0.02, 20];
-/** The smallest reach that a view's place has. */
+/** The smallest reach of a view's place. */
 const leastReach = 0.01;
-/** The room around what the view zooms to, as a factor. */
+/** The factor of the room around the target of a zoom. */
 const roomAround = 1.25;
 
 /** The place that the camera looks at, and the camera's offset from it. */
@@ -26,29 +26,30 @@ interface Place {
   target: Vector3;
 }
 
-/** The camera, and how the pointer, keys and flights move it. */
+/** The camera, and its motion by pointer, keys and flights. */
 export class OrbitView {
   readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.002, 100);
-  /** The surface that the camera looks at, once there is one. */
+  /** The surface before the camera; null before the first one. */
   surface: Surface | null = null;
   readonly #controls: OrbitControls;
   /**
-   * The camera's place that shows the whole, as long as no one moves the view; it then follows the stage's
+   * The camera's place for the whole view, until a user moves the view; it follows the stage's
    * size.
    */
   #whole: Vector3 | null = startDirection;
   #flight: { from: Place; to: Place; started: number } | null = null;
-  /** The pivot about which the view turns: a point of the scene, and where the camera sees it. */
+  /** The pivot of turns: a point of the scene, and its place in the camera's view. */
   #pivot: { point: Vector3; seen: Vector3 } | null = null;
-  /** The pointers that are down: several fingers zoom and move, and turn about no pivot. */
+  /** The pointers that are down: several fingers zoom and move, and turn without a pivot. */
   readonly #pointers = new Set<number>();
 
-  /** `moved` is called when a frame is to be drawn. */
+  /** `moved` is called to request a frame. */
   constructor(
     private readonly stage: HTMLElement,
     private readonly moved: () => void,
   ) {
-    // Before the controls get the event, the surface under the pointer becomes what they turn about and zoom to.
+    // Runs before the controls: the surface under the pointer becomes the pivot and the target of
+    // zooming.
     stage.addEventListener('pointerdown', (event) => this.#hold(event), { capture: true });
     stage.addEventListener('wheel', (event) => this.#turnTo(event.clientX, event.clientY), {
       capture: true,
@@ -88,7 +89,8 @@ export class OrbitView {
   }
 
   /**
-   * The point of the surface at a place of the window, or in the middle of the stage; null if neither is on it.
+   * The point of the surface at a place of the window, or else in the middle of the stage; null if
+   * both miss the surface.
    */
   #under(x: number, y: number): Vector3 | null {
     const { left, top, width, height } = this.stage.getBoundingClientRect();
@@ -103,9 +105,9 @@ export class OrbitView {
   }
 
   /**
-   * Moves the controls' target to the depth of the surface at a place of the window, without a change of the
-   * view. Steps of a zoom or a move are parts of the distance to the target, so that none goes through the
-   * surface.
+   * Moves the controls' target to the depth of the surface at a place of the window, and does not
+   * change the view. Steps of a zoom or a move are parts of the distance to the target, so that
+   * none passes through the surface.
    */
   #turnTo(x: number, y: number): Vector3 | null {
     const point = this.#under(x, y);
@@ -136,7 +138,10 @@ export class OrbitView {
     this.#pivot = point && seen && isTurned ? { point, seen } : null;
   }
 
-  /** The controls turn about the middle of the stage, so this moves the camera until the pivot is seen where it was. */
+  /**
+   * Moves the camera until the pivot is back at its place in the view: the controls turn about the
+   * middle of the stage.
+   */
   #keepPivot(): void {
     if (!this.#pivot) return;
     const { point, seen } = this.#pivot;
@@ -146,7 +151,7 @@ export class OrbitView {
     position.copy(to);
   }
 
-  /** Fits a ball into the stage, seen from where the view is or from a direction. */
+  /** Fits a ball into the stage, seen from the present direction or from another one. */
   fit(center: Vector3, radius: number, direction: Vector3 | null): void {
     this.#whole = null;
     const from = direction ?? this.camera.position.clone().sub(this.#controls.target);
@@ -155,7 +160,7 @@ export class OrbitView {
     this.#go({ offset, target: center.clone() }, true);
   }
 
-  /** The stage has another size. */
+  /** Adapts to another size of the stage. */
   resize(width: number, height: number): void {
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
@@ -203,13 +208,13 @@ export class OrbitView {
     this.#controls.update();
   }
 
-  /** The whole scene, from the front; at once where motion is not wanted. */
+  /** Shows the whole scene from the front; at once if the user does not want motion. */
   reset({ animated }: { animated: boolean }): void {
     this.#whole = startDirection;
     this.#showWhole(animated);
   }
 
-  /** The place of the camera, now or after the present flight; null for the usual view. */
+  /** The place of the camera, now or after the present flight; null for the default view. */
   get place(): ViewPlace | null {
     if (this.#whole) return viewNames.find((name) => views[name] === this.#whole) ?? null;
     const { offset, target } = this.#flight?.to ?? {
@@ -225,7 +230,7 @@ export class OrbitView {
     };
   }
 
-  /** Shows the scene from a place: a ball as large as its reach fits into the stage. */
+  /** Shows the scene from a place: a ball with its reach as radius fits into the stage. */
   show(place: ViewPlace, { animated }: { animated: boolean }): void {
     if (typeof place === 'string') {
       this.#whole = views[place];
@@ -254,7 +259,7 @@ export class OrbitView {
     this.#go({ offset, target: target.clone() }, true);
   }
 
-  /** Goes on with a flight, for a frame that is about to be drawn. */
+  /** Continues a flight, before a frame is drawn. */
   advance(now: number): void {
     if (!this.#flight) return;
     const { from, to, started } = this.#flight;
@@ -293,7 +298,10 @@ export class OrbitView {
     return Math.atan(halfSlope * Math.min(1, this.camera.aspect));
   }
 
-  /** The distance from which the bounding sphere, of radius 1, fills the stage and no width is cut off. */
+  /**
+   * The distance from which the bounding sphere, of radius 1, fills the stage without being cut
+   * off.
+   */
   #wholeDistance(direction: Vector3): number {
     const narrow = this.#narrowAngle;
     const wide = widthTaken * halfSlope * this.camera.aspect;

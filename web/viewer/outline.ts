@@ -1,12 +1,12 @@
 /**
- * The outline of a mesh as a camera sees it. Where the surface is smooth, it is the line on which normals,
- * given at the triangles' corners and linear in between, are at right angles to the view (Hertzmann and Zorin,
- * Illustrating smooth surfaces); smoother than the edges between front and back faces. Where it is not, it is
- * creases, and the boundary.
+ * The outline of a mesh in a camera's view. On smooth parts it is the line on which normals, given
+ * at the triangles' corners and linear in between, are at right angles to the view (Hertzmann and
+ * Zorin, Illustrating smooth surfaces); it is smoother than the edges between front and back faces.
+ * Creases and the boundary belong to it, too.
  */
 import { joined, levelLines } from '../model/level_lines';
 
-/** Faces that meet at a larger angle have a crease between them, in radians. */
+/** The least angle of a crease between two faces, in radians. */
 const creaseAngle = (45 * Math.PI) / 180;
 
 export interface Mesh {
@@ -22,7 +22,7 @@ export interface Outline {
   boundary: Float32Array[];
 }
 
-/** The lines that a camera at `eye` may see, also those that the surface hides. */
+/** The lines that may be visible from `eye`, including those that the surface hides. */
 export function outlineOf(mesh: Mesh, [x, y, z]: readonly [number, number, number]): Outline {
   const { positions, triangles } = mesh;
   const normals = faceNormals(mesh);
@@ -50,11 +50,11 @@ export function outlineOf(mesh: Mesh, [x, y, z]: readonly [number, number, numbe
   };
 }
 
-// The side of a triangle behind one of its corners has that corner's number.
+// The next corner. A side of a triangle has the index of the corner at its start.
 
 const follower = (corner: number) => (corner % 3 === 2 ? corner - 2 : corner + 1);
 
-/** The normal of a triangle, whose length is twice the area. */
+/** The normals of the triangles, twice as long as their areas. */
 function faceNormals({ positions, triangles }: Mesh): Float64Array {
   const normals = new Float64Array(triangles.length);
   for (let first = 0; first < triangles.length; first += 3) {
@@ -75,12 +75,12 @@ function faceNormals({ positions, triangles }: Mesh): Float64Array {
 }
 
 /**
- * For each side the matching side of the triangle beyond it; -1 on the boundary. Of more than two triangles at one
- * edge, those beyond the second are paired among themselves.
+ * The opposite side of each side, in the triangle beyond it; -1 on the boundary. Where more than
+ * two triangles meet at an edge, the others are paired among themselves.
  */
 function sidesAcross({ positions, triangles }: Mesh): Int32Array {
   const across = new Int32Array(triangles.length).fill(-1);
-  // Sides that are not paired yet, in a list for each vertex: at the end of the side with the lower number.
+  // Unpaired sides, in a list for each vertex: at the end of the side with the lower index.
   const firstAt = new Int32Array(positions.length / 3).fill(-1);
   const behind = new Int32Array(triangles.length);
   for (let side = 0; side < triangles.length; side++) {
@@ -115,9 +115,12 @@ function isSharp(normals: Float64Array, side: number, other: number): boolean {
   return ax * bx + ay * by + az * bz < leastCosine * lengths;
 }
 
-/** Unit normals at each corner: the sum of the normals of the faces that meet there without a crease between them. */
+/**
+ * Unit normals at each corner: the sum of the normals of the faces that meet there without a
+ * crease.
+ */
 function smoothNormals({ triangles }: Mesh, normals: Float64Array, across: Int32Array) {
-  // Corners that share a normal are in one set, each with the corner that leads to its first.
+  // Corners that share a normal form a set; each leads to the first of its set.
   const leads = new Uint32Array(triangles.length);
   for (let corner = 0; corner < leads.length; corner++) leads[corner] = corner;
   const firstOf = (corner: number) => {

@@ -1,8 +1,8 @@
 import type { WebGLRenderer } from 'three';
 
 /**
- * A PNG of what `render` draws, with `scale` pixels for each CSS pixel. Without a background it is transparent where
- * nothing is drawn. Afterwards the renderer's canvas holds the picture, so it needs another frame.
+ * A PNG of what `render` draws, with `scale` pixels for each CSS pixel. Without a background it is
+ * transparent around the drawing. The renderer's canvas is overwritten, so it needs another frame.
  */
 export function pictureOf(
   renderer: WebGLRenderer,

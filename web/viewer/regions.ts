@@ -8,11 +8,11 @@ import { paint } from './clay';
 import type { Surface } from './surface';
 import type { Vantage } from './vantage';
 
-/** A region of an object as it is painted. */
+/** A painted region of an object. */
 export interface PaintedRegion {
   id: number;
   region: Region;
-  /** What lines or bands are drawn by; null of a solid fill, undefined until it is made. */
+  /** The pattern of the fill; null for a solid fill, undefined until it is computed. */
   pattern: Pattern | null | undefined;
   style: FillStyle;
   /** The color of the line, for a fill without a color of its own. */
@@ -20,7 +20,7 @@ export interface PaintedRegion {
   locked: boolean;
 }
 
-/** The regions that are painted on the surface, below the lines. */
+/** The painted regions on the surface, below the lines. */
 export class Regions {
   readonly object = new Group();
   #painted: readonly PaintedRegion[] = [];
@@ -34,7 +34,7 @@ export class Regions {
     this.#paint();
   }
 
-  /** Whether the painted regions differ from those before. */
+  /** Shows regions; returns whether they differ from those before. */
   show(painted: readonly PaintedRegion[], surface: Surface | null): void {
     if (surface === this.#surface && `${painted.map(keyOf)}` === `${this.#painted.map(keyOf)}`) {
       if (painted.every((one, i) => shapeOf(one) === shapeOf(this.#painted[i]!))) return;
@@ -45,13 +45,13 @@ export class Regions {
     this.#paint();
   }
 
-  /** The id of the topmost object that is painted at a point. */
+  /** The id of the topmost object with a painted region at a point. */
   at(point: SurfacePoint): number | null {
     const found = this.#painted.findLast(({ region, locked }) => !locked && holds(region, point));
     return found?.id ?? null;
   }
 
-  /** The triangles of each region that the surface does not hide, for a drawing on paper. */
+  /** The visible triangles of each region, for a drawing on paper. */
   *seen(vantage: Vantage): Generator<{ painted: PaintedRegion; triangles: Float32Array }> {
     for (const painted of this.#painted) {
       const geometry = this.#geometryOf(painted);
@@ -69,13 +69,13 @@ export class Regions {
       const { style, color, pattern } = one;
       const own = style.fillColor ?? color;
       const bars = barsOf(style);
-      // Until its pattern is made a fill is as dark as that will be.
+      // Until its pattern is computed a fill is as dark on average as the pattern.
       const opacity = bars && pattern === undefined ? partPainted(bars) * style.fill : style.fill;
       const mesh = new Mesh(
         this.#geometryOf(one),
         paint(own ? new Color(own) : this.#color, opacity, pattern ? bars : null),
       );
-      // After the surface, and before all lines.
+      // Regions are drawn after the surface, and before all lines.
       mesh.renderOrder = 0.1 + i * 1e-4;
       this.object.add(mesh);
     }
@@ -100,7 +100,7 @@ export class Regions {
   }
 }
 
-/** What its triangles are of. */
+/** The source of a region's triangles: its pattern if it has one. */
 const shapeOf = ({ region, pattern }: PaintedRegion) => pattern ?? region;
 
 function seenTriangles(
@@ -121,7 +121,8 @@ function seenTriangles(
       const { x, y } = vantage.onStage(place.fromArray(places, 9 * i + corner));
       return [x, y] as const;
     }) as [Place, Place, Place];
-    // All triangles turn the same way, so that neighbors add up where they meet and do not cancel.
+    // All triangles have the same orientation, so that neighbors add up where they meet and do not
+    // cancel.
     const turn = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     const corners = turn < 0 ? [0, 2, 1] : [0, 1, 2];
     const onPaper = [a, b, c];

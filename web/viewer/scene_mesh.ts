@@ -1,11 +1,11 @@
-/** A mesh in the scene, and the tree by which rays find its triangles. */
+/** A mesh in the scene, and the tree with which rays find its triangles. */
 import { BufferAttribute, BufferGeometry } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import type { MeshArrays } from '../model/mesh_blobs';
 import type { UpAxis } from '../model/meshes';
 import { type Frame, placesInScene } from './frame';
 
-/** The frame of the vertices that triangles use. */
+/** The frame of the vertices that belong to triangles. */
 export function frameOf({ positions, triangles }: MeshArrays, up: UpAxis): Frame {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
@@ -21,7 +21,10 @@ export function frameOf({ positions, triangles }: MeshArrays, up: UpAxis): Frame
   return { center, scale: 2 / diagonal, up };
 }
 
-/** The mesh in a frame's scene; a vertex that no triangle uses, which may be anywhere, is at its middle. */
+/**
+ * The mesh in a frame's scene. Vertices without a triangle, which may lie anywhere, are moved to
+ * its middle.
+ */
 export function geometryInScene({ positions, triangles }: MeshArrays, frame: Frame) {
   const places = placesInScene(frame, positions);
   const isUsed = new Uint8Array(places.length / 3);
@@ -36,5 +39,8 @@ export function geometryInScene({ positions, triangles }: MeshArrays, frame: Fra
   return { geometry, positions: places, triangles: corners };
 }
 
-/** The tree of a geometry. Without `indirect` it would reorder the triangles, and lose the engine's numbering. */
+/**
+ * The tree of a geometry. Without `indirect` it would reorder the triangles, and lose the engine's
+ * numbering.
+ */
 export const treeOf = (geometry: BufferGeometry) => new MeshBVH(geometry, { indirect: true });

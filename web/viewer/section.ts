@@ -1,4 +1,4 @@
-/** Planes and a surface in the scene: the lines where they cut it, and evenly spaced places on it. */
+/** Plane sections of a surface in the scene, and evenly spaced places on it. */
 import { Vector3 } from 'three';
 import type { Vector } from '../model/figure';
 import type { NearestPlace, Plane } from '../model/symmetry';
@@ -29,7 +29,7 @@ export function sectionOf(surface: Surface, { normal, offset }: Plane): Float32A
   return lines;
 }
 
-/** About `count` places of the surface, in proportion to the area of each part. */
+/** About `count` places of the surface, in proportion to the area. */
 export function samplesOf(surface: Surface, count: number): Vector[] {
   const areas = Float64Array.from({ length: surface.triangles }, (_, face) => {
     const [a, b, c] = surface.corners(face);
@@ -39,7 +39,7 @@ export function samplesOf(surface: Surface, count: number): Vector[] {
   const samples: Vector[] = [];
   let due = step / 2;
   for (const [face, area] of areas.entries()) {
-    // Large triangles get several places, along the golden spiral of their corners' weights.
+    // Large triangles get several places, along a golden spiral of weights.
     for (; due < area; due += step) {
       const [u, v] = [(samples.length * 0.7549) % 1, (samples.length * 0.5698) % 1];
       const [y, z] = u + v > 1 ? [1 - u, 1 - v] : [u, v];
@@ -50,7 +50,7 @@ export function samplesOf(surface: Surface, count: number): Vector[] {
   return samples;
 }
 
-/** The place of the surface that is nearest to a place of the scene, with its triangle's normal. */
+/** The place of the surface nearest to a place of the scene, with its triangle's normal. */
 export const nearestPlaceOf =
   (surface: Surface): NearestPlace =>
   (place) => {

@@ -31,10 +31,10 @@ import { SurfaceParts } from './surface_parts';
 
 export { colorSurface, fitSurface } from './clay';
 
-/** The number of decimals in the weights of a picked point, few so that links are short. */
+/** A weight of a picked point, cut to few decimals so that links are short. */
 const shortened = (weight: number) => Math.floor(weight * 1e9) / 1e9;
 
-/** A point under the pointer, and where it is in the scene. */
+/** A point under the pointer, and its place in the scene. */
 export interface Pick {
   point: SurfacePoint;
   position: Vector3;
@@ -46,10 +46,10 @@ const unitWeights = [
   [0, 0, 1],
 ] as const;
 
-/** Faces, and triangles in faces. */
+/** Whole faces, and triangles within faces. */
 type Triangulated = Omit<Region, 'area' | 'side' | 'boundary'>;
 
-/** A surface in the scene: its triangles as drawn, and as hit by rays. */
+/** A surface in the scene: its triangles for drawing, and for rays. */
 export class Surface {
   readonly object = new Group();
   readonly frame: Frame;
@@ -64,11 +64,11 @@ export class Surface {
   readonly #normals: Float32Array;
   readonly #hollows: Int8Array;
   readonly #outside: DrawnGeometry['outside'];
-  /** 1 for each face that is shown; null if all are. */
+  /** A flag for each face, 1 if it is visible; null if all are. */
   #seen: Uint8Array | null = null;
   readonly #edges: Mesh;
   readonly #whole: Mesh;
-  /** The parts that are shown in its place where it is cut. */
+  /** The parts that are shown instead of a cut surface. */
   readonly #parts = new SurfaceParts(clayMesh, paint);
   readonly #along = new WeakMap<Float32Array, Float32Array>();
 
@@ -88,7 +88,7 @@ export class Surface {
       this.#geometry.setAttribute('tint', new BufferAttribute(drawn.colors, 3, true));
     }
     this.#geometry.setIndex(new BufferAttribute(drawn.triangles, 1));
-    // The sphere round the frame's box is enough; three.js would look at all vertices.
+    // The sphere around the frame's box suffices; three.js would look at all vertices.
     this.#geometry.boundingSphere = new Sphere(new Vector3(), 1);
     showClay(drawn.outside);
     this.#tree = MeshBVH.deserialize(drawn.tree, this.#geometry, { setIndex: false });
@@ -103,7 +103,7 @@ export class Surface {
     return { positions: this.#positions, triangles: this.#triangles };
   }
 
-  /** How many there are. */
+  /** The number of triangles. */
   get triangles(): number {
     return this.#triangles.length / 3;
   }
@@ -112,14 +112,14 @@ export class Surface {
     this.#edges.visible = visible;
   }
 
-  /** Whether it is seen in its own colors, if it has some. */
+  /** Whether the surface shows its own colors, if it has any. */
   set colored(shown: boolean) {
     showTint(shown && this.hasColors);
   }
 
   /**
-   * Colors the surface by values at its vertices, from 0 to the greatest, which is positive; as it is
-   * where they are minus that, and everywhere without any.
+   * Colors the surface by values at its vertices, from 0 to `most`, which is positive. Vertices
+   * with value -`most` keep the surface's color, as does everything for null.
    */
   colorBy(colored: { values: Float32Array; most: number } | null): void {
     showValues(colored?.most ?? 0);
@@ -127,7 +127,10 @@ export class Surface {
     else this.#geometry.deleteAttribute('value');
   }
 
-  /** Shows parts in place of the whole surface, each with or without a color over it; null shows the whole. */
+  /**
+   * Shows parts instead of the whole surface, each with or without a color over it; null shows the
+   * whole.
+   */
   showParts(parts: readonly { part: SurfacePart; color: string | null }[] | null): void {
     this.#whole.visible = parts === null;
     this.#parts.show(parts ?? [], (part) => this.#partGeometry(part));
@@ -185,13 +188,13 @@ export class Surface {
     return geometry;
   }
 
-  /** Where a ray of the scene meets the surface first. */
+  /** The first point where a ray of the scene meets the surface. */
   pick(ray: Ray): Pick | null {
     const hit = this.#hit(ray);
     return hit ? this.#pickAt(hit.faceIndex!, hit.point) : null;
   }
 
-  /** Distance along the ray to the surface; infinite where it misses. */
+  /** The distance along the ray to the surface; infinite if it misses. */
   depth(ray: Ray): number {
     return this.#hit(ray)?.distance ?? Infinity;
   }
@@ -210,7 +213,7 @@ export class Surface {
     return this.#pickAt(hit.faceIndex, hit.point).point;
   }
 
-  /** Where a surface point is in the scene. */
+  /** The place of a surface point in the scene. */
   position({ face, bary }: SurfacePoint, target = new Vector3()): Vector3 {
     target.set(0, 0, 0);
     for (let corner = 0; corner < 3; corner++) {
@@ -219,7 +222,7 @@ export class Surface {
     return target;
   }
 
-  /** Where the corners of a face are in the scene. */
+  /** The places of a face's corners in the scene. */
   corners(face: number): [Vector3, Vector3, Vector3] {
     return [this.#corner(face, 0), this.#corner(face, 1), this.#corner(face, 2)];
   }
@@ -247,27 +250,27 @@ export class Surface {
     return normals;
   }
 
-  /** A polyline in the surface's coordinates, x, y, z each, taken to the scene's. */
+  /** A polyline in the surface's coordinates, x, y, z each, converted to the scene's. */
   toScene(polyline: Float32Array): Float32Array {
     return placesInScene(this.frame, polyline);
   }
 
-  /** A place in the surface's coordinates, in the scene. */
+  /** A place in the surface's coordinates, converted to the scene's. */
   inScene(place: Vector): Vector3 {
     return new Vector3(...placeInScene(this.frame, place));
   }
 
-  /** A place of the scene in the surface's coordinates. */
+  /** A place of the scene, converted to the surface's coordinates. */
   fromScene(position: Vector3): Vector {
     return placeFromScene(this.frame, position.toArray());
   }
 
-  /** A direction in the surface's coordinates, in the scene's. */
+  /** A direction in the surface's coordinates, converted to the scene's. */
   directionInScene(direction: Vector): Vector3 {
     return new Vector3(...directionInScene(this.frame.up, direction));
   }
 
-  /** A direction of the scene in the surface's coordinates. */
+  /** A direction of the scene, converted to the surface's coordinates. */
   directionFromScene(direction: Vector3): Vector {
     return directionFromScene(this.frame.up, direction.toArray());
   }
@@ -279,7 +282,10 @@ export class Surface {
       this.directionFromScene(this.directionInScene(direction).applyQuaternion(turning));
   }
 
-  /** Moves a point as another one moves: by the same distance, in the same direction along the surface. */
+  /**
+   * Moves a point along with another one: by the same distance, in the same direction along the
+   * surface.
+   */
   along(from: SurfacePoint, to: SurfacePoint, other: SurfacePoint): SurfacePoint {
     const turning = new Quaternion().setFromUnitVectors(this.normal(from), this.normal(other));
     const step = this.position(to).sub(this.position(from)).applyQuaternion(turning);
@@ -287,7 +293,7 @@ export class Surface {
   }
 
   /**
-   * How far, in that direction from the scene's middle, an upright camera that looks there sees the
+   * The distance in that direction from the scene's middle at which an upright camera sees the
    * surface's whole width; `slope` is the tangent of half its horizontal field of view.
    */
   widthDistance(direction: Vector3, slope: number): number {
@@ -301,10 +307,11 @@ export class Surface {
     return -this.#reach(new Vector3(0, -1, 0));
   }
 
-  /** How far the surface reaches in a direction, times the direction's length. */
+  /** The surface's extent in a direction, times the direction's length. */
   #reach(direction: Vector3): number {
     let farthest = -Infinity;
-    // Boxes that reach less than this farther are skipped, since all boxes of a plane reach equally far.
+    // Boxes that reach less than this farther are skipped, since all boxes of a plane have the same
+    // extent.
     const grain = 1e-6 * direction.length();
     const corner = new Vector3();
     const reachOf = (box: Box3) =>

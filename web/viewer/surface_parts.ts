@@ -16,7 +16,7 @@ export class SurfaceParts {
   /** The meshes, by the triangles of their parts. */
   readonly #drawn = new Map<Int32Array, Drawn>();
 
-  /** `clay` makes what is seen of the surface itself, and `paint` the material of a color over it. */
+  /** `clay` makes the mesh of a part, and `paint` the material of a color over it. */
   constructor(
     private readonly clay: (geometry: BufferGeometry) => Mesh,
     private readonly paint: (color: Color, opacity: number) => ShaderMaterial,

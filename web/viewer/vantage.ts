@@ -2,14 +2,14 @@ import { Matrix4, type PerspectiveCamera, Ray, Vector3 } from 'three';
 import type { LineStyle } from '../model/drawing';
 import type { Surface } from './surface';
 
-/** A polyline as it is seen: places in CSS pixels of the stage, and which of them are hidden. */
+/** A polyline on the stage: places in CSS pixels, and which of them are hidden. */
 export interface SeenLine {
   x: number[];
   y: number[];
   hidden: boolean[];
 }
 
-/** A point of a line that was looked for at a place of the stage. */
+/** The point of a line nearest to a place of the stage. */
 export interface NearestSeen {
   /** The place in the scene. */
   position: Vector3;
@@ -17,10 +17,12 @@ export interface NearestSeen {
   distance: number;
 }
 
-/** Points that are farther than the surface by at most this, in the scene, count as lying on it. */
+/**
+ * The depth, in the scene, by which a point may lie behind the surface and still count as on it.
+ */
 const grain = 0.004;
 
-/** A surface as a camera sees it on a stage. */
+/** The view of a camera on a surface, on a stage. */
 export class Vantage {
   readonly #ray = new Ray();
 
@@ -31,7 +33,10 @@ export class Vantage {
     readonly size: Readonly<{ width: number; height: number }>,
   ) {}
 
-  /** Where a point of the scene is on the stage, in CSS pixels, and whether the surface hides it. */
+  /**
+   * The place of a point of the scene on the stage, in CSS pixels, and whether the surface hides
+   * it.
+   */
   project(position: Vector3): { x: number; y: number; hidden: boolean } {
     const { origin, direction } = this.#ray;
     const distance = this.camera.position.distanceTo(position);
@@ -42,12 +47,12 @@ export class Vantage {
     return { x, y, hidden: hidden || z > 1 };
   }
 
-  /** Takes a point of the scene to where it is on the stage, in CSS pixels, and its depth. */
+  /** Converts a point of the scene to its place on the stage, in CSS pixels, and its depth. */
   onStage(position: Vector3): Vector3 {
     return toStage(position.project(this.camera), this.size);
   }
 
-  /** A polyline in the surface's coordinates as it is seen on the stage. */
+  /** A polyline in the surface's coordinates as it appears on the stage. */
   seen(polyline: Float32Array): SeenLine {
     const line: SeenLine = { x: [], y: [], hidden: [] };
     const places = this.surface?.toScene(polyline) ?? [];
@@ -60,8 +65,8 @@ export class Vantage {
     return line;
   }
   /**
-   * The point of a polyline of the scene that is seen nearest to a place of the stage; null where all of the polyline
-   * is behind the camera.
+   * The visible point of a polyline in the scene nearest to a place of the stage; null if all of
+   * the polyline is behind the camera.
    */
   nearest(line: Float32Array, place: { x: number; y: number }): NearestSeen | null {
     const { camera, size } = this;
@@ -111,7 +116,7 @@ export class Vantage {
   }
 }
 
-/** Takes a place between -1 and 1 across the stage to CSS pixels from its corner. */
+/** Converts a place between -1 and 1 across the stage to CSS pixels from its corner. */
 function toStage(place: Vector3, { width, height }: { width: number; height: number }): Vector3 {
   place.x = ((place.x + 1) / 2) * width;
   place.y = ((1 - place.y) / 2) * height;

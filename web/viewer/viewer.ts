@@ -20,7 +20,7 @@ import { type PaintedRegion, Regions } from './regions';
 import { type Pick, Surface } from './surface';
 import { type SeenLine, Vantage } from './vantage';
 
-/** The view of a surface with a curve on it. Draws only when something changed. */
+/** The view of a surface with a curve on it. It draws only after changes. */
 export class Viewer {
   readonly #renderer: WebGLRenderer;
   readonly #scene = new Scene();
@@ -32,13 +32,13 @@ export class Viewer {
   readonly #ground = new GroundShadow();
   readonly #regions = new Regions();
   readonly #halos = new Halos();
-  /** The lines that show what is not of the drawing. */
+  /** Lines that are not part of the drawing. */
   readonly aids = new AidLines(() => this.requestFrame());
   readonly #lines = [this.#curve, this.#lost, this.#beside, this.aids];
   readonly #layers: Layer[] = [];
   readonly #beforeFrame: (() => void)[] = [];
   #surface: Surface | null = null;
-  /** The curve that is shown, in the scene. */
+  /** The visible curve, in the scene. */
   #line: Float32Array = new Float32Array();
   /** All lines of the edited object, in the scene. */
   #own: readonly Float32Array[] = [];
@@ -51,13 +51,16 @@ export class Viewer {
   #edges = false;
   #fileColors = true;
   #relief = true;
-  /** The stage's, in CSS pixels: to ask the stage lays the page out, which a thousand handles cannot bear. */
+  /**
+   * The stage's size in CSS pixels: reading it from the page causes a layout, which takes too long
+   * with a thousand handles.
+   */
   #size = { width: 1, height: 1 };
-  /** The stage's place in the window; null until the next request measures it again. */
+  /** The stage's place in the window; null until a caller measures it again. */
   #box: DOMRect | null = null;
   #frame = 0;
 
-  /** `stage` takes the pointer; the canvas fills it. Throws where there is no WebGL 2. */
+  /** `stage` receives the pointer events, and the canvas fills it. Throws if WebGL 2 is missing. */
   constructor(
     private readonly stage: HTMLElement,
     canvas: HTMLCanvasElement,
@@ -83,14 +86,14 @@ export class Viewer {
     }
   }
 
-  /** Draws something more, in the colors that are set from then on. */
+  /** Adds a layer, and gives it the colors that are set from then on. */
   addLayer(layer: Layer): void {
     this.#layers.push(layer);
     this.#scene.add(layer.object);
     if (this.#colors) layer.setColors(this.#colors);
   }
 
-  /** Called before each frame is drawn, with the camera as it will be. */
+  /** Adds a listener that is called before each frame, with the camera's new place. */
   onFrame(listener: () => void): void {
     this.#beforeFrame.push(listener);
   }
@@ -107,7 +110,7 @@ export class Viewer {
     });
   }
 
-  /** Whether the newest view is drawn, and nothing moves. */
+  /** Whether the newest view is drawn, and no motion is under way. */
   get still(): boolean {
     return this.#frame === 0;
   }
@@ -154,7 +157,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Whether a surface has the colors of its file, where that has some. */
+  /** Whether a surface has the colors of its file, if the file has any. */
   get fileColors(): boolean {
     return this.#fileColors;
   }
@@ -176,7 +179,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Whether the surface has a shadow on the ground that it stands on. */
+  /** Whether the surface has a shadow on the ground below it. */
   get groundShadow(): boolean {
     return this.#ground.object.visible;
   }
@@ -186,7 +189,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Turns the light round the line of sight, by an angle in radians. */
+  /** Turns the light around the line of sight, by an angle in radians. */
   turnLight(angle: number): void {
     turnLight(angle);
     this.requestFrame();
@@ -202,7 +205,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** A polyline in the surface's coordinates; where its status is 1 it is drawn as not converged. */
+  /** Shows a polyline in the surface's coordinates; parts with status 1 appear as not converged. */
   showCurve(curve: { polyline: Float32Array; polylineStatus: Uint8Array } | null): void {
     if (curve && this.#surface) {
       const line = this.#surface.toScene(curve.polyline);
@@ -222,7 +225,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Shows polylines in the surface's coordinates in place of a curve; they are not picked. */
+  /** Shows polylines in the surface's coordinates instead of a curve; they cannot be picked. */
   showLines(lines: readonly Float32Array[]): void {
     const surface = this.#surface;
     this.#line = new Float32Array();
@@ -233,7 +236,10 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Shows parts of the surface in its place, each with or without a color over it; null shows all of it. */
+  /**
+   * Shows parts of the surface instead of the whole, each with or without a color over it; null
+   * shows the whole.
+   */
   showParts(parts: Parameters<Surface['showParts']>[0]): void {
     this.#surface?.showParts(parts);
     this.#ground.forget();
@@ -250,7 +256,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** The objects beside the one that is edited. */
+  /** Shows the objects other than the edited one. */
   showObjects(objects: readonly ObjectDrawing[]): void {
     this.#beside.show(objects);
     this.#showHalo();
@@ -263,17 +269,17 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** What is seen of it. */
+  /** The visible triangles of the regions. */
   seenRegions(vantage: Vantage): ReturnType<Regions['seen']> {
     return this.#regions.seen(vantage);
   }
 
-  /** The id of the topmost object that is painted at a point; null without one. */
+  /** The id of the topmost object with a painted region at a point; null without one. */
   pickRegion(point: SurfacePoint): number | null {
     return this.#regions.at(point);
   }
 
-  /** Which objects are selected, by their ids, and whether the edited one is. */
+  /** Marks the selected objects, by their ids, and whether the edited one is selected. */
   showChosen(others: readonly number[], edited: boolean): void {
     if (`${others}` === `${this.#chosen}` && edited === this.#isChosen) return;
     [this.#chosen, this.#isChosen] = [others, edited];
@@ -281,7 +287,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** The ids of the objects with a halo, among them the edited one if it has one. */
+  /** The ids of the objects with a halo, including the edited one if it has one. */
   marked(edited: number): readonly number[] {
     return this.#isChosen ? [...this.#chosen, edited] : this.#chosen;
   }
@@ -294,7 +300,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Whether lines show through the surface. */
+  /** Whether lines are visible through the surface. */
   get hiddenLines(): boolean {
     return this.#hiddenLines;
   }
@@ -367,7 +373,10 @@ export class Viewer {
     };
   }
 
-  /** Where a point of the scene is on the stage, in CSS pixels, and whether the surface hides it. */
+  /**
+   * The place of a point of the scene on the stage, in CSS pixels, and whether the surface hides
+   * it.
+   */
   project(position: Vector3): { x: number; y: number; hidden: boolean } {
     return this.#vantage.project(position);
   }
@@ -376,7 +385,7 @@ export class Viewer {
     return new Vantage(this.#surface, this.#view.camera, this.#size);
   }
 
-  /** The present view, which stays as it is when the camera turns later. */
+  /** The present view, which does not change when the camera turns later. */
   vantage(): Vantage {
     this.#view.camera.updateMatrixWorld();
     return new Vantage(this.#surface, this.#view.camera.clone(), this.#size);
@@ -392,13 +401,13 @@ export class Viewer {
     return this.#vantage.reach(position, pixels);
   }
 
-  /** The stage's place in the window, which is measured once, and again after a change of size. */
+  /** The stage's place in the window, measured once, and again after a change of size. */
   get box(): DOMRect {
     this.#box ??= this.stage.getBoundingClientRect();
     return this.#box;
   }
 
-  /** A polyline in the surface's coordinates as it is seen on the stage. */
+  /** A polyline in the surface's coordinates as it appears on the stage. */
   seen(polyline: Float32Array): SeenLine {
     return this.#vantage.seen(polyline);
   }
@@ -422,13 +431,16 @@ export class Viewer {
     this.#view.pan(x, y);
   }
 
-  /** While this is set the pointer moves the view and does nothing else. */
+  /** While this is set the pointer only moves the view. */
   set movesView(moves: boolean) {
     this.#view.moves = moves;
     this.stage.classList.toggle('moving', moves);
   }
 
-  /** Zooms to points of the surface; where most of them are hidden, from where they are seen. */
+  /**
+   * Zooms to points of the surface; if most of them are hidden, from a direction in which they are
+   * visible.
+   */
   zoomTo(points: readonly SurfacePoint[], around: readonly Vector3[] = []): void {
     const surface = this.#surface;
     if (!surface || points.length === 0) return;
@@ -442,12 +454,12 @@ export class Viewer {
     this.#view.fit(center, radius, isSeen ? null : normal);
   }
 
-  /** The whole surface, from the front; at once where motion is not wanted. */
+  /** Shows the whole surface from the front; at once if the user does not want motion. */
   resetView(options: { animated: boolean }): void {
     this.#view.reset(options);
   }
 
-  /** The place of the camera; null for the usual view, of the whole from the front. */
+  /** The place of the camera; null for the default view of the whole from the front. */
   get place(): ViewPlace | null {
     return this.#view.place;
   }
@@ -472,7 +484,10 @@ export class Viewer {
     return picture;
   }
 
-  /** The surface's outline as it is seen: x, y of its lines' points, in CSS pixels of the stage. */
+  /**
+   * The surface's outline in the present view: x, y of its lines' points, in CSS pixels of the
+   * stage.
+   */
   outline(signal: AbortSignal): Promise<Float32Array[]> {
     return requestOutline(this.#surface!, this.#view.camera, this.#size, signal);
   }

@@ -3,7 +3,7 @@ import { WorkerClient } from 'karcher/own-worker';
 import type { CheckedUp } from '../model/checked_up';
 import type { MeshBlobs } from '../model/mesh_blobs';
 
-/** Looks a surface over in a worker of its own. */
+/** Checks a surface in a worker of its own. */
 export async function checkedUp(
   { info, arrays }: { info: Readonly<MeshInfo>; arrays: MeshBlobs },
   work: LongWorkOptions,

@@ -1,4 +1,4 @@
-/** The worker that looks a surface over, so that neither the page nor the engine waits. */
+/** The worker that checks a surface, so that neither the page nor the engine waits. */
 import type { LongWorkOptions, MeshInfo } from 'karcher';
 import { checkUp } from 'karcher/checkup';
 import { serve } from 'karcher/own-worker';

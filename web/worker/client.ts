@@ -39,14 +39,14 @@ import { tracedCircle, tracedCurve, tracedLines } from './traced';
 
 export { KarcherError } from 'karcher/own-worker';
 
-/** The error of a call that the person stopped. */
+/** The error of a call that the user stopped. */
 export class Stopped extends Error {
   constructor() {
     super('it was stopped before it was done');
   }
 }
 
-/** Called when calls begin to be under way, and when the last one has ended. */
+/** Reports when the first call begins and when the last one ends. */
 class TellingClient extends WorkerClient {
   onBusy: (busy: boolean) => void = () => {};
   #calls = 0;
@@ -66,31 +66,31 @@ interface Loaded {
   up: UpAxis;
 }
 
-/** x, y, z each. */
+/** The places x, y, z of the corners. */
 type Corners = [Vector, Vector, Vector];
 
-/** Whether the enclosed region is wanted: the smaller side, or a named one. */
+/** Whether to compute the enclosed region: the smaller side, or a named one. */
 export type AskedFill = boolean | Inside;
 
-/** Lines, and which side of the first one is inside; the smaller one where that is not said. */
+/** Lines, and the side of the first one that is inside; by default the smaller one. */
 export interface OutlinedShape {
   outlines: readonly Path[];
   inside?: Inside;
 }
 
-/** The parts of a curve's view that are wanted, beside its value. */
+/** The parts of a curve's view to return besides its value. */
 export interface CurveRequest {
-  /** The object that it belongs to; without one it is given back once it is seen. */
+  /** The object of the curve; a curve without one is disposed of after its view. */
   object?: number;
-  /** The number of points that are marked along the curve. */
+  /** The number of marks along the curve. */
   marks?: number;
-  /** The part of the enclosed region that is wanted. */
+  /** The enclosed region to compute. */
   fill?: AskedFill;
-  /** Whether the path that the curve follows is wanted. */
+  /** Whether to return the path that the curve follows. */
   outlines?: boolean;
 }
 
-/** A curve that is tried elsewhere again and again: its legs are continued. */
+/** A curve whose points are moved repeatedly; the engine continues its legs. */
 export class LooseCurve {
   #legs: readonly DrawnLeg[] | undefined;
 
@@ -105,7 +105,7 @@ export class LooseCurve {
     return this.curve.polyline();
   }
 
-  /** Where the curve of another value, its points moved, is at a parameter. */
+  /** The place at a parameter of the curve with another value, whose points have moved. */
   async placeOn(value: CurveOptions, parameter: number): Promise<CurvePoint> {
     const { curve } = this;
     this.#legs ??= (await curve.view()).drawnLegs;
@@ -117,15 +117,15 @@ export class LooseCurve {
   }
 
   dispose(): void {
-    // Where the worker has ended, nothing is left to give back.
+    // If the worker has ended, the curve no longer exists.
     void this.curve.dispose().catch(() => {});
   }
 }
 
 /**
- * A surface in a worker of its own, and a curve for each object on it: of a changed one only what
- * changed is computed. `stop` gives up what is under way. `close` ends the worker and every call; every
- * call fails with a `KarcherError`.
+ * A surface in a worker of its own, with a curve for each object on it; after a change only changed
+ * parts are computed. `stop` cancels the work under way. `close` ends the worker; its calls then
+ * fail with a `KarcherError`.
  */
 export class EngineClient {
   readonly #worker = new TellingClient(
@@ -134,11 +134,14 @@ export class EngineClient {
   #loaded: Loaded | null = null;
   /** The face of the last request for corners. */
   #asked: { face: number; corners: Promise<Corners> } | null = null;
-  /** The curves by the ids of their objects; null if the first requested value gave no curve. */
+  /**
+   * The curves by the ids of their objects; null if the first requested value was not a valid
+   * curve.
+   */
   readonly #curves = new Map<number, Promise<RemoteCurve | null>>();
-  /** Called when the worker ends by itself, as when memory runs out. */
+  /** Called when the worker ends by itself, for example because memory runs out. */
   onStopped: (() => void) | null = null;
-  /** Hears how far long work is, as a part of 1, and what is done. */
+  /** Called with the finished fraction of long work, and the name of its stage. */
   onProgress: (done: number, stage: string) => void = () => {};
 
   private constructor() {
@@ -157,26 +160,29 @@ export class EngineClient {
     }
   }
 
-  /** Sets the listener that hears when calls begin to be under way, and when the last one has ended. */
+  /**
+   * Sets the listener that is called when the first call begins, and when the last one has ended.
+   */
   set onBusy(hear: (busy: boolean) => void) {
     this.#worker.onBusy = hear;
   }
 
   /**
-   * Gives up what is under way, which fails with `Stopped`. If the worker is busy with a long call, another one
-   * replaces it, with the surface and loose curves. Curves of objects are traced again at their next request.
+   * Cancels the work under way, which fails with `Stopped`. If the worker is busy with a long call,
+   * another one replaces it, with the surface and loose curves. Curves of objects are traced again
+   * on their next request.
    */
   stop(): void {
     this.keepCurves([]);
     this.#worker.giveUp(new Stopped());
   }
 
-  /** The surface's own calls. */
+  /** The calls of the surface. */
   get mesh(): RemoteMesh {
     return this.#loaded!.mesh;
   }
 
-  /** The properties of the file that the surface comes from; null for other surfaces. */
+  /** The properties of the surface's file; null for other surfaces. */
   get file(): FileInfo | null {
     return this.#loaded!.file;
   }
@@ -195,7 +201,7 @@ export class EngineClient {
     return this.#loaded!.arrays;
   }
 
-  /** Where the corners of a face are. */
+  /** The places of a face's corners. */
   corners(face: number): Promise<Corners> {
     if (this.#asked?.face !== face) {
       const at = (...bary: Vector) => this.mesh.position({ face, bary });
@@ -204,7 +210,7 @@ export class EngineClient {
     return this.#asked.corners;
   }
 
-  /** The curve of a value. */
+  /** The view of the curve with a value. */
   async curve(
     value: CurveOptions,
     { object, marks = 0, fill = false, outlines = false }: CurveRequest = {},
@@ -212,7 +218,7 @@ export class EngineClient {
     const before = object === undefined ? null : await this.#curves.get(object);
     const curve = before ?? (await this.#first(object, value));
     try {
-      // Both calls are sent at once, so that nothing comes in between.
+      // Both calls are sent at once, so that no other call comes between them.
       const [[view, marked], [filled, path]] = await both(
         both(
           before ? curve.set(value) : curve.view(),
@@ -226,18 +232,18 @@ export class EngineClient {
     }
   }
 
-  /** Gives back the curves of all objects but these. */
+  /** Disposes of the curves of all objects but these. */
   keepCurves(objects: readonly number[]): void {
     for (const object of [...this.#curves.keys()]) {
       if (!objects.includes(object)) this.forget(object);
     }
   }
 
-  /** Gives back the curve of an object: its next one has nothing of it. */
+  /** Disposes of the curve of an object: its next curve starts afresh. */
   forget(object: number): void {
     const curve = this.#curves.get(object);
     this.#curves.delete(object);
-    // Where the worker has ended, nothing is left to give back.
+    // If the worker has ended, the curve no longer exists.
     void curve?.then((one) => one?.dispose()).catch(() => {});
   }
 
@@ -247,7 +253,9 @@ export class EngineClient {
     return (await curve?.value())?.legs?.map(waypointsOf) ?? [];
   }
 
-  /** Shorter ways that legs of the curve of a value could take, the object's from then on. */
+  /**
+   * Shorter paths that legs of a value's curve could take; the curve then belongs to the object.
+   */
   async shorterLegs(object: number, value: CurveOptions): Promise<ShorterLeg[]> {
     const curve = await this.#curveOf(object, value);
     const [, legs] = await both(curve.set(value), curve.legs());
@@ -256,7 +264,10 @@ export class EngineClient {
     );
   }
 
-  /** The point of an object's curve nearest to a place; `value` makes the curve where the worker does not have it. */
+  /**
+   * The point of an object's curve nearest to a place; `value` makes the curve if the worker does
+   * not have it.
+   */
   async measure(
     object: number,
     value: CurveOptions,
@@ -274,7 +285,7 @@ export class EngineClient {
     return { parameter, point, position, length, wholeLength: view.length, tangent };
   }
 
-  /** A curve that is no object's; to be disposed. */
+  /** A curve that belongs to no object; the caller disposes of it. */
   async looseCurve(value: CurveOptions): Promise<LooseCurve> {
     return new LooseCurve(await this.mesh.curve(value));
   }
@@ -312,7 +323,7 @@ export class EngineClient {
     return tracedLines(paths, milliseconds, filled);
   }
 
-  /** Lines at a distance from others. */
+  /** Lines at a distance from outlines. */
   offset(
     outlines: readonly Path[],
     options: Offset & { inside?: Inside | undefined },
@@ -322,7 +333,10 @@ export class EngineClient {
     return this.#derived('offset', [outlines, { ...options, closed }, fill]);
   }
 
-  /** The outline of a union, intersection, difference or exclusion of what outlines enclose. */
+  /**
+   * The outline of a union, intersection, difference or exclusion of the regions that outlines
+   * enclose.
+   */
   combined(
     shapes: readonly OutlinedShape[],
     kind: BooleanKind,
@@ -331,14 +345,17 @@ export class EngineClient {
     return this.#derived('combined', [shapes, kind, fill]);
   }
 
-  /** The surface cut apart along outlines, the largest part first; of a thickness, if it is positive. */
+  /**
+   * The parts of the surface after a cut along outlines, the largest first; with thickness if that
+   * is positive.
+   */
   async cut(outlines: readonly Path[], thickness: number): Promise<SurfacePart[]> {
     const progress = (done: number, stage: string) => this.onProgress(done, stage);
     const args = [this.mesh, outlines, thickness, { progress }];
     return (await this.#worker.call('cut', args)) as SurfacePart[];
   }
 
-  /** A part of the cut surface as a file, with what the surface's own file says of it. */
+  /** A part of the cut surface as a file, with the properties of the surface's own file. */
   async meshFile(part: SurfacePart, format: WrittenFormat): Promise<Uint8Array> {
     const { thick, positions, triangles, faces } = part;
     const marks = this.file && { ...this.file, sheets: thick ? 2 : 1 };
@@ -352,7 +369,7 @@ export class EngineClient {
     return tracedLines(made.paths, performance.now() - started, made.fill);
   }
 
-  /** Distances along the surface from a point to all of it. */
+  /** Distances along the surface from a point to every vertex. */
   async distances(
     from: PointLike,
     options: DistanceOptions,
@@ -389,7 +406,7 @@ export class EngineClient {
     return this.#worker.call('fill', [this.mesh, lines, inside]) as Promise<Fill>;
   }
 
-  /** What a region's lines or bands are drawn by; null where they cannot be. */
+  /** The pattern of a region; null if it is impossible. */
   pattern(region: Region, kind: FillPattern, spacing: number): Promise<Pattern | null> {
     const { whole, parts, corners, area, boundary } = region;
     const args = [this.mesh, { whole, parts, corners, area, boundary }, kind, spacing];

@@ -1,4 +1,4 @@
-/** The surface cut apart, as the page lists, draws and saves its parts. */
+/** The cut surface, with its parts in the form that the page lists, draws and saves. */
 import type { CutPart, LongWorkOptions, Mesh, SurfacePoint } from 'karcher';
 import type { Shell, SurfacePart } from '../model/parts';
 
@@ -30,7 +30,7 @@ export async function cutParts(
   return parts.sort((a, b) => b.area - a.area);
 }
 
-/** Where the corners of a part's triangles lie in the surface's faces. */
+/** The weights of the corners of a part's triangles in the surface's faces. */
 function weightsOf(part: CutPart, positions: Float64Array, triangles: Int32Array): Float32Array {
   const weights = new Float32Array(2 * part.triangles.length);
   const at = (of: Float64Array, vertex: number): Corners =>
@@ -50,7 +50,7 @@ function weightsOf(part: CutPart, positions: Float64Array, triangles: Int32Array
   return weights;
 }
 
-/** The middle of the triangle that is the largest part of its face. */
+/** The middle of the triangle that covers the largest part of its face. */
 function pointOf({ faces }: CutPart, weights: Float32Array): SurfacePoint {
   let best = 0;
   let most = -1;

@@ -1,4 +1,4 @@
-/** Lines that are made of other lines: offsets of them, and booleans of what they enclose. */
+/** Lines that are made of other lines: their offsets, and booleans of their regions. */
 import { KarcherError, type Mesh, type Path, type Region, type SurfacePoint } from 'karcher';
 import type { BooleanKind, Offset } from '../model/derived';
 import type { Inside } from '../model/figure';
@@ -13,7 +13,7 @@ export interface DerivedLines {
   fill: Fill | null;
 }
 
-/** The inside is a side of the first line, or the side that holds the middle of a line. */
+/** The inside is a side of the first line, or the side that contains the middle of a line. */
 const outlined = (
   mesh: Mesh,
   outlines: (Outline | Path)[],
@@ -23,7 +23,10 @@ const outlined = (
   return mesh.regions([{ outlines, ...(told && { inside: told }) }])[0]!;
 };
 
-/** The boundary of what lines enclose, with the inside to its left; null if they enclose nothing. */
+/**
+ * The boundary of the region that lines enclose, with the inside on its left; null if they enclose
+ * none.
+ */
 function enclosed(mesh: Mesh, outlines: Outline[], inside?: Inside | undefined): Path[] | null {
   try {
     return outlined(mesh, outlines, inside).boundary();
@@ -33,7 +36,7 @@ function enclosed(mesh: Mesh, outlines: Outline[], inside?: Inside | undefined):
   }
 }
 
-/** Inwards is the enclosed side of closed lines; for other lines it is the left. */
+/** An inward offset lies on the enclosed side of closed lines; for other lines it is the left. */
 export function offsetOf(
   mesh: Mesh,
   outlines: Outline[],
@@ -49,7 +52,7 @@ export function offsetOf(
   const from = (closed && side !== 'both' && enclosed(mesh, outlines, sideInside)) || outlines;
   const sides = { inwards: 'left', outwards: 'right', both: 'both' } as const;
   const paths = mesh.offset(from, { distance, side: sides[side], corners });
-  // The line itself lies in the band round it, and in what is enclosed farther out.
+  // The line itself lies in the band around it, and in the region of an outer offset.
   const inside = side === 'inwards' ? undefined : outlines[0];
   return { paths, fill: fill ? painted(() => outlined(mesh, paths, inside)) : null };
 }

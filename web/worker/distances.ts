@@ -1,9 +1,9 @@
-/** Distances from a point as the page draws them: values at the vertices, and isolines. */
+/** Distances from a point in the form that the page draws: values at the vertices, and isolines. */
 import type { DistanceOptions, Mesh, PointLike } from 'karcher';
 import { levelLines, roundStep } from '../model/level_lines';
 import type { TracedDistances } from '../model/traced';
 
-/** About how many lines there are. */
+/** The approximate number of isolines. */
 const lineCount = 12;
 
 export function tracedDistances(
@@ -24,7 +24,7 @@ export function tracedDistances(
     (corner) => distances[triangles[corner]!]!,
     levels,
   );
-  // Vertices without a triangle are not reached, and not seen.
+  // Vertices without a triangle have no distance and are invisible.
   const complete = triangles.every((vertex) => Number.isFinite(distances[vertex]!));
   const values = Float32Array.from(distances, (value) => (Number.isFinite(value) ? value : -most));
   return { values, most, step, lines, complete };

@@ -1,4 +1,4 @@
-/** Edits of a curve that need its mathematics: what comes of them, as values. */
+/** Edits of a curve that need its mathematics; their results are values. */
 import type { CurveKind, CurveOptions, CurveValue, PointLike } from 'karcher';
 import type { RemoteCurve, RemoteMesh } from 'karcher/own-worker';
 
@@ -9,16 +9,18 @@ export type Edit =
   | { type: 'removePoint'; index: number }
   | { type: 'setClosed'; closed: boolean }
   | { type: 'reverse' }
-  /** Puts a control point in where the curve is nearest to a place, if no knot is within reach. */
+  /**
+   * Inserts a control point where the curve is nearest to a place, unless a knot is within reach.
+   */
   | { type: 'insert'; near: Place; within: number }
-  /** Cuts the curve where it is nearest to a place, or at the knot within reach. */
+  /** Cuts the curve where it is nearest to a place, or at a knot within reach. */
   | { type: 'split'; near: Place; within: number }
-  /** Makes one curve of this and another one, at the ends that are nearest to each other. */
+  /** Joins this curve and another one at the ends that are nearest to each other. */
   | { type: 'join'; other: CurveOptions };
 
 export interface Edited {
   curves: CurveValue[];
-  /** The number of the control point that was put in. */
+  /** The index of the inserted control point. */
   point: number | null;
 }
 
@@ -29,7 +31,7 @@ export async function edited(
   value: CurveOptions,
   edit: Edit,
 ): Promise<Edited> {
-  // Calls that are not waited for are answered in their order.
+  // Calls are answered in their order, even those that are not awaited.
   const set = curve.set(value);
   switch (edit.type) {
     case 'insertPoint':
@@ -73,19 +75,19 @@ async function changed(
   return { curves: [after], point: null };
 }
 
-/** Disposes of the curves. */
+/** Returns the values of curves and disposes of them. */
 async function valuesOf(made: readonly RemoteCurve[]): Promise<Edited> {
   const curves = await Promise.all(made.map((curve) => curve.value()));
   for (const curve of made) void curve.dispose();
   return { curves, point: null };
 }
 
-/** The kinds of one segment, which has no knots. */
+/** The kinds with a single segment, which have no knots. */
 const ofOneSegment: readonly CurveKind[] = ['bezier', 'rational', 'barycentric'];
 
 /**
- * The parameter that is meant at a place: where the curve is nearest, or the knot within reach of
- * that, next to which a segment would be a sliver.
+ * The parameter at a place: where the curve is nearest, or at a knot within reach, beside which a
+ * segment would be a sliver.
  */
 async function meantAt(
   curve: RemoteCurve,
@@ -101,7 +103,7 @@ async function meantAt(
 
 const far = (p: Place, q: Place) => Math.hypot(...p.map((value, axis) => value - q[axis]!));
 
-/** Runs along both, which may be turned around for it. */
+/** Joins both curves into one, and reverses them if needed. */
 async function joinedAtEnds(a: RemoteCurve, b: RemoteCurve): Promise<RemoteCurve> {
   const ends = async (curve: RemoteCurve) => {
     const { segmentCount } = await curve.view();

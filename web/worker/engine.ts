@@ -1,4 +1,7 @@
-/** The worker that runs the engine: `karcher/worker-thread` that also makes the page's meshes. */
+/**
+ * The worker that runs the engine: `karcher/worker-thread` with additional calls for the page's
+ * meshes.
+ */
 import {
   type CutPart,
   type DistanceOptions,
@@ -41,7 +44,7 @@ const takenFrom = (mesh: Mesh) => ({
   triangles: mesh.triangles(),
 });
 
-/** The worker's own calls; all others are calls of the mesh. */
+/** The calls of this worker; all others are calls of the mesh. */
 const calls = {
   async load(source: MeshSource, { progress = () => {} }: LongWorkOptions): Promise<Loaded> {
     progress(0, 'Starting the engine');
@@ -61,7 +64,7 @@ const calls = {
           progress(0.2 + 0.6 * done, fileStages[stage] ?? 'Reading the file'),
       });
     const whole = await read(parts).catch((error: unknown) => {
-      // A piece of a file that has no parts.
+      // The key names a piece of a file without parts.
       if (parts && error instanceof KarcherError && error.code === 'badArgument') return read(null);
       throw error;
     });

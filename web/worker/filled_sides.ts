@@ -1,14 +1,16 @@
 /**
- * Fills parts of faces that are given by their sides: a face is cut into upright strips at the ends of its
- * sides, within which no two sides cross, and every second piece of a strip, from below, is filled.
+ * Fills parts of faces given by their sides: vertical lines through the ends of its sides cut a
+ * face into strips. Within a strip no two sides cross, and every second piece is filled, from
+ * below.
  */
 
-/** Narrower strips, in weights, are not seen. */
+/** The narrowest strip that is visible, in weights. */
 const narrowest = 1e-9;
 
 /**
- * `faces` has the face of each side, in order, and `sides` four numbers each: second and third weight of one end and of
- * the other. Gives triangles: their faces, and of each corner the two weights.
+ * `faces` has the face of each side, in order, and `sides` four numbers each: second and third
+ * weight of one end and of the other. Returns triangles: their faces, and the two weights of each
+ * corner.
  */
 export function filledSides(
   faces: Int32Array,
@@ -47,7 +49,7 @@ function fillFace(sides: Float64Array, add: (...triangle: number[]) => void): vo
     ];
     ends.add(ax);
     ends.add(bx);
-    // Upright ones bound strips.
+    // Vertical sides lie on the lines between strips.
     if (ax === bx) continue;
     const [left, right] = [Math.min(ax, bx), Math.max(ax, bx)];
     const at = (x: number) => (x === bx ? by : ay + ((x - ax) / (bx - ax)) * (by - ay));

@@ -4,7 +4,10 @@ import type { Inside } from '../model/figure';
 import type { Fill } from '../model/traced';
 import { filledSides } from './filled_sides';
 
-/** The region that a curve, or several paths together, enclose: the smaller side, unless one is named. */
+/**
+ * The region that a curve, or several paths together, enclose: the smaller side unless one is
+ * named.
+ */
 export function fillOf(
   mesh: Mesh,
   lines: Curve | readonly SurfacePoint[][],
@@ -14,7 +17,7 @@ export function fillOf(
   return painted(() => mesh.regions([{ outlines, ...(inside && { inside }) }])[0]!);
 }
 
-/** A region as it is painted, or the reason for having none. */
+/** A region in its painted form, or the reason why there is none. */
 export function painted(regionOf: () => Region): Fill {
   try {
     const region = regionOf();

@@ -1,13 +1,13 @@
-/** Regions as their triangles, with distances by which lines and bands are drawn on them. */
+/** Regions as triangles with distances for lines and bands. */
 import { KarcherError, type Mesh, type SurfacePoint } from 'karcher';
 import type { FillPattern } from '../model/drawing';
 import { isTooFine, type Pattern, type Region } from '../model/traced';
 
-/** Sides of triangles, as a part of the spacing: distances are linear in each triangle. */
+/** The sides of triangles, as a part of the spacing: distances are linear in each triangle. */
 const sidePart = 1 / 3;
-/** About so many triangles are drawn at most; if need be, they are larger. */
+/** The approximate largest number of triangles; they are larger if necessary. */
 const mostTriangles = 150_000;
-/** The line from which others have their distance, as a part of how far the region reaches. */
+/** The length of the line that distances start from, as a multiple of the region's extent. */
 const reachPart = 1.5;
 
 type Vector = [number, number, number];
@@ -25,8 +25,8 @@ const areaOf = ([a, b, c]: readonly [Corner, Corner, Corner]) =>
   lengthOf(cross(minus(b.place, a.place), minus(c.place, a.place))) / 2;
 
 /**
- * What a region's lines or bands are drawn by: hatched by the distances from a geodesic through its middle, striped by
- * those from its border. Null where there would be too many lines, or there is no border.
+ * The pattern of a region: a hatched one has the distances from a geodesic through its middle, a
+ * striped one those from its border. Null if it has too many lines or no border.
  */
 export function patternOf(
   mesh: Mesh,
@@ -60,12 +60,12 @@ export function patternOf(
   }
 }
 
-/** Triangles, halved along their longest sides until these are short. */
+/** Triangles, bisected along their longest sides until these are short. */
 class Pieces {
   readonly faces: number[] = [];
-  /** Second and third weight of each corner. */
+  /** The second and third weight of each corner. */
   readonly corners: number[] = [];
-  /** The points at which distances are asked for, each once, and each corner's number among them. */
+  /** The distinct points that need distances, and each corner's index among them. */
   readonly face: number[] = [];
   readonly bary: number[] = [];
   readonly number: number[] = [];
@@ -155,7 +155,9 @@ function* trianglesOf(
   }
 }
 
-/** A geodesic through the middle of a region and beyond it, aslant to the y axis as it is seen from outside. */
+/**
+ * A geodesic through the middle of a region and beyond, oblique to the y axis as seen from outside.
+ */
 function middleLine(mesh: Mesh, { middles }: Pieces): SurfacePoint[][] {
   if (middles.length === 0) return [];
   const center: Vector = [0, 0, 0];

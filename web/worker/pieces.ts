@@ -1,4 +1,4 @@
-/** The pieces of a file without parts of its own: triangles that hang together. */
+/** The pieces of a file without parts of its own: connected components of triangles. */
 import type { Karcher, Mesh } from 'karcher';
 import type { FileInfo } from 'karcher/formats';
 
@@ -7,12 +7,14 @@ export interface Opened {
   file: FileInfo;
 }
 
-/** A file of more pieces, such as a cloud of crumbs, is offered as a whole. */
+/**
+ * The largest number of pieces. A file of more pieces, such as a cloud of crumbs, is not divided.
+ */
 const mostPieces = 1000;
 
 /**
- * The number of each triangle's piece, and the number of triangles of each piece. Pieces are numbered from the
- * largest; among equally large ones the one with the first triangle comes first.
+ * The index of each triangle's piece, and the number of triangles of each piece. Pieces are ordered
+ * from the largest; of equally large ones, the one with the first triangle comes first.
  */
 export function piecesOf(
   triangles: Int32Array,
@@ -22,7 +24,7 @@ export function piecesOf(
   const rootOf = (vertex: number) => {
     let root = vertex;
     while (parents[root] !== root) {
-      // Each step halves the way to the root, so that ways stay short.
+      // Each step halves the path to the root, so that paths stay short.
       parents[root] = parents[parents[root]!]!;
       root = parents[root]!;
     }
@@ -47,7 +49,7 @@ export function piecesOf(
 }
 
 /**
- * A file that was read as a whole, with its pieces as its parts where it has none, and the mesh of the wanted
+ * A completely read file, with its pieces as parts if it has none, and the mesh of the selected
  * ones. The given mesh is disposed of if another one is returned.
  */
 export async function inPieces(

@@ -1,4 +1,4 @@
-/** The engine's results as the page draws them. */
+/** The engine's results in the form that the page draws. */
 import type { Circle, CurvePoints, CurveView, Ellipse, Path } from 'karcher';
 import { lostIntervals } from '../model/lost';
 import type { Fill, TracedCurve, TracedIsolines } from '../model/traced';

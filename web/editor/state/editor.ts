@@ -161,10 +161,7 @@ export class Editor {
     this.#change({ drawing, dragging: false, dragged: noNumbers }, false);
   }
 
-  /**
-   * The edit that stores the side that the edited figure encloses; null if it is stored already, or
-   * the figure encloses no region.
-   */
+  /** The edit that stores the side that the edited figure encloses; null without a new side. */
   #insideKept(): Command | null {
     const { id, figure } = this.active;
     const to = figure.inside ? null : this.insideOf(figure);
@@ -293,9 +290,7 @@ export class Editor {
     this.#change({ selection, chosen }, false);
   }
 
-  /**
-   * Selects objects and edits the last one; this is no step of the history (`recordActivation`).
-   */
+  /** Selects objects and edits the last one, without a step (`recordActivation`). */
   choose(ids: readonly number[]): void {
     const chosen = withGroups(this.#state.drawing, ids);
     const edited = ids.findLast((id) => objectOf(this.#state.drawing, id));
@@ -444,9 +439,7 @@ export class Editor {
     if (!isEmpty(figure)) this.replace(cleared(figure));
   }
 
-  /**
-   * An edit of an object, by default the active one, as a command on the drawing before the drag.
-   */
+  /** An edit of an object, by default the active one, as a command on `baseDrawing`. */
   #commandOf(edit: FigureCommand, of?: number): Command {
     const base = this.baseDrawing;
     const { id, figure: from } = (of !== undefined && objectOf(base, of)) || activeObject(base);
@@ -487,10 +480,7 @@ export class Editor {
     this.#change({ drawing, selection, chosen }, true);
   }
 
-  /**
-   * Keeps the edited object when it is deselected, even with few points: another object was made of
-   * it.
-   */
+  /** Keeps the edited object when it is deselected: another object was made of it. */
   keepBegun(): void {
     this.#begun.keep();
   }
