@@ -211,6 +211,33 @@ describe('fills', () => {
     await tab.close();
   });
 
+  test('keep to their side when the frame makes a figure larger than half of the surface', async () => {
+    const tab = await nearHalf();
+    const whole = 4 * Math.PI;
+    const small = await filled(tab);
+    const before = JSON.stringify((await tab.state()).drawing);
+    await tab.page.locator('#tool-transform').click();
+    await tab.page.locator('#scale').fill('125');
+    await tab.page.locator('#scale').press('Enter');
+    const changedFrom = (drawing) =>
+      tab.page.waitForFunction((last) => {
+        const state = window.karcherPage.state();
+        return JSON.stringify(state.drawing) !== last && !state.dragging;
+      }, drawing);
+    await changedFrom(before);
+    const large = await filled(tab);
+    assert.ok(small < 0.48 * whole && large > 0.52 * whole, `${small}, ${large}`);
+    const after = JSON.stringify((await tab.state()).drawing);
+    await tab.page.locator('#stage').focus();
+    await tab.page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.equal(JSON.stringify((await tab.state()).drawing), before);
+    await tab.page.keyboard.press('Control+y');
+    await tab.settled();
+    assert.equal(JSON.stringify((await tab.state()).drawing), after);
+    await tab.close();
+  });
+
   test('are on the other side by a button, and of a curve that runs the other way where they were', async () => {
     const tab = await nearHalf();
     const whole = 4 * Math.PI;

@@ -62,11 +62,12 @@ function wholes(objects: readonly DrawnObject[]): Part[] {
 /** Aligns the selection, as one step; throws a sentence if that is impossible. */
 export async function align(
   editor: Editor,
-  { client }: Session,
+  session: Session,
   surface: Surface,
   how: Alignment,
 ): Promise<void> {
   editor.interrupt();
+  const { client } = session;
   const { state } = editor;
   const parts = alignedParts(state);
   if (!client || parts.length === 0) return;
@@ -76,7 +77,7 @@ export async function align(
     parts.map(async (part, i) => {
       const goal = goals[i];
       if (!goal) return part.map(({ figure }) => figure);
-      const move = await Move.of(client, surface, part, places[i]!);
+      const move = await Move.of(session, surface, part, places[i]!);
       const placed = await move.placed({ point: goal });
       if (typeof placed === 'string') throw new Error(placed);
       return placed.figures;

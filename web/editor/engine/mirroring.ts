@@ -74,13 +74,15 @@ export async function mirroredFigures(
   );
   const most = 1e-9 * client.info.diagonal;
   if (mapped.remaining.some((left) => left > most)) return null;
-  const moved = movedFigures(figures, carried, mapped, 1);
+  return movedFigures(figures, carried, mapped, 1).map(mirroredInside);
+}
+
+/** A figure that was mirrored, with its inside on the other side of its line. */
+export function mirroredInside(figure: Figure): Figure {
+  const { inside, kind } = figure;
   // Circles and ellipses keep their inside: they run the same way around their centers after
   // mirroring.
-  return moved.map((figure) => {
-    const { inside, kind } = figure;
-    return inside && !isRound(kind) ? withInside(figure, opposite(inside)) : figure;
-  });
+  return inside && !isRound(kind) ? withInside(figure, opposite(inside)) : figure;
 }
 
 function reversed(polyline: Float64Array): Float64Array {

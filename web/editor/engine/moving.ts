@@ -4,11 +4,12 @@ import { Vector3 } from 'three';
 import type { Command } from '../../model/commands';
 import { isDerived } from '../../model/derived';
 import { type Drawing, type DrawnObject, objectOf } from '../../model/drawing';
-import { type Figure, isEmpty, plain, type Vector } from '../../model/figure';
+import { type Figure, isEmpty, plain, type Vector, withInside } from '../../model/figure';
 import { type Carried, type CarriedTo, carriedOf, movedFigures } from '../../model/moving';
 import { withSources } from '../../model/sources';
 import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
+import type { Session } from './session';
 import { isTorn } from './tearing';
 
 /**
@@ -57,6 +58,16 @@ export function movableObjects(drawing: Drawing, ids: readonly number[]): DrawnO
   );
 }
 
+/** The figures of objects, which keep to the sides that they enclose, as these are shown. */
+export const keptFigures = (
+  session: Pick<Session, 'insideOf'>,
+  objects: readonly DrawnObject[],
+): Figure[] =>
+  objects.map(({ figure }) => {
+    const side = figure.inside ? null : session.insideOf(figure);
+    return side ? withInside(figure, side) : figure;
+  });
+
 /** Replaces the figures of objects, as one step. */
 export const replacing = (objects: readonly DrawnObject[], to: readonly Figure[]): Command => ({
   type: 'steps',
@@ -95,6 +106,7 @@ export class Move {
     private readonly surface: Surface,
     private readonly normal: Vector3,
     private readonly objects: readonly DrawnObject[],
+    private readonly kept: readonly Figure[],
     private readonly pivot: SurfacePoint,
     private readonly carried: readonly Carried[],
     private readonly beside: readonly Carried[],
@@ -103,13 +115,16 @@ export class Move {
 
   /** `beside` moves along with the objects. Rejects if a place has no path to the pivot. */
   static async of(
-    client: EngineClient,
+    session: Pick<Session, 'client' | 'insideOf'>,
     surface: Surface,
     objects: readonly DrawnObject[],
     pivot: SurfacePoint,
     beside: readonly Carried[] = [],
   ): Promise<Move> {
-    const carried = carriedOf(objects.map(({ figure }) => figure));
+    const { client } = session;
+    if (!client) throw new Error('there is no surface');
+    const kept = keptFigures(session, objects);
+    const carried = carriedOf(kept);
     const all = [...carried, ...beside];
     const logs = await client.mesh.logMap(
       plain(pivot),
@@ -117,7 +132,7 @@ export class Move {
       directionsOf(all),
     );
     const normal = await faceNormal(client, surface, pivot);
-    return new Move(client, surface, normal, objects, plain(pivot), carried, beside, logs);
+    return new Move(client, surface, normal, objects, kept, plain(pivot), carried, beside, logs);
   }
 
   /** The command that moves the pivot to a point; a sentence if that is impossible. */
@@ -137,8 +152,7 @@ export class Move {
       ? await client.mesh.expMap(pivot, vectors, ways)
       : await client.putDown(pivot, plain(point), vectors, ways);
     if (remaining.some((left) => left > leftAtMost * client.info.diagonal)) return leaves;
-    const before = objects.map(({ figure }) => figure);
-    const figures = movedFigures(before, carried, { points, directions }, scale);
+    const figures = movedFigures(this.kept, carried, { points, directions }, scale);
     if (await isTorn(client, this.surface, objects, figures, scale)) return tears;
     const own = carried.length;
     return {

@@ -12,6 +12,7 @@ import {
 } from '../../model/symmetry';
 import { nearestPlaceOf, samplesOf } from '../../viewer/section';
 import type { Surface } from '../../viewer/surface';
+import { mirroredInside } from './mirroring';
 
 /**
  * The largest distance of mirror images from the surface, as a part of its diagonal. Beyond it the
@@ -69,5 +70,5 @@ export function figuresInPlane(
     return point;
   });
   if (farthest > besideAtMost * diagonal) return null;
-  return movedFigures(figures, carried, { points, directions }, 1);
+  return movedFigures(figures, carried, { points, directions }, 1).map(mirroredInside);
 }

@@ -7,7 +7,7 @@ import { sectionOf } from '../../viewer/section';
 import type { Surface } from '../../viewer/surface';
 import type { Viewer } from '../../viewer/viewer';
 import { copiesOf, mirroredAcross, mirrorLine } from '../engine/mirroring';
-import { movableObjects, replacing } from '../engine/moving';
+import { keptFigures, movableObjects, replacing } from '../engine/moving';
 import { Newest } from '../engine/newest';
 import { figuresInPlane, planeOfSymmetry } from '../engine/plane_mirror';
 import type { Session } from '../engine/session';
@@ -145,9 +145,10 @@ export class MirrorTool {
     const { client } = session;
     const { drawing, chosen } = editor.state;
     const objects = movableObjects(drawing, chosen.length > 0 ? chosen : [drawing.active]);
+    const kept = copiesOf(objects, keptFigures(session, objects));
     if (!client || objects.length === 0) return;
     try {
-      const figures = await imagesOf(objects);
+      const figures = await imagesOf(kept);
       if (editor.state.drawing !== drawing) return;
       const { surface } = this.viewer;
       if (!figures) this.problem('The mirror image would leave the surface.');

@@ -98,7 +98,7 @@ export class MoveGestures {
     if (!editor.state.chosen.includes(id)) editor.activate(id);
     const { chosen } = editor.state;
     const objects = movableObjects(editor.state.drawing, chosen.length > 0 ? chosen : [id]);
-    return Move.of(client, viewer.surface, objects, pivot).catch(() => null);
+    return Move.of(session, viewer.surface, objects, pivot).catch(() => null);
   }
 
   /** Moves the selection by a number of CSS pixels; nudges are one step until `endNudge`. */
@@ -154,7 +154,7 @@ export class MoveGestures {
       const [left, top] = [box.left + x, box.top + y];
       const pivot = viewer.pick(left, top)?.point;
       if (!pivot) continue;
-      const move = await Move.of(client, surface, objects, pivot).catch(() => null);
+      const move = await Move.of(session, surface, objects, pivot).catch(() => null);
       return move && { move, x: left, y: top, revision };
     }
     return null;

@@ -199,10 +199,9 @@ export class TransformGestures {
   }
 
   #moveAt(point: SurfacePoint, frame: TransformFrame): Promise<Move | null> {
-    const { client } = this.session;
     const { surface } = this.viewer;
-    if (!client || !surface) return Promise.resolve(null);
-    const move = Move.of(client, surface, this.#objects, point, carriedFrame(frame));
+    if (!this.session.client || !surface) return Promise.resolve(null);
+    const move = Move.of(this.session, surface, this.#objects, point, carriedFrame(frame));
     return move.catch(() => null);
   }
 
