@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
-import { browserOfSuite, Tab } from './browser.mjs';
+import { browserOfSuite, openBrowser, Tab } from './browser.mjs';
 import { fitsFile } from './schema.mjs';
 
 describe('cuts', () => {
@@ -16,8 +16,8 @@ describe('cuts', () => {
   const button = (tab, name) => tab.page.getByRole('button', { name, exact: true });
   const picked = (tab) => tab.page.evaluate(() => window.karcherPage.state().figure.points.length);
 
-  async function cutSphere() {
-    const tab = await Tab.open(browser, 'mesh=sphere:6000&kind=circle');
+  async function cutSphere(shown = browser) {
+    const tab = await Tab.open(shown, 'mesh=sphere:6000&kind=circle');
     const { x, y } = await tab.middle();
     await tab.drag({ x, y }, { x: x + 90, y });
     const { radius } = (await tab.view()).circle;
@@ -82,6 +82,31 @@ describe('cuts', () => {
     await tab.page.keyboard.press('Control+z');
     await tab.settled();
     assert.equal(JSON.stringify((await tab.state()).drawing), bare);
+    await tab.close();
+  });
+
+  test('of hidden parts no triangles are seen', async (t) => {
+    const drawn = await openBrowser({ viewport: { width: 1280, height: 800 }, asUsers: true });
+    t.after(() => drawn.close());
+    const { tab, x, y } = await cutSphere(drawn);
+    await button(tab, 'Show or hide Part 1').click();
+    await tab.settled();
+    await tab.page.keyboard.press('v');
+    await tab.page.locator('#stage').focus();
+    const seen = async () => {
+      await tab.still();
+      return tab.pixels({ x: x - 200, y: y - 200, width: 400, height: 400 });
+    };
+    const without = await seen();
+    await tab.page.keyboard.press('t');
+    await tab.page.waitForFunction(
+      () => document.querySelector('#edges').getAttribute('aria-checked') === 'true',
+    );
+    const shown = await seen();
+    const away = (i) => Math.hypot((i % 400) - 200, Math.floor(i / 400) - 200);
+    const changed = shown.flatMap((color, i) => (`${color}` === `${without[i]}` ? [] : [away(i)]));
+    assert.ok(changed.filter((far) => far < 80).length > 500, 'the triangles of the cap are seen');
+    assert.equal(changed.filter((far) => far > 110).length, 0, 'beside the cap');
     await tab.close();
   });
 

@@ -202,12 +202,15 @@ export function paint(color: Color, opacity: number, bars: Bars | null = null): 
 /** The sides to draw: hidden ones would show as specks at the silhouette. */
 const sides = { front: FrontSide, back: BackSide, both: FrontSide };
 
-export const edgeMaterial = new MeshBasicMaterial({
+const edgeMaterial = new MeshBasicMaterial({
   wireframe: true,
   transparent: true,
   opacity: 0.16,
   depthWrite: false,
 });
+
+/** The edges of a geometry's triangles. */
+export const edgeMesh = (geometry: BufferGeometry) => new Mesh(geometry, edgeMaterial);
 
 /** Turns the light around the line of sight, by an angle in radians; it moves with the camera. */
 export function turnLight(angle: number): void {

@@ -5,7 +5,7 @@ import {
   BufferGeometry,
   DoubleSide,
   Group,
-  Mesh,
+  type Mesh,
   Quaternion,
   type Ray,
   Sphere,
@@ -16,7 +16,7 @@ import { surfacePoint, type Vector } from '../model/figure';
 import type { MeshBlobs } from '../model/mesh_blobs';
 import type { SurfacePart } from '../model/parts';
 import type { Pattern, Region } from '../model/traced';
-import { clayMesh, edgeMaterial, paint, showClay, showTint, showValues } from './clay';
+import { clayMesh, edgeMesh, paint, showClay, showTint, showValues } from './clay';
 import type { DrawnGeometry } from './drawn_geometry';
 import {
   directionFromScene,
@@ -67,9 +67,10 @@ export class Surface {
   /** A flag for each face, 1 if it is visible; null if all are. */
   #seen: Uint8Array | null = null;
   readonly #edges: Mesh;
+  #edgesShown = false;
   readonly #whole: Mesh;
   /** The parts that are shown instead of a cut surface. */
-  readonly #parts = new SurfaceParts(clayMesh, paint);
+  readonly #parts = new SurfaceParts(clayMesh, edgeMesh, paint);
   readonly #along = new WeakMap<Float32Array, Float32Array>();
 
   constructor(drawn: DrawnGeometry) {
@@ -92,7 +93,7 @@ export class Surface {
     this.#geometry.boundingSphere = new Sphere(new Vector3(), 1);
     showClay(drawn.outside);
     this.#tree = MeshBVH.deserialize(drawn.tree, this.#geometry, { setIndex: false });
-    this.#edges = new Mesh(this.#geometry, edgeMaterial);
+    this.#edges = edgeMesh(this.#geometry);
     this.#edges.visible = false;
     this.#whole = clayMesh(this.#geometry);
     this.object.add(this.#whole, this.#edges, this.#parts.object);
@@ -109,7 +110,9 @@ export class Surface {
   }
 
   set edges(visible: boolean) {
-    this.#edges.visible = visible;
+    this.#edgesShown = visible;
+    this.#edges.visible = visible && this.#whole.visible;
+    this.#parts.edgesShown = visible;
   }
 
   /** Whether the surface shows its own colors, if it has any. */
@@ -133,6 +136,7 @@ export class Surface {
    */
   showParts(parts: readonly { part: SurfacePart; color: string | null }[] | null): void {
     this.#whole.visible = parts === null;
+    this.#edges.visible = this.#edgesShown && parts === null;
     this.#parts.show(parts ?? [], (part) => this.#partGeometry(part));
     this.#seen = parts && seenFaces(parts, this.triangles);
   }

@@ -6,6 +6,7 @@ const opacity = 0.35;
 
 interface Drawn {
   geometry: BufferGeometry;
+  edges: Mesh;
   meshes: Mesh[];
   color: string | null;
 }
@@ -15,12 +16,23 @@ export class SurfaceParts {
   readonly object = new Group();
   /** The meshes, by the triangles of their parts. */
   readonly #drawn = new Map<Int32Array, Drawn>();
+  #edges = false;
 
-  /** `clay` makes the mesh of a part, and `paint` the material of a color over it. */
+  /**
+   * `clay` makes the mesh of a part, `edges` that of its triangles' edges, and `paint` the material
+   * of a color over it.
+   */
   constructor(
     private readonly clay: (geometry: BufferGeometry) => Mesh,
+    private readonly edges: (geometry: BufferGeometry) => Mesh,
     private readonly paint: (color: Color, opacity: number) => ShaderMaterial,
   ) {}
+
+  /** Whether the edges of the parts' triangles are seen. */
+  set edgesShown(shown: boolean) {
+    this.#edges = shown;
+    for (const { edges } of this.#drawn.values()) edges.visible = shown;
+  }
 
   show(
     parts: readonly { part: SurfacePart; color: string | null }[],
@@ -37,14 +49,16 @@ export class SurfaceParts {
       const before = this.#drawn.get(part.triangles);
       if (before && before.meshes.length > 0) continue;
       const geometry = before?.geometry ?? geometryOf(part);
-      const meshes = [this.clay(geometry)];
+      const edges = before?.edges ?? this.edges(geometry);
+      edges.visible = this.#edges;
+      const meshes = [this.clay(geometry), edges];
       if (color) {
         const tint = new Mesh(geometry, this.paint(new Color(color), opacity));
         tint.renderOrder = 0.05;
         meshes.push(tint);
       }
       this.object.add(...meshes);
-      this.#drawn.set(part.triangles, { geometry, meshes, color });
+      this.#drawn.set(part.triangles, { geometry, edges, meshes, color });
     }
   }
 
@@ -56,8 +70,8 @@ export class SurfaceParts {
 
   #remove(drawn: Drawn, forgets: boolean): void {
     this.object.remove(...drawn.meshes);
-    // The clay stays, since all surfaces share it.
-    for (const { material } of drawn.meshes.slice(1)) (material as ShaderMaterial).dispose();
+    // The clay and the edges' material stay, since all surfaces share them.
+    for (const { material } of drawn.meshes.slice(2)) (material as ShaderMaterial).dispose();
     drawn.meshes.length = 0;
     if (forgets) drawn.geometry.dispose();
   }
