@@ -7,32 +7,34 @@
 ///
 /// Frame of a face: corner 0 at the origin, corner 1 on the positive x axis, corner 2 above it.
 /// Frame of a vertex: directions are measured counterclockwise from its `outgoing` half-edge, by
-/// the cumulated corner angle times `angleScale` = 2 pi / total angle; at the boundary the scale is
-/// 1, since any other would bend the plane. A direction in which a path is traced is unscaled: the
-/// cumulated corner angle itself.
+/// the cumulated corner angle times `angleScale` = 2 pi / total angle. At the boundary the scale is
+/// 1, since any other would bend the plane. The direction in which a path is traced is unscaled:
+/// the cumulated corner angle itself.
 ///
 /// Connection: F. Knoppel, K. Crane, U. Pinkall, P. Schroder, "Globally Optimal Direction Fields"
 /// (2013), section 3, evaluated at the centroids of faces.
 namespace karcher {
 
-/// A path that crosses an edge this near to its end (as a part of the edge) goes through the
-/// vertex.
+/// The distance from the end of an edge, as a part of the edge, below which a path that crosses the
+/// edge goes through the vertex.
 inline constexpr double kVertexTolerance = 1e-12;
 
 struct Geometry {
   const TriangleMesh* mesh = nullptr;
-  Array<double> edgeLength;      ///< per half-edge
-  Array<double> cornerAngle;     ///< per half-edge, the angle at its tail, radians
-  Array<double> cumulatedAngle;  ///< per half-edge, unscaled direction in the frame of its tail
-  Array<double> totalAngle;      ///< per vertex, the sum of its corner angles
-  Array<double> angleScale;      ///< per vertex, 2 pi / totalAngle, or 1 at the boundary
-  Array<Vec2> apex;              ///< per face, corner 2 in the face's frame
-  Array<Vec2> vertexToFace;      ///< per half-edge, unit: turns a vector in the frame of its tail
-                                 ///< into the frame of its face
+  Array<double> edgeLength;   ///< the length of each half-edge
+  Array<double> cornerAngle;  ///< the angle at the tail of each half-edge, in radians
+  /// the unscaled direction of each half-edge in the frame of its tail
+  Array<double> cumulatedAngle;
+  Array<double> totalAngle;  ///< the sum of the corner angles of each vertex
+  Array<double> angleScale;  ///< 2 pi / totalAngle for each vertex, or 1 at the boundary
+  Array<Vec2> apex;          ///< corner 2 of each face, in its frame
+  /// for each half-edge, a unit vector that turns vectors in the frame of its tail into the frame
+  /// of its face
+  Array<Vec2> vertexToFace;
   double meanEdge = 0;
   double shortestEdge = 0;
   double longestEdge = 0;
-  double diagonal = 0;  ///< of the bounding box
+  double diagonal = 0;  ///< the diagonal of the bounding box
   /// Twice the largest distance of a vertex from the mean of all. Unlike the diagonal it is
   /// invariant under rotations, so that searches use it as the size of the mesh.
   double extent = 0;
@@ -90,8 +92,8 @@ Vec2 toFace(const Geometry& geometry, int f, const Vec3& vector);
 /// points into the corner: the cumulated angle of h plus the angle from h to the vector.
 double directionAtTail(const Geometry& geometry, int h, const Vec2& vector);
 
-/// The direction of half-edge h as a unit vector in the frames of its ends; at the head it points
-/// onwards.
+/// The direction of half-edge h as a unit vector in the frames of its ends. At the head it points
+/// away from the edge.
 struct EdgeDirection {
   Vec2 tail;
   Vec2 head;
@@ -99,9 +101,9 @@ struct EdgeDirection {
 EdgeDirection directionOfEdge(const Geometry& geometry, int h);
 
 /// The corner (a half-edge that leaves the vertex) into which an unscaled direction points, and the
-/// angle from that half-edge to it. Directions wrap around at interior vertices. At the boundary a
-/// direction outside [0, totalAngle] is shifted by a full turn if that lies within; else it leaves
-/// the surface, and halfedge is -1.
+/// angle from that half-edge to the direction. Directions wrap around at interior vertices. At the
+/// boundary a direction outside [0, totalAngle] is shifted by a full turn if the shifted one lies
+/// within; else it leaves the surface, and halfedge is -1.
 struct CornerDirection {
   int halfedge = -1;
   double angle = 0;

@@ -8,7 +8,7 @@ bool joinAcross(const Geometry& geometry, const SurfacePoint& from, int h, const
                 Array<SurfacePoint>& out) {
   const int t = geometry.mesh->twin[h];
   const double edge = geometry.edgeLength[h];
-  // In the frame of h: tail at the origin, head at (edge, 0), the face of h above.
+  // In the frame of h, the tail is at the origin, the head at (edge, 0), and the face of h above.
   const Vec2 here = oppositeOverHalfedge(geometry, h);
   const Vec2 there = oppositeOverHalfedge(geometry, t);
   const double fromApex = from.bary[cornerOf(previous(h))];

@@ -16,12 +16,12 @@ struct PointFan {
   };
   Array<Corner> corners;
   double total = 0;
-  bool isRound = true;  ///< false on the boundary of the surface
+  bool isRound = true;  ///< whether the fan goes all around; false on the boundary of the surface
 };
 
 PointFan fanAt(const Geometry& geometry, const SurfacePoint& point);
 
-/// The angle in a point's fan of another point that shares a face with it. Throws Error
+/// The angle, in a point's fan, of another point that shares a face with it. Throws Error
 /// kBadArgument if they share none.
 double angleTowards(const Geometry& geometry, const PointFan& fan, const SurfacePoint& point,
                     const SurfacePoint& towards);

@@ -32,7 +32,7 @@ class ChainStrip {
     }
   }
 
-  /// The face that the strip ends in.
+  /// The face in which the strip ends.
   int lastFace() const { return face_; }
 
   /// Appends the crossings of another strip, which begins in the last face.
@@ -66,12 +66,12 @@ class ChainStrip {
     face_ = faceOf(mesh_.twin[h]);
   }
 
-  /// Extends the strip from the last face, through point `at` of the chain, to a face that holds
-  /// the point after it.
+  /// Extends the strip from the last face, through point `at` of the chain, to a face that contains
+  /// the next point.
   void leave(const Array<SurfacePoint>& points, int at, const PointLocation& to) {
     const PointLocation here = locate(mesh_, points[at]);
     if (here.simplex == Simplex::kVertex) {
-      // The last point before it that lies elsewhere.
+      // The last earlier point at another place.
       int from = at - 1;
       while (from >= 0 && samePlace(mesh_, points[from], points[at])) --from;
       const int target = sharedFace(points, at);
@@ -87,7 +87,7 @@ class ChainStrip {
     }
   }
 
-  /// The unscaled direction at a vertex of a point, both in the face.
+  /// The unscaled direction at a vertex towards a point, both in the face.
   double direction(int vertex, int face, const SurfacePoint& point) const {
     const int h = leaving(mesh_, face, vertex);
     return directionAtTail(geometry_, h,
@@ -95,8 +95,8 @@ class ChainStrip {
                                cornerInFace(geometry_, face, cornerOf(h)));
   }
 
-  /// Whether the strip turns counterclockwise around a vertex from the last face to `target`, which
-  /// is on the side with less angle between the path's pieces.
+  /// Whether the strip turns counterclockwise around a vertex from the last face to `target`. It
+  /// turns on the side with less angle between the path's pieces.
   bool turnsLeft(const Array<SurfacePoint>& points, int from, int vertex, const SurfacePoint& to,
                  int target) const {
     const int here = leaving(mesh_, face_, vertex);
@@ -108,19 +108,20 @@ class ChainStrip {
     }
     const double outgoing = direction(vertex, target, to);
     const double total = geometry_.totalAngle[vertex];
-    // If the path begins at the vertex, both ways are equally good.
+    // If the path begins at the vertex, both directions are equally good.
     const double incoming =
         from >= 0 ? direction(vertex, face_, points[from]) : geometry_.cumulatedAngle[here];
     double left = outgoing - incoming;
     if (left < 0) left += total;
-    // The path turns straight back along an edge, from the face on one side to that on the other.
+    // The path turns straight back along an edge, from the face on one side to the face on the
+    // other.
     if (std::min(left, total - left) < kChainRounding) return there == mesh_.twin[previous(here)];
     if (std::abs(2 * left - total) > kChainRounding) return 2 * left < total;
     return leastNeighbor(vertex, target, true) < leastNeighbor(vertex, target, false);
   }
 
-  /// The smallest vertex number between the last face and another on one way around a vertex: it
-  /// distinguishes the two ways independently of the path's direction.
+  /// The smallest vertex number between the last face and another in one direction around a vertex.
+  /// It distinguishes the two directions independently of the path's.
   int leastNeighbor(int vertex, int target, bool left) const {
     int h = leaving(mesh_, face_, vertex);
     int least = mesh_.vertexCount();

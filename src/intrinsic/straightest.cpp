@@ -18,7 +18,8 @@ Vec2 unitAtAngle(const Geometry& geometry, int h, double angle) {
   return rotate(unitVector(angle), halfedgeInFace(geometry, h)) / geometry.edgeLength[h];
 }
 
-/// The walker that leaves `vertex` in an unscaled direction; none if that is off the surface.
+/// The walker that leaves `vertex` in an unscaled direction; none if the direction points off the
+/// surface.
 std::optional<Walker> leaveVertex(const Geometry& geometry, int vertex, double direction) {
   const CornerDirection corner = cornerOfDirection(geometry, vertex, direction);
   if (corner.halfedge < 0) return std::nullopt;
@@ -37,7 +38,7 @@ std::optional<Walker> passVertex(const Geometry& geometry, int h, const Vec2& di
   return leaveVertex(geometry, vertex, back + kPi);
 }
 
-/// Rates of change of the barycentric weights along a direction in face f.
+/// The rates of change of the barycentric weights along a direction in face f.
 Vec3 barycentricRates(const Geometry& geometry, int f, const Vec2& direction) {
   const Vec2& apex = geometry.apex[f];
   const double r2 = direction.y() / apex.y();
@@ -45,8 +46,8 @@ Vec3 barycentricRates(const Geometry& geometry, int f, const Vec2& direction) {
   return {-r1 - r2, r1, r2};
 }
 
-/// Moves a walker that starts on an edge or a vertex into the face that its direction points to.
-/// Returns none if it points off the surface.
+/// Moves a walker that starts on an edge or a vertex into the face into which its direction points.
+/// Returns none if the direction points off the surface.
 std::optional<Walker> enterFace(const Geometry& geometry, const Walker& walker) {
   const PointLocation location = locate(*geometry.mesh, walker.point);
   if (location.simplex == Simplex::kVertex) {
@@ -69,7 +70,7 @@ std::optional<Walker> enterFace(const Geometry& geometry, const Walker& walker) 
 
 struct FaceExit {
   double length = kInfinity;
-  int corner = -1;  ///< the weight that becomes 0
+  int corner = -1;  ///< the corner whose weight becomes 0
 };
 
 FaceExit exitOfFace(const Vec3& bary, const Vec3& rates) {
@@ -116,7 +117,8 @@ class Walk {
     path_.path.lengths.push_back(walked_);
   }
 
-  /// Walks through one face. Returns the walker in the next, or none at the end or the boundary.
+  /// Walks through one face. Returns the walker in the next one, or none at the end or the
+  /// boundary.
   std::optional<Walker> step(const Walker& walker) {
     const int f = walker.point.face;
     Vec3 bary = walker.point.bary;

@@ -4,14 +4,14 @@
 #include "intrinsic/surface_path.h"
 
 /// Straightest geodesics: K. Polthier, M. Schmies, "Straightest Geodesics on Polyhedral Surfaces"
-/// (1998). Straight inside faces and across unfolded edges; at a vertex the path continues so that
-/// it halves the total angle; at the boundary it stops.
+/// (1998). They are straight inside faces and across unfolded edges. At a vertex the path continues
+/// so that it halves the total angle; at the boundary it stops.
 namespace karcher {
 
 enum class TraceStop {
   kComplete,  ///< the whole length was walked
-  kBoundary,  ///< the path met the boundary; `remaining` is left
-  kLimit,     ///< the path crossed `maxCrossings` edges; `remaining` is left
+  kBoundary,  ///< the path met the boundary; the length `remaining` was not walked
+  kLimit,     ///< the path crossed `maxCrossings` edges; the length `remaining` was not walked
 };
 
 /// The name of a stop in reports: "boundary".
@@ -21,8 +21,8 @@ struct StraightestOptions {
   int maxCrossings = 1'000'000;
 };
 
-/// A bound on the crossings of all steps of a search together. It is many times what a shortest
-/// path crosses, which visits a face at most once. A walk beyond it winds around the surface, for
+/// A bound on the number of crossings in all steps of a search together. It is many times that of a
+/// shortest path, which visits a face at most once. A longer walk winds around the surface, for
 /// example around the tip of a cone 1 wide and 1e5 high, where half the height takes a million
 /// crossings.
 int mostCrossingsOfSearch(const TriangleMesh& mesh);
@@ -32,20 +32,20 @@ struct StraightestPath {
   /// of the later one: a crossing of an edge appears in the face that the path leaves, and again in
   /// the face that it enters.
   SurfacePath path;
-  double remaining = 0;  ///< length that was not walked
+  double remaining = 0;  ///< the length that was not walked
   TraceStop stop = TraceStop::kComplete;
   Vec2 direction =
       Vec2(1, 0);  ///< the unit direction of travel at the end, in the frame of the end's face
 };
 
 /// Walks from `start` along `vector`, given in the frame of start.face; its length is the length to
-/// walk. From an edge or a vertex the vector may point out of the face: it is followed into the
-/// face that it points to, unfolded about that edge or vertex.
-/// Throws Error kNotFinite if the vector is not finite.
+/// walk. From an edge or a vertex the vector may point out of the face. The walk then follows it
+/// into the face to which it points, unfolded about that edge or vertex. Throws Error kNotFinite if
+/// the vector is not finite.
 StraightestPath traceStraightest(const Geometry& geometry, const SurfacePoint& start,
                                  const Vec2& vector, const StraightestOptions& options = {});
 
-/// The same, written to an existing path.
+/// The same walk, written to an existing path.
 void traceStraightest(const Geometry& geometry, const SurfacePoint& start, const Vec2& vector,
                       StraightestPath& path, const StraightestOptions& options = {});
 

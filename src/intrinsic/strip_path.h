@@ -7,34 +7,35 @@
 ///
 /// The strip is unfolded into the plane and the path pulled tight between its sides by the funnel
 /// algorithm (D. Lee, F. Preparata, "Euclidean shortest paths in the presence of rectilinear
-/// barriers", 1984). Where the path then bends at a vertex with less than pi of surface on the side
+/// barriers", 1984). If the path then bends at a vertex with less than pi of surface on the side
 /// away from the strip, the strip is led round that side and pulled tight again (S. Xin, G. Wang,
 /// "Efficiently determining a locally exact shortest path on polyhedral surfaces", 2007; N. Sharp,
 /// K. Crane, "You Can Find Geodesic Paths in Triangle Meshes by Just Flipping Edges", 2020). Each
-/// turn shortens the path, until no vertex lets it; only the legs beside it are pulled tight anew.
+/// turn shortens the path, until no bend allows another turn. A turn only pulls the adjacent legs
+/// tight again.
 namespace karcher {
 
 /// A strip to pull tight, and scratch memory, which can be reused.
 struct StripWorkspace {
-  /// The input, and afterwards the strip that holds the path.
+  /// The given strip; after a call, the strip that contains the path.
   Strip strip;
 
   /// An unfolded crossing: the ends of its half-edge, between which the strip passes.
   struct Portal {
-    Vec2 right;  ///< the tail
-    Vec2 left;   ///< the head
+    Vec2 right;  ///< the tail of the half-edge
+    Vec2 left;   ///< the head of the half-edge
   };
   /// A vertex where the path touches the strip's side.
   struct Bend {
-    int portal = 0;  ///< one of the crossings of edges that end there
+    int portal = 0;  ///< one of the crossings of edges that end at the vertex
     bool onLeft = false;
-    double leg = 0;     ///< the length of the path from the bend before it
-    double before = 0;  ///< radians, from that leg to the first of those edges
-    double after = 0;   ///< radians, from the last of them to the leg after it
+    double leg = 0;     ///< the length of the path from the previous bend
+    double before = 0;  ///< the angle, in radians, from that leg to the first of those edges
+    double after = 0;   ///< the angle, in radians, from the last of them to the next leg
     /// The part of the surface's angle at the vertex on the side away from the strip.
     double outside = 0;
   };
-  /// A vertex beside the path on whose other side it may be shorter, and by how much.
+  /// A vertex beside the path on whose other side the path may be shorter, and the gain.
   struct Passage {
     int portal = 0;
     bool onLeft = false;
@@ -49,17 +50,17 @@ struct StripWorkspace {
   Array<Bend> keptBends;
 
   StripSearchWorkspace search;
-  Strip motion;  ///< of an end of a path (straighten.h)
+  Strip motion;  ///< the motion of a path's end (straighten.h)
 };
 
-/// Appends to `out` the path from `from`, in the strip's first face, to `to`, in its last: where it
-/// crosses edges, the vertices it bends at, and `to`, but not `from`. Consecutive points share a
-/// face. Returns the length of what was appended.
+/// Appends to `out` the path from `from`, in the strip's first face, to `to`, in its last: its
+/// crossings of edges, the vertices at which it bends, and `to`, but not `from`. Consecutive points
+/// share a face. Returns the length of the appended path.
 double appendStripPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                        StripWorkspace& workspace, Array<SurfacePoint>& out);
 
-/// The same, but the strip is also led over vertices beside the path as long as that makes the path
-/// shorter.
+/// The same path, but the strip is also led over vertices beside the path as long as that makes the
+/// path shorter.
 double appendShorterStripPath(const Geometry& geometry, const SurfacePoint& from,
                               const SurfacePoint& to, StripWorkspace& workspace,
                               Array<SurfacePoint>& out);

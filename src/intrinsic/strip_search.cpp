@@ -10,7 +10,8 @@ namespace {
 using Node = StripSearchWorkspace::Node;
 using QueueEntry = StripSearchWorkspace::QueueEntry;
 
-/// The point of the edge a-b nearest to the line through p and q, kept off the edge's ends.
+/// The point of the edge a-b nearest to the line through p and q, at a distance from the edge's
+/// ends.
 Vec3 entryPoint(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) {
   const Vec3 d = q - p;
   const Vec3 e = b - a;
@@ -96,7 +97,7 @@ class StripSearch {
     }
   }
 
-  /// Queues a face if this is the shortest way to it so far.
+  /// Queues a face if this path to it is the shortest so far.
   void reach(int face, int enteredBy, double length, const Vec3& entry) {
     int number = workspace_.nodeOf.find(face);
     if (number < 0) {

@@ -17,7 +17,7 @@ struct Strip {
 struct StripSearchWorkspace {
   struct Node {
     int face = -1;
-    int enteredBy = -1;  ///< half-edge of the face before, or -1 at the start
+    int enteredBy = -1;  ///< the half-edge of the previous face, or -1 at the start
     bool expanded = false;
     double length = 0;  ///< the length of the polyline from the start through the points of entry
     Vec3 entry;
@@ -32,11 +32,11 @@ struct StripSearchWorkspace {
 };
 
 struct StripSearchOptions {
-  int maxFaces = 4096;  ///< the search gives up after this many
-  /// The face to begin in, which holds the start, or -1 for any such face.
+  int maxFaces = 4096;  ///< the number of faces after which the search gives up
+  /// The face in which to begin, which contains the start, or -1 for any such face.
   int firstFace = -1;
-  /// The weight of the estimated remaining way: above 1 the search is faster and the strip's path
-  /// longer.
+  /// The weight of the estimated remaining length. With a weight above 1 the search is faster and
+  /// the strip's path longer.
   double weight = 1;
 };
 

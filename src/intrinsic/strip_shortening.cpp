@@ -6,7 +6,7 @@
 namespace karcher {
 namespace {
 
-/// How many of the vertices beside a leg are tried, those with the greatest gains.
+/// The number of vertices beside a leg that are tried, those with the greatest gains.
 constexpr int kPassages = 4;
 
 }  // namespace
@@ -18,8 +18,8 @@ double Tightening::length() const {
 }
 
 /// Leads the path over vertices beside it wherever it gets shorter. If a vertex has an angle of
-/// less than 2 pi, paths on both of its sides can be locally shortest. On a cone, the one on the
-/// side with less angle between the leg's ends is shorter.
+/// less than 2 pi, paths on both of its sides can be locally shortest. On a cone, the shorter one
+/// is on the side with less angle between the leg's ends.
 void Tightening::passOverVertices() {
   passagesLeft_ = 64 + 4 * crossingCount();
   for (int leg = 0; leg <= bends_.count() && passagesLeft_ > 0;) {

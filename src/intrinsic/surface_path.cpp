@@ -7,8 +7,7 @@
 namespace karcher {
 namespace {
 
-/// Whether two points, at the given locations, are the same place, whatever faces they are given
-/// in.
+/// Whether two points, at the given locations, are the same place. Their faces may differ.
 bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const PointLocation& atA,
                const SurfacePoint& b, const PointLocation& atB) {
   if (a.face == b.face) return a.bary == b.bary;

@@ -7,7 +7,7 @@
 namespace karcher {
 
 struct SurfacePath {
-  /// At least one point; consecutive points share a face.
+  /// The points, at least one. Consecutive points share a face.
   Array<SurfacePoint> points;
   /// The length of the path up to each point, from 0.
   Array<double> lengths;
@@ -23,21 +23,21 @@ void measure(const TriangleMesh& mesh, SurfacePath& path);
 /// Appends a point that shares a face with the last one, unless both are the same.
 void appendPoint(const TriangleMesh& mesh, const SurfacePoint& point, SurfacePath& path);
 
-/// The path through points of which consecutive ones share a face.
+/// The path through points. Consecutive ones must share a face.
 SurfacePath pathThrough(const TriangleMesh& mesh, Array<SurfacePoint> points);
 
-/// Whether two points are the same place, whatever faces they are given in.
+/// Whether two points are the same place. Their faces may differ.
 bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
 
 /// The point at the part s of the straight line from a to b, in a face that holds both.
 SurfacePoint pointBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b,
                           double s);
 
-/// The index k of the path's piece, between points k and k + 1, at a length from its start, which
-/// is clamped to the path. `lengths` are the path's, for at least two points.
+/// The index k of the path's piece, between points k and k + 1, at a length from its start, clamped
+/// to the path. `lengths` are the path's, for at least two points.
 int pieceAt(const Array<double>& lengths, double length);
 
-/// The point at a length from the start, which is clamped to the path.
+/// The point at a length from the start, clamped to the path.
 SurfacePoint pointAlong(const TriangleMesh& mesh, const SurfacePath& path, double length);
 
 /// Appends to `out` the part of a path between two lengths from its start, backwards if `from` >

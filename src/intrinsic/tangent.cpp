@@ -14,7 +14,8 @@ int cornerAt(const TriangleMesh& mesh, int vertex, int face) {
   return h;
 }
 
-/// The log vector of a path at one of its ends, point `from`; the next point is `stride` further.
+/// The log vector of a path at one of its ends, point `from`. The next point has the number `from +
+/// stride`.
 Vec2 logAtEnd(const Geometry& geometry, const SurfacePath& path, int from, int stride) {
   const TriangleMesh& mesh = *geometry.mesh;
   const SurfacePoint& start = path.points[from];
@@ -82,7 +83,7 @@ Vec2 transportAlong(const Geometry& geometry, const SurfacePath& path, const Vec
     const bool isAcross = at.simplex == Simplex::kEdge && path.start().face != path.end().face;
     return isAcross ? acrossEdge(geometry, at.halfedge, vector) : vector;
   }
-  Vec2 carried = rotateBack(leaving.normalized(), vector);  // relative to the path
+  Vec2 carried = rotateBack(leaving.normalized(), vector);  // the vector relative to the path
   const int count = path.points.count();
   for (int i = 1; i + 1 < count; ++i) {
     if (locate(mesh, path.points[i]).simplex != Simplex::kVertex) continue;

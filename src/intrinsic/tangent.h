@@ -21,13 +21,13 @@ Vec2 logBack(const Geometry& geometry, const SurfacePath& path);
 /// meets the boundary.
 SurfacePath expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector);
 
-/// The same, written to an existing path. Returns whether it has the vector's length.
+/// The same geodesic, written to an existing path. Returns whether it has the vector's length.
 bool expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector,
               SurfacePath& path);
 
-/// Parallel transport of a vector of the tangent plane at a path's start to its end. It keeps its
-/// angle with a locally shortest path, except for turns around vertices, which are measured in the
-/// vertex's frame.
+/// Parallel transport of a vector of the tangent plane at a path's start to its end. The vector
+/// keeps its angle with a locally shortest path, except for turns around vertices, which are
+/// measured in the vertex's frame.
 Vec2 transportAlong(const Geometry& geometry, const SurfacePath& path, const Vec2& vector);
 
 /// Converts a vector of the tangent plane at a point to a vector in space, in the plane of the

@@ -11,12 +11,13 @@ namespace {
 using TautNode = TautSearchWorkspace::Node;
 using TautEntry = TautSearchWorkspace::QueueEntry;
 
-/// Lengths are measured to points of edges that keep at least this part of the edge from its ends.
+/// The part of an edge by which points of the edge, to which lengths are measured, keep away from
+/// its ends.
 constexpr double kOffVertices = 0.01;
 
 bool isLater(const TautEntry& a, const TautEntry& b) { return a.key > b.key; }
 
-/// What a node sees: the source, and the vertices at the sides of the view.
+/// The view of a node: the source, and the vertices at the sides of the view.
 struct View {
   double base;
   Vec2 source;
@@ -139,7 +140,7 @@ class TautSearch {
     }
   }
 
-  /// The length of the path to a point behind the node's edge.
+  /// The length of the path to a point beyond the node's edge.
   static double lengthTo(const TautNode& node, const Vec2& point) {
     const bool isLeft = cross(node.left - node.source, point - node.source) > 0;
     const bool isRight = cross(node.right - node.source, point - node.source) < 0;
@@ -148,7 +149,7 @@ class TautSearch {
     return node.base + (bend - node.source).norm() + (point - bend).norm();
   }
 
-  /// Queues a half-edge if this is the shortest way through it so far.
+  /// Queues a half-edge if this path through it is the shortest so far.
   void reach(int h, int before, const Vec3& last, const View& view) {
     const int number = workspace_.nodeOf.find(h);
     if (number >= 0 && workspace_.nodes[number].expanded) return;
@@ -161,7 +162,7 @@ class TautSearch {
     };
     const double low = std::clamp(meet(view.left, 0), 0.0, edge);
     const double high = std::clamp(meet(view.right, edge), low, edge);
-    // The point in view nearest to the straight line from the last one to the target.
+    // The point in view nearest to the straight line from the last point to the target.
     const Vec3& tail = mesh_.positions[mesh_.tail(h)];
     const Vec3 along = mesh_.positions[mesh_.head(h)] - tail;
     const Vec3 on = target_ - last;

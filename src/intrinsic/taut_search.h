@@ -7,37 +7,37 @@
 ///
 /// As in strip_search.h, faces are visited in order of the length so far plus the straight distance
 /// to the target. Each entered edge stores, like a window of the exact distances, the position of
-/// the unfolded source and the two vertices between which the source sees the edge: the length so
-/// far is that of a path that is tight after its last bend. Each edge keeps its best window only.
-/// The strip is better than that of searchStrip, at three times the work.
+/// the unfolded source and the two vertices between which the source sees the edge. So the length
+/// so far is that of a path that is tight after its last bend. Each edge keeps its best window
+/// only. The strip is better than that of searchStrip, and takes three times the work.
 namespace karcher {
 
 /// Scratch memory of the search, which can be reused.
 struct TautSearchWorkspace {
-  /// A half-edge through which a face is entered. In its frame the tail is the origin, the head
-  /// lies on the positive x axis, and the source below.
+  /// A half-edge through which the search enters a face. In its frame the tail is the origin, the
+  /// head lies on the positive x axis, and the source below.
   struct Node {
     int halfedge = -1;
-    int before = -1;  ///< the node of the face before, or -1 at the start
+    int before = -1;  ///< the node of the previous face, or -1 at the start
     bool expanded = false;
     double key = 0;
     double base = 0;  ///< the length of the path up to the source, its last bend
     Vec2 source;
-    Vec2 left;  ///< the vertices that the view passes between
+    Vec2 left;  ///< the vertices between which the view passes
     Vec2 right;
     Vec3 entry;  ///< the point of the edge to which lengths are measured
   };
   struct QueueEntry {
     double key = 0;
-    int node = 0;  ///< or -1 - n: the target, through node n
+    int node = 0;  ///< the node, or -1 - n for the target seen through node n
   };
   Array<Node> nodes;
   Array<QueueEntry> queue;
   SparseIndex nodeOf;  ///< the number of each visited half-edge's node
 };
 
-/// Writes a strip from a face that holds `from` to one that holds `to`; they must have no face in
-/// common. Returns false if the points lie on different components.
+/// Writes a strip from a face that contains `from` to one that contains `to`; they must have no
+/// face in common. Returns false if the points lie on different components.
 bool searchTautStrip(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                      TautSearchWorkspace& workspace, Strip& strip);
 

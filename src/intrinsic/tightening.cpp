@@ -25,7 +25,7 @@ void replaceItems(Array<int>& items, int first, int last, const int* begin, cons
 
 }  // namespace
 
-/// Removes crossings of edges that an end point lies on, since it also lies in the face behind
+/// Removes crossings of edges on which an end point lies, since it also lies in the face behind
 /// them.
 Tightening::Trimmed Tightening::trimEnds() {
   Array<int>& crossings = strip_.crossings;
@@ -42,8 +42,7 @@ Tightening::Trimmed Tightening::trimEnds() {
 }
 
 /// Unfolds the faces from the one before crossing `first` to the one after crossing `last`, in the
-/// frame of the first. Returns the corner of the last face opposite to the edge through which it is
-/// entered.
+/// frame of the first face. Returns the corner of the last face opposite to its entered edge.
 Vec2 Tightening::unfold(int first, int last) {
   if (workspace_.portals.count() < crossingCount()) {
     workspace_.portals.resize(static_cast<size_t>(crossingCount()));
@@ -62,7 +61,7 @@ Vec2 Tightening::unfold(int first, int last) {
       }
     }
     workspace_.portals[i] = {right, left};
-    // The twin runs from left to right, and its opposite corner lies to the left of that.
+    // The twin leads from left to right, and its opposite corner lies to its left.
     const int t = mesh_.twin[crossing(i)];
     const Vec2 along = (right - left) / geometry_.edgeLength[t];
     apex = left + rotate(along, oppositeOverHalfedge(geometry_, t));
@@ -80,7 +79,7 @@ Vec2 Tightening::endBeyond(const Vec2& apex) const {
          to.bary[cornerOf(previous(t))] * apex;
 }
 
-/// The funnel through portals [first, last]: its apex is the last bend, its sides are the narrowest
+/// The funnel through portals [first, last]. Its apex is the last bend, its sides are the narrowest
 /// view through the portals.
 void Tightening::pullTight(int first, int last, const Vec2& start, const Vec2& end,
                            Array<Bend>& bends) {
@@ -127,7 +126,7 @@ void Tightening::measureBends(int first, int last, const Vec2& start, const Vec2
     const Vec2 at = positionOf(bend);
     const Vec2 to = i + 1 < bends.count() ? positionOf(bends[i + 1]) : end;
     const Run run = runAround(bend);
-    // If the bend has edges beyond this frame, a leg runs along one of those in it.
+    // If the bend has edges beyond this frame, a leg coincides with one of its edges in it.
     bend.before =
         run.first >= first ? angleBetween(from - at, acrossFrom(bend, run.first) - at) : 0;
     bend.after = run.last <= last ? angleBetween(to - at, acrossFrom(bend, run.last) - at) : 0;
@@ -162,7 +161,7 @@ void Tightening::pullAllTight() {
   lastLeg_ = (end_ - (bends_.empty() ? start_ : positionOf(bends_.back()))).norm();
 }
 
-/// Pulls the part between two bends tight in a frame of its own; -1 stands for the start, and the
+/// Pulls the part between two bends tight in a separate frame; -1 stands for the start, and the
 /// number of bends for the end. Writes its bends to the workspace's new ones.
 void Tightening::pullBetween(int before, int after) {
   Bend* const a = before >= 0 ? &bends_[before] : nullptr;
@@ -186,7 +185,7 @@ void Tightening::pullBetween(int before, int after) {
     if (b) b->before = angleBetween(from - end, acrossFrom(*b, last) - end);
     (b ? b->leg : lastLeg_) = (end - from).norm();
   } else if (a && b) {
-    // The leg runs along an edge of the mesh: the strip's side, or one that it crosses.
+    // The leg follows an edge of the mesh: the strip's side, or an edge that it crosses.
     const bool atSide = first == last + 1;
     const int h = atSide ? crossing(first) : -1;
     const auto cornerAt = [&](int vertex) {
@@ -221,7 +220,7 @@ void Tightening::pullBetween(int before, int after) {
   if (b) updateOutside(*b);
 }
 
-/// The bend with the least outside angle among those that allow shortening; -1 if there is none.
+/// The bend with the least outside angle among those that allow shortening, or -1.
 int Tightening::sharpestBend() const {
   double sharpest = kPi - kChainRounding;
   int found = -1;
@@ -234,8 +233,8 @@ int Tightening::sharpestBend() const {
   return found;
 }
 
-/// Turns the strip at the sharpest bend until the path is locally shortest. Returns false if it
-/// was.
+/// Turns the strip at the sharpest bend until the path is locally shortest. Returns false if it was
+/// already.
 bool Tightening::turnSharpBends() {
   bool turned = false;
   for (; turnsLeft_ > 0; --turnsLeft_) {
@@ -258,7 +257,7 @@ bool Tightening::turnRound(const Bend& bend, int before, int after) {
   Array<int>& turned = workspace_.turned;
   turned.clear();
   while (faceOf(h) != lastFace) {
-    // With the vertex on its left the strip turned counterclockwise: now it turns clockwise.
+    // With the vertex on its left the strip turned counterclockwise; now it turns clockwise.
     const int out = bend.onLeft ? h : previous(h);
     const int t = mesh_.twin[out];
     if (t < 0) return false;
@@ -266,7 +265,7 @@ bool Tightening::turnRound(const Bend& bend, int before, int after) {
     h = bend.onLeft ? next(t) : t;
   }
   Array<int>& crossings = strip_.crossings;
-  // A strip that steps over an edge and straight back does neither.
+  // The strip need not cross an edge and come straight back.
   int first = run.first;
   int last = run.last + 1;
   const int* begin = turned.data();
@@ -289,13 +288,13 @@ bool Tightening::turnRound(const Bend& bend, int before, int after) {
   return true;
 }
 
-/// Pulls the path tight where the crossings [first, last) between two bends were replaced by
-/// `count` others. These bends stay if the path still turns that way.
+/// Pulls the path tight after `count` crossings have replaced [first, last) between two bends.
+/// These bends stay if the path still turns in the same direction.
 void Tightening::pullTightAround(int before, int after, int first, int last, int count) {
   const Trimmed trimmed = trimEnds();
   while (before >= 0 && bends_[before].portal >= first) --before;
   while (after < bends_.count() && bends_[after].portal < last) ++after;
-  // Near an end, everything up to it.
+  // Near an end, the whole part up to it is pulled tight.
   if (trimmed.front > 0) before = -1;
   if (trimmed.back > 0) after = bends_.count();
   const int shift = count - (last - first) - trimmed.front;

@@ -10,7 +10,7 @@ inline bool touches(const TriangleMesh& mesh, int h, int vertex) {
   return mesh.tail(h) == vertex || mesh.head(h) == vertex;
 }
 
-/// Pulls one strip between two points tight.
+/// The algorithm that pulls one strip between two points tight.
 class Tightening {
  public:
   using Portal = StripWorkspace::Portal;
@@ -116,7 +116,7 @@ class Tightening {
   StripWorkspace& workspace_;
   Strip& strip_;
   Array<Bend>& bends_;
-  Vec2 start_;  ///< from_, unfolded by pullAllTight
+  Vec2 start_;  ///< the point from_, unfolded by pullAllTight
   Vec2 end_;
   double lastLeg_ = 0;  ///< the length of the path after the last bend
   int64_t turnsLeft_ = 0;

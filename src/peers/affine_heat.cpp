@@ -9,7 +9,7 @@ Columns<double, 1> heatFrom(const HeatOperators& operators, int vertex) {
   return operators.scalarHeat().solve<1>(heat);
 }
 
-/// The part that the translations along the edges add to the heat of vectors while the heat of
+/// The part that translations along the edges add to the heat of vectors while the heat of
 /// functions flows over them.
 Columns<Complex, 1> translations(const HeatOperators& operators, const Columns<double, 1>& heat) {
   Columns<Complex, 1> source = Columns<Complex, 1>::Zero(operators.vertexCount());

@@ -8,12 +8,13 @@
 /// Heat transports positions instead of directions: each vertex has the source as a point of its
 /// own tangent plane, in homogeneous coordinates, and an edge changes planes by a rotation and by a
 /// translation along itself. Heat that starts as the origin at the source spreads as (v, u), and v
-/// / u, turned back by a transported frame, is the logarithm. It needs no Poisson equation and is
-/// exact on the plane.
+/// / u, turned back by a transported frame, is the logarithm. The method needs no Poisson equation
+/// and is exact on the plane.
 ///
 /// The 3 n x 3 n operator of the paper is block triangular: u is ordinary heat, and v is heat of
-/// vectors with a source that u gives. So both variants need only the factors of the vector heat
-/// method, and not the unsymmetric factor (or, for the adaptive variant, one for each source).
+/// vectors with a source that u determines. So both variants need only the factors of the vector
+/// heat method, and not the unsymmetric factor (of which the adaptive variant would need one for
+/// each source).
 namespace karcher {
 
 enum class AffineVariant {
@@ -22,8 +23,9 @@ enum class AffineVariant {
               ///< the cut locus
 };
 
-/// The log map from a vertex, in its own rescaled frame. Local: two solves with vectors and one
-/// with functions; adaptive: one with vectors and three with functions.
+/// The log map from a vertex, in its own rescaled frame. The local variant takes two solves with
+/// vectors and one with functions, the adaptive one takes one with vectors and three with
+/// functions.
 LogMap affineHeatLogMap(const HeatOperators& operators, int vertex, AffineVariant variant);
 
 }  // namespace karcher

@@ -192,7 +192,7 @@ void ComparedCurve::traceOn(int segment, int samples) {
   }
 }
 
-/// The result of the search, or after a failure that of the method's restarts.
+/// The result of the search, or after a failure the result of the method's restarts.
 CenterOfMass ComparedCurve::centerAgain(int segment, Weights weights, bool isEnd,
                                         CenterOfMass found) {
   const ComparedOptions& options = method_.options();

@@ -18,32 +18,34 @@ namespace karcher {
 
 enum class ComparedMethod {
   kFields,            ///< Mancinelli and Puppo's method, or ours (FieldOptions)
-  kVectorHeat,        ///< vector_heat.h
-  kAffineHeat,        ///< affine_heat.h
-  kWeightedAverages,  ///< weighted_averages.h
-  kDescent,           ///< descent.h: two points only
+  kVectorHeat,        ///< the method of vector_heat.h
+  kAffineHeat,        ///< the method of affine_heat.h
+  kWeightedAverages,  ///< the method of weighted_averages.h
+  kDescent,           ///< the method of descent.h, for two points only
 };
 
 /// The starts of a curve's searches.
 enum class Seeds {
-  /// As in the engine (traceSegment): both ends of a segment start at the control point of the
-  /// largest weight, other samples at the last one that converged.
+  /// The starts of the engine (traceSegment): both ends of a segment start at the control point of
+  /// the largest weight, other samples at the last one that converged.
   kHeaviest,
-  /// As in the program of the paper's authors: samples start at the geodesic de Boor point
-  /// (repeatedAverage) until one is found, then each at the last one found, through all segments,
-  /// without restarts.
+  /// The starts of the program of the paper's authors: samples start at the geodesic de Boor point
+  /// (repeatedAverage) until a center is found, then each at the last one found, through all
+  /// segments, without restarts.
   kAuthors,
 };
 
 struct ComparedOptions {
   ComparedMethod method = ComparedMethod::kFields;
-  FieldOptions field;  ///< of kFields
+  FieldOptions field;  ///< the options of kFields
   Seeds seeds = Seeds::kHeaviest;
-  bool delaunay = false;  ///< of the heat methods: on the intrinsic Delaunay triangulation
+  /// for the heat methods, whether to use the intrinsic Delaunay triangulation
+  bool delaunay = false;
   AffineVariant variant = AffineVariant::kLocal;
-  EmbeddingOptions embedding;                ///< of kWeightedAverages,
-  Solver landmarkDistances = Solver::kFast;  ///< kFast or kExact
-  /// Called before the distances of each landmark; may throw to cancel.
+  EmbeddingOptions embedding;  ///< the options of kWeightedAverages
+  /// the solver of landmarks' distances, kFast or kExact
+  Solver landmarkDistances = Solver::kFast;
+  /// A function that is called before the distances of each landmark, and may throw to cancel.
   std::function<void(int landmarks)> progress;
 };
 
@@ -94,14 +96,14 @@ class ComparedCurve {
   void startAt(const SurfacePoint& start) { start_ = start; }
 
   /// Does the next step: the field of one point, or up to `samples` samples of a segment. Returns
-  /// true when nothing is left. Throws Error as the method does.
+  /// true when all is done. Throws Error as the method does.
   bool advance(int samples);
 
   int segmentCount() const { return segments_.count(); }
   int samplesLeft() const;
-  /// The number of samples that a method's own authors would not have accepted either: for the heat
-  /// methods those beyond their library's tolerance (LogMapMean::metLibraryRule), for others those
-  /// that did not converge.
+  /// The number of samples that a method's own authors would not have accepted either. For the heat
+  /// methods, these are beyond their library's tolerance (LogMapMean::metLibraryRule); for others,
+  /// they did not converge.
   int lostByOwnRule() const;
   /// The mean of the heat methods; null for others.
   const LogMapMean* logMaps() const { return mean_.get(); }
@@ -120,13 +122,13 @@ class ComparedCurve {
   PreparedMethod& method_;
   ComparedPlan plan_;
   std::optional<SurfacePoint> start_;
-  Array<Array<CurveSample>> segments_;  ///< as far as they are traced
-  Array<int> lostByOwnRule_;            ///< a segment
-  Array<uint8_t> moved_;                ///< points whose fields are missing
-  SurfacePoint last_;                   ///< where the next search starts
-  bool hasFound_ = false;               ///< whether that is a sample that converged
+  Array<Array<CurveSample>> segments_;  ///< the traced part of the segments
+  Array<int> lostByOwnRule_;            ///< the number of lost samples of each segment
+  Array<uint8_t> moved_;                ///< the points whose fields are missing
+  SurfacePoint last_;                   ///< the start of the next search
+  bool hasFound_ = false;               ///< whether this start is a sample that converged
   Array<std::unique_ptr<PointField>> fields_;
-  std::optional<FieldBlend> blend_;  ///< of the current segment
+  std::optional<FieldBlend> blend_;  ///< the blend of the current segment
   std::unique_ptr<LogMapMean> mean_;
   DescentPath path_;
 };

@@ -86,7 +86,7 @@ class Descent {
 
   bool leaveEdge(const SurfacePoint& here, int h) {
     const int twin = mesh_.twin[h];
-    // The point's own face is the one that the path comes from, so that the other is tried first.
+    // The point's own face is the one from which the path comes, so that the other is tried first.
     if (twin >= 0 && leadsInside(twin)) {
       return crossFace(edgePoint(twin, here.bary[cornerOf(h)]));
     }
@@ -101,7 +101,7 @@ class Descent {
     return true;
   }
 
-  /// Moves from a point of a face to where the descent leaves the face.
+  /// Moves from a point of a face to the point where the descent leaves the face.
   bool crossFace(const SurfacePoint& from) {
     const Vec2 direction = downhill(from.face);
     const Vec3 rates = barycentric(geometry_, from.face, direction) -
@@ -122,7 +122,7 @@ class Descent {
     return true;
   }
 
-  /// Takes the steepest descent from a vertex, through a corner or along an edge.
+  /// Follows the steepest descent from a vertex, through a corner or along an edge.
   bool leaveVertex(int vertex) {
     double steepest = 0;
     int bestCorner = -1;
@@ -197,7 +197,7 @@ CenterOfMass descentCenterOfMass(const Geometry& geometry, const DescentPath& pa
     const double piece = (to - from).norm();
     center.point = path.points[i];
     if (left <= piece) {
-      // Both ends are given in one face: the later one's, or else the earlier one's.
+      // Both ends are converted to one face: the later one's, or else the earlier one's.
       const bool later = liesInFace(mesh, locate(mesh, path.points[i - 1]), path.points[i].face);
       const int f = later ? path.points[i].face : path.points[i - 1].face;
       const Vec3 a = inFace(mesh, path.points[i - 1], f).bary;

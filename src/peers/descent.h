@@ -6,19 +6,19 @@
 /// geodesic paths on manifolds", Proceedings of the National Academy of Sciences 95 (1998); the
 /// magenta path of Mancinelli and Puppo's Fig. 3.
 ///
-/// Distances are given at the vertices and linear in each face, so that their gradient is constant
-/// there. From the start the path runs against it from face to face. It follows an edge to which
-/// both of its faces lead, and at a vertex it takes the steepest way.
+/// Distances at the vertices are extended linearly to each face, where their gradient is constant.
+/// From the start the path descends against the gradient from face to face. It follows an edge to
+/// which both of its faces lead, and at a vertex it takes the steepest descent.
 namespace karcher {
 
 enum class DescentStop {
   kArrived,  ///< the path reached a face of the source, and in it the source
-  kStuck,    ///< no way down: a local minimum of the distances, or the boundary
-  kLimit,    ///< more edges were crossed than the mesh has
+  kStuck,    ///< no direction leads down: a local minimum of the distances, or the boundary
+  kLimit,    ///< the path crossed more edges than the mesh has
 };
 
 struct DescentPath {
-  /// The path's points from the start on; consecutive ones share a face.
+  /// The path's points from the start on. Consecutive points share a face.
   Array<SurfacePoint> points;
   double length = 0;
   DescentStop stop = DescentStop::kStuck;
@@ -29,15 +29,15 @@ struct DescentPath {
 Vec2 faceGradient(const Geometry& geometry, const Array<double>& values, int f);
 
 /// Descends from `start` to `source`, to which `distances` (one for each vertex) belong. They must
-/// be finite only along the path, so that other components may have none. Throws Error:
-/// kBadArgument (not one distance a vertex), kNotFinite.
+/// be finite only along the path, so that vertices of other components may have none. Throws Error:
+/// kBadArgument (not one distance for each vertex), kNotFinite.
 DescentPath descendDistance(const Geometry& geometry, const Array<double>& distances,
                             const SurfacePoint& source, const SurfacePoint& start);
 
 /// The center of mass of two points that a path joins, the source with weights[0] and the start
-/// with weights[1]: the point at the part weights[1] of the path's length from the source;
-/// kNoProgress if the path did not arrive. Throws Error kBadWeights unless there are two weights,
-/// neither negative, with the sum 1.
+/// with weights[1]: the point at the part weights[1] of the path's length from the source. The
+/// status is kNoProgress if the path did not arrive. Throws Error kBadWeights unless there are two
+/// weights, neither negative, with the sum 1.
 CenterOfMass descentCenterOfMass(const Geometry& geometry, const DescentPath& path,
                                  Weights weights);
 

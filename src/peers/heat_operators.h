@@ -8,22 +8,22 @@
 #include "peers/sparse_factor.h"
 
 /// Short-time heat flow of scalars and of tangent vectors on a mesh, by one step of backward Euler,
-/// and the Poisson equation, which the vector heat and the affine heat method share.
+/// and the Poisson equation. The vector heat and the affine heat method share them.
 ///
 /// N. Sharp, Y. Soliman, K. Crane, "The Vector Heat Method" (2019): cotangent and connection
 /// Laplacian (section 5), lumped mass, time t = (mean edge length)^2 (section 7.4).
 namespace karcher {
 
 struct HeatOptions {
-  double timeFactor = 1;  ///< t = timeFactor * (mean edge length)^2
-  bool delaunay = false;  ///< use the intrinsic Delaunay triangulation of the surface
+  double timeFactor = 1;  ///< the factor in the time t = timeFactor * (mean edge length)^2
+  bool delaunay = false;  ///< whether to use the intrinsic Delaunay triangulation of the surface
 };
 
 /// An edge of the triangulation with the parts of its entries in the operators.
 struct HeatEdge {
   int tail = 0;
   int head = 0;
-  double weight = 0;  ///< half the sum of the cotangents opposite to it
+  double weight = 0;  ///< half the sum of the cotangents of the angles opposite to the edge
   Complex atTail;     ///< the edge as a vector from its tail, in the frame of the tail
   Complex atHead;     ///< the reversed edge from its head, in the frame of the head
 };
@@ -47,13 +47,13 @@ class HeatOperators {
   /// The half-edges that leave a vertex in the triangulation, one for each corner.
   std::span<const int> halfedgesFrom(int vertex) const;
 
-  /// Mass + t Laplacian for functions, factorised on first use. These factors throw Error
-  /// kDegenerateFace if the matrix is singular.
+  /// The factors of Mass + t Laplacian for functions, computed on first use. These factors throw
+  /// Error kDegenerateFace if the matrix is singular.
   const SparseFactor<double>& scalarHeat() const;
-  /// Mass + t connection Laplacian, for vectors in the vertices' frames.
+  /// The factors of Mass + t connection Laplacian, for vectors in the vertices' frames.
   const SparseFactor<Complex>& vectorHeat() const;
-  /// The Laplacian, with the first vertex of each component held at 0: right-hand sides must be 0
-  /// there.
+  /// The factors of the Laplacian with the first vertex of each component held at 0. Right-hand
+  /// sides must be 0 there.
   const SparseFactor<double>& poisson() const;
   const Array<int>& heldVertices() const { return heldVertices_; }
 
@@ -76,7 +76,8 @@ class HeatOperators {
   mutable std::optional<SparseFactor<double>> poisson_;
 };
 
-/// Heat below this is lost to underflow: the vertex is too far away for a direction.
+/// The least heat that underflow does not distort. A vertex with less is too far away for a
+/// direction.
 inline constexpr double kLeastHeat = 1e-290;
 
 inline Vec2 toVec2(const Complex& z) { return {z.real(), z.imag()}; }

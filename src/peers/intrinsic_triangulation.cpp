@@ -135,7 +135,7 @@ double oppositeCotangent(const IntrinsicTriangulation& triangulation, int h) {
   const double a = triangulation.length[h];
   const double b = triangulation.length[next(h)];
   const double c = triangulation.length[previous(h)];
-  // A face without area, from rounding in a flip, must not make the weights infinite.
+  // Rounding in a flip may leave a face without area, which must not make the weights infinite.
   const double area = std::max(doubleArea(triangulation, faceOf(h)), 1e-14 * (b * b + c * c));
   return (b * b + c * c - a * a) / (2 * area);
 }

@@ -14,14 +14,15 @@ namespace karcher {
 /// A tangent vector as a complex number.
 using Complex = std::complex<double>;
 
-/// Half-edges are numbered as in TriangleMesh: 3 f + k in face f. Two edges may join the same pair
-/// of vertices, and an edge a vertex with itself.
+/// The half-edges of a triangulation, with the numbers of TriangleMesh: 3 f + k in face f. Two
+/// edges may join the same pair of vertices, and an edge may join a vertex to itself.
 struct IntrinsicTriangulation {
   const Geometry* geometry = nullptr;
-  Array<int> tail;          ///< per half-edge
-  Array<int> twin;          ///< per half-edge, -1 at the boundary
-  Array<double> length;     ///< per half-edge
-  Array<double> direction;  ///< per half-edge, unscaled, in the frame of its tail in `geometry`
+  Array<int> tail;       ///< the tail of each half-edge
+  Array<int> twin;       ///< the twin of each half-edge, -1 at the boundary
+  Array<double> length;  ///< the tail of each half-edge
+  /// the unscaled direction of each half-edge in the frame of its tail in `geometry`
+  Array<double> direction;
 
   int vertexCount() const { return geometry->mesh->vertexCount(); }
   int faceCount() const { return tail.count() / 3; }
@@ -38,7 +39,7 @@ int makeDelaunay(IntrinsicTriangulation& triangulation);
 /// Twice the area of face f.
 double doubleArea(const IntrinsicTriangulation& triangulation, int f);
 
-/// The angle at the tail of half-edge h in its face, radians.
+/// The angle, in radians, at the tail of half-edge h in its face.
 double cornerAngle(const IntrinsicTriangulation& triangulation, int h);
 
 /// The cotangent of the angle opposite to half-edge h in its face.

@@ -29,7 +29,7 @@ void LogMapMean::movePoint(int i, const SurfacePoint& point) {
     if (!known.whole.empty() && known.ofPoints[i].allFinite()) {
       ++at;
     } else {
-      // If the point has no logarithm, the search that needs it reports that.
+      // A point without a logarithm is reported by the search that needs it.
       keptBytes_ -= known.whole.size() * sizeof(Vec2);
       at = known_.erase(at);
     }
@@ -120,7 +120,7 @@ const Array<Vec2>& LogMapMean::logarithmsAt(int vertex) {
   return known_.emplace(vertex, std::move(made)).first->second.ofPoints;
 }
 
-/// Control point i in a log map: interpolated between the corners of its face.
+/// The logarithm of control point i in a log map, interpolated between the corners of its face.
 Vec2 LogMapMean::logarithmOf(const LogMap& logs, int i) const {
   Vec2 log = Vec2::Zero();
   for (int k = 0; k < 3; ++k) {

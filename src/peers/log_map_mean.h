@@ -7,20 +7,20 @@
 
 /// The Karcher mean by gradient descent over log maps: N. Sharp, Y. Soliman, K. Crane, "The Vector
 /// Heat Method" (2019), section 8.3. Each step follows the straightest geodesic along the weighted
-/// sum of the control points' logarithms, until that vanishes.
+/// sum of the control points' logarithms, until the sum vanishes.
 namespace karcher {
 
 struct LogMapMeanOptions {
-  double tolerance = 1e-6;  ///< of the weighted sum of logarithms, in mean edges
+  double tolerance = 1e-6;  ///< the tolerance of the weighted sum of logarithms, in mean edges
   int maxIterations = 100;
-  /// The memory for whole log maps, which are kept for points that move. Each takes 16 bytes for
-  /// each vertex.
+  /// The memory for whole log maps, which are kept for points that move. Each map takes 16 bytes
+  /// for each vertex.
   size_t mostBytes = size_t{1} << 29;
 };
 
 /// The center of mass of control points that stay the same for many weights. A log map is computed
 /// once for each vertex that a search visits. It does not depend on the control points and is kept
-/// whole while memory lasts, so that the logarithms of a moved point are looked up.
+/// whole while memory suffices, so that the logarithms of a moved point are looked up.
 class LogMapMean {
  public:
   /// The geometry must outlive the mean.
@@ -33,11 +33,11 @@ class LogMapMean {
   /// Replaces control point i, which must exist. Discards log maps that were not kept whole.
   void movePoint(int i, const SurfacePoint& point);
 
-  /// The weights should sum to 1. Statuses: kConverged; kNoProgress if no step lowers the energy or
-  /// the weighted sum (log maps of neighbouring faces do not quite agree, and a zero may lie in
-  /// between); kBoundary for that at the boundary; kLimit. Throws Error: kBadWeights if there is
-  /// not one weight for each point, kUnreachable if a control point has no logarithm at the place
-  /// of the search.
+  /// The center of mass. The weights should sum to 1. Statuses: kConverged; kNoProgress if no step
+  /// lowers the energy or the weighted sum (log maps of neighbouring faces do not quite agree, and
+  /// a zero may lie in between); kBoundary if this happens at the boundary; kLimit. Throws Error:
+  /// kBadWeights if there is not one weight for each point, kUnreachable if a control point has no
+  /// logarithm at the place of the search.
   CenterOfMass centerOfMass(Weights weights, const SurfacePoint& start);
 
   /// Whether the last search met the stopping rule of the authors' library: a weighted sum shorter
@@ -47,8 +47,8 @@ class LogMapMean {
   /// The number of log maps computed since the points were set.
   int logMapCount() const { return logMapCount_; }
 
-  /// The number of log maps used, which the authors' library would have computed, since it keeps
-  /// none.
+  /// The number of log maps used. The authors' library, which keeps none, would have computed all
+  /// of them.
   int64_t logMapsAsked() const { return logMapsAsked_; }
 
  private:
@@ -61,7 +61,7 @@ class LogMapMean {
 
   /// The kept data of the log map from a vertex.
   struct KnownMap {
-    LogMap whole;          ///< empty if there was no memory for it
+    LogMap whole;          ///< empty if memory did not suffice
     Array<Vec2> ofPoints;  ///< the logarithms of the control points
   };
 

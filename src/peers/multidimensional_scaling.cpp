@@ -52,8 +52,8 @@ Scaling scaleDistances(const MatrixXd& distances, const ScalingOptions& options)
   Scaling scaling;
   scaling.positions = classicalScaling(distances, options.dimensions);
   if (count < 2) return scaling;
-  // Weights 1 / distance^2 make errors relative. Their Laplacian is regular on centered positions,
-  // and with a constant added everywhere.
+  // Weights 1 / distance^2 make errors relative. The Laplacian of the weights is regular on
+  // centered positions, and with a constant added to all entries.
   const auto offDiagonal = [&](const auto& entry) {
     MatrixXd matrix(count, count);
     for (Eigen::Index j = 0; j < count; ++j) {

@@ -11,12 +11,12 @@ namespace karcher {
 struct ScalingOptions {
   int dimensions = 8;
   int maxIterations = 500;
-  double tolerance = 1e-5;  ///< stop when an iteration lowers the stress by less, relatively
+  double tolerance = 1e-5;  ///< the relative decrease of the stress below which the iterations stop
 };
 
 struct Scaling {
   Eigen::MatrixXd positions;  ///< a row for each point, centered
-  double stress = 0;          ///< root mean square of the distances' relative errors
+  double stress = 0;          ///< the root mean square of the distances' relative errors
   int iterations = 0;
 };
 

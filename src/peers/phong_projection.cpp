@@ -27,7 +27,8 @@ TangentPlane orthonormal(TangentPlane plane) {
   return plane;
 }
 
-/// The unit number that turns the coordinates of plane `from` most nearly into those of `to`.
+/// The unit number that turns the coordinates of plane `from` as nearly as possible into those of
+/// `to`.
 Complex turnBetween(const TangentPlane& from, const TangentPlane& to) {
   const Eigen::Matrix2d products = to * from.transpose();
   const Complex turn(products(0, 0) + products(1, 1), products(1, 0) - products(0, 1));
@@ -35,10 +36,9 @@ Complex turnBetween(const TangentPlane& from, const TangentPlane& to) {
   return size > 0 ? turn / size : Complex(1);
 }
 
-/// The weights of the planes at the corners. Along each edge two planes are blended linearly, and
-/// the blends of the three edges by the products of their ends' weights. first[k] belongs to corner
-/// k in the blend of the edge from k to k + 1, second[k] in that of the edge from k - 1 to k. All
-/// sum to 1.
+/// The weights of the planes at the corners. Along each edge two planes are blended linearly; the
+/// products of the ends' weights blend these three results. first[k] belongs to corner k in the
+/// blend of the edge from k to k + 1, second[k] in that of the edge from k - 1 to k. All sum to 1.
 struct BlendWeights {
   Vec3 first;
   Vec3 second;
@@ -143,13 +143,13 @@ TangentPlane PhongSurface::planeAt(const SurfacePoint& point) const {
 PhongSurface::Patch PhongSurface::patchOf(int f) const {
   Patch patch;
   Complex around = 1;
-  Complex turn[3];  // from the plane of corner k to that of corner k + 1
+  Complex turn[3];  // the turn from the plane of corner k to that of corner k + 1
   for (int k = 0; k < 3; ++k) {
     turn[k] = turnBetween(planes_[mesh_.corner(f, k)], planes_[mesh_.corner(f, (k + 1) % 3)]);
     around *= turn[k];
   }
-  // Once around the face the rotations do not quite cancel. The corners, at each of which the
-  // blends of two edges meet, share the rest.
+  // Around the face the rotations do not quite cancel. The corners, at each of which the blends of
+  // two edges meet, share the rest.
   const Complex share = std::polar(1.0, -std::arg(around) / 3);
   Complex edgeTurn[3];
   edgeTurn[0] = 1;
@@ -178,7 +178,8 @@ PhongSurface::FaceProjection PhongSurface::projectInFace(int f, const EmbeddedPo
   constexpr int kMostSteps = 20;
   for (int step = 0; step < kMostSteps; ++step) {
     const BlendWeights weights = blendWeights(b);
-    Complex offset[3];  // from the point of the face to the target, in the plane of corner k
+    // the vector from the point of the face to the target, in the plane of corner k
+    Complex offset[3];
     Complex turn[3];
     Complex residual = 0;
     for (int k = 0; k < 3; ++k) {

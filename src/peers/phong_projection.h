@@ -8,15 +8,15 @@
 /// Phong projection: D. Panozzo, I. Baran, O. Diamanti, O. Sorkine-Hornung, "Weighted Averages on
 /// Surfaces", ACM Transactions on Graphics 32 (2013), section 4.
 ///
-/// A mesh embedded in eight dimensions has a tangent plane at each vertex, and between them planes
-/// that change continuously over the surface. A point of the space projects to the point of the
-/// mesh whose plane is orthogonal to the line between them. Unlike the nearest point, this depends
-/// smoothly on the point.
+/// A mesh embedded in eight dimensions has a tangent plane at each vertex. Between the vertices the
+/// planes change continuously over the surface. A point of the space projects to the point of the
+/// mesh whose plane is orthogonal to the line between them. Unlike the nearest point, this
+/// projection depends smoothly on the point.
 namespace karcher {
 
 inline constexpr int kEmbeddingDimensions = 8;
 using EmbeddedPoint = Eigen::Matrix<double, kEmbeddingDimensions, 1>;
-/// Two orthonormal rows.
+/// A plane as two orthonormal rows.
 using TangentPlane = Eigen::Matrix<double, 2, kEmbeddingDimensions>;
 
 /// The plane at each vertex that fits its edges best, oriented as the mesh: a least-squares fit of
@@ -39,24 +39,25 @@ class PhongSurface {
   /// The blended tangent plane at a point: orthonormal rows.
   TangentPlane planeAt(const SurfacePoint& point) const;
 
-  /// The projection of p, searched from face to face and then around the nearest vertex; none if it
-  /// lies off the boundary or no face has one.
+  /// The projection of p, searched from face to face and then around the nearest vertex. None if it
+  /// lies beyond the boundary or no face has a projection.
   std::optional<SurfacePoint> project(const EmbeddedPoint& p, const SurfacePoint& start) const;
 
  private:
-  /// A face in the coordinates of Newton's method, relative to its corner 0, in the planes of its
-  /// corners, whose two coordinates form a complex number.
+  /// A face in the coordinates of Newton's method, relative to its corner 0. They are in the planes
+  /// of its corners, whose two coordinates form a complex number.
   struct Patch {
-    Complex turnFirst[3];   ///< turns the plane of corner k into the frame of the blend along the
-                            ///< edge from k on
+    /// a turn of the plane of corner k into the frame of the blend along the edge that leaves k
+    Complex turnFirst[3];
     Complex turnSecond[3];  ///< the same for the edge that leads to k
-    Complex corners[3][3];  ///< [k][c]: corner c in the plane of corner k
+    Complex corners[3][3];  ///< corner c in the plane of corner k, as [k][c]
     Complex target[3];      ///< the point that is projected
   };
   struct FaceProjection {
     Vec3 bary;
-    bool found = false;  ///< whether it is in the face; else the sign of bary gives the side on
-                         ///< which to continue
+    /// whether the projection is in the face; otherwise the sign of bary gives the side on which to
+    /// continue
+    bool found = false;
   };
 
   Patch patchOf(int f) const;

@@ -7,11 +7,11 @@
 #include "mesh/error.h"
 #include "mesh/types.h"
 
-/// A sparse Hermitian matrix factorised once and solved with many times.
+/// A sparse Hermitian matrix that is factorised once and used in many solves.
 ///
 /// The factor L D L* is Eigen's (simplicial, approximate minimum degree ordering, no pivoting). The
-/// triangular solves here handle several right-hand sides in one pass over L, which takes most of
-/// the time, since L does not fit into the cache.
+/// triangular solves here handle several right-hand sides in one pass over L. This pass takes most
+/// of the time, since L does not fit into the cache.
 namespace karcher {
 
 /// Right-hand sides, or solutions; the values of one row are adjacent.
@@ -24,8 +24,8 @@ class SparseFactor {
  public:
   using Matrix = Eigen::SparseMatrix<Scalar>;
 
-  /// Reads the lower triangle. `name` is the matrix in the error's sentence.
-  /// Throws Error kDegenerateFace if a pivot vanishes.
+  /// Reads the lower triangle. `name` names the matrix in errors. Throws Error kDegenerateFace if a
+  /// pivot vanishes.
   SparseFactor(const Matrix& matrix, const std::string& name) : factor_(matrix) {
     if (factor_.info() != Eigen::Success) {
       throw Error(ErrorCode::kDegenerateFace,
@@ -39,7 +39,7 @@ class SparseFactor {
 
   int rows() const { return inversePivots_.count(); }
 
-  /// Columns of right-hand sides to columns of solutions.
+  /// The solutions of columns of right-hand sides, as columns.
   template <int kColumns>
   Columns<Scalar, kColumns> solve(const Columns<Scalar, kColumns>& right) const {
     Columns<Scalar, kColumns> x = factor_.permutationP() * right;
@@ -55,7 +55,7 @@ class SparseFactor {
     const Scalar* const value = lower().valuePtr();
     for (int j = 0; j < rows(); ++j) {
       const Row<kColumns> pivot = rowOf(x, j);
-      if (pivot.isZero(0)) continue;  // sources reach few columns
+      if (pivot.isZero(0)) continue;  // sources affect few columns
       for (int k = first[j]; k < first[j + 1]; ++k) subtractProduct(x, row[k], value[k], pivot);
     }
     for (int j = rows() - 1; j >= 0; --j) {
@@ -78,8 +78,8 @@ class SparseFactor {
     return Eigen::Map<const Row<kColumns>>(x.data() + static_cast<ptrdiff_t>(i) * kColumns);
   }
 
-  // Complex products are written out, since those of the language check for infinities, which takes
-  // time.
+  // Complex products are written out, since the language's own ones check for infinities, which
+  // takes time.
   template <int kColumns>
   static void subtractProduct(Columns<Scalar, kColumns>& x, int i, const Scalar& a,
                               const Row<kColumns>& b) {

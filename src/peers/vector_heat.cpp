@@ -29,7 +29,7 @@ void addOutwardBall(const HeatOperators& operators, int vertex, Columns<Complex,
     const int last = previous(h);
     const CornerBall ball = cornerBall(triangulation, h);
     const Complex along = std::polar(1.0, std::arg(vectorAtTail(triangulation, h)));
-    // Each side's direction as it arrives at the side's other end.
+    // The direction of each side at its other end, where it arrives.
     const Complex arrivingFirst = -std::polar(1.0, std::arg(vectorAtHead(triangulation, h)));
     const Complex arrivingSecond = -std::polar(1.0, std::arg(vectorAtTail(triangulation, last)));
     const Complex secondSide = std::polar(1.0, cornerAngle(triangulation, h));

@@ -10,7 +10,7 @@
 ///
 /// Vectors are transported along shortest paths by short-time heat flow with the connection
 /// Laplacian. From a vertex, heat that starts as all outward directions at once gives the direction
-/// in which shortest paths arrive (the radial field); heat that starts as one direction transports
+/// in which shortest paths arrive (the radial field). Heat that starts as one direction transports
 /// the vertex's own x axis. The angle between the two is the angle of the logarithm; its length is
 /// the potential whose gradient is nearest to the radial field.
 namespace karcher {
@@ -25,13 +25,14 @@ inline Vec2 noLogarithm() { return {kInfinity, 0}; }
 /// radial field as in its appendix A). It takes two solves with vectors and one with functions.
 LogMap vectorHeatLogMap(const HeatOperators& operators, int vertex);
 
-/// A log map from each vertex, such as vectorHeatLogMap of some operators.
+/// A function that returns the log map from each vertex, such as vectorHeatLogMap of some
+/// operators.
 using LogMapFromVertex = std::function<LogMap(int vertex)>;
 
 /// The rotation (a unit vector, see `rotate`) from the frame of corner k of a point's face into the
-/// frame of the face. It keeps the direction of the half-edge that leaves the corner, or for a
-/// point on an edge that of the edge, so that both faces at the edge agree. Since a vertex's frame
-/// is rescaled, other directions turn by a little more or less.
+/// frame of the face. It keeps the direction of the half-edge that leaves the corner. For a point
+/// on an edge it keeps that of the edge, so that both faces at the edge agree. Since a vertex's
+/// frame is rescaled, other directions turn by a little more or less.
 Vec2 cornerRotation(const Geometry& geometry, const SurfacePoint& point, int k);
 
 }  // namespace karcher

@@ -41,7 +41,8 @@ Array<double> WeightedAverages::weightsOf(const Array<SurfacePoint>& points,
   }
   const EmbeddedPoint origin = surface_.position(target);
   const TangentPlane plane = surface_.planeAt(target);
-  // Rows: the two conditions that the average projects to the target, and the sum of the weights.
+  // The rows are the two conditions that the average projects to the target, and the sum of the
+  // weights.
   Eigen::Matrix3Xd conditions(3, points.count());
   Eigen::VectorXd costs(points.count());
   for (int i = 0; i < points.count(); ++i) {
@@ -56,7 +57,8 @@ Array<double> WeightedAverages::weightsOf(const Array<SurfacePoint>& points,
       return weights;
     }
   }
-  // Lengths in units of the nearest point's distance, so that the system does not depend on scale.
+  // Lengths are in units of the nearest point's distance, so that the system does not depend on
+  // scale.
   const double unit = std::sqrt(costs.minCoeff());
   conditions.topRows(2) /= unit;
   costs /= unit * unit;

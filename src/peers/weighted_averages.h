@@ -9,7 +9,7 @@
 /// The mesh is embedded in eight dimensions so that straight distances approximate geodesic ones
 /// (embedding.h). There points are averaged linearly, and Phong projection (phong_projection.h)
 /// returns the average to the surface. After the preparation, an average takes microseconds, and so
-/// does the inverse, the weights that average to a point.
+/// does its inverse, the weights for which a point is the average.
 namespace karcher {
 
 class WeightedAverages {
@@ -18,16 +18,16 @@ class WeightedAverages {
   WeightedAverages(const TriangleMesh& mesh, Embedding embedding);
 
   /// The forward problem (section 4). The weights should sum to 1. The status is kNoProgress if the
-  /// average has no projection, for example off the boundary. Throws Error kBadWeights if there is
-  /// not one weight for each point.
+  /// average has no projection, for example beyond the boundary. Throws Error kBadWeights if there
+  /// is not one weight for each point.
   CenterOfMass centerOfMass(const Array<SurfacePoint>& points, Weights weights,
                             const SurfacePoint& start) const;
 
-  /// The inverse problem (section 5): weights, summing to 1, whose average projects to `target`.
-  /// Among these, they have the least sum of squares, each multiplied by its point's squared
-  /// distance from the target, in which the part across the tangent plane counts tenfold. Throws
-  /// Error: kTooFewPoints (fewer than 3), kBadArgument if the points lie on one line as seen from
-  /// the target.
+  /// The inverse problem (section 5): weights, summing to 1, whose average projects to `target`. Of
+  /// all such weights, these minimize the sum of squares, each multiplied by its point's squared
+  /// distance from the target. In the distance the part across the tangent plane counts tenfold.
+  /// Throws Error: kTooFewPoints (fewer than 3), kBadArgument if the points lie on one line as seen
+  /// from the target.
   Array<double> weightsOf(const Array<SurfacePoint>& points, const SurfacePoint& target) const;
 
  private:

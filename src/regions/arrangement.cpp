@@ -12,7 +12,7 @@ namespace {
 /// A half-edge that leaves a vertex, in a face.
 struct Leaving {
   int vertex;
-  int rank;  ///< the half-plane of the direction; -1 along a face's side
+  int rank;  ///< the half-plane of the direction; -1 for a direction along a side of the face
   Vec2 direction;
   int halfedge;
 };
@@ -27,7 +27,7 @@ bool isBefore(const Leaving& a, const Leaving& b) {
 /// A loop of half-edges in a face.
 struct Loop {
   int first;
-  double area;     ///< twice its area in the face's own coordinates
+  double area;     ///< twice the loop's area in the face's own coordinates
   bool isOutside;  ///< whether it surrounds isolated lines
 };
 
@@ -112,7 +112,7 @@ class Builder {
     for (int h = first; h < end; ++h) all_.piece[h] = piece;
   }
 
-  /// Adds two half-edges for each line, shared by all pieces of paths on it.
+  /// Adds two half-edges for each line. All pieces of paths on the line share them.
   void addLines(const DrawnFace& face) {
     Array<DrawnPiece>& pieces = pieces_;
     pieces = face.pieces;
@@ -151,7 +151,7 @@ class Builder {
       int last = i;
       while (last + 1 < leaving.count() && leaving[last + 1].vertex == leaving[i].vertex) ++last;
       const bool isSide = leaving[i].rank < 0;
-      // The arriving side has all others to its left.
+      // All others lie to the left of the arriving side.
       if (isSide) all_.next[previousSide(first, end, leaving[i].halfedge)] = leaving[last].halfedge;
       for (int j = isSide ? i + 1 : i; j <= last; ++j) {
         all_.next[all_.twin[leaving[j].halfedge]] = leaving[j > i ? j - 1 : last].halfedge;
@@ -175,7 +175,8 @@ class Builder {
       if (std::pair(a.x(), a.y()) < std::pair(lowest.x(), lowest.y())) lowest = a;
       h = all_.next[h];
     } while (h != start);
-    // At its leftmost vertex, a surrounding loop has the left direction in one of its corners.
+    // One of the corners of a surrounding loop at its leftmost vertex contains the direction to the
+    // left.
     do {
       const int after = all_.next[h];
       const Vec2 corner = placeOf(after);
@@ -189,8 +190,8 @@ class Builder {
     return loop;
   }
 
-  /// Whether a place lies within a loop, by the lines to its left, so that it is never within loops
-  /// of which it is the leftmost vertex.
+  /// Whether a place lies within a loop, by the lines to its left. The leftmost vertex of a loop is
+  /// never within it.
   bool holds(const Loop& loop, const Vec2& place) const {
     bool inside = false;
     int h = loop.first;
@@ -222,7 +223,7 @@ class Builder {
     }
     for (int i = 0; i < loops.count(); ++i) {
       if (!loops[i].isOutside) continue;
-      // This finds the smallest loop around it.
+      // Find the smallest loop around the leftmost place of this one.
       const Vec2 place = leftmost(loops[i]);
       int around = -1;
       for (int j = 0; j < loops.count(); ++j) {
@@ -291,7 +292,7 @@ class Builder {
     Array<int>& cells = all_.cellOfPiece;
     cells.resize(names.size());
     for (int p = 0; p < names.count(); ++p) {
-      // Sets are named by their smallest piece, which already has its cell.
+      // The name of a set is its smallest piece, which already has its cell.
       if (names[p] == p) all_.cellArea.push_back(0);
       cells[p] = names[p] == p ? all_.cellCount() - 1 : cells[names[p]];
       all_.cellArea[cells[p]] += all_.pieceArea[p];
@@ -302,7 +303,7 @@ class Builder {
   const TriangleMesh& mesh_;
   Drawing drawing_;
   Arrangement all_;
-  Array<int> sideStart_;  ///< the first half-edge on each one of the mesh
+  Array<int> sideStart_;  ///< the first half-edge on each half-edge of the mesh
   // The state of the current face.
   int first_ = 0;
   Array<Vec2> places_;
@@ -351,7 +352,7 @@ Array<SurfacePoint> pointsInside(const Geometry& geometry, const Arrangement& al
       if (all.piece[h] != piece) continue;
       if (longest < 0 || lengthOf(geometry, all, h) > lengthOf(geometry, all, longest)) longest = h;
     }
-    // Half of the way from the middle of its longest side to the next one.
+    // The point lies halfway from the middle of the longest side to the next line.
     const Vec2 from = place(all.tail[longest]);
     const Vec2 way = place(all.head(longest)) - from;
     const Vec2 middle = from + way / 2;

@@ -3,11 +3,11 @@
 #include "intrinsic/geometry.h"
 #include "regions/drawing.h"
 
-/// The surface cut by paths into cells, as half-edges.
+/// The surface divided by paths into cells, as half-edges.
 ///
-/// The drawing's lines cut each face into pieces; a piece with isolated lines inside has several
-/// loops. Pieces meet across an edge of the mesh at the drawing's vertices on it, which both faces
-/// share, so that they always fit. A cell consists of the pieces that can be reached without
+/// The drawing's lines divide each face into pieces; a piece with isolated lines inside has several
+/// loops. Pieces meet across an edge of the mesh at the drawing's vertices on it. Both faces share
+/// these, so that the pieces always fit. A cell consists of the pieces that can be reached without
 /// crossing a path.
 namespace karcher {
 
@@ -16,13 +16,14 @@ struct PathUse {
   int halfedge = 0;  ///< the smaller of the edge's two half-edges
   int path = 0;
   int part = 0;
-  int sign = 1;  ///< -1 if the path runs against the half-edge
+  int sign = 1;  ///< -1 if the path's direction is opposite to the half-edge's
 };
 
 struct Arrangement {
   int meshVertices = 0;
   int paths = 0;
-  /// Vertices are numbered consecutively, first the mesh's, then these.
+  /// The vertices added to the mesh's. Numbers are consecutive: first the mesh's vertices, then
+  /// these.
   Array<DrawnVertex> added;
 
   // Arrays by half-edge. Those of face f are firstOfFace[f] to firstOfFace[f + 1], beginning with
@@ -33,7 +34,7 @@ struct Arrangement {
   Array<int> twin;  ///< -1 at the boundary of the surface
   Array<int> piece;
 
-  // Arrays by piece; the pieces of a face are consecutive.
+  // Arrays by piece. The pieces of a face are consecutive.
   Array<int> faceOfPiece;
   Array<double> pieceArea;
   Array<int> cellOfPiece;
@@ -53,7 +54,7 @@ struct Arrangement {
 /// Throws Error kBadArgument if consecutive points of a path have no face in common.
 Arrangement arrange(const Geometry& geometry, std::span<const SurfacePath> paths);
 
-/// A vertex in a face that holds it.
+/// A vertex as a point of a face that contains it.
 SurfacePoint vertexInFace(const TriangleMesh& mesh, const Arrangement& arrangement, int face,
                           int vertex);
 
@@ -69,7 +70,7 @@ double lengthOf(const Geometry& geometry, const Arrangement& arrangement, int h)
 /// A point inside each cell, away from its border: in the largest of its pieces.
 Array<SurfacePoint> pointsInside(const Geometry& geometry, const Arrangement& arrangement);
 
-/// The piece that holds a point. On a line it is the piece of one side.
+/// The piece that contains a point. On a line it is the piece on one side.
 int pieceHolding(const TriangleMesh& mesh, const Arrangement& arrangement,
                  const SurfacePoint& point);
 

@@ -17,7 +17,8 @@ class FaceTriangles {
  public:
   using Side = std::pair<int, int>;
 
-  /// The first three places are the face's corners; `frame` has the places in the face's frame.
+  /// The first three of `places` are the face's corners; `frame` has the places in the face's
+  /// frame.
   FaceTriangles(const Array<Vec2>& places, const Array<Vec2>& frame)
       : places_(places), frame_(frame) {
     add(0, 1, 2);
@@ -29,7 +30,8 @@ class FaceTriangles {
   void addLine(int from, int to) {
     lines_.emplace(std::minmax(from, to), 0);
     Array<Side> crossed = sidesAcross(from, to);
-    // Each flip may leave a crossing side; sides of a nonconvex quad wait.
+    // Each flip may leave a crossing side, and sides of a nonconvex quad wait, so that the number
+    // of flips may be quadratic.
     const int64_t most = 100 + int64_t{4} * crossed.count() * crossed.count();
     for (int i = 0; i < crossed.count(); ++i) {
       if (i == most) refuse("a face could not be cut into triangles");
@@ -88,7 +90,7 @@ class FaceTriangles {
       const double toC = left(a, b, p);
       const double toA = left(b, c, p);
       const double toB = left(c, a, p);
-      // The place is on one side at most, and each triangle is visited from each of its sides.
+      // The place is on at most one side, and each triangle is visited from each of its sides.
       if (toC < 0 || toA <= 0 || toB <= 0) continue;
       const int apex = c;
       if (toC > 0) {
@@ -195,7 +197,7 @@ class Cutter {
 
   Vec3 positionOf(int vertex) const {
     if (vertex < all_.meshVertices) return mesh_.positions[vertex];
-    // The face is always the same, so that positions are equal.
+    // The face is always the same one, so that positions are equal.
     const int f = all_.added[vertex - all_.meshVertices].face;
     return position(mesh_, vertexInFace(mesh_, all_, f, vertex));
   }
@@ -213,7 +215,7 @@ class Cutter {
       addTriangle(f, first, first + 1, first + 2);
       return;
     }
-    // Corners first.
+    // Corners are numbered first.
     std::map<int, int> numberOf;
     Array<Vec2> places;
     Array<Vec2> frame;
@@ -242,7 +244,8 @@ class Cutter {
     }
   }
 
-  /// The half-edge whose corner has a triangle with the side (v, w): the next one to the right.
+  /// The half-edge whose corner contains the triangle with the side (v, w): the next one to the
+  /// right.
   static int cornerOf(const FaceTriangles& triangles,
                       const std::map<std::pair<int, int>, int>& halfedgeOf, int v, int w) {
     const int most = static_cast<int>(triangles.opposite().size());

@@ -24,7 +24,7 @@ struct Line {
   Vec2 from;
   Vec2 to;
   double left;   ///< the smallest x
-  double right;  ///< the greatest
+  double right;  ///< the largest x
 };
 
 /// A cut of a line at a vertex.
@@ -63,8 +63,9 @@ class Drawer {
   }
 
   Drawing finish() {
-    // New vertices on an edge put the face across it back in the queue. Vertices stay apart, so
-    // that few are added and this ends; the bound is far beyond what was ever observed.
+    // The bound on rounds of a face. New vertices on an edge put the face across it back in the
+    // queue. Vertices stay apart, so that few are added and the rounds end; the bound is far beyond
+    // all observed numbers.
     constexpr int kMostRounds = 1000;
     for (int round = 0; !waiting_.empty(); ++round) {
       if (round == kMostRounds) refuse("the paths have too many crossings that lie together");
@@ -88,7 +89,7 @@ class Drawer {
     return apart.cwiseAbs().maxCoeff() <= kTogether;
   }
 
-  /// Whether a face, its sides included, has a vertex.
+  /// Whether a face, its sides included, contains a vertex.
   bool isIn(int f, int vertex) const {
     if (vertex < drawing_.meshVertices) return (mesh_.faces[f].array() == vertex).any();
     const DrawnVertex& it = drawing_.added[vertex - drawing_.meshVertices];
@@ -140,7 +141,7 @@ class Drawer {
                          [&](int vertex, double value) { return alongEdge(h, vertex) < value; });
     const double up = after == vertices.end() ? kInfinity : alongEdge(h, *after) - t;
     const double down = after == vertices.begin() ? kInfinity : t - alongEdge(h, *(after - 1));
-    // If both are near, the older one takes the point, as it did if it existed before.
+    // If both are near, the older one takes the point, as it did when it was the only one.
     if (std::max(up, down) <= kTogether) return std::min(*after, *(after - 1));
     if (std::min(up, down) <= kTogether) return up < down ? *after : *(after - 1);
     const int vertex = addVertex({karcher::faceOf(h), h, t, placeOnSide(cornerOf(h), t)});
@@ -179,7 +180,7 @@ class Drawer {
     return drawing_.added[vertex - drawing_.meshVertices].halfedge == drawnHalfedge(mesh_, side);
   }
 
-  /// Adds a piece to the edge along which it runs, or else to its face.
+  /// Adds a piece to the edge on which it lies, or else to its face.
   void addPiece(int f, const DrawnPiece& piece) {
     for (int side = 3 * f; side < 3 * f + 3; ++side) {
       if (!onSide(side, piece.from) || !onSide(side, piece.to)) continue;
@@ -252,7 +253,8 @@ class Drawer {
 
   /// The vertex that takes a crossing; `vertices` are those of the face.
   int vertexAtCrossing(int number, const Vec2& place, Array<PlacedVertex>& vertices) {
-    // The nearest vertex is taken: both lines are then cut into shorter ones, so that cutting ends.
+    // The nearest vertex takes the crossing. Both lines are then cut into shorter ones, so that
+    // cutting ends.
     double nearest = 4 * kTogether * kTogether;
     int vertex = -1;
     for (const PlacedVertex& other : vertices) {
@@ -302,7 +304,7 @@ class Drawer {
     }
   }
 
-  /// Does one round of a face, which is queued again until a round finds nothing.
+  /// Does one round for a face. The face is queued again until a round finds no change.
   void cutFace(int number) {
     if (drawing_.faces[number].pieces.empty()) return;
     const Array<Line>& lines = lines_;
@@ -366,7 +368,7 @@ class Drawer {
 
   const TriangleMesh& mesh_;
   Drawing drawing_;
-  Array<uint8_t> waits_;  ///< per face of the drawing
+  Array<uint8_t> waits_;  ///< whether each face of the drawing waits
   Array<int> waiting_;
   // The state of the current face.
   Array<std::pair<int, int>> ends_;

@@ -17,18 +17,18 @@ namespace karcher {
 /// A vertex that the paths add to those of the mesh.
 struct DrawnVertex {
   int face = 0;
-  int halfedge = -1;  ///< the edge's half-edge of the drawing; -1 inside the face
-  double t = 0;       ///< along this half-edge
+  int halfedge = -1;  ///< the drawing's half-edge of the edge; -1 for a vertex inside the face
+  double t = 0;       ///< the place along this half-edge
   Vec2 place = Vec2::Zero();
 };
 
-/// A straight piece of a path between two vertices, without others on it. Vertices are numbered
-/// consecutively, first the mesh's, then the drawing's.
+/// A straight piece of a path between two vertices, without other vertices on it. Numbers of
+/// vertices are consecutive: first the mesh's vertices, then the drawing's.
 struct DrawnPiece {
   int from = 0;
   int to = 0;
   int path = 0;
-  int part = 0;  ///< the part of the path between its point of this number and the next
+  int part = 0;  ///< the number of the path's point before the piece
 };
 
 /// An edge's vertices in the order along the drawing's half-edge, and the pieces on it.
@@ -51,11 +51,13 @@ struct Drawing {
   Array<DrawnVertex> added;
   Array<DrawnEdge> edges;
   Array<DrawnFace> faces;
-  Array<int> edgeOf;  ///< by half-edge, the smaller of an edge's two; -1 if it has nothing
-  Array<int> faceOf;  ///< by face; -1 if it has nothing
+  /// the index by half-edge, the smaller of an edge's two; -1 for an edge without vertices or
+  /// pieces
+  Array<int> edgeOf;
+  Array<int> faceOf;  ///< the index by face; -1 for a face without vertices or pieces
 };
 
-/// The half-edge by which the drawing knows an edge.
+/// The half-edge that represents an edge in the drawing.
 inline int drawnHalfedge(const TriangleMesh& mesh, int h) {
   return mesh.twin[h] >= 0 ? std::min(h, mesh.twin[h]) : h;
 }
@@ -63,7 +65,7 @@ inline int drawnHalfedge(const TriangleMesh& mesh, int h) {
 /// The position in a face of a vertex in it or on one of its sides.
 Vec2 placeIn(const TriangleMesh& mesh, const Array<DrawnVertex>& added, int face, int vertex);
 
-/// Throws Error kBadArgument where consecutive points of a path have no face in common.
+/// Throws Error kBadArgument if consecutive points of a path have no face in common.
 Drawing drawPaths(const TriangleMesh& mesh, std::span<const SurfacePath> paths);
 
 }  // namespace karcher

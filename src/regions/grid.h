@@ -14,13 +14,13 @@ namespace karcher {
 
 inline constexpr double kGridStep = 0x1p-40;
 
-/// Points nearer to each other than this part of an edge, or of a face's height, are merged.
+/// The distance, as a part of an edge or of a face's height, below which points are merged.
 inline constexpr double kTogether = 0x1p-32;
 
 inline double onGrid(double x) { return std::round(x / kGridStep) * kGridStep; }
 
-/// The cross product of two differences of places, with the right sign: where rounding could
-/// matter, by W. Kahan's difference of products (C.-P. Jeannerod, N. Louvet, J.-M. Muller, 2013).
+/// The cross product of two differences of places, with the right sign. If rounding could matter,
+/// it uses W. Kahan's difference of products (C.-P. Jeannerod, N. Louvet, J.-M. Muller, 2013).
 inline double exactCross(const Vec2& u, const Vec2& v) {
   const double p = u.x() * v.y();
   const double q = u.y() * v.x();
@@ -30,7 +30,7 @@ inline double exactCross(const Vec2& u, const Vec2& v) {
   return std::fma(u.x(), v.y(), -q) + std::fma(-u.y(), v.x(), q);
 }
 
-/// Positive if c lies left of the line from a to b.
+/// A number that is positive if c lies left of the line from a to b.
 inline double leftOf(const Vec2& a, const Vec2& b, const Vec2& c) {
   return exactCross(b - a, c - a);
 }

@@ -14,12 +14,14 @@ namespace {
 /// The count of one edge of the arrangement, over its uses by paths of a range.
 struct EdgeCount {
   int halfedge = 0;
-  int change = 0;  ///< from right to left of the half-edge
+  int change = 0;  ///< the change of the count from the right to the left of the half-edge
   PathUse
-      firstOfAll;  ///< the earliest use by the range's first path; its path is -1 if there is none
+      /// the earliest use by the range's first path; its path is -1 if that path does not use the
+      /// edge
+      firstOfAll;
 };
 
-/// The count of the edge of a use; the use becomes the first of the next edge.
+/// The count of the edge of a use; `i` advances to the first use of the next edge.
 EdgeCount countAt(const Arrangement& all, const PathRange& paths, int& i) {
   EdgeCount count;
   count.halfedge = all.uses[i].halfedge;
@@ -80,7 +82,7 @@ Steps stepsOf(const Arrangement& all, const PathRange& paths) {
   refuse(sentence + ", round an end or a handle of the surface");
 }
 
-/// Decides the outside in a connected part of the surface, and sets its cells' insides.
+/// Decides which cells of a connected part of the surface are outside, and sets its cells' insides.
 void chooseSide(const Arrangement& all, const Array<int>& cells, const Array<int>& labels,
                 std::optional<int> inside, Region& region) {
   struct LabelArea {
@@ -94,13 +96,13 @@ void chooseSide(const Arrangement& all, const Array<int>& cells, const Array<int
     if (areas.empty() || areas.back().label != labels[cell]) areas.push_back({labels[cell], 0});
     areas.back().area += all.cellArea[cell];
   }
-  // Among areas that are equal up to rounding, the first is taken, which is right of the curves.
+  // Among areas that are equal up to rounding, the first counts, which lies right of the curves.
   const LabelArea* outside = nullptr;
   for (const LabelArea& one : areas) {
     if (inside && one.label == labels[*inside]) continue;
     if (outside == nullptr || one.area > outside->area * (1 + kChainRounding)) outside = &one;
   }
-  // There is none if the point's side is everything, as beyond the boundary.
+  // None is left if the point's side is everything, as beyond the boundary.
   for (const int cell : cells) {
     region[cell] = outside == nullptr || labels[cell] != outside->label ? 1 : 0;
   }
@@ -141,7 +143,7 @@ Region enclosed(const Arrangement& arrangement, const PathRange& paths, FillRule
 
 std::optional<int> cellBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                               PathSide side) {
-  // Edges inside the surface come before those of its boundary, beyond which there is no cell.
+  // Edges inside the surface come before those of its boundary, beyond which no cell exists.
   PathUse first{-1, 0, 0, 0};
   bool isInside = false;
   for (int i = 0; i < arrangement.uses.count();) {

@@ -6,23 +6,25 @@
 
 /// Regions as sets of cells, regions that curves enclose, and booleans.
 ///
-/// A cell on the left of a path counts one more than on the right of it. Summed from cell to cell,
-/// this labels all cells up to a constant if the paths bound a region. If the counts do not cancel
-/// around a handle of the surface, or around the end of a path, nothing is enclosed. A surface has
-/// no natural outside: it is the label of the greatest area, unless a point decides otherwise.
+/// A cell on the left of a path counts one more than the cell on its right. Summed from cell to
+/// cell, this labels all cells up to a constant if the paths bound a region. If the counts do not
+/// cancel around a handle of the surface, or around the end of a path, the paths enclose no region.
+/// A surface has no natural outside. It is taken to be the label of the greatest area, unless a
+/// point decides otherwise.
 namespace karcher {
 
-/// 1 for each cell that belongs to the region.
+/// A region: 1 for each cell that belongs to it, else 0.
 using Region = Array<uint8_t>;
 
 enum class FillRule {
-  kEvenOdd,  ///< what is reached from outside by an odd number of crossings
-  kNonZero,  ///< what is reached by more crossings from right to left than the other way, or fewer
+  kEvenOdd,  ///< the cells that an odd number of crossings separates from the outside
+  /// the cells for which the numbers of crossings from right to left and from left to right differ
+  kNonZero,
 };
 
 enum class Boolean { kUnion, kIntersection, kDifference, kExclusion };
 
-/// A range of the arrangement's paths: `count` of them from `first` on.
+/// A range of the arrangement's paths: `count` of them, starting with `first`.
 struct PathRange {
   int first = 0;
   int count = 0;
@@ -36,12 +38,13 @@ Region enclosed(const Arrangement& arrangement, const PathRange& paths, FillRule
 /// The sides of a path, seen along it.
 enum class PathSide { kLeft, kRight };
 
-/// The cell on a side of the first of these paths, where it first has other cells on its two sides
-/// (by parity, where `rule` is that); none where it has not, or beyond the boundary.
+/// The cell on a side of the first of these paths, at the first place where the cells on its two
+/// sides differ (or, if `rule` is kEvenOdd, differ by parity). None if they differ nowhere, or if
+/// the side is beyond the boundary.
 std::optional<int> cellBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                               PathSide side);
 
-/// The region that paths enclose together on a side of the first one, which moves along with that
+/// The region that paths enclose together on a side of the first one. It moves along with that
 /// path. Throws Error kBadArgument if the paths do not bound a region.
 Region enclosedBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                       PathSide side);
