@@ -1,8 +1,8 @@
 cmake_policy(VERSION 3.24)
 
-# Writes the headers of the library's users to TO/karcher: `karcher/karcher.h` and what it includes.
-# The engine includes its headers by their rooms ("mesh/error.h"); there they are included as
-# "karcher/mesh/error.h", so that no other library's headers are in their way.
+# Writes the headers of the library's users to TO/karcher: `karcher/karcher.h` and the headers that
+# it includes. The engine includes its headers by their rooms ("mesh/error.h"). The written ones are
+# included as "karcher/mesh/error.h", so that they do not clash with another library's headers.
 #
 # `read` becomes the list of the files that were read.
 function(karcher_write_headers from to read)

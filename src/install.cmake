@@ -1,5 +1,5 @@
-# `cmake --install BUILD --component karcher`: the library, its public headers (headers.cmake) and what
-# `find_package(karcher)` reads.
+# `cmake --install BUILD --component karcher` installs the library, its public headers
+# (headers.cmake) and the files that `find_package(karcher)` reads.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 set(KARCHER_PACKAGE ${CMAKE_INSTALL_LIBDIR}/cmake/karcher)

@@ -1,7 +1,7 @@
 #pragma once
 
-/// All that users of the engine include: `#include <karcher/karcher.h>`. What these headers do not
-/// reach is internal and not installed.
+/// The engine's public header: `#include <karcher/karcher.h>`. Headers that it does not include,
+/// not even indirectly, are internal and not installed.
 
 // Meshes: reading and repairing, shapes, subdivision, the nearest point on them.
 #include "mesh/error.h"
@@ -29,7 +29,7 @@
 #include "rcm/mean_weights.h"
 #include "rcm/statistics.h"
 
-// Curves: their points and lengths, control points put in, circles, isolines, offsets.
+// Curves: their points and lengths, inserted control points, circles, isolines, offsets.
 #include "curves/circle.h"
 #include "curves/curve.h"
 #include "curves/isoline.h"
@@ -38,6 +38,6 @@
 #include "curves/query/measure.h"
 #include "curves/refine/refine.h"
 
-// Regions, and meshes cut along paths.
+// Regions, and meshes divided along paths.
 #include "regions/cut.h"
 #include "regions/region.h"

@@ -29,7 +29,7 @@ struct EmbeddingOptions {
 
 struct Embedding {
   Array<EmbeddedPoint> positions;  ///< the position of each vertex
-  Array<TangentPlane> planes;      ///< the position of each vertex
+  Array<TangentPlane> planes;      ///< the tangent plane of each vertex
   int landmarks = 0;
   int foldedFaces = 0;
   double stress = 0;  ///< the stress of the first landmarks, before refinement

@@ -20,7 +20,7 @@ struct IntrinsicTriangulation {
   const Geometry* geometry = nullptr;
   Array<int> tail;       ///< the tail of each half-edge
   Array<int> twin;       ///< the twin of each half-edge, -1 at the boundary
-  Array<double> length;  ///< the tail of each half-edge
+  Array<double> length;  ///< the length of each half-edge
   /// the unscaled direction of each half-edge in the frame of its tail in `geometry`
   Array<double> direction;
 

@@ -25,17 +25,23 @@ export { comparedMethods };
 export interface MethodResult {
   /** Whether the method gave a curve. */
   ok: boolean;
-  /** Why it failed, or which of its numbers were not measured. */
+  /** The reason of the failure, or the numbers that were not measured. */
   reason: string | null;
-  /** Preparation once for the mesh, without what every method needs: neighbours, angles, frames. */
+  /**
+   * The preparation for the mesh, without the data that every method needs: neighbours, angles,
+   * frames.
+   */
   prepareMs: number | null;
-  /** The curve with all its fields, log maps or distances, not joined. */
+  /** The time of the curve with all its fields, log maps or distances, not joined. */
   traceMs: number | null;
   /** The part of `traceMs` that the fields of the points take; 0 for methods without fields. */
   fieldsMs: number | null;
-  /** A move of the middle point by an edge, and a new trace of the segments that it touches. */
+  /**
+   * The time of moving the middle point by an edge, and of tracing the segments that it touches
+   * again.
+   */
   dragMs: number | null;
-  /** The part of that time that the point's field takes. */
+  /** The part of `dragMs` that the point's field takes. */
   dragFieldMs: number | null;
   /** The memory of the method and its curve, in bytes, without the mesh. */
   memory: number | null;
@@ -43,7 +49,10 @@ export interface MethodResult {
   samples: number | null;
   /** The number of samples that did not converge. */
   lost: number | null;
-  /** The number of samples that its own authors would not accept either (`MethodCurve.lostByOwnRule`). */
+  /**
+   * The number of samples that the method's own authors would not accept either
+   * (`MethodCurve.lostByOwnRule`).
+   */
   lostByOwnRule: number | null;
   /**
    * Log maps of the heat methods. A library that computes one at each evaluation takes about
@@ -54,26 +63,29 @@ export interface MethodResult {
   deviation: CurveMeasures['deviation'];
   /** The unevenness of the curve's turning (`CurveMeasures.turningNoise`). */
   turningNoise: number | null;
-  /** Where the curve leaps (`CurveMeasures.breaks`). */
+  /** The number of places where the curve leaps (`CurveMeasures.breaks`). */
   breaks: number | null;
   /** The largest angle at a sample (`CurveMeasures.sharpestTurn`). */
   sharpestTurn: CurveMeasures['sharpestTurn'];
   /** Measures by exact shortest paths, the same for all methods; null without a ruler. */
   ruler: RulerMeasures | null;
-  /** How the curve follows a hand; null without a drag. */
+  /** The steadiness of the curve in a drag; null without a drag. */
   drag: DragMeasures | null;
 }
 
 /** A result with its curve, if the method gave one. */
 export interface MethodRun extends MethodResult {
-  /** The samples and the line through them; null where the method failed. */
+  /** The samples and the line through them; null if the method failed. */
   curve: ({ samples: CurveSamples } & ComparedLine) | null;
 }
 
 export interface CompareOptions extends LongWorkOptions {
   /** The time in milliseconds after which a method gives up, at its next step. */
   budgetMs?: number;
-  /** Leaves out the drag and the repetitions of short measurements, for figures that only show the curve. */
+  /**
+   * Whether to leave out the drag and the repetitions of short measurements, for figures that only
+   * show the curve.
+   */
   once?: boolean;
   /** The ruler that measures the curve by exact shortest paths. */
   ruler?: Ruler;
@@ -82,8 +94,9 @@ export interface CompareOptions extends LongWorkOptions {
 }
 
 /**
- * The options of each method for a curve. The paper's distances are exact for two points, and otherwise
- * those of the graph with k = 6, as in its Table 1; its searches start as those of its authors.
+ * The options of each method for a curve. The paper's distances are exact for two points, and
+ * otherwise those of the graph with k = 6, as in its Table 1. Its searches start as those of its
+ * authors.
  */
 export function standardOptions(method: ComparedMethod, plan: CurvePlan): MethodOptions {
   if (method === 'karcher') return { method, solver: 'fast' };
@@ -157,9 +170,9 @@ export async function traceReference(
 }
 
 /**
- * Prepares a method on its own copy of the mesh, so that it finds nothing that others computed;
- * traces the curve, drags a point and measures the curve against a reference. The result of a method that
- * fails says why, and keeps the samples that it has so far.
+ * Prepares a method on its own copy of the mesh, so that it shares no data that others computed;
+ * traces the curve, drags a point and measures the curve against a reference. If a method fails,
+ * the result has the reason and the samples found before.
  *
  * Rejects with the signal's reason.
  */
@@ -202,7 +215,7 @@ export async function runMethod(
     Object.assign(run, measures(mesh, run.curve.samples, reference));
     run.lostByOwnRule = curve.lostByOwnRule();
     run.logMaps = curve.logMaps();
-    // Fewer samples make no curve.
+    // With fewer converged samples the result is no curve.
     run.ok = run.lost! <= run.samples! / 2;
     if (!run.ok) run.reason = `${run.lost} of ${run.samples} samples did not converge`;
     if (dragSteps > 0 && run.ok) {
@@ -214,7 +227,7 @@ export async function runMethod(
     if (!once && run.ok) await repeat(run, { peers, method, curve, mesh: own, plan, work });
   } catch (error) {
     signal?.throwIfAborted();
-    // A curve that was traced in time is kept; numbers that are missing are null.
+    // A curve that was traced in time is kept. Missing numbers are null.
     run.ok = run.ok && budget.reason !== null;
     run.reason = budget.reason ?? reasonOf(error);
   } finally {
@@ -226,7 +239,7 @@ export async function runMethod(
   return run;
 }
 
-/** Ends work that takes too long, at its next step. */
+/** A limit of time, which ends longer work at its next step. */
 class Budget {
   readonly signal: AbortSignal;
   /** The reason why the work was ended. */
@@ -248,7 +261,7 @@ class Budget {
   }
 }
 
-/** The result of a method before anything is measured. */
+/** The result of a method before any measurement. */
 export const nothingMeasured: MethodResult = {
   ok: false,
   reason: null,
@@ -323,7 +336,7 @@ async function repeat(run: MethodRun, repeated: Repeated): Promise<void> {
   run.prepareMs = await medianPreparation(repeated);
 }
 
-/** The median of preparations on new copies of the mesh, the method's own among them. */
+/** The median of preparations on new copies of the mesh, including the method's own. */
 async function medianPreparation({ peers, method, mesh, work }: Repeated): Promise<number> {
   const times = [method.prepareMs];
   await whileQuick(times[0]!, async () => {

@@ -19,7 +19,7 @@ export class ComparedCurve implements MethodCurve {
   readonly #forget: (curve: ComparedCurve) => void;
   #fieldsMs = 0;
 
-  /** @internal `PreparedMethod.curve` makes curves. */
+  /** @internal `PreparedMethod.curve` creates curves. */
   constructor(
     engine: Engine,
     mesh: Mesh,
@@ -55,8 +55,8 @@ export class ComparedCurve implements MethodCurve {
   }
 
   /**
-   * The same in slices, with pauses between them that do not count. `work.progress` receives the part of the
-   * samples that is done. Rejects with the signal's reason.
+   * Does the same as `finish` in slices, with pauses between them that do not count.
+   * `work.progress` receives the completed part of the samples. Rejects with the signal's reason.
    */
   async trace({ progress, signal }: LongWorkOptions = {}): Promise<number> {
     const total = this.#call((curve) => curve.samplesLeft());
@@ -91,24 +91,25 @@ export class ComparedCurve implements MethodCurve {
     return this.#fieldsMs;
   }
 
-  /** The samples so far, segment by segment. */
+  /** The samples found so far, segment by segment. */
   samples(): CurveSamples {
     return this.#view(this.#call((curve) => curve.samples())).samples;
   }
 
   /**
-   * The number of samples so far that the method's own authors would not accept either. The library of the
-   * heat methods stops where the weighted sum of logarithms is shorter than a third of the root of the
-   * face's area; here samples converge at 1e-6 mean edges. For other methods this is the number of samples
-   * that did not converge.
+   * The number of samples found so far that the method's own authors would not accept either. The
+   * library of the heat methods stops where the weighted sum of logarithms is shorter than a third
+   * of the root of the face's area; here samples converge at 1e-6 mean edges. For other methods
+   * this is the number of samples that did not converge.
    */
   lostByOwnRule(): number {
     return this.#call((curve) => curve.lostByOwnRule());
   }
 
   /**
-   * The numbers of log maps that a heat method has computed, one for each vertex that a search visited, and
-   * has requested: its authors' library computes each requested one again. Null for other methods.
+   * The number of log maps that a heat method has computed, one for each vertex that a search
+   * visited, and the number that it has requested. Its authors' library computes each requested one
+   * again. Null for other methods.
    */
   logMaps(): LogMapCounts | null {
     return this.#call((curve) => curve.logMaps());
@@ -120,7 +121,7 @@ export class ComparedCurve implements MethodCurve {
     return { path: view.path(), unconverged: view.unconverged };
   }
 
-  /** Gives the memory back. Safe to repeat. */
+  /** Frees the memory. Safe to repeat. */
   dispose(): void {
     this.#handle.dispose();
     this.#forget(this);

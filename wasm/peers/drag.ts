@@ -3,26 +3,30 @@ import type { CurveSamples, LongWorkOptions } from '../types.js';
 import type { CurvePlan, MethodCurve } from './types.js';
 import { at, length, subtract, type Vector } from './vectors.js';
 
-/** A curve leaps where it moves this many times as far as the hand in one step. */
+/** The ratio of a sample's move to the hand's, in one step, above which the curve leaps. */
 const leapRatio = 5;
 
 /** The length of a drag in mean edges, unless the next control point is nearer. */
 const dragEdges = 2;
 
-/** How steadily a curve follows the hand: a control point dragged in small even steps. */
+/** The steadiness of a curve in a drag: a control point moves in small even steps. */
 export interface DragMeasures {
   /** The number of steps of the drag. */
   steps: number;
-  /** Steps in which a sample moved more than five times as far as the hand. */
+  /** The number of steps in which a sample moved more than five times as far as the hand. */
   leaps: number;
-  /** The farthest that a sample moved in a step, in steps of the hand; null where none converged twice. */
+  /**
+   * The farthest that a sample moved in a step, in steps of the hand; null if no sample converged
+   * twice.
+   */
   most: number | null;
 }
 
 /**
- * Drags the middle control point of a traced curve along the shortest path towards the one after it, in
- * `steps` even steps over two mean edges or less, traces it at each, and leaves it there. A sample counts
- * for a step if it converged, or was bridged, both before and after. Rejects with the signal's reason.
+ * Drags the middle control point of a traced curve along the shortest path towards the next one, in
+ * `steps` even steps over two mean edges or less. Traces the curve at each step, and leaves the
+ * point at the end. A sample counts for a step if it converged, or was bridged, both before and
+ * after. Rejects with the signal's reason.
  */
 export async function measureDrag(
   curve: Pick<MethodCurve, 'movePoint' | 'trace' | 'samples'>,

@@ -16,9 +16,9 @@ import type {
 /** The methods that are curves of the engine, with their options for its levels. */
 const engineMethods = {
   /**
-   * b/Surf (C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive Bezier Splines on Surface
-   * Meshes", 2022) by the engine: repeated averages of two points along geodesics. It needs no fields,
-   * and its points are no centers of mass.
+   * b/Surf (C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive Bezier Splines
+   * on Surface Meshes", 2022) by the engine: repeated averages of two points along geodesics. It
+   * needs no fields, and its points are not centers of mass.
    */
   bSurf: { levels: 'limit', name: 'b/Surf' },
   /** Our default, which first refines the control polygon as often as needed. */
@@ -27,7 +27,7 @@ const engineMethods = {
 
 export type EngineMethodName = keyof typeof engineMethods;
 
-/** Whether a method is a curve of the engine. */
+/** Whether a method's curves are curves of the engine. */
 export const isOfEngine = (method: ComparedMethod): method is EngineMethodName =>
   method in engineMethods;
 
@@ -40,7 +40,7 @@ export class EngineMethod implements PreparedCurves {
   readonly #curves = new Set<EngineCurve>();
   #disposed = false;
 
-  /** @internal `Peers.prepare` makes one. */
+  /** @internal `Peers.prepare` creates one. */
   constructor(mesh: Mesh, options: MethodOptions & { method: EngineMethodName }) {
     this.#mesh = mesh;
     this.#method = options.method;
@@ -110,7 +110,7 @@ class EngineCurve implements MethodCurve {
     this.#moved.set(index, point);
   }
 
-  /** The engine chooses where its searches start. */
+  /** The engine chooses the starts of its searches. */
   startAt(): void {}
 
   finish(): number {

@@ -15,10 +15,10 @@ export * as vectors from './vectors.js';
 export { warm } from './warm.js';
 
 /**
- * Loads the engine together with the methods that it is compared with: a larger module than `load`
- * gives, for comparisons only. Meshes are made by its `karcher`.
+ * Loads the engine together with the methods that it is compared with: a larger module than that of
+ * `load`, for comparisons only. Its `karcher` creates the meshes.
  *
- * Rejects with `KarcherError` notLoaded where WebAssembly is missing or the module cannot be had.
+ * Rejects with `KarcherError` notLoaded if WebAssembly is missing or the module cannot be loaded.
  */
 export async function loadPeers(options: LoadOptions = {}): Promise<Peers> {
   const url = new URL('./karcher-peers.wasm', import.meta.url);

@@ -7,7 +7,7 @@ import type {
 
 /** The module of the comparison: the engine's own bindings and those of peers/bindings/*.cpp. */
 export interface PeersModule extends EngineModule {
-  /** `progress` returns whether to go on. */
+  /** `progress` returns whether to continue. */
   prepareMethod(
     mesh: EngineMesh,
     options: EngineMethodOptions,
@@ -40,7 +40,7 @@ export interface PeersModule extends EngineModule {
   ): { points: number; t: Float64Array; weights: Float64Array };
 }
 
-/** Steps to be timed. */
+/** The steps that are timed. */
 export interface EngineBenchmark {
   delete(): void;
   prepare(): void;
@@ -73,7 +73,7 @@ export interface EngineComparedCurve {
   delete(): void;
   movePoint(i: number, point: Float64Array): void;
   startAt(point: Float64Array): void;
-  /** Computes one field or up to this many samples; true when nothing is left. */
+  /** Computes one field or up to this many samples. Returns true when all is done. */
   advance(samples: number): boolean;
   samplesLeft(): number;
   lostByOwnRule(): number;

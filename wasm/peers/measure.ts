@@ -4,38 +4,39 @@ import type { CurveSamples } from '../types.js';
 import type { WeightTable } from './types.js';
 import { at, cross, dot, length, subtract, type Vector } from './vectors.js';
 
-/** How a curve differs from a reference that was sampled at the same parameters. */
+/** The differences of a curve from a reference that was sampled at the same parameters. */
 export interface CurveMeasures {
   /** The number of samples. */
   samples: number;
-  /** Samples that did not converge. */
+  /** The number of samples that did not converge. */
   lost: number;
   /**
-   * Distances between corresponding samples that both converged, in mean edges, and how many these are.
+   * The distances between corresponding samples that both converged, in mean edges, and their
+   * number.
    */
   deviation: { median: number; max: number; samples: number } | null;
   /**
-   * Root mean square of (turning angle - the reference's) a sample, in radians, at about 128 samples
-   * a segment.
+   * The root mean square, over samples, of the difference between the turning angle and the
+   * reference's, in radians, at about 128 samples for each segment.
    */
   turningNoise: number | null;
   /**
-   * Where the curve leaps: between two samples that converged, one after the other, lies more than a mean
-   * edge and five times what lies before and after it; of a curve whose weights do not change evenly, in
-   * parts of what its affine averages move by.
+   * The number of leaps: steps between two consecutive converged samples that are longer than a
+   * mean edge and five times as long as the steps before and after them. If a curve's weights do
+   * not change evenly, steps are relative to those of its affine averages.
    */
   breaks: number;
   /** The largest angle by which the curve turns at a sample, in degrees, and the sample's parameter. */
   sharpestTurn: { degrees: number; t: number } | null;
 }
 
-/** A reference: where its samples are, and which of them converged. */
+/** A reference: its samples' positions, and which of them converged. */
 export interface ReferenceSamples extends Pick<CurveSamples, 'count' | 'position' | 'status'> {
   /** The energy of each sample, if it is known in closed form, in squared units of the mesh. */
   energy?: Float64Array;
 }
 
-/** The centers of mass of the two ends of a path, which are points at parts of its length. */
+/** The centers of mass of the two ends of a path. They are points at parts of its length. */
 export function alongPath(path: Path, { t, weights }: WeightTable): ReferenceSamples {
   const polyline = path.polyline({ bits: 64 });
   const lengths = [0];
@@ -62,14 +63,14 @@ export function alongPath(path: Path, { t, weights }: WeightTable): ReferenceSam
   return { count: t.length, position, energy, status: Array.from(t, () => 'converged' as const) };
 }
 
-/** A step between samples is a leap if it is this many times longer than its neighbours. */
+/** The ratio of a step between samples to its neighbours above which it is a leap. */
 const leapRatio = 5;
 
-/** Measures curves on one mesh. */
+/** A meter of curves on one mesh. */
 export class CurveMeter {
   readonly #meanEdge: number;
   readonly #triangles: Int32Array;
-  /** For each vertex the sum of its faces' normals, weighted by area. */
+  /** The sum of the normals of each vertex's faces, weighted by area. */
   readonly #normals: Float64Array;
 
   constructor(mesh: Mesh) {
@@ -80,9 +81,9 @@ export class CurveMeter {
   }
 
   /**
-   * Both curves have the same segments and parameters. `affine` are the averages in space of the control
-   * points with the samples' weights: they show where a curve is fast without a leap, such as rational
-   * curves at their ends.
+   * Measures a curve against a reference with the same segments and parameters. `affine` are the
+   * averages in space of the control points with the samples' weights. They show where a curve is
+   * fast without a leap, such as rational curves at their ends.
    */
   measure(
     curve: CurveSamples,
@@ -140,7 +141,7 @@ export class CurveMeter {
       const steps = numbers.map((i) => this.#step(curve, i));
       const paces = numbers.map((i) => (affine ? stepOf(affine, i) : 1));
       steps.forEach((step, k) => {
-        // A step without a neighbour has nothing to compare with.
+        // A step without a neighbour has no step to compare with.
         const beside = [k - 1, k + 1].filter((other) => typeof steps[other] === 'number');
         if (step === null || beside.length === 0 || step <= this.#meanEdge) return;
         const isLeap = beside.every(

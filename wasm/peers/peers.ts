@@ -16,7 +16,7 @@ import type {
   WeightTable,
 } from './types.js';
 
-/** The count of numbers that the module's `newtonSteps` returns for each search. */
+/** The number of values that the module's `newtonSteps` returns for each search. */
 const numbersASearch = 10;
 
 /** The engine and the methods that it is compared with. */
@@ -26,7 +26,7 @@ export class Peers {
   readonly #engine: Engine;
   readonly #module: PeersModule;
 
-  /** @internal `loadPeers` makes one. */
+  /** @internal `loadPeers` creates one. */
   constructor(module: PeersModule) {
     this.#module = module;
     this.#engine = new Engine(module);
@@ -34,8 +34,8 @@ export class Peers {
   }
 
   /**
-   * Prepares a method on a mesh, which must outlive the method. `work.progress` is called and the signal
-   * checked between steps: the vertices of a graph, the landmarks of an embedding.
+   * Prepares a method on a mesh, which must outlive the method. Between steps (the vertices of a
+   * graph, the landmarks of an embedding) it calls `work.progress` and checks the signal.
    *
    * Rejects with the signal's reason, and with `KarcherError`: noEmbedding, degenerateFace,
    * unreachable, badArgument.
@@ -97,8 +97,8 @@ export class Peers {
   }
 
   /**
-   * Records of the paper's searches, one for each row of weights. Searches begin at the point with the
-   * largest weight; if `warm`, those after one that converged begin where it ended.
+   * Records of the paper's searches, one for each row of weights. Searches begin at the point with
+   * the largest weight. If `warm`, a search that follows a converged one begins where that ended.
    * @internal
    */
   newtonSteps(

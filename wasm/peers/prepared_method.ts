@@ -66,7 +66,7 @@ export class PreparedMethod implements PreparedCurves {
   readonly #handle: Handle<EnginePreparedMethod>;
   readonly #curves = new Set<ComparedCurve>();
 
-  /** @internal `Peers.prepare` makes one. */
+  /** @internal `Peers.prepare` creates one. */
   constructor(
     engine: Engine,
     module: PeersModule,
@@ -84,8 +84,8 @@ export class PreparedMethod implements PreparedCurves {
   }
 
   /**
-   * A curve, not yet traced. Throws `KarcherError`: badIndex, badPoint, badWeights, unreachable, and
-   * badArgument for a curve that the method does not make.
+   * A curve, not yet traced. Throws `KarcherError`: badIndex, badPoint, badWeights, unreachable,
+   * and badArgument for a curve that the method does not support.
    */
   curve(plan: CurvePlan): ComparedCurve {
     checkOptions(plan, planNames);
@@ -191,7 +191,7 @@ function engineOptions(options: MethodOptions): EngineMethodOptions {
   };
 }
 
-/** Throws if a method is given an option that it does not use. */
+/** Throws if an option is given that the method does not use. */
 function checkMeant(name: string, value: unknown, isMeant: boolean, methods: string): void {
   if (value === undefined || isMeant) return;
   throw new KarcherError('badArgument', `the option '${name}' is for the method ${methods} only`);

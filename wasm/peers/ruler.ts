@@ -9,17 +9,16 @@ import { add, at, cross, dot, length, scaled, subtract, type Vector } from './ve
 /** The number of samples at which a curve's error is measured, evenly spaced from its first to its last. */
 const rulerSamples = 33;
 
-/** A point counts as lying on a side of its face if it is nearer to it than this. */
+/** The distance from a side of its face below which a point counts as lying on the side. */
 const onSide = 1e-6;
 
 /**
- * The error of a curve's samples as centers of mass, by exact shortest paths. Every method is measured by
- * these, whatever its own distances are.
+ * The error of a curve's samples as centers of mass, by exact shortest paths. It is measured in
+ * this way for every method, whatever the method's own distances are.
  */
 export interface RulerMeasures {
   /**
-   * |sum of w_i log_x p_i| in mean edges: 0 at a center of mass, and where the surface bends little
-   * about the distance to it.
+   * |sum of w_i log_x p_i| in mean edges: 0 at a center of mass. Where the surface bends little it is about the distance to one.
    */
   residual: { median: number; max: number } | null;
   /**
@@ -27,7 +26,10 @@ export interface RulerMeasures {
    * reference's.
    */
   energy: { median: number; excess: number | null } | null;
-  /** The number of measured samples: those that converged, among `rulerSamples` or all if there are fewer. */
+  /**
+   * The number of measured samples: the converged ones among `rulerSamples`, or among all if there
+   * are fewer.
+   */
   measured: number;
   /** The number of samples chosen for the measurement. */
   of: number;
@@ -41,7 +43,7 @@ export interface RulerReading {
   energy: Float64Array;
 }
 
-/** Measures curves of one plan on one mesh. */
+/** A ruler, which measures curves of one plan on one mesh. */
 export class Ruler {
   readonly #mesh: Mesh;
   readonly #plan: CurvePlan;
@@ -65,7 +67,7 @@ export class Ruler {
   }
 
   /**
-   * Takes the energies of the reference at these samples, which `measure` compares with. Rejects with
+   * Takes the energies of the reference at these samples, for comparison in `measure`. Rejects with
    * the signal's reason.
    */
   async compareWith(
@@ -78,7 +80,7 @@ export class Ruler {
     else this.#reference = (await this.read(reference as CurveSamples, work)).energy;
   }
 
-  /** Rejects with the signal's reason. */
+  /** Measures the error of samples. Rejects with the signal's reason. */
   async measure(samples: CurveSamples, work: LongWorkOptions = {}): Promise<RulerMeasures> {
     const { residual, energy } = await this.read(samples, work);
     const { meanEdge } = this.#mesh.info;
@@ -104,7 +106,7 @@ export class Ruler {
     };
   }
 
-  /** Lengths and squared lengths in units of the mesh. Rejects with the signal's reason. */
+  /** The lengths and squared lengths in units of the mesh. Rejects with the signal's reason. */
   async read(
     samples: CurveSamples,
     { progress, signal }: LongWorkOptions = {},
@@ -193,8 +195,8 @@ const unit = (a: Vector): Vector => scaled(a, 1 / length(a));
 const normalOf = ([a, b, c]: [Vector, Vector, Vector]) => cross(subtract(b, a), subtract(c, a));
 
 /**
- * The direction in which a path leaves its start: that of its first piece longer than a rounding error,
- * since the start may lie next to a side. Null for a path that stays there.
+ * The direction in which a path leaves its start: that of its first piece longer than a rounding
+ * error, since the start may lie next to a side. Null for a path that stays at its start.
  */
 function firstStep(path: Path, least: number): Vector | null {
   const polyline = path.polyline({ bits: 64 });

@@ -27,34 +27,37 @@ export type ComparedMethod =
 
 /** The choice of a method, and its settings. */
 export interface MethodOptions {
-  /** The method that makes the curve. */
+  /** The method that computes the curve. */
   method: ComparedMethod;
-  /** `paper` and `karcher`: how distances are found; by default as in `FieldOptions`. */
+  /** For `paper` and `karcher`: the solver of distances; by default as in `FieldOptions`. */
   solver?: Solver;
-  /** `paper` and `karcher`: the k of the solver `graph`, as in `FieldOptions`. */
+  /** For `paper` and `karcher`: the k of the solver `graph`, as in `FieldOptions`. */
   rings?: number;
-  /** `paper`: as in `FieldOptions`. */
+  /** For `paper`: the star, as in `FieldOptions`. */
   star?: Star;
   /**
-   * `paper` and `karcher`: where searches start. `heaviest` (the default) starts as the engine does: the
-   * ends of a segment at the control point of the largest weight, other samples at the last one that
-   * converged, and again at control points if that fails. `authors` starts as the program of the paper's
-   * authors: at the geodesic de Boor point until a sample is found, then once at the last sample found,
-   * through all segments. A control point with all the weight, such as at the ends of a Bezier curve, is
-   * itself the sample.
+   * For `paper` and `karcher`: the starts of searches. `heaviest` (the default) starts as the
+   * engine does: the ends of a segment at the control point of the largest weight, other samples at
+   * the last one that converged, and again at control points if that fails. `authors` starts as the
+   * program of the paper's authors: at the geodesic de Boor point until a sample is found, then
+   * once at the last sample found, through all segments. A control point with all the weight, such
+   * as at the ends of a Bezier curve, is itself the sample.
    */
   seeds?: 'heaviest' | 'authors';
-  /** The heat methods: on the intrinsic Delaunay triangulation of the surface. */
+  /** For the heat methods: whether to use the intrinsic Delaunay triangulation of the surface. */
   delaunay?: boolean;
-  /** `affineHeat`: in the frame that is transported from the source. */
+  /** For `affineHeat`: whether to use the frame that is transported from the source. */
   adaptive?: boolean;
-  /** `weightedAverages`: 500 by default. */
+  /** For `weightedAverages`: the number of landmarks, 500 by default. */
   landmarks?: number;
-  /** `weightedAverages`: how the landmarks' distances are found; `fast` by default. */
+  /** For `weightedAverages`: the solver of the landmarks' distances, `fast` by default. */
   landmarkDistances?: 'fast' | 'exact';
 }
 
-/** Weights at parameters t in [0, 1]: row after row, as many as a segment has control points. */
+/**
+ * A table of weights at parameters t in [0, 1], row after row. A row has one for each control point
+ * of a segment.
+ */
 export interface WeightTable {
   /** The number of control points of a segment, which is the number of columns. */
   points: number;
@@ -65,8 +68,8 @@ export interface WeightTable {
 }
 
 /**
- * A curve by its control points and weights: segment j is the center of mass of as many points as
- * the table has columns, from `first[j]` on, with a sample for each row.
+ * A curve by its control points and weights. Segment j is the center of mass of as many points as
+ * the table has columns, starting at `first[j]`, with a sample for each row.
  */
 export interface CurvePlan {
   /** The control points of the whole curve. */
@@ -85,13 +88,15 @@ export interface MethodCurve {
   movePoint(i: number, point: PointLike): void;
   /** Starts the searches of each segment at a point of the surface. */
   startAt(point: PointLike): void;
-  /** Computes what is missing at once, and returns the milliseconds that this took. */
+  /**
+   * Computes the missing fields and samples at once, and returns the milliseconds that this took.
+   */
   finish(): number;
   /** Does the same as `finish` in slices, with pauses that do not count. */
   trace(work?: LongWorkOptions): Promise<number>;
   /** The milliseconds that the fields of the last `trace` took; 0 for methods without fields. */
   readonly fieldsMs: number;
-  /** The samples of all segments, and how the search for each ended. */
+  /** The samples of all segments, with the status of the search for each. */
   samples(): CurveSamples;
   /** The samples joined by geodesics, for drawing. */
   line(): ComparedLine;
@@ -99,7 +104,7 @@ export interface MethodCurve {
   lostByOwnRule(): number;
   /** The numbers of log maps computed and requested; null for methods without log maps. */
   logMaps(): LogMapCounts | null;
-  /** Gives the memory back. Safe to repeat. */
+  /** Frees the memory. Safe to repeat. */
   dispose(): void;
 }
 
@@ -109,7 +114,7 @@ export interface PreparedCurves {
   readonly options: MethodOptions;
   /** The milliseconds that the preparation for the mesh took. */
   readonly prepareMs: number;
-  /** Makes a curve of a plan; `trace` or `finish` makes its samples. */
+  /** Creates a curve of a plan. `trace` or `finish` computes its samples. */
   curve(plan: CurvePlan): MethodCurve;
   /** Finds one center of mass by this method. */
   centerOfMass(
@@ -125,7 +130,7 @@ export interface PreparedCurves {
 export interface ComparedLine {
   /** The path through the samples. */
   path: Path;
-  /** A number for each point of the path: 1 where the sample that it leads to did not converge. */
+  /** A number for each point of the path: 1 if the sample to which it leads did not converge. */
   unconverged: Uint8Array;
 }
 
@@ -136,7 +141,7 @@ export type ComparedCenter = Pick<CenterOfMass, 'point' | 'position' | 'status'>
 export interface LogMapCounts {
   /** The number of log maps that were computed. */
   made: number;
-  /** The number of requested log maps, each of which a library would compute again. */
+  /** The number of requested log maps. The authors' library would compute each of them again. */
   asked: number;
 }
 
@@ -149,14 +154,14 @@ export interface NewtonSteps {
   /** Whether a zero inside a triangle ended the search. */
   inside: boolean;
   iterations: number;
-  /** Geodesics along steps of Newton's method. */
+  /** The number of geodesics along steps of Newton's method. */
   traced: number;
-  /** How many of these were cut at a joint before their end. */
+  /** The number of these that were cut at a joint before their end. */
   shortened: number;
-  /** How many of those have no smaller gradient at their end than at their start. */
+  /** The number of cut ones that have no smaller gradient at their end than at their start. */
   needed: number;
-  /** Geodesics on which no joint has a smaller gradient than their start. */
+  /** The number of geodesics on which no joint has a smaller gradient than their start. */
   stuck: number;
-  /** The gradients where the last three iterations began, the last one first; 0 for none. */
+  /** The gradients at the starts of the last three iterations, the last one first; 0 for none. */
   gradients: number[];
 }

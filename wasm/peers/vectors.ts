@@ -17,7 +17,7 @@ export const cross = (a: Vector, b: Vector): Vector => [
   a[2] * b[0] - a[0] * b[2],
   a[0] * b[1] - a[1] * b[0],
 ];
-/** Entry i of x, y, z, x, y, z, … */
+/** Entry i of an array x, y, z, x, y, z, … */
 export const at = (flat: ArrayLike<number>, i: number): Vector => [
   flat[3 * i]!,
   flat[3 * i + 1]!,

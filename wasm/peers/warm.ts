@@ -11,7 +11,7 @@ const landmarks = 50;
 const warmed = new WeakMap<Peers, Map<string, Promise<void>>>();
 
 /**
- * Runs a method on a small mesh, before it is measured for the first time: browsers compile its part of the
+ * Runs a method on a small mesh before its first measurement. Browsers compile its part of the
  * WebAssembly module on first use, which takes longer than the method on thousands of triangles.
  */
 export function warm(peers: Peers, options: MethodOptions): Promise<void> {

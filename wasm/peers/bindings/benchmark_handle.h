@@ -8,27 +8,27 @@
 
 namespace karcher::bindings {
 
-/// The steps that `karcher bench` times, each without what a binding adds: copies to and from
-/// JavaScript. The mesh must outlive it.
+/// The steps that `karcher bench` times, each without the copies to and from JavaScript that a
+/// binding adds. The mesh must outlive it.
 class BenchmarkHandle {
  public:
   explicit BenchmarkHandle(MeshHandle& mesh) : mesh_(mesh) {}
 
-  /// Adjacency, lengths, angles and frames of the mesh, from its positions and faces.
+  /// Computes adjacency, lengths, angles and frames of the mesh, from its positions and faces.
   void prepare() const;
-  /// A plain Dijkstra along edges: the yardstick.
+  /// A plain Dijkstra search along edges: the yardstick.
   void edgeDijkstra() const;
-  /// The graph of the paper's graph distances; the mesh keeps it.
+  /// Builds the graph of the paper's graph distances. The mesh keeps it.
   void ringGraph(int rings);
   void gradientOperator() { mesh_.surface().gradientOperator(); }
-  /// The paper's field of a point, with the gradient in it.
+  /// Computes the paper's field of a point, with the gradient in it.
   void field(const val& point, const val& options);
   /// Chooses a field of log vectors and all vertices within `radius` of its point, and returns
   /// their number.
   int chooseField(const val& point, const val& options, double radius);
   /// Computes the chosen field again and reads it at these vertices.
   void readField();
-  /// The gradient operator, applied once.
+  /// Applies the gradient operator once.
   void gradient();
 
  private:

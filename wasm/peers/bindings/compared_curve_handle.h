@@ -33,7 +33,8 @@ class ComparedCurveHandle {
   bool advance(int samples) { return curve_.advance(samples); }
   int samplesLeft() const { return curve_.samplesLeft(); }
   int lostByOwnRule() const { return curve_.lostByOwnRule(); }
-  /// {made, asked}: the numbers of log maps; null for methods without log maps.
+  /// {made, asked}: the numbers of computed and of requested log maps; null for methods without log
+  /// maps.
   val logMaps() const;
   /// The view (view.h) of the samples alone.
   val samples() const;
@@ -46,13 +47,13 @@ class ComparedCurveHandle {
 };
 
 /// `options` is {method, field: {method, solver, rings}, star, seeds, delaunay, adaptive,
-/// landmarks, landmarkDistances}; `progress` a function of the number of landmarks that returns
-/// whether to go on, or undefined.
+/// landmarks, landmarkDistances}. `progress` is undefined, or a function of the number of landmarks
+/// that returns whether to continue.
 std::unique_ptr<PreparedMethodHandle> prepareMethod(MeshHandle& mesh, const val& options,
                                                     const val& progress);
 
-/// `first` is an Int32Array of the first points of the segments, `weights` a Float64Array with a
-/// row of as many weights as a segment has points for each of the parameters `t`.
+/// `first` is an Int32Array of the segments' first points. `weights` is a Float64Array with a row
+/// for each of the parameters `t`, as long as a segment's number of points.
 std::unique_ptr<ComparedCurveHandle> comparedCurve(PreparedMethodHandle& method, const val& points,
                                                    const val& first, const val& t,
                                                    const val& weights);
