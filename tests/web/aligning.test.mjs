@@ -1,4 +1,4 @@
-// Objects and points are aligned on a geodesic by the context menu; a look is taken by a click.
+// The context menu aligns objects and points on a geodesic; a click of the eyedropper takes a look.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -22,7 +22,9 @@ describe('aligning', () => {
   const minus = (a, b) => a.map((value, i) => value - b[i]);
   const lengthOf = (v) => Math.hypot(...v);
 
-  /** How far a point is from the line through two others, and where along it, from 0 to 1. */
+  /**
+   * The distance of a point from the line through two others, and its place along it, from 0 to 1.
+   */
   function onLine(point, from, to) {
     const [way, off] = [minus(to, from), minus(point, from)];
     const part = way.reduce((sum, value, i) => sum + value * off[i], 0) / lengthOf(way) ** 2;
@@ -47,7 +49,7 @@ describe('aligning', () => {
     await tab.page.getByRole('menuitem', { name, exact: true }).click();
   }
 
-  /** Until the drawing is another one, and shown. */
+  /** Waits until the drawing has changed and is shown. */
   async function changed(tab, before) {
     await tab.page.waitForFunction(
       (text) => JSON.stringify(window.karcherPage.state().drawing) !== text,
@@ -59,7 +61,7 @@ describe('aligning', () => {
 
   const centers = (drawing) => drawing.objects.map(({ figure }) => figure.circle.center);
 
-  test('objects go to where the line between the outermost is nearest, as one step', async () => {
+  test('objects move to the nearest places of the line between the outermost, as one step', async () => {
     const tab = await Tab.open(browser, 'mesh=plane:fair:400');
     await circles(tab, [-180, 100], [-60, -60], [40, 70], [170, -90]);
     const { drawing } = await tab.state();
@@ -92,7 +94,7 @@ describe('aligning', () => {
     await tab.close();
   });
 
-  test('two objects have nothing to align', async () => {
+  test('two objects cannot be aligned', async () => {
     const tab = await Tab.open(browser, 'mesh=plane:fair:400');
     await circles(tab, [-150, 90], [120, -80]);
     const { x, y } = await tab.middle();
@@ -106,7 +108,7 @@ describe('aligning', () => {
     const tab = await Tab.open(browser, 'mesh=plane:fair:400&kind=polyline');
     await tab.click([-170, 60], [-60, -70], [50, 60], [160, -40]);
     await tab.page.keyboard.press('v');
-    // The last one is selected already.
+    // The last point is selected already.
     for (const index of [1, 2, 3]) {
       const { x, y } = await tab.handle(`Control point ${index} of 4`);
       await tab.page.keyboard.down('Shift');
@@ -123,7 +125,7 @@ describe('aligning', () => {
     await tab.close();
   });
 
-  test('a click with the eyedropper takes another object’s look, for all that are selected', async () => {
+  test('a click with the eyedropper gives all selected objects the look of another one', async () => {
     const tab = await Tab.open(browser, 'mesh=plane:fair:400');
     await circles(tab, [-150, 90], [0, 0], [150, -80]);
     const { x, y } = await tab.middle();
@@ -152,7 +154,7 @@ describe('aligning', () => {
       assert.deepEqual([color, width, dash, opacity], ['#c81e5b', 9, 'dashed', 0.6]);
     }
     assert.deepEqual([chosen.length, tool], [2, 'select'], 'the same ones are selected');
-    // By keys, and given up.
+    // The key starts the tool, and Escape ends it.
     await tab.page.keyboard.press('l');
     assert.equal((await tab.state()).tool, 'look');
     await tab.page.keyboard.press('Escape');

@@ -1,4 +1,4 @@
-// The order of objects by drags and keys, and the menu of what lies at a place of the surface.
+// The order of objects by drags and keys, and the menu for a place of the surface.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, openBrowser, Tab, touchOf } from './browser.mjs';
@@ -18,7 +18,7 @@ const namesOf = async (tab) => (await tab.state()).drawing.objects.map(({ name }
 describe('the order of objects, and the menu at a place', () => {
   const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
-  test('rows are dragged to another place, and moved by keys, each as one step', async () => {
+  test('rows move by drags and by keys, each time as one step', async () => {
     const tab = await Tab.open(browser, fragment);
     const { page } = tab;
     assert.deepEqual(await namesOf(tab), ['First', 'Second', 'Third']);
@@ -42,7 +42,7 @@ describe('the order of objects, and the menu at a place', () => {
     await tab.close();
   });
 
-  test('copies of a group are one group too, whichever of its members are hidden or locked', async () => {
+  test('a copied group is one group, even with hidden or locked members', async () => {
     const tab = await Tab.open(browser, fragment);
     const { page } = tab;
     const rows = page.locator('#objects > li');
@@ -72,7 +72,8 @@ describe('the order of objects, and the menu at a place', () => {
     await tab.settled();
     assert.deepEqual((await drawing()).objects, grouped.objects);
 
-    // The second is hidden, and goes where the others go. The first is locked, and stays as it is, without a copy.
+    // The second is hidden, and moves with the others. The first is locked, and stays in place
+    // without a copy.
     await rows.nth(2).locator('button').nth(1).click();
     await rows.nth(3).locator('button').nth(2).click();
     await names.nth(0).click();
@@ -116,7 +117,7 @@ describe('the order of objects, and the menu at a place', () => {
     await tab.close();
   });
 
-  test('a group whose members are no neighbors has a row above each run, and is one group', async () => {
+  test('a group whose members are not neighbors has a row above each run, and is one group', async () => {
     const grouped = (faces, name) => `${other(faces, name)}${encodeURIComponent('&group=A')}`;
     const lines = `mesh=sphere:1500&kind=polyline&points=${at([20, 40])}&name=Third&group=A&place=2`;
     const tab = await Tab.open(
@@ -203,7 +204,7 @@ describe('the order of objects, and the menu at a place', () => {
       assert.deepEqual(await told(), before);
     }
 
-    // By keys the whole of it goes past the object above, and what is no member past all of it.
+    // Keys move the whole group past the object above, and another object past the whole group.
     await row.locator('.group-name').press('Alt+ArrowUp');
     assert.deepEqual(await namesOf(tab), ['Third', 'First', 'Second']);
     await page.keyboard.press('Alt+ArrowDown');
@@ -213,12 +214,12 @@ describe('the order of objects, and the menu at a place', () => {
     await page.keyboard.press('Alt+ArrowUp');
     assert.deepEqual(await namesOf(tab), ['First', 'Second', 'Third']);
 
-    // A drag of its row takes the members along.
+    // A drag of the group's row moves its members along.
     await tab.drag(await middle(row.locator('.group-name')), await middle(names.first()));
     assert.deepEqual(await namesOf(tab), ['Third', 'First', 'Second']);
     assert.deepEqual(await groups(), [null, 'Petals', 'Petals']);
     assert.equal(await names.count(), 3);
-    // Dropped among the members an object joins them, and elsewhere it leaves them.
+    // An object dropped among the members joins them, and elsewhere leaves them.
     await tab.drag(await middle(names.nth(2)), await middle(names.nth(1)));
     assert.deepEqual(await namesOf(tab), ['First', 'Third', 'Second']);
     assert.deepEqual(await groups(), ['Petals', 'Petals', 'Petals']);
@@ -230,7 +231,7 @@ describe('the order of objects, and the menu at a place', () => {
     await tab.close();
   });
 
-  test('the other button opens a menu on what lies there, and a drag with it turns nothing on', async () => {
+  test('a right click opens a menu for the object there, and a right drag does not turn the view', async () => {
     const tab = await Tab.open(browser, fragment);
     const { page } = tab;
     const menu = page.locator('#context-menu');
@@ -253,7 +254,7 @@ describe('the order of objects, and the menu at a place', () => {
     await tab.close();
   });
 
-  test('a finger that rests opens it, and adds no point', async () => {
+  test('a resting finger opens the menu, and adds no point', async () => {
     const tab = await Tab.open(browser, fragment);
     const { page } = tab;
     const { x, y } = await tab.middle();
@@ -284,7 +285,7 @@ describe('the order of objects, and the menu at a place', () => {
         const box = await page.locator(`#objects ${part}`).nth(row).boundingBox();
         return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
       };
-      /** From one row to another, with the finger staying on the glass for `ended`. */
+      /** Drags from one row to another; the finger stays down until `ended`. */
       const drag = async (part, from, to, ended = 'touchEnd') => {
         await still();
         const [start, end] = [await middle(from, part), await middle(to, part)];
@@ -301,7 +302,7 @@ describe('the order of objects, and the menu at a place', () => {
       assert.equal((await tab.state()).drawing.active, 3, 'and a drag is no tap');
       await drag('.row-grip', 2, 1);
       assert.deepEqual(await namesOf(tab), ['First', 'Third', 'Second']);
-      // What the system takes away is not done.
+      // A drag that the system cancels has no effect.
       await drag('.row-grip', 0, 2, 'touchCancel');
       assert.deepEqual(await namesOf(tab), ['First', 'Third', 'Second']);
       assert.equal(await page.locator('#objects .dragged').count(), 0);
@@ -315,7 +316,7 @@ describe('the order of objects, and the menu at a place', () => {
     }
   });
 
-  test('are copied, cut and pasted by the menu of the other button', async () => {
+  test('objects are copied, cut and pasted by the menu of a right click', async () => {
     await browser.context.grantPermissions(['clipboard-read', 'clipboard-write']);
     const tab = await Tab.open(browser);
     await tab.click([-60, 10], [-20, -50], [30, 10], [70, -50]);

@@ -1,5 +1,5 @@
-// What axe finds wrong with the page for people who use it with a keyboard or a screen reader, in all its
-// panels and states: nothing.
+// axe finds no fault with the page for users of a keyboard or a screen reader, in all its panels
+// and states.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -10,10 +10,10 @@ import { inLongRun, long } from './part.mjs';
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const sizes = { desk: { width: 1280, height: 800 }, phone: { width: 390, height: 844 } };
 
-/** The rules that what is shown breaks, each with the elements that do. */
+/** The violated rules, each with the elements that violate it. */
 async function violations(page) {
   if (await page.evaluate(() => window.axe === undefined)) await page.evaluate(axe);
-  // What is half faded in has the colors of neither state.
+  // Half faded elements have the colors of neither state.
   await page.waitForFunction(() =>
     document
       .getAnimations()
@@ -21,7 +21,7 @@ async function violations(page) {
         playState === 'running' ? effect.getComputedTiming().iterations === Infinity : true,
       ),
   );
-  // To find what selects each element takes long, and is of use for what is wrong only.
+  // Searching the selectors of elements takes long, and only violations need them.
   const found = (selectors) =>
     page.evaluate(
       (options) => window.axe.run(document, { resultTypes: ['violations'], ...options }),
@@ -35,7 +35,7 @@ async function violations(page) {
   ]);
 }
 
-/** States that are much alike in all sizes: a group, messages, and what is made of other objects. */
+/** States that are similar in all sizes: a group, messages, and objects made of others. */
 async function lookFurther(browser, tab, look) {
   const { page } = tab;
   const { x, y } = await tab.middle();
@@ -82,7 +82,7 @@ async function lookFurther(browser, tab, look) {
 
 for (const [name, viewport] of Object.entries(sizes)) {
   for (const colorScheme of ['light', 'dark']) {
-    // Both sizes and both schemes in every run.
+    // Every run has both sizes and both schemes.
     const isAlways = (name === 'phone') === (colorScheme === 'dark');
     const check = isAlways ? test : inLongRun;
     const looksFurther = long || name === 'desk';

@@ -1,5 +1,6 @@
-// A badge as one makes it by mouse: circles that are united, cut out of each other and trimmed, filled, a rim round it,
-// cut out of the surface and saved. What it encloses is compared with points of the sphere that are counted.
+// A badge made with the mouse: circles are united, cut out of each other and trimmed, then filled,
+// given a rim, cut out of the surface and saved. Its area is compared with a count of points of the
+// sphere.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
@@ -7,7 +8,7 @@ import { browserOfSuite, Tab } from './browser.mjs';
 
 const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
-/** Points that cover the unit sphere evenly (Fibonacci's lattice). */
+/** Points that cover the unit sphere evenly (a Fibonacci lattice). */
 const lattice = Array.from({ length: 200_000 }, (_, i) => {
   const height = 1 - (2 * i + 1) / 200_000;
   const angle = i * Math.PI * (3 - Math.sqrt(5));
@@ -43,7 +44,7 @@ test('a badge of three booleans is filled, offset, cut out and saved', async () 
     const [a, b] = [point, center].map((v) => v.map((value) => value / Math.hypot(...v)));
     return Math.acos(Math.min(1, a[0] * b[0] + a[1] * b[1] + a[2] * b[2])) < radius;
   };
-  /** Objects by their places in the list, from the top: the newest first. */
+  /** Selects objects by their places in the list, from the top: the newest first. */
   const choose = async (...places) => {
     await page.keyboard.press('v');
     for (const [i, place] of places.entries()) {
@@ -89,7 +90,7 @@ test('a badge of three booleans is filled, offset, cut out and saved', async () 
   await page.getByRole('button', { name: 'Save Part 2', exact: true }).click();
   const bytes = readFileSync(await (await coming).path());
   assert.equal(bytes.readUInt32LE(80), parts[1].triangles.length / 3);
-  // The badge and a band of .05 round it.
+  // The badge and a band of width 0.05 around it.
   const wider = (circle, by) => ({ ...circle, radius: circle.radius + by });
   const isWider = (point) =>
     (isIn(point, wider(left, 0.05)) || isIn(point, wider(right, 0.05))) &&

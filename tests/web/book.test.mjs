@@ -1,4 +1,4 @@
-// The book beside the page: its links, its search, and that it asks no other host.
+// The book beside the page: its links, its search, and that it sends no request to another host.
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { basename, dirname, join, relative } from 'node:path';
@@ -12,19 +12,22 @@ const book = join(built, 'book');
 const live = filesBelow('build/page/book/live', /\.html$/);
 const pages = filesBelow('build/page/book', /\.html$/);
 
-// Headings of TypeDoc's side bar fold, and are links to their pages, too: a link within a summary.
+// Headings of TypeDoc's side bar fold and are also links: a link within a summary.
 const options = {
   runOnly: ['wcag2a', 'wcag2aa'],
   rules: { 'nested-interactive': { enabled: false } },
 };
 
-/** What the canvas of an example shows, told by the hue of what nothing else there has: by default curves. */
+/**
+ * The hues by which an example's canvas shows its result: nothing else there has them. Curves are
+ * red by default.
+ */
 const hues = { red: [0, 30], yellow: [40, 70], blue: [200, 260] };
 const colors = { decal: ['blue'], distance_colors: ['yellow', 'blue'] };
-/** Pixels of a curve that is as long as a handle is wide. */
+/** The least number of pixels of a curve as long as a handle is wide. */
 const fewest = 20;
 
-/** How many pixels of a page's canvas have a strong color of that hue. */
+/** The number of pixels of a page's canvas with a strong color of that hue. */
 async function count(page, hue) {
   const picture = (await page.locator('canvas').screenshot()).toString('base64');
   return page.evaluate(
@@ -54,7 +57,7 @@ async function count(page, hue) {
 
 const unescaped = (text) => text.replaceAll('&amp;', '&').replaceAll('&quot;', '"');
 
-/** The addresses that a page names, and its anchors. */
+/** The addresses in a page, and its anchors. */
 function read(path) {
   const text = readFileSync(path, 'utf8');
   const all = (pattern) => [...text.matchAll(pattern)].map(([, found]) => unescaped(found));
@@ -83,7 +86,7 @@ test('no link of the book is dead', () => {
   assert.deepEqual(dead, []);
 });
 
-test('the book takes nothing from another host, and has no address of this machine', () => {
+test('the book loads nothing from another host, and has no address of this machine', () => {
   for (const path of pages) {
     const text = readFileSync(path, 'utf8');
     assert.doesNotMatch(text, /<(script|link|img|iframe)[^>]*(src|href)="https?:/, path);
@@ -92,7 +95,7 @@ test('the book takes nothing from another host, and has no address of this machi
   }
 });
 
-test('every link of the editor to the book leads there', () => {
+test('every link of the editor to the book leads to a page', () => {
   const text = readFileSync(join(built, 'index.html'), 'utf8');
   const links = [...text.matchAll(/href="\.\/(book\/[^"#]*)/g)].map(([, link]) => link);
   assert.ok(links.length > 0);
@@ -106,7 +109,7 @@ describe('in a browser the book', () => {
     const page = await browser.context.newPage();
     const complaints = [];
     page.on('console', (message) => {
-      // React-three-fiber asks three.js for a clock that this has deprecated.
+      // React-three-fiber uses a clock that three.js has deprecated.
       const isTheirs = message.text().startsWith('THREE.Clock: ');
       if (isComplaint(message) && !isTheirs) complaints.push(message.text());
     });
@@ -118,7 +121,7 @@ describe('in a browser the book', () => {
     return { page, complaints };
   };
 
-  test('finds what is searched, and leads to the editor', async () => {
+  test('finds the words of a search, and leads to the editor', async () => {
     const { page, complaints } = await open('index.html');
     await page.locator('#tsd-search-trigger').click();
     await page.locator('#tsd-search-input').fill('centerOfMass');
@@ -139,7 +142,7 @@ describe('in a browser the book', () => {
       await page.locator('canvas, pre:not(:empty)').first().waitFor();
       await page.waitForLoadState('networkidle');
       if ((await page.locator('canvas').count()) === 0) {
-        // With all of its digits, as each prints a number at last.
+        // Waits for the last number of each output, printed with all of its digits.
         await page.waitForFunction(() => /\d\.\d\d/.test(document.querySelector('pre').innerText));
       } else {
         const name = basename(path, '.html');
@@ -161,7 +164,7 @@ describe('in a browser the book', () => {
     test(`is accessible: ${path}`, async () => {
       const { page, complaints } = await open(path);
       await page.locator('.tsd-navigation a').first().waitFor({ state: 'attached' });
-      // The policy lets no script in but the book's own.
+      // The policy allows only the book's own scripts.
       const client = await page.context().newCDPSession(page);
       const run = `(() => { ${axe.source}\nreturn axe.run(${JSON.stringify(options)}); })()`;
       const { result } = await client.send('Runtime.evaluate', {
@@ -175,7 +178,7 @@ describe('in a browser the book', () => {
   }
 });
 
-test('the book is read without a network, once one of its pages has been', async () => {
+test('the book can be read without a network after a visit to one of its pages', async () => {
   const { files } = JSON.parse(readFileSync(join(book, 'files.json'), 'utf8'));
   const browser = await openBrowser({ serviceWorkers: 'allow' });
   try {

@@ -27,26 +27,27 @@ const flags = [
   '--disable-component-update',
   '--disable-sync',
   '--no-first-run',
-  // Without a graphics card the page itself is drawn faster without OpenGL.
+  // Without a graphics card the page is drawn faster without OpenGL.
   '--disable-gpu-rasterization',
   '--disable-gpu-compositing',
-  // Of several such lists Chromium takes the last one: so this one says what Playwright's says, too.
+  // Chromium uses the last of several such lists, so this one repeats Playwright's.
   `--disable-features=${[
     ...['AvoidUnnecessaryBeforeUnloadCheckSync', 'DestroyProfileOnBrowserClose', 'HttpsUpgrades'],
     ...['HttpsFirstBalancedModeAutoEnable', 'LensOverlay', 'MediaRouter', 'PaintHolding'],
     ...['ThirdPartyStoragePartitioning', 'AvoidCorsURLLoaderRestartOnRedirect'],
     ...['OptimizationHints', 'NetworkTimeServiceQuerying', 'AimEnabled', 'PreconnectToSearch'],
-    // The menus of the address bar, some 400 scripts in each window, take as long to load as the page.
+    // The menus of the address bar, some 400 scripts in each window, take as long to load as the
+    // page.
     ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup'],
   ]}`,
 ];
-/** The module's code is compiled once, and not a second time into quicker code. */
+/** The module's code is compiled once, without optimization. */
 const quickFlags = ['--js-flags=--liftoff-only'];
 export const launching = { executablePath: chromiumPath(), args: flags };
-/** Generous: software graphics on a busy machine start slowly. */
+/** The limit of waits is generous: software graphics on a busy machine start slowly. */
 const patience = 60_000;
 
-/** Until a condition holds that the page cannot wait for itself; fails where it never does. */
+/** Polls a condition that the page cannot await; fails if it never holds. */
 export async function until(condition, what) {
   const end = performance.now() + patience;
   while (!(await condition())) {
@@ -69,12 +70,12 @@ function servePage() {
   return new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(server)));
 }
 
-/** What the driver says where a page may have no service worker. */
+/** The driver's message where a page may have no service worker. */
 const blocked = 'Service Worker registration blocked by Playwright';
 
 /**
- * Whether a message is a complaint of the page. Two are none: the driver warns when a canvas is read, and
- * a service worker cannot be registered where the test blocks it.
+ * Whether a message is a complaint of the page. Two are not: the driver warns when a canvas is
+ * read, and a service worker cannot be registered where the test blocks it.
  */
 export function isComplaint(message) {
   if (!['error', 'warning'].includes(message.type())) return false;
@@ -82,12 +83,14 @@ export function isComplaint(message) {
   return !(/GL Driver Message .*GPU stall due to ReadPixels/.test(text) || text.includes(blocked));
 }
 
-/** Put into a page before its scripts: three.js clears a small picture and draws no triangle into it. */
+/**
+ * Runs in a page before its scripts: three.js clears a small picture and draws no triangle into it.
+ */
 function drawNothing() {
-  // Only three.js asks for it; the page is laid out as ever.
+  // Only three.js reads it; the layout of the page does not change.
   Object.defineProperty(window, 'devicePixelRatio', { value: 0.25 });
-  // Without a graphics card the processor has to compile every shader that draws, and to transform every
-  // triangle of each frame.
+  // Without a graphics card the processor must compile every shader and transform every triangle of
+  // each frame.
   const { prototype } = WebGL2RenderingContext;
   for (const name of [
     ...['drawElements', 'drawArrays'],
@@ -97,7 +100,7 @@ function drawNothing() {
   }
 }
 
-/** Put into a page before its scripts: what is folded at first has been opened before. */
+/** Runs in a page before its scripts: opens the sections that are initially folded. */
 function unfold() {
   try {
     for (const name of ['advanced', 'points']) localStorage[`karcher.${name}`] ??= 'open';
@@ -133,7 +136,7 @@ export async function openBrowser({
   return {
     context,
     address,
-    /** From then on nobody answers. */
+    /** From then on the server does not answer. */
     stopServing() {
       server.close();
       server.closeAllConnections();
@@ -148,7 +151,9 @@ export async function openBrowser({
   };
 }
 
-/** A browser for the tests of a suite: `openBrowser` before the first of them, closed after the last. */
+/**
+ * A browser for the tests of a suite: it opens before the first of them and closes after the last.
+ */
 export function browserOfSuite(options) {
   const browser = {};
   before(async () => {
@@ -158,13 +163,13 @@ export function browserOfSuite(options) {
   return browser;
 }
 
-/** A browser of a phone; `touchOf` sends it fingers. */
+/** A browser of a phone; `touchOf` sends it touches. */
 export const openPhone = () =>
   openBrowser({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
 /**
- * Sends a page touches: their type, and where the fingers are, numbered from 0 where they have no `id`.
- * `together` sends several, one after the other without time between them in which a finger would rest.
+ * Sends touches to a page: their type, and the places of the fingers, numbered from 0 unless they
+ * have an `id`. `together` sends several without time between them, in which a finger would rest.
  */
 export async function touchOf(page) {
   const devtools = await page.context().newCDPSession(page);
@@ -177,7 +182,7 @@ export async function touchOf(page) {
   return { touch, together };
 }
 
-/** The tools of kinds that are no curve with control points. */
+/** The tools of kinds without control points. */
 const toolOf = {
   pen: 'pen',
   circle: 'circle',
@@ -186,7 +191,7 @@ const toolOf = {
   points: 'center',
 };
 
-/** A tab with the page; `logged` lists what the page complained about. */
+/** A tab with the page; `logged` lists the page's complaints. */
 export class Tab {
   logged = [];
   #waits = 0;
@@ -199,13 +204,13 @@ export class Tab {
     });
     page.on('pageerror', (error) => this.logged.push(`${error}`));
     page.on('requestfailed', (request) => {
-      // A reload ends what is still on its way.
+      // A reload cancels requests under way.
       if (request.failure()?.errorText === 'net::ERR_ABORTED') return;
       this.logged.push(`failed: ${request.url()}`);
     });
   }
 
-  /** Opens the page with a fragment such as `mesh=sphere:1500`, and waits until it can be used. */
+  /** Opens the page with a fragment such as `mesh=sphere:1500`, and waits until it is ready. */
   static async open(browser, fragment = 'mesh=sphere:1500') {
     const tab = new Tab(await browser.context.newPage(), browser.address);
     await tab.page.goto(`${browser.address}?antialias=off#${fragment}`);
@@ -213,15 +218,15 @@ export class Tab {
     return tab;
   }
 
-  /** Closes the tab, in which the page complained about nothing. */
+  /** Closes the tab; fails if the page complained. */
   async close() {
     assert.deepEqual(this.logged, []);
     await this.page.close();
   }
 
   /**
-   * Until the engine has answered the newest state; who waited for it waits for the frame that shows it, too.
-   * Playwright's own waits ask in every frame, which makes the browser put together frames in which nothing
+   * Waits until the engine has answered the newest state, and until the frame that shows the
+   * answer. Playwright's own waits run in every frame, and make the browser compose frames without
    * changes.
    */
   async settled() {
@@ -244,15 +249,15 @@ export class Tab {
     );
   }
 
-  /** Until the view has come to rest. */
+  /** Waits until the view has come to rest. */
   async still() {
     await this.page.waitForFunction(() => window.karcherPage.still);
   }
 
-  /** The workers that run an engine: the page's, and once it was needed the one that refines. */
+  /** The workers that run an engine: the page's, and the one that refines, once it exists. */
   engines = () => this.page.workers().filter((worker) => worker.url().includes('engine'));
 
-  /** The first engine never ends the next call that it begins with, and hears nothing any more. */
+  /** Keeps the first engine busy forever with its next call, so that it receives nothing more. */
   holdEngine() {
     return this.engines()[0].evaluate(() => {
       const post = globalThis.postMessage;
@@ -263,7 +268,7 @@ export class Tab {
     });
   }
 
-  /** For longer than saving waits, by the page's own clock: what waited there has run. */
+  /** Waits longer than saving does, by the page's own clock, so that pending saves have run. */
   async pastSaving() {
     await this.page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 500)));
   }
@@ -283,7 +288,7 @@ export class Tab {
 
   state = () => this.page.evaluate(() => window.karcherPage.state());
 
-  /** What is shown once the engine has answered the newest state: seen as settled, and taken, at once. */
+  /** The view once the engine has answered the newest state: checked and read at once. */
   async view() {
     const view = await this.page.waitForFunction(() => {
       const page = window.karcherPage;
@@ -315,8 +320,8 @@ export class Tab {
   }
 
   /**
-   * Makes what is drawn one of a kind, as a person would: by the tool of its group, and where that has
-   * several among them.
+   * Chooses the kind of the drawing as a user would: by the tool of its group, and in the group's
+   * menu.
    */
   async choose(kind) {
     const radio = this.page.locator(`#kind input[value="${kind}"]`).filter({ visible: true });
@@ -328,7 +333,7 @@ export class Tab {
 
   /** The middle of a handle, in the window's pixels. */
   async handle(name) {
-    // Handles follow the state with the next frame.
+    // Handles follow the state in the next frame.
     await this.page.evaluate(
       () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
     );
@@ -337,8 +342,8 @@ export class Tab {
   }
 
   /**
-   * Where a curve is seen in the window, at about that part of its vertices, and away from handles:
-   * the edited curve, or another one by its number.
+   * A visible place of a curve in the window, at about that part of its vertices and away from
+   * handles: of the edited curve, or of another one by its index.
    */
   async onCurve(part, other = null) {
     await this.settled();
@@ -388,7 +393,7 @@ export class Tab {
     return { name: download.suggestedFilename(), text };
   }
 
-  /** Drops a file of that text onto the page. */
+  /** Drops a file with that text onto the page. */
   drop(name, text) {
     return this.dropBytes(name, new TextEncoder().encode(text));
   }
@@ -397,7 +402,7 @@ export class Tab {
     return this.dropFiles([[name, bytes]]);
   }
 
-  /** Drops files together, each a name and bytes. */
+  /** Drops files together, each a name and its bytes. */
   dropFiles(files) {
     return this.page.evaluate(
       (texts) => {

@@ -1,4 +1,5 @@
-// What a mouse does on the stage, done by keys alone: each gesture has its own, or another way to the same end.
+// Keys alone do what a mouse does on the stage: each gesture has its keys, or another way to the
+// same end.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -6,7 +7,7 @@ import { browserOfSuite, Tab } from './browser.mjs';
 describe('without a mouse', () => {
   const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
-  /** The page with the keys on the stage. */
+  /** Opens the page with the focus on the stage. */
   async function open(fragment = 'mesh=sphere:500') {
     const tab = await Tab.open(browser, fragment);
     const { page } = tab;
@@ -20,7 +21,7 @@ describe('without a mouse', () => {
     const figure = async () => (await tab.state()).figure;
     return { tab, page, keys, onStage, objects, figure };
   }
-  /** Goes on with Tab until an element has the keys, at most so often. */
+  /** Presses Tab until an element has the focus, at most a given number of times. */
   async function tabTo(page, selector) {
     for (let count = 0; count < 200; count++) {
       const isThere = await page.evaluate((one) => document.activeElement?.matches(one), selector);
@@ -36,7 +37,7 @@ describe('without a mouse', () => {
     w: { kind: 'center', points: 4 },
   };
   for (const [tool, { kind, points }] of Object.entries(drawing)) {
-    test(`tool ${tool} places points, which are moved, deleted and taken back`, async () => {
+    test(`tool ${tool} places points, which keys move, delete and restore`, async () => {
       const { tab, page, keys, figure } = await open();
       await keys(tool);
       for (let count = 0; count < points; count++) {
@@ -55,14 +56,14 @@ describe('without a mouse', () => {
       assert.notEqual(JSON.stringify((await figure()).points[0]), before);
       await keys('Delete');
       assert.equal((await figure()).points.length, points - 1);
-      // Each arrow was a step, and the deletion.
+      // Each arrow was a step, and the deletion was one.
       await keys('Control+z', 'Control+z', 'Control+z');
       assert.equal(JSON.stringify((await figure()).points[0]), before);
       await tab.close();
     });
   }
 
-  test('a circle is placed and made larger', async () => {
+  test('a circle is placed and enlarged', async () => {
     const { tab, page, keys, figure } = await open();
     await keys('o', 'Enter');
     const { rim } = (await figure()).circle;
@@ -72,7 +73,7 @@ describe('without a mouse', () => {
     await tab.close();
   });
 
-  test('the view turns, moves and zooms, whatever is selected', async () => {
+  test('the view turns, moves and zooms, whatever the selection is', async () => {
     const { tab, keys, onStage, objects } = await open();
     const place = () => tab.page.evaluate(() => location.hash);
     await keys('b', 'Enter', 'Control+ArrowRight', 'Enter', 'Control+ArrowUp', 'Enter');
@@ -89,7 +90,7 @@ describe('without a mouse', () => {
     }
     assert.ok(seen.size >= 4, [...seen].join('\n'));
     assert.equal(JSON.stringify(await objects()), before);
-    // Arrows alone move what is selected.
+    // Arrows alone move the selection.
     await keys('ArrowLeft');
     await tab.page.waitForFunction(
       (were) => JSON.stringify(window.karcherPage.state().drawing.objects) !== were,
@@ -127,7 +128,7 @@ describe('without a mouse', () => {
     await tab.close();
   });
 
-  test('the ruler, the split, the list of objects and the menu are had by keys', async () => {
+  test('keys reach the ruler, the split, the list of objects and the menu', async () => {
     const { tab, page, keys, onStage, objects } = await open();
     await keys('m', 'Enter', 'Control+ArrowRight', 'Control+ArrowRight', 'Enter');
     await page.waitForFunction(() =>
@@ -150,7 +151,7 @@ describe('without a mouse', () => {
     await tab.close();
   });
 
-  test('every control has a name, and Tab comes to it or arrows do', async () => {
+  test('every control has a name, and Tab or arrows reach it', async () => {
     const { tab, page } = await open();
     await tab.click([-60, 10], [-20, -50], [30, 10], [70, -50]);
     await page.evaluate(() => document.activeElement.blur());
@@ -168,7 +169,7 @@ describe('without a mouse', () => {
     const missed = await page.evaluate(() =>
       [...document.querySelectorAll('button, select, input, textarea, summary, a[href]')]
         .filter((one) => one.checkVisibility({ visibilityProperty: true }) && !one.disabled)
-        // One of a group of radios has the keys for all; the handles' own test reaches those.
+        // Of a group of radio buttons only one takes Tab; the test of handles covers handles.
         .filter((one) => one.dataset.reached !== 'yes' && one.type !== 'radio')
         .filter((one) => !one.closest('[inert]'))
         .map((one) => one.id || one.className || one.outerHTML.slice(0, 80)),

@@ -17,14 +17,15 @@ describe('a center of mass', () => {
     assert.equal(middle.curve, null);
     assert.deepEqual([middle.center.status, middle.quality], ['converged', 'exact']);
     const [a, b] = middle.legs.map(lengthOf);
-    // Between vertices exact distances are interpolated by a quadratic, with errors of a few hundredths of an edge.
+    // Between vertices exact distances are interpolated by a quadratic, with errors of a few
+    // hundredths of an edge.
     const { meanEdge } = (await tab.mesh()).info;
     assert.ok(Math.abs(a - b) <= 0.1 * meanEdge, `${a} ${b}`);
     const distance = a + b;
     const half = (distance / 2) ** 2;
     assert.ok(Math.abs(middle.center.energy - half) <= 0.01 * half, 'weights are shared out');
     const shown = await tab.page.locator('#status').textContent();
-    // Of the refined answer, by exact paths.
+    // The numbers of the refined answer, by exact paths.
     assert.match(shown, /energy [\d.]+ · residual [\d.e-]+/);
     const { certificate } = middle.center;
     assert.ok(Math.abs(certificate.energy - half) <= 1e-3 * half, `${certificate.energy} ${half}`);
@@ -80,8 +81,8 @@ describe('a center of mass', () => {
     await tab.close();
   });
 
-  test('that is one of several is said so', async () => {
-    // All around the sphere: where a search ends depends on where it starts.
+  test('that is one of several is reported as such', async () => {
+    // Points all around the sphere: the end of a search depends on its start.
     const tab = await Tab.open(browser, 'mesh=sphere:5000&kind=center');
     const { triangles } = (await tab.mesh()).info;
     const faces = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6].map((part) => Math.floor(part * triangles));
@@ -95,7 +96,7 @@ describe('a center of mass', () => {
     const hint = await tab.page.locator('#hint').textContent();
     assert.match(hint, /Not the only center: \d+ other minim(um|a), of energy [\d.]+/);
     assert.match(await tab.page.locator('#status-length').textContent(), /not the only center/);
-    // Each is drawn, with its energy.
+    // Each minimum is drawn, with its energy.
     const tags = await tab.page
       .locator('.mass-center.other')
       .evaluateAll((all) => all.map(({ dataset }) => Number(dataset.tag)));
@@ -104,7 +105,7 @@ describe('a center of mass', () => {
     await tab.close();
   });
 
-  test('tells whether it is the only one while points are dragged', async () => {
+  test('says whether it is the only one while points are dragged', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=center');
     await tab.click([-30, -30], [30, -25], [20, 40]);
     const words = () => tab.page.locator('#status-length').textContent();

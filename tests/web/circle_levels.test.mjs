@@ -1,11 +1,11 @@
-// The levels of a circle: by the page's parts, in Node.
+// The levels of a circle, tested with the page's modules in Node.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { load } from 'karcher';
 import { arraysOfShape, openPage } from './engine_in_node.mjs';
 
 describe('the levels of a circle', () => {
-  test("are as many as the engine says, and a drag's the most that it has had", async () => {
+  test('are as many as the engine chooses, and in a drag the most so far', async () => {
     const mesh = (await load()).shape('torus', 20000);
     const center = mesh.surfacePoint(5, [0.2, 0.3, 0.5]);
     const levelsOf = (radius) => mesh.circle(center, { radius, arcs: 7 }).levels;
@@ -15,7 +15,7 @@ describe('the levels of a circle', () => {
     const { editor, session, settled } = await openPage(await arraysOfShape('torus', 20000));
     const rim = (radius) => ({ radius, direction: [0, 1, 0] });
     editor.setKind('circle');
-    // Arcs that fit are narrow and seldom take levels.
+    // Arcs chosen by the tolerance are narrow and seldom take levels.
     editor.setCircleForm({ arcs: 7 });
     const placed = { center, rim: rim(near) };
     editor.run({ type: 'circle', from: null, to: placed });

@@ -15,11 +15,11 @@ export function flatGrid(cells) {
   return `${lines.join('\n')}\n`;
 }
 
-/** The lines of what is shown: the view's isolines, or its curve. */
+/** The visible lines: the view's isolines, or its curve. */
 export const linesOf = ({ isolines, polyline }) =>
   isolines ? isolines.lines.map((line) => Object.values(line.polyline)) : [polyline];
 
-/** Types a number into one of the fields, and returns the view that comes of it. */
+/** Types a number into one of the fields, and returns the resulting view. */
 export async function typeRadius(tab, text, name = 'Radius') {
   const field = tab.page.getByRole('textbox', { name });
   await field.fill(text);

@@ -1,4 +1,4 @@
-// Circles and what they are drawn as.
+// Circles and their constructions.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { load } from '../../dist/index.js';
@@ -15,7 +15,9 @@ const choose = async (tab, type) => {
   return tab.view();
 };
 
-/** Distances on the surface from a point to some vertices of lines, by the engine in this process. */
+/**
+ * Distances on the surface from a point to some vertices of lines, by an engine in this process.
+ */
 async function distancesAlong(lines, center, surface, every) {
   const karcher = await load();
   const mesh = karcher.meshFromArrays(surface.positions, surface.triangles);
@@ -50,7 +52,7 @@ describe('circles', () => {
       const off = vertices(lines[0]).map((place) => Math.abs(far(place, center) - 4.5));
       deviations[type] = Math.max(...off);
     }
-    // Drawn in single precision; chords of arcs within a thousandth of an edge.
+    // The lines are in single precision; chords of arcs lie within a thousandth of an edge.
     assert.ok(deviations.exact < 1e-5, `${deviations.exact}`);
     assert.ok(deviations.arcs < 2e-3, `${deviations.arcs}`);
     assert.ok(deviations.linear < 0.1 && deviations.linear > 1e-3, `${deviations.linear}`);
@@ -59,7 +61,8 @@ describe('circles', () => {
 
   inLongRun('are isolines with all their loops, on the surface and at the radius', async () => {
     const tab = await Tab.open(browser, 'mesh=torus:2000&kind=circle');
-    // About the hole: near the radius of the tube's way around, the line is in two loops.
+    // The center lies beside the hole: near the radius of half the tube's circumference, the line
+    // has two loops.
     await tab.click([0, 120]);
     const surface = await tab.mesh();
     const { diagonal } = surface.info;
@@ -85,7 +88,7 @@ describe('circles', () => {
     }
     const { meanEdge } = surface.info;
     for (const distance of await distancesAlong(linesOf(linear), center, surface, 9)) {
-      // Interpolated in triangles.
+      // Distances are interpolated in triangles.
       assert.ok(Math.abs(distance - 1.6) <= 0.25 * meanEdge, `${distance}`);
     }
     await tab.close();
@@ -172,7 +175,7 @@ describe('circles', () => {
     await field.fill('0.7');
     await tab.page.keyboard.press('Escape');
     assert.equal(await field.inputValue(), shown);
-    // Digits are kinds of curves elsewhere.
+    // Elsewhere digits choose kinds of curves.
     await field.press('Control+a');
     await tab.page.keyboard.type('0,35');
     await field.press('Enter');

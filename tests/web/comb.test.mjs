@@ -1,4 +1,4 @@
-// The curvature comb: its numbers against closed forms, and as the page shows it.
+// The curvature comb: its numbers against closed forms, and its display on the page.
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { before, describe, test } from 'node:test';
@@ -8,7 +8,7 @@ import { browserOfSuite, Tab } from './browser.mjs';
 
 const unit = (place) => place.map((value) => value / Math.hypot(...place));
 const up = () => [0, 0, 1];
-/** A closed polyline through places of a parameter from 0 to 1. */
+/** A closed polyline; `place` maps a parameter from 0 to 1 to a point. */
 const closedLine = (place, count) =>
   Array.from({ length: count + 1 }, (_, i) => place((i % count) / count)).flat();
 
@@ -19,7 +19,7 @@ describe('a curvature comb', () => {
     ({ module: model } = await runnerImport(file, { configFile: false, logLevel: 'error' }));
   });
 
-  /** The circle of a geodesic radius on the unit sphere, counterclockwise from outside. */
+  /** The circle of a geodesic radius on the unit sphere, counterclockwise as seen from outside. */
   const circle = (radius, count) =>
     closedLine((part) => {
       const angle = 2 * Math.PI * part;
@@ -28,10 +28,10 @@ describe('a curvature comb', () => {
     }, count);
 
   for (const radius of [0.2, 0.7, 1.2, Math.PI / 2, 2.4]) {
-    test(`of a circle of radius ${radius.toFixed(2)} on the unit sphere is its cotangent`, () => {
+    test(`of a circle of radius ${radius.toFixed(2)} on the unit sphere has the cotangent as its curvature`, () => {
       const line = circle(radius, 2000);
       const chord = 2 * Math.sin(radius) * Math.sin(Math.PI / 2000);
-      // Its window is of whole chords: three vertices, whose circle is this one.
+      // The window consists of whole chords: three vertices lie on this very circle.
       const comb = model.combOf(line, unit, () => 100, 20 * chord);
       assert.equal(comb.closed, true);
       assert.equal(comb.corners, 0);
@@ -57,7 +57,7 @@ describe('a curvature comb', () => {
     });
   }
 
-  test('of an ellipse in the plane is its own, from the least to the greatest', () => {
+  test('of an ellipse in the plane has its curvature, from the least to the greatest', () => {
     const [a, b] = [2, 1];
     const place = (part) => [a * Math.cos(2 * Math.PI * part), b * Math.sin(2 * Math.PI * part), 0];
     const { teeth } = model.combOf(closedLine(place, 40_000), up, () => 400, 0.02);
@@ -70,13 +70,13 @@ describe('a curvature comb', () => {
     assert.ok(Math.abs(usual - a / (b * b)) < 0.01);
   });
 
-  test('is none at corners, and of straight lines 0', () => {
+  test('has no teeth at corners, and is 0 on straight lines', () => {
     const square = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 0];
     const comb = model.combOf(square, up, () => 80, 0.1);
     assert.equal(comb.corners, 4);
     assert.ok(comb.teeth.length >= 60 && comb.teeth.length < 80);
     assert.ok(comb.teeth.every(({ curvature }) => Math.abs(curvature) < 1e-12));
-    // Over the edge of a cube, whose normal there is between those of its faces.
+    // The line crosses an edge of a cube, whose normal there lies between those of its faces.
     const [s, normal] = [Math.SQRT1_2, ([x]) => (x < 1 ? [0, 0, 1] : [s, 0, s])];
     const over = model.combOf([0, 0, 0, 1, 0.4, 0, 1, 0.8, -1], normal, () => 9, 0.1);
     assert.equal(over.corners, 0);
@@ -89,8 +89,8 @@ describe('a curvature comb', () => {
 describe('the comb on the page', () => {
   const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, asUsers: true });
 
-  test('is off, has the numbers of a circle, a scale, and goes by one click', async () => {
-    // A circle of 0.6 radii about a point of the sphere.
+  test('is initially off, has the numbers and the scale of a circle, and one click removes it', async () => {
+    // A circle of radius 0.6 about a point of the sphere.
     const sphere = 'mesh=sphere:20000&kind=circle&circletype=exact&method=karcher-exact&points=';
     const tab = await Tab.open(browser, `${sphere}&circle=300,0.3,0.3;0.6,0,0,1`);
     const { page } = tab;
@@ -114,7 +114,7 @@ describe('the comb on the page', () => {
     const expected = 1 / Math.tan(0.6 / radius) / radius;
     const note = await page.locator('#comb-note').innerText();
     const [, greatest] = /Greatest ([\d.]+) per unit/.exec(note);
-    // The facets of the mesh are seen in the greatest of all teeth.
+    // The greatest of all teeth shows the facets of the mesh.
     assert.ok(Number(greatest) > 0.97 * expected && Number(greatest) < 1.25 * expected, note);
     const first = await picture();
     assert.notEqual(first, plain);
@@ -130,7 +130,7 @@ describe('the comb on the page', () => {
     await tab.close();
   });
 
-  test('follows what is selected, and has targets for fingers', async () => {
+  test('follows the selection, and has large targets for fingers', async () => {
     const tab = await Tab.open(
       browser,
       'mesh=sphere:1500&kind=bspline&method=karcher-fast&points=',

@@ -1,4 +1,4 @@
-// Two methods of one curve beside each other: how far they are apart, in numbers and in the page.
+// Two methods of one curve side by side: their distance, as numbers and on the page.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -14,13 +14,13 @@ describe('the distance of two polylines', () => {
     gapBetween = module.gapBetween;
   });
 
-  /** x, y, z of points at parameters from 0 to 1. */
+  /** Points x, y, z at parameters from 0 to 1. */
   const line = (count, place) =>
     Array.from({ length: count }, (_, i) => place(i / (count - 1))).flat();
   const near = (value, wanted, within) =>
     assert.ok(Math.abs(value - wanted) <= within, `${value}, not ${wanted}`);
 
-  test('of parallel lines is everywhere the same, however they are cut', () => {
+  test('of parallel lines is the same everywhere, however they are divided', () => {
     const a = line(2, (t) => [3 * t, 0, 0]);
     const b = line(700, (t) => [3 * t * t, 0.3, 0.4]);
     for (const { mean, largest } of [gapBetween(a, b), gapBetween(b, a)]) {
@@ -35,7 +35,7 @@ describe('the distance of two polylines', () => {
     near(largest, 0, 1e-12);
   });
 
-  test('of circles about one center is that of their radii', () => {
+  test('of concentric circles is the difference of their radii', () => {
     const circle = (radius, count) =>
       line(count, (t) => [
         radius * Math.cos(2 * Math.PI * t),
@@ -43,15 +43,15 @@ describe('the distance of two polylines', () => {
         1,
       ]);
     const { mean, largest } = gapBetween(circle(1, 2001), circle(1.25, 3001));
-    // A polyline of so many vertices lies by radius * (pi / count)^2 / 2 inside.
+    // A polyline of this many vertices lies inside by radius * (pi / count)^2 / 2.
     near(mean, 0.25, 1e-5);
     near(largest, 0.25, 1e-5);
   });
 
-  test('tells of what one has beyond the other, from whichever it is asked', () => {
+  test('includes the part of one line beyond the other, in either order', () => {
     const [short, long] = [line(5, (t) => [t, 0, 0]), line(5, (t) => [2 * t, 0, 0])];
     for (const { mean, largest } of [gapBetween(short, long), gapBetween(long, short)]) {
-      // 0 from the short one; from the long one 0 along its half, then up to 1.
+      // It is 0 from the short one; from the long one it is 0 along its half, then rises to 1.
       near(mean, 0.125, 1e-3);
       near(largest, 1, 1 / 256);
     }
@@ -64,7 +64,7 @@ describe('a comparison', () => {
   const browser = browserOfSuite({ viewport: { width: 1280, height: 900 }, asUsers: true });
 
   const said = (tab, id) => tab.page.locator(`#compare-${id}`).textContent();
-  /** Mean edges and per cent, as they are told. */
+  /** The displayed mean edges and percentages. */
   const numbers = (tab, id) =>
     Promise.all(
       [id, `${id}-part`].map(async (one) => {
@@ -82,7 +82,7 @@ describe('a comparison', () => {
     );
   };
 
-  test('draws the curve by a second method, and tells how far it is from the first', async () => {
+  test('draws the curve by a second method, and shows the distance from the first', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:5000');
     const { page } = tab;
     await tab.click([-150, 40], [-60, -90], [60, 100], [150, -30]);
@@ -106,7 +106,7 @@ describe('a comparison', () => {
     const [mean, part] = await numbers(tab, 'mean');
     const [largest, largestPart] = await numbers(tab, 'largest');
     assert.ok(0 < mean && mean <= largest && part <= largestPart, `${mean} ${largest}`);
-    // Both units tell the same length, to the two digits that are shown.
+    // Both units give the same length, to the two displayed digits.
     const { polyline } = await tab.view();
     const { info } = await tab.mesh();
     const ratio = (largest * info.meanEdge) / ((largestPart / 100) * lengthOf(polyline));
@@ -129,7 +129,7 @@ describe('a comparison', () => {
     await tab.close();
   });
 
-  test('with a method of the same curve finds none, and ends where both are one', async () => {
+  test('with a method of the same curve finds no distance, and ends when the methods are equal', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click([-60, 40], [-20, -30], [30, 30], [70, -30]);
@@ -141,7 +141,7 @@ describe('a comparison', () => {
     assert.ok(largest <= 1e-4, `${largest}`);
     await page.locator('#method').selectOption('karcher-exact');
     await page.locator('#comparison').waitFor({ state: 'hidden' });
-    // What has no curve says so.
+    // An object without a curve says so.
     await page.locator('#compare').selectOption('karcher');
     await page.keyboard.press('Escape');
     await page.locator('#clear').click();
@@ -151,14 +151,14 @@ describe('a comparison', () => {
     await tab.close();
   });
 
-  test('stays where it is while it fills, by whatever method', async () => {
+  test('keeps its layout while it fills, with every method', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:5000&method=karcher');
     const { page } = tab;
     await tab.click([-150, 40], [-60, -90], [60, 100], [150, -30]);
     const menu = page.locator('#compare');
     await menu.scrollIntoViewIfNeeded();
     await menu.selectOption('paper-exact');
-    // The box of each of its parts, in every frame.
+    // Records the box of each of its parts, in every frame.
     await page.evaluate(() => {
       const places = () =>
         ['compare', 'comparison', 'compare-off', 'compare-numbers', 'knots'].map((id) => {

@@ -1,13 +1,16 @@
-// What a person can click on a page, and whether they hit it: for any page, whatever its controls.
+// Finds the clickable controls of any page, and checks that clicks hit them.
 import assert from 'node:assert/strict';
 
-/** What is clicked, but for the handles on the stage, which are dragged and may lie on each other. */
+/** Clickable elements, except the handles on the stage, which are dragged and may overlap. */
 const controls = 'button, select, input, textarea, summary, a[href]';
 const apart = '.stage, .handle, noscript';
 
-/** Put into a page: `window.reach` finds its controls, and where they are clicked. */
+/** Runs in a page: `window.reach` finds its controls, and where to click them. */
 function install([all, without]) {
-  /** Stays the same while words change, and for a control that is made anew; a list's are alike. */
+  /**
+   * A name that does not change with the words, nor when a control is rendered again; the controls
+   * of a list share theirs.
+   */
   const nameOf = (element) => {
     if (element.id) return `#${element.id}`;
     const { localName, className, name, value, dataset } = element;
@@ -15,7 +18,7 @@ function install([all, without]) {
     return `${localName} '${which}' in #${element.parentElement.closest('[id]')?.id}`;
   };
 
-  /** An input that is not seen is clicked by its label. */
+  /** An invisible input is clicked by its label. */
   const isUnseen = (element) => getComputedStyle(element).opacity === '0';
 
   const middle = ({ left, right, top, bottom }) => ({
@@ -23,7 +26,7 @@ function install([all, without]) {
     y: (top + bottom) / 2,
   });
 
-  /** Where a person would click it. */
+  /** The elements where a user would click it. */
   const targetsOf = (element) => {
     const label = element.labels?.[0];
     const targets = label && element.localName === 'input' && isUnseen(element) ? [] : [element];
@@ -38,13 +41,13 @@ function install([all, without]) {
     /auto|scroll/.test(getComputedStyle(element).overflowY) &&
     element.scrollHeight > element.clientHeight;
 
-  /** Scrolls what a wheel or a finger would, until a target's middle is within. */
+  /** Scrolls the areas that a wheel or a finger would, until the middle of a target is visible. */
   const bringIntoView = (element, target) => {
     for (let box = element.parentElement; box; box = box.parentElement) {
       const { y } = middle(target.getBoundingClientRect());
       if (box === document.documentElement) {
         if (getComputedStyle(document.body).overflowY === 'hidden') continue;
-        // To the middle, away from what stays at an edge.
+        // Scrolls to the middle, away from elements that stay at an edge.
         window.scrollBy({ top: y - innerHeight / 2, behavior: 'instant' });
       } else if (isScroller(box)) {
         const { top, bottom } = box.getBoundingClientRect();
@@ -59,7 +62,7 @@ function install([all, without]) {
 
   const told = (hit) => (hit ? `${hit.localName}${hit.id && `#${hit.id}`}.${hit.className}` : 'no');
 
-  /** What is in front of the others has the clicks. */
+  /** The element in front, which receives the clicks. */
   const front = () =>
     document.querySelector('dialog:modal, :popover-open, .tour:not([hidden])') ?? document;
 
@@ -80,14 +83,14 @@ function install([all, without]) {
 
   window.reach = {
     visible,
-    /** Every control that there is, seen or not. */
+    /** All controls, visible or not. */
     names: () =>
       [...document.querySelectorAll(all)]
         .filter((element) => !element.closest(without) && element.type !== 'file')
         .map(nameOf),
     panels: () =>
       [...document.querySelectorAll(panels)].map((panel) => panel.id || panel.className),
-    /** The controls that are seen, and of each that is not hit where it is clicked what is. */
+    /** The visible controls, and for each one that a click misses the element that it hits. */
     look: () =>
       visible().map((element) => {
         const covered = targetsOf(element).flatMap((target) => {
@@ -100,7 +103,7 @@ function install([all, without]) {
         });
         return { name: nameOf(element), panel: panelOf(element), covered };
       }),
-    /** Where a control that is seen is clicked, in the window. */
+    /** The places in the window where a visible control is clicked. */
     placesOf(element) {
       if (!visible().includes(element)) throw new Error(`${nameOf(element)} is not seen`);
       return targetsOf(element).map((target) => {
@@ -109,8 +112,8 @@ function install([all, without]) {
       });
     },
     /**
-     * From here on clicks do nothing but tell whether they hit the control of that name; gives how
-     * many places it is clicked at, or null where it has gone.
+     * From here on clicks only report whether they hit the control of that name; returns the number
+     * of its places, or null if it no longer exists.
      */
     arm(name) {
       const element = visible().find((one) => nameOf(one) === name);
@@ -135,9 +138,9 @@ function install([all, without]) {
   };
 }
 
-/** The controls of one page, as they are come upon in its states. */
+/** The controls of one page, as they appear in its states. */
 export class Controls {
-  /** The names of those that were hit where they are clicked. */
+  /** The names of the controls that clicks have hit. */
   reached = new Set();
   panels = new Set();
   constructor(page) {
@@ -149,8 +152,8 @@ export class Controls {
   }
 
   /**
-   * Looks at all that are seen, and fails where one is not hit; those that are new are clicked with
-   * the mouse, without an effect. Gives how many there are.
+   * Looks at all visible controls, and fails if a click misses one; new ones are clicked with the
+   * mouse, without effect. Returns their number.
    */
   async look(state) {
     const seen = await this.page.evaluate(() => window.reach.look());
@@ -163,7 +166,7 @@ export class Controls {
     for (const { name, panel } of seen) {
       if (this.reached.has(name)) continue;
       const isHit = await this.#isHit(name);
-      // What a late answer took away is looked at the next time.
+      // The next look covers a control that a late answer removed.
       if (isHit === null) continue;
       assert.ok(isHit, `${state}: a click hits ${name}`);
       this.reached.add(name);
@@ -172,7 +175,7 @@ export class Controls {
     return seen.length;
   }
 
-  /** Null where it has gone. */
+  /** Null if it no longer exists. */
   async #isHit(name) {
     const { page } = this;
     const count = await page.evaluate((one) => window.reach.arm(one), name);
@@ -187,7 +190,7 @@ export class Controls {
     return hits.length === count && hits.every((hit) => hit);
   }
 
-  /** Clicks a control in the middle, as a person would; or its words, where it has a place for both. */
+  /** Clicks the middle of a control, as a user would; or its words, if it has a place for both. */
   async click(locator, { words } = { words: false }) {
     const places = await locator.evaluate((element) => window.reach.placesOf(element));
     const { x, y } = places.at(words ? -1 : 0);

@@ -1,4 +1,4 @@
-// What passes through the page's main thread: no mesh and no file, so that it is never long at one.
+// No mesh and no file passes through the page's main thread, so that it is never blocked for long.
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -7,13 +7,13 @@ import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
 import { gridStl } from './large_file.mjs';
 
-/** More bytes than a drawing has, and far fewer than the mesh. */
+/** The limit in bytes: more than a drawing has, and far less than the mesh. */
 const most = 1 << 16;
-/** What is read of a file at once, to tell it from others. */
+/** The number of bytes that are read of a file at once, to identify it. */
 const mostRead = 1 << 21;
 const triangles = 50_000;
 
-/** Runs in each page before its own code: notes the bytes of what is posted, kept and read. */
+/** Runs in each page before its own code: records the bytes that are posted, stored and read. */
 function watch() {
   const bytesOf = (value, seen = new Set()) => {
     if (typeof value !== 'object' || value === null || seen.has(value)) return 0;
@@ -55,7 +55,7 @@ describe('the page’s main thread', () => {
     rmSync(folder, { recursive: true });
   });
 
-  /** Checks what passed since the page was loaded; how much was kept of files. */
+  /** Checks the bytes since the page was loaded, and those that were stored of files. */
   async function checked(tab, { reads }) {
     const { posted, kept, read, made } = await tab.page.evaluate(() => window.passed);
     const largest = (list) => Math.max(0, ...list);
@@ -73,7 +73,7 @@ describe('the page’s main thread', () => {
       return page?.state().mesh.startsWith('file:') && page.triangles > least && page.settled;
     }, triangles - 1000);
 
-  test('is passed by no file that is opened, drawn on, looked over, kept and opened again', async () => {
+  test('stays free of every file that is opened, drawn on, checked, kept and opened again', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await page.locator('#file').setInputFiles(file);
@@ -81,7 +81,7 @@ describe('the page’s main thread', () => {
     await page.keyboard.press('2');
     await tab.click([-90, 20], [-30, -40], [30, 20], [90, -30]);
     await tab.dragHandle('Control point 2 of 4', 25, 10);
-    // The exact curve, which a second engine makes of the same mesh.
+    // A second engine computes the exact curve on the same mesh.
     assert.equal(await page.locator('#status-quality').textContent(), 'exact');
     assert.equal(tab.engines().length, 2);
     await page.locator('#facts-line').click();
@@ -97,7 +97,7 @@ describe('the page’s main thread', () => {
     await tab.close();
   });
 
-  test('is passed by no surface whose outline is saved', async () => {
+  test('stays free of the surface when its outline is saved', async () => {
     const tab = await Tab.open(browser, 'mesh=torus:80000');
     await tab.click([-90, 60], [90, 60]);
     const { text } = await tab.save('with the surface’s outline');

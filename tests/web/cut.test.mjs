@@ -1,4 +1,4 @@
-// The surface cut apart along curves, by hand: parts are seen, hidden, deleted, thickened and saved.
+// The surface cut along curves by hand: parts are shown, hidden, deleted, thickened and saved.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
@@ -26,14 +26,14 @@ describe('cuts', () => {
     await tab.settled();
     return { tab, radius, bare, x, y };
   }
-  /** A part's file, and what it holds. */
+  /** A part's file with its contents. */
   async function savedPart(tab, name) {
     const coming = tab.page.waitForEvent('download');
     await button(tab, `Save ${name}`).click();
     const download = await coming;
     return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
   }
-  /** Volume and area of a binary STL, from its numbers alone. */
+  /** Volume and area of a binary STL, computed from its numbers alone. */
   function measured(bytes) {
     let [volume, area] = [0, 0];
     const count = bytes.readUInt32LE(80);
@@ -51,7 +51,7 @@ describe('cuts', () => {
     return { volume, area };
   }
 
-  test('a circle leaves a cap and the rest, which are hidden, deleted and brought back', async () => {
+  test('a circle leaves a cap and the rest, which are hidden, deleted and restored', async () => {
     const { tab, radius, bare, x, y } = await cutSphere();
     const [rest, cap] = await parts(tab);
     assert.equal((await parts(tab)).length, 2);
@@ -70,12 +70,12 @@ describe('cuts', () => {
       (await parts(tab)).map(({ state }) => state),
       ['deleted', 'hidden'],
     );
-    // Of nothing that is seen there is nothing to click.
+    // Invisible parts cannot be clicked.
     await tab.page.keyboard.press('b');
     await tab.page.mouse.click(x, y);
     await tab.settled();
     assert.equal(await picked(tab), 0);
-    // Two choices, and what was begun.
+    // Undo of two choices, and of the beginning.
     for (let step = 0; step < 3; step++) await tab.page.keyboard.press('Control+z');
     await tab.settled();
     assert.equal(JSON.stringify((await tab.state()).drawing), made);
@@ -110,7 +110,7 @@ describe('cuts', () => {
     await tab.close();
   });
 
-  test('how far a cut is, is said', async () => {
+  test('the progress of a cut is shown', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:6000&kind=circle');
     const { x, y } = await tab.middle();
     await tab.drag({ x, y }, { x: x + 90, y });
@@ -131,7 +131,7 @@ describe('cuts', () => {
     await tab.close();
   });
 
-  test('parts are saved alone or all, as surfaces or thickened, and say what they are worth for printing', async () => {
+  test('parts are saved alone or together, as surfaces or thickened, with their quality for printing', async () => {
     const { tab, radius } = await cutSphere();
     const open = await savedPart(tab, 'Part 2');
     assert.match(open.name, /^part-2-of-.*\.stl$/);
@@ -162,7 +162,7 @@ describe('cuts', () => {
     await tab.close();
   });
 
-  test('a cut follows its curve, and comes back with a reload and a link', async () => {
+  test('a cut follows its curve, and a reload and a link restore it', async () => {
     const { tab } = await cutSphere();
     await button(tab, 'Show or hide Part 1').click();
     await tab.settled();

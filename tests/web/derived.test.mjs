@@ -1,4 +1,5 @@
-// Objects that are made of others and follow them: offsets and booleans, made and changed by hand.
+// Objects that are made of others and follow them: offsets and booleans, created and changed by
+// hand.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -19,10 +20,10 @@ describe('objects made of others', () => {
     tab.page.locator('#makers').getByRole('button', { name, exact: true });
   const side = (tab, name) =>
     tab.page.locator('#offset-side').getByText(name, { exact: true }).click();
-  /** The length of a circle on the sphere, which has a radius of 1. */
+  /** The length of a circle on the unit sphere. */
   const around = (radius) => 2 * Math.PI * Math.sin(radius);
 
-  /** A circle round the middle of a sphere. */
+  /** A circle around the middle of a sphere. */
   async function withCircle(fields = '') {
     const tab = await Tab.open(browser, `mesh=sphere:6000&kind=circle${fields}`);
     const { x, y } = await tab.middle();
@@ -31,11 +32,11 @@ describe('objects made of others', () => {
     return { tab, radius };
   }
 
-  test('an offset lies at its distance, outwards, inwards and on both sides, and follows its source', async () => {
+  test('an offset keeps its distance, outwards, inwards and on both sides, and follows its source', async () => {
     const { tab, radius } = await withCircle();
     await maker(tab, 'Offset').click();
     await tab.settled();
-    // The distance is selected: it is typed at once.
+    // The field of the distance is selected, so that typing replaces it.
     await tab.page.keyboard.type('0.1');
     await tab.page.keyboard.press('Enter');
     await tab.settled();
@@ -50,14 +51,14 @@ describe('objects made of others', () => {
     assert.equal(both.length, 2);
     near(both[0], around(radius - 0.1), 0.005, 'the inner one');
     near(both[1], around(radius + 0.1), 0.005, 'the outer one');
-    // Filled it is a band, whose area is told.
+    // With a fill it is a band, whose area is shown.
     await type(tab, '#fill', '50');
     const cap = (r) => 2 * Math.PI * (1 - Math.cos(r));
     const band = cap(radius + 0.1) - cap(radius - 0.1);
     assert.equal((await tab.view()).problem, null);
     assert.equal((await tab.view()).fill.problem, null);
     near((await tab.view()).fill.region.area, band, 0.01, 'the band');
-    // Its source is drawn larger by hand; the offset goes along while it is dragged.
+    // Its source is enlarged by hand; the offset follows during the drag.
     await tab.page.locator('#objects .object').last().click();
     await tab.settled();
     const rim = await tab.handle('Radius of the circle');
@@ -83,7 +84,7 @@ describe('objects made of others', () => {
     await tab.close();
   });
 
-  test('corners of an offset are round, mitred or bevelled; a step back, a link and a file know which', async () => {
+  test('corners of an offset are round, mitred or bevelled; undo, a link and a file keep the choice', async () => {
     const tab = await Tab.open(browser, 'mesh=plane:fair:400&kind=polyline');
     const { x, y } = await tab.middle();
     for (const [dx, dy] of [
@@ -122,7 +123,7 @@ describe('objects made of others', () => {
     await tab.close();
   });
 
-  test('each step is undone and done again; a reload, a link and a file have the same', async () => {
+  test('each step can be undone and redone; a reload, a link and a file have the same result', async () => {
     const { tab } = await withCircle();
     const bare = JSON.stringify(await drawingOf(tab));
     await maker(tab, 'Offset').click();
@@ -159,7 +160,7 @@ describe('objects made of others', () => {
     await tab.close();
   });
 
-  test('copies keep to their own sources; what has none left goes with the last one', async () => {
+  test('copies keep their own sources; an object without sources is removed with the last one', async () => {
     const { tab } = await withCircle();
     await maker(tab, 'Offset').click();
     await tab.settled();
@@ -191,7 +192,7 @@ describe('objects made of others', () => {
     await tab.close();
   });
 
-  test('a drag of its line moves what it is made of, and is one step', async () => {
+  test('a drag of its line moves its sources, and is one step', async () => {
     const { tab } = await withCircle();
     await maker(tab, 'Offset').click();
     await tab.settled();
@@ -214,7 +215,7 @@ describe('objects made of others', () => {
     await tab.close();
   });
 
-  /** Two circles of about the same radius, beside each other, both selected. */
+  /** Two overlapping circles of about the same radius, both selected. */
   async function withTwo() {
     const { tab } = await withCircle();
     const { x, y } = await tab.middle();
@@ -227,7 +228,7 @@ describe('objects made of others', () => {
     return tab;
   }
 
-  test('booleans of two circles have areas that agree, change into each other and follow a drag', async () => {
+  test('booleans of two circles have consistent areas, can be exchanged, and follow a drag', async () => {
     const tab = await withTwo();
     await maker(tab, 'Union').click();
     await tab.settled();
@@ -243,7 +244,7 @@ describe('objects made of others', () => {
     const exclusion = await kind('Exclusion');
     near(exclusion + intersection, union, 1e-9, 'exclusion and intersection are the union');
     const { objects } = await drawingOf(tab);
-    // Operands are seen as thin dashed lines.
+    // Operands appear as thin dashed lines.
     assert.deepEqual(
       objects.map(({ dash, fill }) => [dash, fill]),
       [
@@ -263,7 +264,7 @@ describe('objects made of others', () => {
     await tab.close();
   });
 
-  test('an intersection of what lies apart says so, and expanding makes curves that follow nothing', async () => {
+  test('an intersection of separate regions is empty and says so, and expanding makes independent curves', async () => {
     const tab = await withTwo();
     await maker(tab, 'Difference').click();
     await tab.settled();
@@ -279,7 +280,7 @@ describe('objects made of others', () => {
     await tab.page.keyboard.press('Control+z');
     await tab.settled();
     assert.equal((await tab.view()).isolines.length, length);
-    // Its operand goes far away.
+    // Its operand moves far away.
     await tab.page.locator('#objects [data-id="2"] .object').click();
     await tab.settled();
     const center = await tab.handle('Center of the circle');

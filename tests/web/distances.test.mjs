@@ -1,4 +1,4 @@
-// Distances along the surface from a point: as values, as lines, and as the page shows them.
+// Distances along the surface from a point: as values, as lines, and on the page.
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { before, describe, test } from 'node:test';
@@ -45,7 +45,8 @@ describe('lines of equal value', () => {
     const center = mesh.position(from);
     const traced = tracedDistances(mesh, from, { solver: 'fast' });
     const room = Math.min(center[0], center[1], 1 - center[0], 1 - center[1]);
-    // The longest edge, of which the distance is taken as linear: by Taylor, h * h / 8r is its error.
+    // The longest edge h, along which the distance is taken as linear: by Taylor, the error is h *
+    // h / 8r.
     let h = 0;
     for (let i = 0; i < triangles.length; i++) {
       const next = i % 3 === 2 ? i - 2 : i + 1;
@@ -70,7 +71,7 @@ describe('lines of equal value', () => {
     mesh.dispose();
   });
 
-  test('go through vertices once, and end where values are no numbers', () => {
+  test('pass once through vertices, and end at values that are not numbers', () => {
     const { positions, triangles } = planeArrays({ tessellation: 'grid', triangles: 200 });
     const x = (corner) => positions[3 * triangles[corner]];
     const [[line, ...others]] = lines.levelLines(positions, triangles, x, [0.5]);
@@ -85,7 +86,7 @@ describe('lines of equal value', () => {
     assert.deepEqual(lines.levelLines(positions, triangles, x, [2]), [[]]);
   });
 
-  test('are none where no path leads', async () => {
+  test('are absent where no path leads', async () => {
     const { tracedDistances } = await load('worker/distances.ts');
     const karcher = await loadEngine();
     const apart = [0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 0, 6, 0, 0, 5, 1, 0];
@@ -104,7 +105,7 @@ describe('distances on the page', () => {
 
   const shown = (tab) => tab.page.locator('#distance-legend[aria-busy="false"]').waitFor();
   const traced = (tab) => tab.page.evaluate(() => window.karcherPage.distances());
-  /** The surface as it is seen, away from what lies over it. */
+  /** The visible surface, away from elements over it. */
   const picture = async (tab) => {
     await tab.still();
     const clip = { x: 500, y: 220, width: 400, height: 400 };
@@ -113,7 +114,7 @@ describe('distances on the page', () => {
       .digest('hex');
   };
 
-  test('are those of the selected point, follow it, and go by one click', async () => {
+  test('start at the selected point, follow it, and disappear with one click', async () => {
     const tab = await Tab.open(browser, link);
     const { page } = tab;
     await tab.click([-120, -60], [-40, 90], [60, -80], [120, 60]);
@@ -128,7 +129,7 @@ describe('distances on the page', () => {
     const { most, step, lines } = (await traced(tab)).traced;
     const mesh = await tab.mesh();
     const radius = Math.hypot(...mesh.positions.slice(0, 3));
-    // The antipode is half a great circle away; vertices and the solver miss it by little.
+    // The antipode is half a great circle away; vertices and the solver come near to it.
     assert.ok(Math.abs(most / (Math.PI * radius) - 1) < 0.02, `${most}`);
     const legend = await page.locator('#distance-legend').innerText();
     assert.match(legend, /^From point 1 of B-spline 1/);
@@ -183,7 +184,7 @@ describe('distances on the page', () => {
     await tab.close();
   });
 
-  test('are those of a circle’s center, and end with their point and their surface', async () => {
+  test('start at a circle’s center, and disappear with their point and their surface', async () => {
     const circle = '&points=&circle=300,0.3,0.3;0.3,0,0,1';
     const tab = await Tab.open(
       browser,

@@ -1,4 +1,4 @@
-// A drawing of many objects as a value: its commands, its JSON, and what a tab keeps of it.
+// A drawing of many objects as a value: its commands, its JSON, and its storage in a tab.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { pageModule } from './page_module.mjs';
@@ -17,7 +17,7 @@ describe('a drawing', () => {
 
   const json = ({ state }) => JSON.stringify(state.drawing);
 
-  /** Commands of the page's own, by their names; each may find nothing to do. */
+  /** The page's own commands by their names; each may have nothing to do. */
   function commandsOf(editor, random) {
     const below = (count) => Math.floor(random() * count);
     const one = (list) => list[below(list.length)];
@@ -107,7 +107,7 @@ describe('a drawing', () => {
   function editorOfMany(random) {
     const editor = new page.Editor();
     editor.open('sphere:5000', page.emptyDrawing);
-    // Of every other figure it is known what it encloses.
+    // Every other figure has a known inside.
     editor.insideOf = ({ inside, points }) =>
       inside ?? (points.length % 2 === 0 ? (random() < 0.5 ? 'left' : 'right') : null);
     const { place } = commandsOf(editor, random);
@@ -137,7 +137,7 @@ describe('a drawing', () => {
 
   const runs = long ? 40 : 4;
   for (let run = 0; run < runs; run++) {
-    test(`is the same byte for byte undone and redone: KARCHER_SEED=${seed}, run ${run}`, () => {
+    test(`is the same byte for byte after undo and redo: KARCHER_SEED=${seed}, run ${run}`, () => {
       const numbers = randoms(1000 * seed + run);
       const random = () => numbers.next().value;
       const editor = editorOfMany(random);
@@ -167,7 +167,7 @@ describe('a drawing', () => {
         editor.redo();
         assert.equal(json(editor), state);
       }
-      // At any step a reload finds the drawing and all steps, back and forth.
+      // At any step a reload finds the drawing and all steps to undo and redo.
       for (let step = 0; step < steps; step += 1 + Math.floor(random() * 60)) {
         for (let back = 0; back < step; back++) editor.undo();
         const { mesh, method, drawing } = editor.state;
@@ -189,7 +189,7 @@ describe('a drawing', () => {
     });
   }
 
-  test('selects without a step: what was taken back stays, and what follows is one step with it', () => {
+  test('selects without a step: redo stays possible, and the next step includes the selection', () => {
     const numbers = randoms(seed);
     const editor = editorOfMany(() => numbers.next().value);
     const ids = editor.state.drawing.objects.map(({ id }) => id);
@@ -204,7 +204,7 @@ describe('a drawing', () => {
     assert.equal(editor.state.drawing.active, first);
     assert.equal(editor.history.done.length, steps);
     assert.ok(editor.canRedo, 'selecting takes nothing from what can be done again');
-    // A reload finds it so.
+    // A reload restores this.
     const { mesh, method, drawing } = editor.state;
     const link = page.formatLink(mesh, method, drawing);
     const work = page.readWork(page.savedWork(link, drawing, editor.history), link);
@@ -229,12 +229,12 @@ describe('a drawing', () => {
     }
   });
 
-  test('is read from its JSON as it was, and anything else is a sentence', () => {
+  test('is read from its JSON unchanged, and anything else gives a sentence', () => {
     const numbers = randoms(seed);
     const { drawing } = editorOfMany(() => numbers.next().value).state;
     const text = JSON.stringify(page.savedDrawing(drawing));
     assert.equal(JSON.stringify(page.readDrawing(JSON.parse(text))), JSON.stringify(drawing));
-    // Each value in turn is taken for another one.
+    // Each value in turn is replaced by another one.
     const wrong = [undefined, null, {}, [], 'text', -1, 1e300, true];
     const pathsOf = (value, path = []) =>
       value !== null && typeof value === 'object'
@@ -254,7 +254,7 @@ describe('a drawing', () => {
         refusedBySchema += isTaken ? 0 : 1;
         try {
           const read = page.readDrawing(path.length > 0 ? changed : value);
-          // What is taken is a drawing, which is read again as it is.
+          // An accepted value is a drawing, which is unchanged when read again.
           const again = JSON.parse(JSON.stringify(page.savedDrawing(read)));
           assert.deepEqual(page.readDrawing(again), read);
           assert.ok(isTaken, `${path.join('.')} of ${JSON.stringify(value)} is read`);
@@ -262,7 +262,7 @@ describe('a drawing', () => {
           if (error instanceof assert.AssertionError) throw error;
           assert.ok(!(error instanceof TypeError), `${path.join('.')}: ${error.stack}`);
           assert.ok(error.message.length > 10, error.message);
-          // What holds between several values is no matter of a schema.
+          // A schema cannot express relations between several values.
           if (path.length > 0 && isTaken) assert.match(error.message, /sum 1|same id|active|knots/);
           refused++;
         }
@@ -283,7 +283,7 @@ describe('a drawing', () => {
     assert.throws(() => page.readDrawing({ ...whole, version: 2 }), /version 2/);
   });
 
-  test('that was kept for another link, or with a history that leads elsewhere, is not taken', () => {
+  test('of another link, or with a history of another drawing, is not restored', () => {
     const numbers = randoms(seed);
     const editor = editorOfMany(() => numbers.next().value);
     const { mesh, method, drawing } = editor.state;
@@ -308,7 +308,7 @@ describe('a drawing', () => {
     }
   });
 
-  test('takes objects that were copied, as new ones, on the same surface only', () => {
+  test('takes copied objects as new ones, on the same surface only', () => {
     const numbers = randoms(seed);
     const editor = editorOfMany(() => numbers.next().value);
     editor.objects.group(editor.state.drawing.objects.slice(0, 3).map(({ id }) => id));
@@ -334,7 +334,7 @@ describe('a drawing', () => {
     assert.deepEqual(page.pastedObjects(text, 'sphere:5000', 0), [], 'all lies beyond the surface');
   });
 
-  test('has copies with names of their own, of a length that is read, in a link too', () => {
+  test('has copies with names of their own, of an allowed length, even in a link', () => {
     const numbers = randoms(seed);
     const editor = editorOfMany(() => numbers.next().value);
     const { id } = editor.state.drawing.objects[0];
@@ -359,13 +359,13 @@ describe('a drawing', () => {
       objects.map(({ name }) => name).sort(),
       drawing.objects.map(({ name }) => name).sort(),
     );
-    // Half a letter, which a text field's bound leaves, is no text that a link can tell.
+    // The length limit of a text field can leave half a character, which a link cannot store.
     editor.objects.setProperties([id], { name: 'half \ud83d' });
     const told = page.formatLink(mesh, method, editor.state.drawing);
     assert.ok(page.parseLink(told).drawing.objects.some(({ name }) => name === 'half '));
   });
 
-  test('is the same one, whatever the order of its fields', () => {
+  test('is equal to one with another order of fields', () => {
     const numbers = randoms(seed);
     const { drawing } = editorOfMany(() => numbers.next().value).state;
     const point = { ...drawing.objects[0].figure.points[0], leg: [{ face: 3, bary: [1, 0, 0] }] };
@@ -383,13 +383,13 @@ describe('a drawing', () => {
     const legLast = first({ weight: 2, ...point });
     assert.ok(page.sameDrawing(legFirst, legLast));
     assert.ok(!page.sameDrawing(legFirst, first({ ...point, weight: 3 })));
-    // What lies on its surface as a whole is left as it is, to the last byte.
+    // A drawing that lies on its surface as a whole is unchanged, to the last byte.
     for (const whole of [legFirst, legLast]) {
       assert.equal(JSON.stringify(page.fitting(whole, triangles)), JSON.stringify(whole));
     }
   });
 
-  test('keeps what is locked, and says so', () => {
+  test('keeps locked objects, and says so', () => {
     const numbers = randoms(seed);
     const editor = editorOfMany(() => numbers.next().value);
     const said = [];
@@ -411,12 +411,12 @@ describe('a drawing', () => {
     assert.notEqual(json(editor), before);
   });
 
-  test(`keeps the members of a group together, however objects are moved, KARCHER_SEED=${seed}`, () => {
+  test(`keeps the members of a group together in every order, KARCHER_SEED=${seed}`, () => {
     const { activeObject, apply, arranging, emptyDrawing, newObject, reordering } = page;
     const { figure } = activeObject(emptyDrawing);
     const random = randoms(seed);
     const below = (count) => Math.floor(random.next().value * count);
-    /** How often the group changes from each object to the next one, without what is in none. */
+    /** The number of changes of group from object to object, without objects outside groups. */
     const runs = ({ objects }) =>
       objects.filter(({ group }, i) => group !== null && group !== objects[i - 1]?.group).length;
     let moves = 0;
@@ -437,12 +437,13 @@ describe('a drawing', () => {
         if (command) drawing = apply(drawing, command);
         assert.ok(runs(drawing) <= before, drawing.objects.map(({ group }) => group).join());
       }
-      // Rows, some of them folded, that are dragged to others.
+      // Rows, some of them folded, are dragged to the places of others.
       for (let step = 0; step < 20; step++) {
         const isFolded = new Set(['A', 'B', 'C'].filter(() => below(2) === 0));
         const rowsNow = () => page.rowsOf(drawing.objects.toReversed(), isFolded);
         const from = below(rowsNow().length);
-        // A group is dragged folded; one that an older drawing has in several places stays where it is.
+        // A group is dragged folded; one that an older drawing has in several places stays in
+        // place.
         const { group: carried } = rowsNow()[from];
         if (rowsNow().filter(({ group }) => carried && group === carried).length === 1) {
           isFolded.add(carried);

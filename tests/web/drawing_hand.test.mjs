@@ -1,4 +1,5 @@
-// Drawing does no harm: the pen leaves other lines alone, paths go on after undo and close alike, circles are dragged.
+// Drawing protects other work: the pen leaves other lines alone, all paths continue after undo and
+// close in the same way, and drags draw circles.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { browserOfSuite, openPhone, Tab, touchOf } from './browser.mjs';
@@ -17,7 +18,7 @@ describe('drawing by hand', () => {
     [100, 60],
   ];
 
-  test("the pen goes on over another object's line, and leaves that as it was", async () => {
+  test('the pen continues over another object’s line, and does not change that', async () => {
     const tab = await Tab.open(browser);
     await tab.click([-100, -60], [-30, -90], [30, -60], [100, -80]);
     const before = JSON.stringify((await objectsOf(tab))[0].figure);
@@ -34,7 +35,7 @@ describe('drawing by hand', () => {
     await tab.close();
   });
 
-  test('after undo the path of the pen goes on where it stood', async () => {
+  test('after undo the path of the pen continues where it was', async () => {
     const tab = await Tab.open(browser);
     await tab.page.keyboard.press('p');
     await tab.click(...path);
@@ -53,7 +54,7 @@ describe('drawing by hand', () => {
     ['p', 'Anchor 1 of 3'],
     ['b', 'Control point 1 of 3'],
   ]) {
-    test(`a click on the first point closes what is drawn with tool ${key}`, async () => {
+    test(`a click on the first point closes the path of tool ${key}`, async () => {
       const tab = await Tab.open(browser);
       await tab.page.keyboard.press(key);
       await tab.click(...path);
@@ -87,9 +88,10 @@ describe('drawing by hand', () => {
     });
   }
 
-  test('a tool that was only tried leaves no object, and nothing selected', async () => {
+  test('a tool that was only tried leaves no object, and no selection', async () => {
     const tab = await Tab.open(browser);
-    // As many points as a curve needs: what is not finished goes when it is let go of.
+    // The curve has all the points that it needs: an unfinished one is removed when it is
+    // deselected.
     const whole = [...path, [-90, -40]];
     await tab.click(...whole);
     const before = JSON.stringify(await objectsOf(tab));
@@ -102,7 +104,7 @@ describe('drawing by hand', () => {
     assert.equal(JSON.stringify(await objectsOf(tab)), before);
     assert.equal(await tab.page.locator('#objects [aria-current]').count(), 0);
     assert.equal(await tab.page.locator('.handle').count(), 0);
-    // What is drawn next is another object, and undo takes that back.
+    // The next drawing is another object, and undo removes that.
     await tab.page.keyboard.press('p');
     await tab.click(...whole.map(([x, y]) => [x, y - 120]));
     assert.equal(await rows.count(), 2);

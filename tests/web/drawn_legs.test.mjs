@@ -1,17 +1,17 @@
-// Legs that a drag draws out: by the page's parts, in Node.
+// Legs that a drag stretches, tested with the page's modules in Node.
 import assert from 'node:assert/strict';
 import { beforeEach, describe, test } from 'node:test';
 import { load } from 'karcher';
 import { arraysOfShape, openPage } from './engine_in_node.mjs';
 
-/** Along a geodesic around the tube of a torus, whose first part is a shortest path. */
+/** Points along a geodesic around the tube of a torus; its first part is a shortest path. */
 const mesh = (await load()).shape('torus', 2000);
 const start = mesh.surfacePoint(5, [0.2, 0.3, 0.5]);
 const along = (length) => mesh.straightest(start, [0, 0, 1], length).end;
 const places = (from, to) =>
   Array.from({ length: Math.round((to - from) / 0.05) }, (_, i) => along(from + 0.05 * (i + 1)));
 
-describe('legs that are drawn out', () => {
+describe('stretched legs', () => {
   let page;
   let figure;
   let length;
@@ -48,7 +48,7 @@ describe('legs that are drawn out', () => {
       await drag(1, places(0.3, 2.45));
     });
 
-    /** To rounding of a path's points. */
+    /** Equality up to the rounding of a path's points. */
     const isNear = (a, b) => assert.ok(Math.abs(a - b) < 1e-3, `${a}, not ${b}`);
 
     async function goesOnFromTheShortest() {
@@ -60,19 +60,19 @@ describe('legs that are drawn out', () => {
       assert.deepEqual(legs(), [0, 0]);
     }
 
-    test('after Escape the next drag begins with what is shown', async () => {
+    test('after Escape the next drag begins with the visible legs', async () => {
       page.editor.cancelDrag();
       await page.settled();
       await goesOnFromTheShortest();
     });
 
-    test('the next drag does so where nothing was traced since Escape', async () => {
+    test('the next drag does so even if nothing was traced since Escape', async () => {
       page.editor.cancelDrag();
       await drag(1, [along(0.301)]);
       isNear(length(), 0.301);
     });
 
-    test('and where a drag ends before its first step is traced', async () => {
+    test('the next drag does so if a drag ends before its first step is traced', async () => {
       page.editor.cancelDrag();
       step(1, along(0.301));
       await release();
@@ -80,7 +80,7 @@ describe('legs that are drawn out', () => {
       assert.deepEqual(legs(), [0, 0]);
     });
 
-    test('after undo, redo and undo the next drag begins with what is shown', async () => {
+    test('after undo, redo and undo the next drag begins with the visible legs', async () => {
       await release();
       assert.ok(legs()[0] > 0);
       for (const step of ['undo', 'redo', 'undo']) {
@@ -105,7 +105,7 @@ describe('legs that are drawn out', () => {
       [`${name} came before the drag’s last step was traced`, edit, true],
     ]);
     for (const [name, edit, untraced] of lateCases) {
-      test(`they stay where ${name}`, async () => {
+      test(`stay if ${name}`, async () => {
         if (untraced) step(1, along(2.45));
         page.editor.commitDrag();
         await edit();
@@ -131,7 +131,7 @@ describe('legs that are drawn out', () => {
       });
     }
 
-    test('a release before the last step is traced keeps the legs of the one before', async () => {
+    test('a release before the last step is traced keeps the legs of the step before', async () => {
       step(1, along(2.5));
       page.editor.commitDrag();
       await page.settled();
@@ -145,7 +145,7 @@ describe('legs that are drawn out', () => {
       assert.deepEqual(page.session.view.curve.samples.position, drawn);
     });
 
-    test('they stay where another object was begun at once', async () => {
+    test('stay when another object is begun at once', async () => {
       const { id } = page.editor.active;
       page.editor.commitDrag();
       page.editor.begin('polyline');
@@ -168,14 +168,14 @@ describe('legs that are drawn out', () => {
       isNear(length(), 2.45);
     });
 
-    test('they are no part of what was taken back at once', async () => {
+    test('do not return with a step that was undone at once', async () => {
       page.editor.commitDrag();
       page.editor.undo();
       await page.settled();
       await goesOnFromTheShortest();
     });
 
-    test('a drag that begins at once goes on from what the last one drew', async () => {
+    test('a drag that begins at once continues the legs of the last one', async () => {
       page.editor.commitDrag();
       await drag(1, [along(2.46)]);
       isNear(length(), 2.46);
@@ -190,7 +190,7 @@ describe('legs that are drawn out', () => {
   });
 
   for (const knots of [null, [0, 0, 0, 0, 1, 2.5, 3, 3, 3, 3]]) {
-    test(`go with the point they lead to, of ${knots ? 'own' : 'clamped'} knots`, async () => {
+    test(`follow the point that they lead to, with ${knots ? 'own' : 'clamped'} knots`, async () => {
       const { editor, edits, settled } = page;
       editor.setKind('bspline');
       for (const at of [0, 0.1, 0.2, 0.3, 0.4, 0.5]) await edits.append(along(at));

@@ -1,10 +1,11 @@
-// Drops of files for walks over the page: surfaces, several at once, and what is none. The page says what it did with
-// each, and a surface that comes back has the drawing that it was left with.
+// Drops of files for random walks over the page: surfaces, several at once, and other files. The
+// page reports its action for each, and a surface that comes back has the drawing that it had
+// before.
 import assert from 'node:assert/strict';
 import fc from 'fast-check';
 import { box, cutBox, encode, objFile, plyFile } from '../wasm/mesh_files.mjs';
 
-/** Of which there are few, so that walks come back to them. */
+/** The walk has few surfaces, so that it comes back to them. */
 const surfaces = [
   ['box.obj', objFile(box)],
   ['cut box.obj', objFile(cutBox)],
@@ -27,7 +28,7 @@ export const dropStep = fc.record({
   during: fc.boolean(),
 });
 
-/** In the page: keeps what messages say, since notes go away by themselves. */
+/** Runs in the page: keeps the texts of messages, since notes disappear by themselves. */
 const rememberMessages = () => {
   if (window.messagesSeen) return;
   window.messagesSeen = [];
@@ -40,17 +41,17 @@ const rememberMessages = () => {
   }).observe(document.body, { childList: true, subtree: true });
 };
 
-/** What a walk remembers of its drops. */
+/** The walk's memory of its drops. */
 export class Dropping {
   #count = 0;
-  /** By surface, the drawing that was on it when another one was opened. */
+  /** For each surface, the drawing on it when another one was opened. */
   #left = new Map();
 
   constructor(tab) {
     this.tab = tab;
   }
 
-  /** Drops files, in the middle of a drag where the step says so, and waits until the page says what it did. */
+  /** Drops files, in the middle of a drag if the step says so, and waits for the page's report. */
   async take({ what, which, during }) {
     const { tab } = this;
     const { page } = tab;
@@ -90,7 +91,7 @@ export class Dropping {
     await tab.dropFiles(files);
     await release();
     if (what === 'bad') await says(`${bad[0]} could not be opened`);
-    // Alone it is tried as a surface.
+    // A single file is tried as a surface.
     if (what === 'none') await says(`${none[0]} could not be opened`);
     if (what === 'mixed') await says(`${none[0]} is no surface or drawing`);
     if (what.startsWith('several')) {
@@ -106,7 +107,7 @@ export class Dropping {
       );
       await tab.settled();
       const now = await tab.state();
-      // A drag ends, on either surface, when its button is let go.
+      // A drag ends on either surface when its button is released.
       this.#left.set(before.mesh, before.drawing);
       if (this.#left.has(now.mesh)) assert.deepEqual(now.drawing, this.#left.get(now.mesh), name);
     } else {

@@ -4,14 +4,14 @@ import { browserOfSuite, Tab } from './browser.mjs';
 import { farthestFromSurface, middles } from './on_surface.mjs';
 import { inLongRun, part } from './part.mjs';
 
-/** Four places that are on every surface used here, as offsets from the stage's middle. */
+/** Four places that lie on every surface used here, as offsets from the stage's middle. */
 const places = [
   [-110, 40],
   [-40, -10],
   [40, 50],
   [110, -10],
 ];
-/** Places are floats of a surface of about unit size, and edges are crossed in doubles. */
+/** Places are floats on a surface of about unit size, and edges are crossed in doubles. */
 const onSurface = 2e-6;
 
 describe('editing a curve', () => {
@@ -54,7 +54,7 @@ describe('editing a curve', () => {
     });
   }
 
-  test('every edit is taken back and done again', async () => {
+  test('every edit can be undone and redone', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     await tab.dragHandle('Control point 4 of 4', 10, 30);
@@ -85,7 +85,7 @@ describe('editing a curve', () => {
     await tab.close();
   });
 
-  test('a curve after edits is the curve that its points make anew', async () => {
+  test('a curve after edits equals a new curve of its points', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places, [60, 90]);
     await tab.dragHandle('Control point 3 of 5', -15, 20);
@@ -100,7 +100,7 @@ describe('editing a curve', () => {
     await tab.close();
   });
 
-  test('points are moved in order by buttons and keys, and back', async () => {
+  test('buttons and keys move points in their order, and back', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=rational');
     const { page } = tab;
     await tab.click(...places);
@@ -145,7 +145,7 @@ describe('editing a curve', () => {
     await tab.page.close();
   });
 
-  test('hovering shows where a click puts a point', async () => {
+  test('hovering shows where a click places a point', async () => {
     const tab = await Tab.open(browser);
     const { x, y } = await tab.middle();
     await tab.page.mouse.move(x + 30, y - 20);
@@ -238,7 +238,7 @@ describe('editing a curve', () => {
     await tab.close();
   });
 
-  test('a circle wider than the surface is a sentence, and can be taken back', async () => {
+  test('a circle wider than the surface gives a sentence, and can be undone', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=circle&circle=0,0.3,0.3;9,1,0,0');
     const { problem, curve, legs } = await tab.view();
     assert.equal(curve, null);
@@ -253,7 +253,7 @@ describe('editing a curve', () => {
     await tab.close();
   });
 
-  test('a failure tells of points without numbers, which are others in the engine', async () => {
+  test('a failure names points without numbers, since the engine counts them differently', async () => {
     const tab = await Tab.open(browser);
     const corners = [0, 5].map((x) => `v ${x} 0 0\nv ${x + 1} 0 0\nv ${x} 1 0\nv ${x} 0 1\n`);
     const faces = [0, 4].map((k) =>

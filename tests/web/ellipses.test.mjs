@@ -1,4 +1,4 @@
-// Ellipses: their handles, and what becomes of them.
+// Ellipses, their handles, and changes to and from circles.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -13,7 +13,7 @@ const acrossHandle = 'Radius across of the ellipse';
 
 const dot = (a, b) => a.reduce((sum, value, axis) => sum + value * b[axis], 0);
 const radiiOf = ({ circle }) => [circle.radius, circle.across.radius];
-/** Where a drawn radius starts, and its direction, on a plane. */
+/** The start and the direction of a drawn radius, on a plane. */
 function axisOf({ path, radius }) {
   const drawn = Object.values(path);
   const start = drawn.slice(0, 3);
@@ -45,7 +45,7 @@ describe('ellipses', () => {
         const step = place.map((value, axis) => value - center[axis]);
         const x = dot(step, u) / along;
         const y = dot(step, v) / across;
-        // The center and the axes are read from drawn lines, in single precision.
+        // Center and axes come from drawn lines, in single precision.
         assert.ok(Math.abs(x * x + y * y - 1) < 1e-5, `${x}, ${y}`);
       }
     };
@@ -71,7 +71,7 @@ describe('ellipses', () => {
     const lies = ({ polyline, circle }) => {
       const { diagonal } = surface.info;
       assert.ok(farthestFromSurface(polyline, surface) <= onSurface * diagonal);
-      // The handles' ends are on the curve up to its deviation where the surface bends.
+      // The ends of the handles are on the curve, up to its deviation where the surface bends.
       for (const path of [circle.path, circle.across.path]) {
         const end = Object.values(path).slice(-3);
         const gap = Math.min(...vertices(polyline).map((place) => far(place, end)));
@@ -133,7 +133,7 @@ describe('ellipses', () => {
     await tab.close();
   });
 
-  test('share center and radius with circles, and come back with link and file', async () => {
+  test('share center and radius with circles, and are restored by link and file', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0&kind=circle');
     await tab.click([0, 40]);
     const circle = await tab.view();
@@ -181,7 +181,8 @@ describe('ellipses', () => {
     };
     const typed = await typeRadius(tab, '0.1', 'Across');
     assert.deepEqual(radiiOf(await onFiner(20000)), radiiOf(typed), 'lengths stay');
-    // By its handle it is as long as the way to a point, which lies elsewhere in other triangles.
+    // A drag of its handle makes it as long as the path to a point, which lies elsewhere in other
+    // triangles.
     await tab.dragHandle(acrossHandle, 0, -14);
     const dragged = await tab.view();
     const { meanEdge } = (await tab.mesh()).info;
@@ -208,7 +209,7 @@ describe('ellipses', () => {
     assert.equal((await typeRadius(tab, '99', 'Along')).curve, null);
     assert.match(await hint(), /^[A-Z].*\.$/);
 
-    // Around the tube, of radius 0.4, the ways from the center meet on its other side.
+    // On a tube of radius 0.4, paths from the center in both directions meet on its other side.
     const torus = await Tab.open(browser, 'mesh=torus:2000&kind=ellipse');
     await torus.click([0, 120]);
     const badge = torus.page.locator('#status-arcs');

@@ -2,7 +2,7 @@
 import { load as loadEngine } from 'karcher';
 import { pageModule } from './page_module.mjs';
 
-/** The one worker there is, which holds one surface. */
+/** The only worker, which holds one surface. */
 class InThisThread {
   #hear = {};
 
@@ -34,8 +34,8 @@ export async function arraysOfShape(name, triangles) {
 }
 
 /**
- * The page's parts on a sphere of so many triangles, or on the surface of arrays, by a method without
- * a second engine.
+ * The page's modules on a sphere of this many triangles, or on the surface of arrays, with a method
+ * that has no second engine.
  */
 export async function openPage(surface) {
   globalThis.addEventListener = (_, hear) => {

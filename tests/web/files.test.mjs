@@ -1,4 +1,4 @@
-// Files of surfaces that are dropped on the page: their formats, parts, and what points up.
+// Files of surfaces dropped on the page: their formats, parts, and the upward axis.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import {
@@ -15,7 +15,7 @@ import { browserOfSuite, openBrowser, Tab } from './browser.mjs';
 import { inLongRun } from './part.mjs';
 import { fitsFile } from './schema.mjs';
 
-/** A cone that stands on z = 0, without a sole; its tip is the last vertex. */
+/** A cone on z = 0, without a base; its tip is the last vertex. */
 const ring = Array.from({ length: 60 }, (_, i) => (Math.PI * i) / 30);
 const cone = {
   positions: [...ring.flatMap((t) => [Math.cos(t), Math.sin(t), 0]), 0, 0, 3],
@@ -28,7 +28,7 @@ describe('files of surfaces', () => {
   const opened = (tab, name) =>
     tab.page.waitForFunction((ending) => window.karcherPage?.state().mesh.endsWith(ending), name);
 
-  /** How far above one another places of the surface are seen, in pixels. */
+  /** The vertical distance of two places of the surface in the window, in pixels. */
   const above = (tab, high, low) =>
     tab.page.evaluate(
       ([a, b]) => {
@@ -49,7 +49,7 @@ describe('files of surfaces', () => {
     await tab.close();
   });
 
-  test('dropped together belong together, in any order', async () => {
+  test('files dropped together belong together, in any order', async () => {
     const tab = await Tab.open(browser);
     const { json, buffer } = gltfParts(cutBox);
     json.buffers = [{ uri: 'my%20buffers/a box.bin', byteLength: buffer.length }];
@@ -76,7 +76,7 @@ describe('files of surfaces', () => {
       assert.equal((await tab.mesh()).info.triangles, 12, name);
     }
     assert.deepEqual(await tab.page.locator('.message').allTextContents(), []);
-    // The buffers are kept with it.
+    // The buffers are stored with it.
     await tab.dropFiles(gltf('three.gltf'));
     await opened(tab, 'three.gltf');
     await tab.page.keyboard.press('2');
@@ -138,7 +138,7 @@ describe('files of surfaces', () => {
     await tab.close();
   });
 
-  test('of several surfaces the one that is chosen is opened', async () => {
+  test('the user chooses one of several surfaces to open', async () => {
     const tab = await Tab.open(browser);
     const several = Array.from({ length: 20 }, (_, i) => [`box ${i}.obj`, objFile(cutBox)]);
     await tab.dropFiles(several);
@@ -156,7 +156,7 @@ describe('files of surfaces', () => {
     await tab.close();
   });
 
-  test('of files that came together those are named that are neither opened nor belong to what is', async () => {
+  test('the page names the files that it did not open and that belong to no opened file', async () => {
     const tab = await Tab.open(browser);
     const notes = ['notes.txt', encode('hello')];
     const scene = ['scene.blend', encode('hello')];
@@ -179,7 +179,7 @@ describe('files of surfaces', () => {
       await opened(tab, 'cut box.obj');
       await tab.settled();
     }
-    // Those of which one is chosen are said to be left out, too, and both names are read whole.
+    // The surfaces that were not chosen are named too, and both names can be read whole.
     const long = 'the relic as it was scanned, cleaned and decimated, version';
     const two = [1, 2].map((version) => [`${long} ${version}.obj`, objFile(cutBox)]);
     await tab.dropFiles([...two, notes]);
@@ -198,7 +198,7 @@ describe('files of surfaces', () => {
     await tab.close();
   });
 
-  test('what is no surface says what it is, and what was shown stays', async () => {
+  test('a file that is no surface gives a sentence, and the visible surface stays', async () => {
     const tab = await Tab.open(browser);
     await tab.dropBytes('photo.ply', Uint8Array.of(0x89, 0x50, 0x4e, 0x47));
     const alert = tab.page.getByRole('alert');
@@ -209,7 +209,7 @@ describe('files of surfaces', () => {
     await tab.page.close();
   });
 
-  test('of a surface goes inside a drawing, which opens where nobody has it', async () => {
+  test('a surface’s file can be inside a drawing, which then opens everywhere', async () => {
     const tab = await Tab.open(browser);
     await tab.dropBytes('my cone.ply', everyFile(cone)['little.ply']);
     await opened(tab, 'my cone.ply');
@@ -264,7 +264,7 @@ describe('files of surfaces', () => {
     }
   });
 
-  test('a scan whose z points up stands, the choice is kept, and keeps the curve', async () => {
+  test('a scan with z up stands upright, the choice is kept, and keeps the curve', async () => {
     const tab = await Tab.open(browser);
     await tab.dropBytes('cone.ply', everyFile(cone)['little.ply']);
     await opened(tab, 'cone.ply');
@@ -288,7 +288,7 @@ describe('files of surfaces', () => {
     assert.deepEqual(after.polyline, before.polyline, 'the curve stays where it is on the surface');
     const lying = await above(tab, tip, foot);
     assert.ok(lying.up < standing.up / 2, JSON.stringify(lying));
-    // A click goes where it is seen.
+    // A click hits the visible place.
     await tab.click([60, 20]);
     assert.equal((await tab.state()).figure.points.length, 5);
 
@@ -322,7 +322,7 @@ describe('files of surfaces', () => {
     await tab.page.close();
   });
 
-  test('without parts one of its pieces can be chosen, also after a reload', async () => {
+  test('one of the pieces of a file without parts can be chosen, even after a reload', async () => {
     const tab = await Tab.open(browser);
     // Two tetrahedra and a square, far from each other.
     const corners = [
@@ -371,11 +371,11 @@ describe('files of surfaces', () => {
     await tab.close();
   });
 
-  test('the menu at a place shows only the piece there, and all of them again', async () => {
+  test('the menu at a place shows only the piece there, and all pieces again', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     const square = (x) => [`v ${x} 0 0`, `v ${x + 4} 0 0`, `v ${x + 4} 4 0`, `v ${x} 4 0`];
-    // The second has a face more, so it is piece 1.
+    // The second square has a face more, so it is Piece 1.
     const faces = ['f 1 2 3', 'f 1 3 4', 'f 5 6 7', 'f 5 7 9', 'f 9 7 8'];
     const text = [...square(0), ...square(5), 'v 6 3 0', ...faces].join('\n');
     await tab.drop('squares.obj', text);
@@ -403,7 +403,7 @@ describe('files of surfaces', () => {
     await tab.close();
   });
 
-  test('the check-up tells what the surface is like, and shows where', async () => {
+  test('the check-up describes the surface, and shows the places of its findings', async () => {
     const tab = await Tab.open(browser);
     await tab.dropBytes('cone.ply', everyFile(cone)['little.ply']);
     await opened(tab, 'cone.ply');
@@ -412,7 +412,7 @@ describe('files of surfaces', () => {
     const found = tab.page.locator('#checkup-found');
     const show = found.getByRole('button', { name: 'Show 60 boundary edges' });
     await show.waitFor();
-    // The foot's edges, and those from it to the tip.
+    // The edges of the base, and those from it to the tip.
     const [foot, side] = [2 * Math.sin(Math.PI / 60), Math.hypot(1, 3)];
     assert.match(
       await found.textContent(),
@@ -429,14 +429,14 @@ describe('files of surfaces', () => {
     await show.click();
     await tab.still();
     assert.deepEqual(await picture(), before, 'and taken away');
-    // Another surface is looked over anew.
+    // Another surface needs a new check.
     await tab.page.locator('#surface').selectOption('torus');
     await tab.page.getByText('Nothing is in a curve’s way.').waitFor();
     assert.equal(await found.getByRole('button').count(), 0);
     await tab.close();
   });
 
-  test('boundaries that lie on each other are joined by a click, and the curve stays', async () => {
+  test('a click joins boundaries that coincide, and the curve stays', async () => {
     const tab = await Tab.open(browser);
     const x = [0, 1, 1.00005, 2];
     const corners = x.flatMap((at) => [0, 1].map((y) => `v ${at} ${y} 0`));
@@ -475,7 +475,7 @@ describe('files of surfaces', () => {
     await opened(tab, '*0.000051:gap.obj');
     await tab.settled();
     await joined();
-    // Opened again it is read as usual.
+    // The same file opens with the default options again.
     await drop();
     assert.equal((await info()).components, 2);
     await tab.close();

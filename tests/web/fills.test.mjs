@@ -1,4 +1,5 @@
-// What closed lines enclose is painted: it follows every edit, is picked, kept, and in the files.
+// The inside of closed lines has a fill: it follows every edit, can be picked, is kept, and is in
+// the files.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, openBrowser, openPhone, Tab, touchOf } from './browser.mjs';
@@ -18,7 +19,7 @@ describe('fills', () => {
     await tab.page.locator('#fill').blur();
     await tab.settled();
   }
-  /** Of a region the sum of its triangles, from the mesh alone. */
+  /** The area of a region as the sum of its triangles, from the mesh alone. */
   async function areaOf(tab, { whole, parts, corners }) {
     const { positions, triangles } = await tab.mesh();
     const corner = (face, i) => {
@@ -43,7 +44,7 @@ describe('fills', () => {
     });
     return sum;
   }
-  /** The color in the middle of the stage, of a picture of the page. */
+  /** The color in the middle of the stage, in a picture of the page. */
   async function pixel(tab, [dx, dy]) {
     await tab.still();
     const { x, y } = await tab.middle();
@@ -52,7 +53,7 @@ describe('fills', () => {
     return color;
   }
 
-  test('are painted, follow a drag and undo, and are as large as their triangles together', async (t) => {
+  test('are painted, follow a drag and undo, and have the area of their triangles', async (t) => {
     const whole = await openBrowser({ viewport: { width: 1280, height: 800 }, asUsers: true });
     t.after(() => whole.close());
     const tab = await Tab.open(whole, 'mesh=sphere:1500&kind=polyline');
@@ -87,7 +88,7 @@ describe('fills', () => {
     await tab.close();
   });
 
-  test('are picked by a click inside, moved by a drag there, and come back with the page', async () => {
+  test('are picked by a click inside, moved by a drag there, and restored by a reload', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=circle');
     await tab.page.keyboard.press('o');
     const { x, y } = await tab.middle();
@@ -113,7 +114,7 @@ describe('fills', () => {
     await tab.close();
   });
 
-  test('have a color of their own, and are in the SVG as they are seen', async () => {
+  test('have a color of their own, and are in the SVG as they appear', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=polyline');
     await tab.click(...square);
     await tab.page.locator('#closed').check();
@@ -166,7 +167,7 @@ describe('fills', () => {
   }
   const filled = async (tab) => (await tab.view()).fill.region.area;
 
-  test('keep to their side when a curve is dragged over more than half of the surface', async () => {
+  test('keep their side when a curve is dragged over more than half of the surface', async () => {
     const tab = await nearHalf();
     const whole = 4 * Math.PI;
     const small = await filled(tab);
@@ -238,7 +239,7 @@ describe('fills', () => {
     await tab.close();
   });
 
-  test('are on the other side by a button, and of a curve that runs the other way where they were', async () => {
+  test('change the side by a button, and keep it when the curve is reversed', async () => {
     const tab = await nearHalf();
     const whole = 4 * Math.PI;
     const before = await filled(tab);
@@ -267,7 +268,7 @@ describe('fills', () => {
     await tab.close();
   });
 
-  test('the menu at a place makes an offset, a cut and booleans of what is selected there', async () => {
+  test('the menu at a place makes offsets, cuts and booleans of the selection', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=circle');
     const { x, y } = await tab.middle();
     const items = async () => {
@@ -300,7 +301,7 @@ describe('fills', () => {
     await tab.close();
   });
 
-  test('of an open line are none, and that is said', async () => {
+  test('of an open line are empty, and the page says so', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...square);
     await set(tab, 40);

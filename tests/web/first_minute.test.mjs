@@ -1,4 +1,4 @@
-// What someone sees and can do who opens the page for the first time.
+// The first minute of a new user: what the page shows and allows.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -10,7 +10,7 @@ const sizes = {
 };
 const examples = { bunny: 7, ball: 3, windings: 2, hearts: 4 };
 
-/** The page without an address of a drawing, as for a first visit. */
+/** The page without a drawing in its address, as on a first visit. */
 async function visit(browser) {
   const tab = new Tab(await browser.context.newPage(), browser.address);
   await tab.page.goto(`${browser.address}?antialias=off`);
@@ -123,14 +123,14 @@ describe('the tour and the examples', () => {
     assert.deepEqual([tool, drawing.objects.length], ['select', examples.bunny]);
     await page.locator('#help').click();
     await page.locator('#tour-start').click();
-    // But where it is asked for.
+    // The tour appears only on request.
     await card.waitFor();
     await page.keyboard.press('Escape');
     await card.waitFor({ state: 'hidden' });
     await tab.close();
   });
 
-  test('the tour goes on from dragging to drawing where a file leaves nothing to drag', async () => {
+  test('the tour continues from dragging to drawing when a file leaves no curve to drag', async () => {
     const tab = await visit(browser);
     const { page } = tab;
     const step = () => page.locator('#tour-count').textContent();
@@ -183,7 +183,7 @@ describe('the tour and the examples', () => {
     },
   );
 
-  test('a B-spline of an older link stays as it was', async () => {
+  test('a B-spline of an older link does not change', async () => {
     const points = [10, 200, 400, 600].map((face) => `${face},0.3,0.3`).join(';');
     const tab = await Tab.open(browser, `mesh=sphere:1500&kind=bspline&points=${points}`);
     assert.equal((await tab.state()).figure.settings.clamped, false);

@@ -10,7 +10,7 @@ const strokeAt = ({ x, y }) =>
     y: y + 35 * Math.sin(i / 6),
   }));
 
-/** How far the places of a stroke are seen from the curve, at most, in CSS pixels. */
+/** The largest distance between the places of a stroke and the curve, in CSS pixels. */
 const worstOff = (tab, stroke) =>
   tab.page.evaluate((places) => {
     const { polyline } = window.karcherPage.view().curve;
@@ -34,7 +34,7 @@ describe('freehand', () => {
     for (const { x, y } of rest) await page.mouse.move(x, y);
   }
 
-  test('makes a curve of few anchors near the stroke, as one step; Escape drops it', async (t) => {
+  test('makes a curve of few anchors near the stroke, as one step; Escape cancels the stroke', async (t) => {
     const tab = await Tab.open(browser, 'mesh=sphere:5000');
     const { page } = tab;
     const empty = await bytesOf(tab);
@@ -95,7 +95,7 @@ describe('freehand', () => {
     assert.ok(box.width >= 44 && box.height >= 44);
     await page.touchscreen.tap(box.x + box.width / 2, box.y + box.height / 2);
     assert.equal((await tab.state()).tool, 'freehand');
-    // The surface is seen above the sheet.
+    // The surface is visible above the sheet.
     const center = await page.evaluate(() => window.karcherPage.seen([0, 0, 1]));
     const { touch, together } = await touchOf(page);
     const from = center ?? (await tab.middle());

@@ -1,10 +1,11 @@
-// What is held with a pointer or a key while something else happens: it is let go, and the next drag is as ever.
+// A pointer or key holds something while another action happens: it is released, and the next drag
+// works normally.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
 import { inLongRun } from './part.mjs';
 
-/** Two rectangles beside each other, 4 and 4 wide and 6 high, with a gap between them. */
+/** Two rectangles side by side, each 4 wide and 6 high, with a gap between them. */
 const rectangle = (x) => `v ${x} 0 0\nv ${x + 4} 0 0\nv ${x + 4} 6 0\nv ${x} 6 0\n`;
 const twoParts = `${rectangle(0)}${rectangle(5)}f 1 2 3\nf 1 3 4\nf 5 6 7\nf 5 7 8\n`;
 
@@ -24,10 +25,10 @@ describe('what is held', () => {
 
   let files = 0;
 
-  /** A corner and a smooth anchor, which is selected, on the left one of two parts. */
+  /** A corner and a smooth anchor, which is selected, on the left part. */
   async function drawn() {
     const tab = await Tab.open(browser);
-    // A file of a name of its own: the browser keeps what was drawn on another test's.
+    // Each test has a file name of its own: the browser restores drawings by file.
     await tab.drop(`two-${++files}.obj`, twoParts);
     await tab.page.waitForFunction(() => window.karcherPage.triangles === 4);
     await tab.page.keyboard.press('p');
@@ -38,7 +39,7 @@ describe('what is held', () => {
     return tab;
   }
 
-  test("a pen's handle where no path leads says so, stays in the hand, and comes back", async () => {
+  test('a handle of the pen that no path reaches says so, stays under the pointer, and comes back', async () => {
     const tab = await drawn();
     const { x, y } = await tab.handle('Handle after anchor 2');
     await tab.page.mouse.move(x, y);
@@ -88,7 +89,7 @@ describe('what is held', () => {
         3,
         'what was undone can be done again',
       );
-      // One that goes on is one step with its first anchor.
+      // A continued curve is one step with its first anchor.
       for (let step = 0; step < 2; step++) await tab.page.keyboard.press('Escape');
       await tab.page.keyboard.press('p');
       await tab.drag({ x, y }, { x: x + 30, y });
@@ -131,7 +132,7 @@ describe('what is held', () => {
       };
       assert.equal(await undone(), start, 'it is one step');
       await page.keyboard.press('Control+Shift+z');
-      // The key is down while something else is done.
+      // The key is down during another action.
       await focus();
       await page.keyboard.down('ArrowRight');
       await moves(nudged);
@@ -147,7 +148,7 @@ describe('what is held', () => {
       await moves(bent);
       await still(false);
       assert.equal((await tab.state()).figure.kind, 'bezier');
-      // What is nudged is deleted.
+      // The nudged object is deleted.
       await focus();
       await page.keyboard.down('ArrowUp');
       await still(true);
@@ -164,7 +165,7 @@ describe('what is held', () => {
     },
   );
 
-  test("a handle's nudge whose key is let go elsewhere stays, as one step", async () => {
+  test('a handle’s nudge whose key is released elsewhere stays, as one step', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click([-110, 40], [-40, -10], [40, 50], [110, -10]);
@@ -178,7 +179,7 @@ describe('what is held', () => {
     const nudged = await points();
     assert.notEqual(nudged, start);
     await page.keyboard.up('ArrowRight');
-    // A step that follows takes nothing of it back.
+    // The next step does not undo it.
     await page.keyboard.press('c');
     assert.equal(await points(), nudged);
     await page.keyboard.press('Control+z');
@@ -213,12 +214,12 @@ describe('what is held', () => {
     await tab.close();
   });
 
-  test('a name that is typed is for its object, and its undo is its own', async () => {
+  test('a typed name is for its object, and its undo belongs to the field', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click([-110, 40], [-40, -10], [40, 50], [110, -10]);
     await page.keyboard.press('Enter');
-    // What is no curve yet would go with the choice of another object.
+    // An unfinished curve would be removed with the choice of another object.
     await tab.click([-80, 90], [-40, 110], [0, 100], [40, 110], [80, 90]);
     const name = page.locator('#object-name');
     await name.focus();
@@ -227,7 +228,7 @@ describe('what is held', () => {
     assert.equal((await tab.state()).figure.points.length, 5, 'the drawing is as it was');
     await name.fill('Seam');
     const named = () => tab.state().then(({ drawing }) => drawing.objects.map((one) => one.name));
-    // Another object begins at the press, before the field is left.
+    // The press begins another object, before the field loses the focus.
     await page.evaluate(() => {
       const [other] = [...document.querySelectorAll('#objects .object')].slice(-1);
       other.click();
@@ -243,7 +244,7 @@ describe('what is held', () => {
     await tab.close();
   });
 
-  test('a handle whose anchor is removed is let go', async () => {
+  test('a handle is released when its anchor is removed', async () => {
     const tab = await drawn();
     const { x, y } = await tab.handle('Handle after anchor 2');
     await tab.page.mouse.move(x, y);
@@ -271,7 +272,7 @@ describe('what is held', () => {
   const drawingOf = async (tab) => JSON.stringify((await tab.state()).drawing);
 
   for (const key of ['Delete', 'Control+x', 'Control+d', '7', 'n']) {
-    test(`${key} while a line is dragged ends the drag, and undo finds the place before it`, async () => {
+    test(`${key} during the drag of a line ends the drag, and undo finds the place before it`, async () => {
       const tab = await Tab.open(browser);
       await tab.click(...places);
       await tab.page.keyboard.press('v');
@@ -319,7 +320,7 @@ describe('what is held', () => {
     await tab.page.keyboard.press('Control+z');
     await tab.settled();
     assert.equal(await drawingOf(tab), before);
-    // Released, its last step may be under way.
+    // After the release, its last step may be under way.
     await tab.page.keyboard.press('v');
     const { x, y } = await tab.onCurve(0.6);
     await tab.page.mouse.click(x, y);

@@ -21,10 +21,10 @@ f 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n`,
   'picture.obj': '\x89PNG\r\n\x1a\n\0\0\0\rIHDR',
 };
 
-describe('nothing that was made is lost', () => {
+describe('no work is lost', () => {
   const browser = browserOfSuite({ profile: true, asUsers: true });
 
-  test('a bad file is a sentence, and the curve stays', async () => {
+  test('a bad file gives a sentence, and the curve stays', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     const [document, { polyline }] = [(await tab.state()).figure, await tab.view()];
@@ -50,7 +50,7 @@ describe('nothing that was made is lost', () => {
     ['where the tab has little', (storage) => storage === sessionStorage],
     ['where nothing has any', () => true],
   ]) {
-    test(`a large drawing in place of a small one, ${where}: a reload shows it, or it is said`, async () => {
+    test(`a large drawing replaces a small one, ${where}: a reload shows it, or the page says that it is lost`, async () => {
       const tab = await Tab.open(browser);
       await tab.click(...places);
       await tab.pastSaving();
@@ -66,7 +66,7 @@ describe('nothing that was made is lost', () => {
       });
       const large = { format: 'karcher-drawing', version: 1, active: 1, objects };
       await tab.page.evaluate((test) => {
-        // As in a store that is full, what is shorter still finds room.
+        // As in a full store, shorter texts still find room.
         const full = new Function(`return ${test}`)();
         const set = Storage.prototype.setItem;
         Storage.prototype.setItem = function (name, value) {
@@ -100,7 +100,7 @@ describe('nothing that was made is lost', () => {
       (key) =>
         new Promise((resolve) => {
           const opening = indexedDB.open('karcher', 1);
-          // To make it is the page's part.
+          // The page creates the database itself.
           opening.onupgradeneeded = () => opening.transaction.abort();
           opening.onerror = () => resolve(false);
           opening.onsuccess = () => {
@@ -111,7 +111,7 @@ describe('nothing that was made is lost', () => {
       mesh,
     );
 
-  test('a file is opened, reloaded, and left for a sample and back', async () => {
+  test('a file is opened, reloaded, replaced by a sample, and opened again', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('tetrahedron.obj', tetrahedron);
     await tab.page.waitForFunction(() => window.karcherPage.triangles === 4);
@@ -136,7 +136,7 @@ describe('nothing that was made is lost', () => {
     await tab.close();
   });
 
-  test('a file that was kept as bytes is found', async () => {
+  test('a file that was stored as bytes is found', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('tetrahedron.obj', tetrahedron);
     await tab.page.waitForFunction(() => window.karcherPage.triangles === 4);
@@ -161,7 +161,7 @@ describe('nothing that was made is lost', () => {
     await tab.close();
   });
 
-  test('an engine that breaks is started again, and the curve is edited on', async () => {
+  test('a failed engine is started again, and the curve can still be edited', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     const { polyline } = await tab.view();
@@ -178,7 +178,7 @@ describe('nothing that was made is lost', () => {
     await tab.page.close();
   });
 
-  test('a drawing context that the browser takes away and gives back is drawn in again', async () => {
+  test('the page draws again after the browser takes its drawing context away and returns it', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     const { width, height } = tab.page.viewportSize();
@@ -198,14 +198,14 @@ describe('nothing that was made is lost', () => {
     await until(async () => !(await picture()).equals(whole), 'the stage is empty');
     await lost.evaluate((switched) => switched.restoreContext());
     await until(async () => (await picture()).equals(whole), 'it is drawn again');
-    // The surface and the lines of before are given up, and others drawn.
+    // The surface and the lines from before are disposed of, and others are drawn.
     await tab.page.locator('#surface').selectOption('torus');
     await tab.page.waitForFunction(() => window.karcherPage.state().mesh.startsWith('torus:'));
     await tab.click([0, 100], [60, 100]);
     await tab.close();
   });
 
-  test('reload and the link alone restore what was made', async () => {
+  test('a reload and the link alone restore the drawing', async () => {
     const tab = await Tab.open(browser);
     await tab.page.keyboard.press('2');
     await tab.click(...places);
@@ -228,7 +228,7 @@ describe('nothing that was made is lost', () => {
     }
   });
 
-  test('leaving the page and coming back restores what was made', async () => {
+  test('leaving the page and coming back restores the drawing', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     const [{ figure: document }, { polyline }] = [await tab.state(), await tab.view()];
@@ -311,7 +311,7 @@ describe('nothing that was made is lost', () => {
     ['cube:5', /^The link asks for a surface 'cube:5'/],
   ];
   for (const [mesh, sentence] of part(wrongLinks, 1)) {
-    test(`a link to ${mesh}, which can't be made, is a sentence, and stays`, async () => {
+    test(`a link to ${mesh}, which cannot be made, gives a sentence, and stays`, async () => {
       const fragment = `mesh=${mesh}&kind=bezier&points=1,0.2,0.3`;
       const tab = await Tab.open(browser, fragment);
       const alert = tab.page.getByRole('alert');

@@ -1,9 +1,9 @@
-// What a browser keeps of drawings for the page, and which of it a reload finds.
+// The drawings that a browser keeps for the page, and the one that a reload finds.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { pageModule } from './page_module.mjs';
 
-/** A storage that holds so many letters. */
+/** A storage with room for this many letters. */
 class Store extends Map {
   constructor(room = Infinity) {
     super();
@@ -36,7 +36,7 @@ describe('what is kept', () => {
     page = await pageModule('./kept_parts.ts');
   });
 
-  /** Keeps a link's drawing as the tab of a storage does. */
+  /** Saves a link's drawing from the tab of a storage. */
   const save = (tab, text) => {
     globalThis.sessionStorage = tab;
     const { drawing } = page.parseLink(text);
@@ -44,7 +44,7 @@ describe('what is kept', () => {
     page.rememberAll({ last: text, 'document.sphere:1500': text });
   };
 
-  test('of two tabs on one surface each finds its own after a reload, of any size', () => {
+  test('each of two tabs on one surface finds its own drawing after a reload, of any size', () => {
     globalThis.localStorage = new Store();
     const [one, other, third] = [new Store(), new Store(), new Store()];
     save(one, linkOfPoints(1200));
@@ -65,7 +65,7 @@ describe('what is kept', () => {
     assert.deepEqual([elsewhere.mesh, page.pointsOf(elsewhere.drawing)], ['torus:5000', 0]);
   });
 
-  test('the newest copy is found, wherever there was room, or it is said that there is none', () => {
+  test('a reload finds the newest copy, or the page says that it has none', () => {
     const kept = (count) => {
       const { mesh, method, drawing } = page.parseLink(linkOfPoints(count));
       return page.keepDrawing({ mesh, method, drawing }, page.historyOf());
@@ -82,13 +82,13 @@ describe('what is kept', () => {
         const words = `${count} points, room for ${browser} and ${tab} letters`;
         const fits = count < 1000 || room === Infinity || (count < 2000 && room >= 50_000);
         if (fits) assert.ok(isKept, words);
-        // A short one is in the address itself.
+        // A short link is in the address itself.
         if (isKept && count > 1000) assert.equal(found(), count, words);
       }
     }
   });
 
-  test('is said to be kept only where all of it is', () => {
+  test('is reported as kept only if all of it is', () => {
     const heard = [];
     page.onKeeping((kept) => heard.push(kept));
     globalThis.localStorage = new Store(100);

@@ -1,4 +1,4 @@
-/** What the tests of keeping take of the page's parts: of one import, so that they are the same ones. */
+/** The page's modules for the tests of keeping: a single import, so that they share their state. */
 
 export { historyOf } from '../../web/model/history';
 export { parseLink, pointsOf } from '../../web/model/link';

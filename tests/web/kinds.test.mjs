@@ -1,4 +1,4 @@
-// Every kind of curve on the page, and the edits that are theirs.
+// Every kind of curve on the page, and the edits that belong to it.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { isDeepStrictEqual } from 'node:util';
@@ -37,12 +37,12 @@ const ends = (polyline) => [polyline.slice(0, 3), polyline.slice(-3)];
 describe('kinds of curves', () => {
   const browser = browserOfSuite();
 
-  test('lie on the surface, go where they say, and come back with the link', async () => {
+  test('lie on the surface, meet their points, and are restored by the link', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0');
     await tab.click(...places);
     const surface = await tab.mesh();
     const { diagonal, meanEdge } = surface.info;
-    // Centers are read from fields at vertices: a curve meets its points to a part of an edge.
+    // Centers are read from fields at vertices: a curve meets its points to a fraction of an edge.
     const meets = 0.05 * meanEdge;
     for (const kind of splines) {
       await tab.choose(kind);
@@ -57,7 +57,7 @@ describe('kinds of curves', () => {
         assert.ok(far(end, points.at(-1)) <= meets, `${kind} ends at its last point`);
       }
       if (through.includes(kind)) {
-        // Of a barycentric curve's one segment no sample need lie at a point between the ends.
+        // A barycentric curve has a single segment, whose samples need not lie at inner points.
         const near = kind === 'barycentric' ? curve.length / 100 : meets;
         for (const point of points) assert.ok(distanceTo(polyline, point) <= near, kind);
       }
@@ -111,7 +111,7 @@ describe('kinds of curves', () => {
 
   const sliders = { bspline: 'Weight', rational: 'Weight', barycentric: 'Beta' };
   for (const [kind, name] of part(Object.entries(sliders), 1)) {
-    test(`a ${kind} curve's ${name.toLowerCase()} slider works live, as one step`, async () => {
+    test(`the ${name.toLowerCase()} slider of a ${kind} curve takes effect at once, as one step`, async () => {
       const tab = await Tab.open(browser);
       await tab.click(...places);
       await tab.choose(kind);
@@ -148,13 +148,13 @@ describe('kinds of curves', () => {
   }
 
   for (const kind of part(splines, 2)) {
-    test(`a click on a ${kind} curve puts a point into it`, async () => {
+    test(`a click on a ${kind} curve inserts a point`, async () => {
       const tab = await Tab.open(browser);
       await tab.click(...places);
       await tab.choose(kind);
       const before = await tab.view();
       const { points } = (await tab.state()).figure;
-      // Where a sample is seen, away from all handles and from the knot in the middle.
+      // A visible sample, away from all handles and from the knot in the middle.
       const at = await tab.onCurve(0.3);
       await tab.page.mouse.move(at.x, at.y);
       await tab.page.locator('.preview[data-on="curve"]').waitFor();
@@ -176,7 +176,8 @@ describe('kinds of curves', () => {
             0.05 * meanEdge,
         );
       } else {
-        // The same curve on a plane, and up to the curvature here; a fifth of it spans the sphere.
+        // The curve is the same on a plane, and here up to the curvature; a fifth of it spans the
+        // sphere.
         assert.ok(Math.abs(after.curve.length - before.curve.length) < 0.05 * before.curve.length);
       }
       await tab.page.keyboard.press('Control+z');
@@ -227,7 +228,7 @@ describe('kinds of curves', () => {
     await tab.close();
   });
 
-  test('are cut where they are clicked, and joined again', async () => {
+  test('can be cut at a click, and joined again', async () => {
     const tab = await Tab.open(browser, 'mesh=openSheet:1500');
     await tab.click(...places, [130, 80]);
     for (const kind of part(['bspline', 'catmullrom', 'polyline', 'bezier'], 2)) {
@@ -263,7 +264,7 @@ describe('kinds of curves', () => {
     await tab.close();
   });
 
-  test('a B-spline has its knots as a list, and wrong ones lose nothing', async () => {
+  test('a B-spline has its knots as a list, and wrong lists lose no work', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click(...places);

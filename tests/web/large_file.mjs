@@ -1,6 +1,6 @@
 // A mesh of any size, as a file.
 
-/** A bent grid of about so many triangles, as the bytes of a binary STL file. */
+/** A bent grid of about this many triangles, as the bytes of a binary STL file. */
 export function gridStl(triangles) {
   const cells = Math.round(Math.sqrt(triangles / 2));
   const bytes = Buffer.alloc(84 + 50 * 2 * cells * cells);

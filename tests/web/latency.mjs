@@ -30,7 +30,9 @@ const told = (values) => ({
   steps: values.length,
 });
 
-/** Runs in each page before its own code: nothing is drawn, and `heard` tells of a worker's answers. */
+/**
+ * Runs in each page before its own code: nothing is drawn, and `heard` reports a worker's answers.
+ */
 function watch() {
   for (const name of ['drawElements', 'drawArrays']) {
     for (const whole of [name, `${name}Instanced`]) {
@@ -62,7 +64,7 @@ async function draw20(tab) {
   }
 }
 
-/** Opens a surface: a file's, that of a key, or a sphere of so many triangles. */
+/** Opens a surface: a file, a key, or a sphere of this many triangles. */
 async function openSurface(browser, surface) {
   if (!existsSync(surface)) {
     return Tab.open(browser, `mesh=${/^\d+$/.test(surface) ? `sphere:${surface}` : surface}`);
@@ -72,10 +74,10 @@ async function openSurface(browser, surface) {
   return tab;
 }
 
-/** Opens a file, and waits until it is shown; when it was opened, by the page's clock. */
+/** Opens a file, and waits until it is shown; returns the time of opening, by the page's clock. */
 async function load(tab, path) {
   const dropped = await tab.page.evaluate(() => performance.now());
-  // The browser reads it by itself: so large a file does not go through the test.
+  // The browser reads the file itself: it is too large to pass through the test.
   await tab.page.locator('#file').setInputFiles(path);
   await tab.page.waitForFunction(
     () => {
@@ -89,14 +91,14 @@ async function load(tab, path) {
   return dropped;
 }
 
-/** What a drag of what is at a place costs. */
+/** The cost of a drag at a place. */
 async function measured(tab, place) {
   const { result, longest, main, workers } = await tasksDuring(tab, () => dragged(tab, place));
   const ofProcessor = Number(((main + workers) / (steps + 3)).toFixed(1));
   return { times: { ...told(result), ofProcessor }, longest };
 }
 
-/** Milliseconds from each move of the pointer, which drags what is at a place, to its answer. */
+/** The milliseconds from each move of the pointer, in a drag at a place, to its answer. */
 async function dragged(tab, { x, y }) {
   const { mouse } = tab.page;
   await mouse.move(x, y);
@@ -123,7 +125,7 @@ async function dragged(tab, { x, y }) {
         const angle = (2 * Math.PI * i) / count;
         const at = { clientX: left + 14 * Math.cos(angle), clientY: top + 14 * Math.sin(angle) };
         const before = window.karcherPage.shown;
-        // Frames that are asked for by the event come at once.
+        // Frames that the event requests run at once.
         window.requestAnimationFrame = (run) => {
           queueMicrotask(() => run(performance.now()));
           return 1;
@@ -139,7 +141,7 @@ async function dragged(tab, { x, y }) {
         const end = start + 3000;
         while (window.karcherPage.shown === before && performance.now() < end) await answered();
         if (window.karcherPage.shown !== before) found.push(performance.now() - start);
-        // The geodesics beside the curve are asked for after it.
+        // The geodesics beside the curve are requested after it.
         while (!window.karcherPage.settled && performance.now() < end) {
           await new Promise((resolve) => setTimeout(resolve, 5));
         }
@@ -180,7 +182,7 @@ async function ofSurface(surface) {
   }
 }
 
-/** The longest task while a file of so many triangles is read and shown. */
+/** The longest task while a file of this many triangles is read and shown. */
 async function ofLoading(triangles) {
   const browser = await openBrowser({ profile: true, asUsers: true });
   const folder = mkdtempSync(join(tmpdir(), 'karcher-large-'));

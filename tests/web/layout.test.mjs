@@ -3,10 +3,10 @@ import { describe, test } from 'node:test';
 import { browserOfSuite, Tab, touchOf } from './browser.mjs';
 import { part } from './part.mjs';
 
-describe('where the page is shown', () => {
+describe('the layout of the page', () => {
   const browser = browserOfSuite({ viewport: { width: 390, height: 844 }, hasTouch: true });
 
-  test('a narrow window has no sideways scroll and every tool in reach', async () => {
+  test('a narrow window needs no sideways scroll and has every tool in reach', async () => {
     const tab = await Tab.open(browser);
     const width = await tab.page.evaluate(() => document.scrollingElement.scrollWidth);
     assert.equal(width, 390);
@@ -53,7 +53,7 @@ describe('where the page is shown', () => {
 
   test('a narrow window has facts, repairs, the points and Clear in its sheet', async () => {
     const tab = await Tab.open(browser);
-    // Two squares, the second with vertices of its own along the common edge.
+    // Two squares; the second has its own vertices along the common edge.
     await tab.drop(
       'squares.obj',
       `v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0
@@ -76,7 +76,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     await tab.close();
   });
 
-  test('the sheet is drawn up and down, and leaves the surface most of the height', async () => {
+  test('the sheet is drawn up and down, and leaves most of the height to the surface', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     const handle = page.locator('#sheet-handle');
@@ -140,7 +140,8 @@ f 1 2 3 4\nf 5 6 7 8\n`,
         });
         return [menu.offsetWidth, Math.max(...widths)];
       });
-      // Its padding and that of its items is 36 pixels; a short one is as wide as a hand needs.
+      // The padding of the menu and of its items is 36 pixels; a short menu is as wide as a hand
+      // needs.
       assert.ok(width <= Math.max(words + 40, 170), `${id}: ${width} for ${words}`);
       await page.keyboard.press('Escape');
     }
@@ -249,7 +250,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
       ['touchStart', { x: x - 40, y }],
       ...[8, 16, 24].map((step) => ['touchMove', { x: x - 40 + step, y: y - step }]),
     );
-    // Rays are cast once a frame.
+    // The page casts rays once a frame.
     await tab.page.waitForFunction(() => window.karcherPage.state().dragging);
     await touch('touchEnd');
     await tab.settled();

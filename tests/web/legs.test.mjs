@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
 
-/** On the upper side of the torus, around its axis. */
+/** A point on the upper side of the torus, around its axis. */
 const onRing = (angle) => [Math.cos(angle), Math.sin(angle), 0.4];
 
 describe('legs of the control polygon', () => {
@@ -11,7 +11,7 @@ describe('legs of the control polygon', () => {
   const seen = (tab, angle) =>
     tab.page.evaluate((place) => window.karcherPage.seen(place), onRing(angle));
 
-  /** A polyline of two points, the second of which is dragged nearly all around the ring. */
+  /** A polyline of two points, the second of which was dragged nearly all around the ring. */
   async function drawnAround() {
     const tab = await Tab.open(browser, 'mesh=torus:2000&kind=polyline');
     for (const angle of [0.2, 0.8]) {
@@ -33,7 +33,7 @@ describe('legs of the control polygon', () => {
     return tab;
   }
 
-  test('stay as they are drawn; a shorter way is shown, and a click takes it', async () => {
+  test('stay as drawn; a shorter path is shown, and a click takes it', async () => {
     const tab = await drawnAround();
     const drawn = await tab.view();
     const { figure: document } = await tab.state();
@@ -60,7 +60,7 @@ describe('legs of the control polygon', () => {
     assert.deepEqual((await tab.view()).polyline, drawn.polyline);
     assert.deepEqual((await tab.state()).figure, document);
 
-    // A click on the shorter way itself.
+    // A click on the shorter path itself.
     const place = await tab.page.evaluate(() => {
       const [{ polyline }] = window.karcherPage.view().shorter;
       const middle = 3 * Math.floor(polyline.length / 6);
@@ -80,7 +80,7 @@ describe('legs of the control polygon', () => {
     assert.ok(before.points.every(({ leg }) => leg === undefined));
     await tab.page.keyboard.press('Control+Shift+z');
     assert.deepEqual((await tab.state()).figure, document);
-    // Moved back by Escape, a point has its leg again.
+    // When Escape moves a point back, it has its leg again.
     const handle = await tab.handle('Control point 2 of 2');
     await tab.page.mouse.move(handle.x, handle.y);
     await tab.page.mouse.down();

@@ -1,5 +1,6 @@
-// Lines answer: what a click would take is marked, what is selected is seen beside any line, what the surface hides is
-// thin and can be left out, dashes are as long as the line is wide, and the magnet tells whether it is on.
+// Lines respond: the target of a click is marked, the selection is visible beside any line, hidden
+// parts are thin and can be switched off, dashes are as long as the line is wide, and the magnet
+// shows whether it is on.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab, until } from './browser.mjs';
@@ -16,7 +17,10 @@ const lower = [
 describe('lines', () => {
   const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, asUsers: true });
 
-  /** Colors of the stage, red, green and blue each, of a column of pixels through a place of the window. */
+  /**
+   * Colors of the stage, red, green and blue each, of a column of pixels through a place of the
+   * window.
+   */
   async function column(tab, { x, y }, reach = 16) {
     await tab.still();
     const clip = { x: Math.round(x), y: Math.round(y) - reach, width: 1, height: 2 * reach };
@@ -38,7 +42,7 @@ describe('lines', () => {
     return tab;
   }
 
-  test('that a click would take are marked, and the pointer says that they are moved', async () => {
+  test('are marked as the target of a click, and the pointer shows that they can be moved', async () => {
     const tab = await two();
     for (const other of [0, null]) {
       const place = await tab.onCurve(0.5, other);
@@ -58,13 +62,13 @@ describe('lines', () => {
     await tab.close();
   });
 
-  test('that are selected are seen to be, whatever their width and color', async () => {
+  test('look selected when they are, whatever their width and color', async () => {
     const tab = await two();
     await tab.page.keyboard.press('Control+a');
     for (const width of ['1', '20']) {
       await tab.page.locator('#width').fill(width);
       await tab.page.keyboard.press('Enter');
-      // The color of the mark itself.
+      // The line gets the color of the mark itself.
       await tab.page.locator('#color').fill('#f2b705');
       await tab.page.locator('#color').blur();
       await tab.settled();
@@ -72,7 +76,7 @@ describe('lines', () => {
         const place = await tab.onCurve(0.5, other);
         const colors = await column(tab, place, 24);
         const marked = colors.map(yellow);
-        // Yellow, a seam, the yellow line, a seam and yellow again.
+        // The column shows yellow, a seam, the yellow line, a seam and yellow again.
         const runs = marked.filter((is, i) => is && !marked[i - 1]).length;
         assert.equal(runs, 3, `${width}: ${marked.map(Number).join('')}`);
       }
@@ -89,7 +93,7 @@ describe('lines', () => {
     await tab.page.locator('#color').fill('#c81e5b');
     await tab.page.locator('#color').blur();
     await tab.settled();
-    // Both lines run across the stage: their middles are looked for from the left to the right.
+    // Both lines cross the stage: the search for their middles runs from left to right.
     const kinds = new Set();
     for (let i = 0; i < 40; i++) {
       const place = await tab.onCurve(0.3 + 0.01 * i);
@@ -100,7 +104,7 @@ describe('lines', () => {
     await tab.close();
   });
 
-  test('that differ have settings that say so in whole words', async () => {
+  test('that differ have settings that say so in complete words', async () => {
     const tab = await two();
     const { x, y } = await tab.onCurve(0.5);
     await tab.page.mouse.click(x, y);
@@ -138,7 +142,7 @@ describe('lines', () => {
     await tab.close();
   });
 
-  test('that the surface hides show through until that is switched off', async () => {
+  test('behind the surface are visible until that is switched off', async () => {
     const tab = await two();
     const place = await tab.onCurve(0.5);
     await tab.page.locator('#view').click();
@@ -154,7 +158,7 @@ describe('lines', () => {
     assert.equal(await item.getAttribute('aria-checked'), 'false');
     await tab.page.keyboard.press('Escape');
     const without = await column(tab, at, 110);
-    // Faint and thin, of lines 4 pixels wide: both of them lie there.
+    // The lines are faint and thin, from lines 4 pixels wide: both of them lie there.
     const seen = unlike(shown, without, 8).length;
     assert.ok(seen >= 2 && seen <= 7, `${seen} pixels`);
     await tab.page.locator('#stage').focus();
@@ -164,7 +168,7 @@ describe('lines', () => {
     await tab.close();
   });
 
-  test('of a color that the surface has too are seen by a rim, light in the dark and dark in the light', async () => {
+  test('of a color that the surface has too get a rim, light in the dark and dark in the light', async () => {
     const tab = await two();
     await tab.page.keyboard.press('Control+a');
     const place = await tab.onCurve(0.5);
@@ -183,7 +187,7 @@ describe('lines', () => {
       const runs = rims.filter((is, i) => is && !rims[i - 1]).length;
       assert.equal(runs, 2, `${theme}: ${rims.map(Number).join('')}`);
       await tab.page.keyboard.press('Control+a');
-      // Others are seen without.
+      // Lines of other colors are visible without a rim.
       await tab.page.locator('.swatch[data-color="#d9480f"]').click();
       await tab.page.keyboard.press('Escape');
       await tab.page.keyboard.press('Escape');
@@ -194,10 +198,10 @@ describe('lines', () => {
     await tab.close();
   });
 
-  test('are as wide where the surface turns away as where it faces the view', async () => {
+  test('have the same width where the surface turns away and where it faces the view', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:5000&kind=polyline');
     const { y } = await tab.middle();
-    // How far up the sphere is seen, of places all over it.
+    // The uppermost visible place of the sphere.
     const top = await tab.page.evaluate(() => {
       let least = Infinity;
       for (let i = 0; i < 4000; i++) {
@@ -225,7 +229,7 @@ describe('lines', () => {
     await tab.close();
   });
 
-  test('of the rubber band lead as the next piece will, also out of a handle', async () => {
+  test('of the rubber band show the next piece, even out of a handle', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500');
     const { x, y } = await tab.middle();
     await tab.page.keyboard.press('p');
@@ -236,9 +240,9 @@ describe('lines', () => {
       await tab.page.mouse.move(to.x, to.y + 3);
       await tab.page.mouse.move(to.x, to.y, { steps: 3 });
     };
-    // Where the piece will be seen, high above the way from its anchor.
+    // The place of the next piece, high above the path from its anchor.
     await tab.page.mouse.click(to.x, to.y);
-    // The band is dashed: not every place is in a dash.
+    // The band is dashed: some places lie between dashes.
     const places = [];
     for (const part of [0.7, 0.71, 0.72, 0.73, 0.74]) places.push(await tab.onCurve(part));
     for (const place of places) assert.ok(place.y < y + 10, `${place.y}`);
@@ -259,7 +263,7 @@ describe('lines', () => {
     await tab.close();
   });
 
-  test('have dashes as long as they are wide, in the SVG too', async () => {
+  test('have dashes as long as they are wide, even in the SVG', async () => {
     const tab = await two();
     await tab.page.keyboard.press('Control+a');
     await tab.page.locator('#dash').selectOption('dashed');
@@ -278,7 +282,7 @@ describe('lines', () => {
     await tab.close();
   });
 
-  test('snap to a magnet that tells whether it is on', async () => {
+  test('snap to a magnet that shows whether it is on', async () => {
     const tab = await two();
     const magnet = tab.page.locator('#snap');
     const look = () =>

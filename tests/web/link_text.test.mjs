@@ -1,4 +1,4 @@
-// What a link says of a drawing, and what is taken of one: no browser is needed.
+// The text of links and what is read of them: these tests need no browser.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { circle, figure, load, point, settings } from './figures.mjs';
@@ -15,7 +15,7 @@ describe('links', () => {
   const fitted = (whole, triangles) =>
     drawing.activeObject(link.fitting(drawing.drawingOf(whole), triangles)).figure;
 
-  test('say what they were made of', () => {
+  test('describe what they were made of', () => {
     const curve = {
       ...figure,
       settings: { ...settings, degree: 2, clamped: true, knots: [0, 0.5, 2, 2, 4, 7], levels: 2 },
@@ -93,7 +93,7 @@ describe('links', () => {
     }
   });
 
-  test('of before there were objects keep what was not shown as an object', () => {
+  test('from before there were objects keep the hidden part as an object', () => {
     const fields = 'points=1,0.25,0.5;2,0.25,0.5&circle=5,0.25,0.5;0.5,0,0,1';
     const other = encodeURIComponent('kind=polyline&points=3,0.25,0.5;4,0.25,0.5');
     const shownOf = (kind) => {
@@ -122,7 +122,7 @@ describe('links', () => {
     ]);
   });
 
-  test('say every form of a circle and an ellipse', () => {
+  test('describe every form of a circle and an ellipse', () => {
     const rims = [circle.rim, point(6)];
     const acrosses = [undefined, { radius: 0.2 }, point(7)];
     for (const kind of ['circle', 'ellipse']) {
@@ -137,7 +137,7 @@ describe('links', () => {
     }
   });
 
-  test('leave out what they say wrongly', () => {
+  test('lose only their wrong parts', () => {
     assert.equal(link.parseLink('#'), null);
     const text =
       '#mesh=torus:9&kind=conic&method=magic&points=1,0.2;x;2,0.1,0.2;-1,0,0;3,2,2;4,nan,0';
@@ -192,7 +192,7 @@ describe('links', () => {
     }
   });
 
-  test('count what they say wrongly, and what is beyond the surface', () => {
+  test('count their wrong parts, and those beyond the surface', () => {
     const lost = (fields) => {
       const read = link.parseLink(`#mesh=torus:9&${fields}`);
       return link.lostOf(read, link.fitting(read.drawing, 4));

@@ -1,4 +1,4 @@
-// Links that say too much, or what no page knows: refused or told, and never a failure of the page.
+// Links that are too long or invalid are refused or explained, and never break the page.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import fc from 'fast-check';
@@ -21,7 +21,7 @@ describe('links', () => {
     model = { parseLink, formatLink, linkProblems };
   });
 
-  test('what they say wrongly is told with its bounds and what is taken', () => {
+  test('have wrong parts explained, with the bounds and the replacement', () => {
     const told = (fragment) => model.linkProblems(`mesh=sphere:1500&${fragment}`);
     assert.deepEqual(told('samples=5000000'), [
       "The link's 'samples' must be a whole number from 2 to 5,000, not '5000000'; using 128.",
@@ -65,7 +65,7 @@ describe('links', () => {
     assert.deepEqual(told(others(2000)), ['The link has 2,001 objects; up to 2,000 are read.']);
   });
 
-  test('what a page writes has no problem, and is read as it was written', () => {
+  test('written by a page have no problem, and are read unchanged', () => {
     const { mesh, method, drawing, problems } = model.parseLink(link);
     assert.deepEqual(problems, []);
     const written = model.formatLink(mesh, method, drawing);
@@ -73,7 +73,7 @@ describe('links', () => {
     assert.equal(model.formatLink(mesh, method, model.parseLink(written).drawing), written);
   });
 
-  test('random ones, and some that were good, are read or are none', () => {
+  test('of random text, or changed at random, are read or refused', () => {
     const piece = fc.oneof(
       fc.constantFrom(
         '&',
@@ -125,7 +125,7 @@ describe('links', () => {
         read++;
         const { mesh, method, drawing, problems } = parsed;
         assert.ok(problems.every((one) => typeof one === 'string' && one.length < 400));
-        // What it is read as is a drawing: what is written of it is read as the same, without a word.
+        // The result is a drawing: written and read again it is the same, without a message.
         const written = model.formatLink(mesh, method ?? 'karcher', drawing);
         const again = model.parseLink(written);
         assert.deepEqual(again.problems, []);
@@ -179,7 +179,7 @@ describe('links', () => {
 describe('a page with a link', () => {
   const browser = browserOfSuite();
 
-  test('of 5,000 points refuses it with its bound', async () => {
+  test('of 5,000 points is refused with the bound', async () => {
     const points = Array.from({ length: 5000 }, (_, i) => `${i % 1400},0.3,0.3`).join(';');
     const tab = await Tab.open(browser, `mesh=sphere:1500&kind=bspline&points=${points}`);
     const alert = tab.page.getByRole('alert');
@@ -187,7 +187,7 @@ describe('a page with a link', () => {
     await tab.close();
   });
 
-  test('of more points that was made here is opened: from its file, and by a reload with its steps', async () => {
+  test('of more points that was made here opens: from its file, and by a reload with its steps', async () => {
     const tab = await Tab.open(browser);
     const points = Array.from({ length: 1200 }, (_, i) => `${i},0.25,0.5`).join(';');
     const link = `mesh=sphere:1500&kind=points&method=karcher&points=${points}`;
@@ -202,7 +202,7 @@ describe('a page with a link', () => {
     await tab.close();
   });
 
-  test('whose object is hidden shows nothing of it, also once it could be refined', async () => {
+  test('with a hidden object shows nothing of it, even after a refinement would be due', async () => {
     const points = '1,0.2,0.3;400,0.1,0.1;900,0.3,0.3;7,0.5,0.25';
     const own = `mesh=sphere:1500&kind=bspline&method=karcher&points=${points}`;
     const tab = await Tab.open(browser, `${own}&hidden=1`);
@@ -212,7 +212,7 @@ describe('a page with a link', () => {
     await tab.page.close();
   });
 
-  test('of wrong settings tells them', async () => {
+  test('with wrong settings explains them', async () => {
     const tab = await Tab.open(
       browser,
       'mesh=sphere:1500&kind=spiral&samples=5000000&points=1,0.2,0.3;40,0.1,0.1;90,0.3,0.3;7,0.5,0.25',

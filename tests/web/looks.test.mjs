@@ -1,4 +1,4 @@
-// Relief, a light that turns, and blues that are told apart.
+// Relief, the light that turns, the shadow on the ground, and distinct blues.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -10,7 +10,7 @@ describe('hollows', () => {
     ({ hollowsOf } = await pageModule('../../web/viewer/hollows.ts'));
   });
 
-  /** A square grid of heights, with the normals of its faces' mean. */
+  /** A square grid of heights, with mean normals of its faces. */
   function grid(cells, height) {
     const [positions, normals, triangles] = [[], [], []];
     const at = (i) => i / cells - 0.5;
@@ -36,12 +36,12 @@ describe('hollows', () => {
   }
   const middle = (cells) => (cells / 2) * (cells + 1) + cells / 2;
 
-  /** Of a vertex, from the widest neighborhood to the narrowest, from -1 to 1. */
+  /** The hollow of a vertex, from the widest neighborhood to the narrowest, from -1 to 1. */
   const at = (hollows, vertex) =>
     [...hollows.slice(4 * vertex, 4 * vertex + 4)].map((v) => v / 127);
   const pit = (x, y) => -0.15 * Math.exp(-40 * (x * x + y * y));
 
-  test('are none in a plane and where a saddle bends as much to both sides', () => {
+  test('are 0 in a plane and where a saddle bends equally to both sides', () => {
     const cells = 40;
     for (const height of [() => 0, (x, y) => x * x - y * y, (x, y) => x + 2 * y]) {
       for (const value of at(hollowsOf(...grid(cells, height)), middle(cells))) {
@@ -54,15 +54,15 @@ describe('hollows', () => {
     const cells = 40;
     const deep = at(hollowsOf(...grid(cells, pit)), middle(cells));
     assert.ok(deep[0] > 0.7, `${deep}`);
-    // A neighborhood of the curvature of a ball of its size is dark, a narrower one less so.
+    // A neighborhood with the curvature of a ball of its size is dark, a narrower one less so.
     for (let i = 1; i < 4; i++) assert.ok(deep[i] > 0 && deep[i] < deep[i - 1], `${deep}`);
     const hill = at(hollowsOf(...grid(cells, (x, y) => -pit(x, y))), middle(cells));
     for (const [i, value] of hill.entries()) assert.ok(Math.abs(value + deep[i]) < 0.01);
   });
 
-  test('are the same however finely a place is cut into triangles', () => {
+  test('do not depend on the size of triangles', () => {
     const values = [20, 40, 80].map((cells) => at(hollowsOf(...grid(cells, pit)), middle(cells)));
-    // A grid whose lines are four times as dense on one side as on the other.
+    // A grid with lines four times as dense on one side as on the other.
     const graded = grid(80, pit);
     const cells = 80;
     const warp = (t) => t + 0.6 * (t * t - 0.25);
@@ -82,7 +82,7 @@ describe('hollows', () => {
         );
       }
     }
-    // Where the pit's middle is in it.
+    // The vertices next to the pit's middle.
     let nearest = 0;
     for (let k = 0; k < graded[0].length / 3; k++) {
       const far = (v) => Math.hypot(graded[0][3 * v], graded[0][3 * v + 1]);
@@ -97,7 +97,7 @@ describe('hollows', () => {
     }
   });
 
-  test('have a value at each vertex, whatever the triangles: needles, none, of no area', () => {
+  test('have a value at each vertex, whatever the triangles: needles, missing, or without area', () => {
     const positions = Float32Array.from([0, 0, 0, 1, 0, 0, 0.5, 1e-7, 0, 0.5, 0, 0, 9, 9, 9]);
     const normals = Float32Array.from({ length: 15 }, (_, i) => (i % 3 === 2 ? 1 : 0));
     const hollows = hollowsOf(positions, normals, Uint32Array.from([0, 1, 2, 0, 3, 1, 0, 0, 1]));
@@ -109,7 +109,7 @@ describe('hollows', () => {
 describe('looks', () => {
   const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, asUsers: true });
 
-  /** How bright the stage is at offsets from its middle. */
+  /** The brightness of the stage at offsets from its middle. */
   async function brightness(tab, offsets) {
     await tab.still();
     const { x, y } = await tab.middle();
@@ -132,7 +132,7 @@ describe('looks', () => {
     );
   }
 
-  /** The pixels of the stage that are of the warm clay of inner sides, and how many are of the other. */
+  /** The numbers of the stage's pixels with the warm clay of inner sides, and of the others. */
   async function specksOf(tab) {
     const { x, y } = await tab.middle();
     const clip = { x: x - 300, y: y - 250, width: 600, height: 500 };
@@ -152,7 +152,7 @@ describe('looks', () => {
     }, png);
   }
 
-  test('the light turns by a click, with the hand or by keys', async () => {
+  test('the light turns by a click, by a drag or by keys', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:5000');
     const sides = [
       [-120, -120],
@@ -192,7 +192,7 @@ describe('looks', () => {
     await tab.close();
   });
 
-  /** How bright places to the left and right of the middle are, at a height below it. */
+  /** The brightness of places to the left and right of the middle, at a height below it. */
   const besides = (tab, below) =>
     brightness(
       tab,
@@ -204,9 +204,10 @@ describe('looks', () => {
     await tab.page.keyboard.press('Escape');
   }
 
-  test('the ground has a shadow where that is chosen, also after a reload', async () => {
+  test('the ground has a shadow if the user chooses it, even after a reload', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&view=0,20,2,0,0,0');
-    // A unit of the scene is 200 pixels; the ground's middle lies below the ball, whose rim is 40 aside there.
+    // A unit of the scene is 200 pixels; the ground's middle lies below the ball, whose rim is 40
+    // pixels aside there.
     const below = 108;
     const plain = await besides(tab, below);
     const above = await besides(tab, -below);
@@ -218,12 +219,12 @@ describe('looks', () => {
     await tab.page.reload();
     await tab.settled();
     assert.deepEqual(await besides(tab, below), shaded);
-    // The browser takes the drawing context away and gives it back empty.
+    // The browser takes the drawing context away and returns it empty.
     await tab.page.evaluate(async () => {
       const canvas = document.querySelector('#canvas');
       const context = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
       context.loseContext();
-      // The event is heard first, by what allows that the context comes back.
+      // The page's own listener runs first, so that the context may come back.
       await new Promise((resolve) => setTimeout(resolve));
       const restored = new Promise((resolve) =>
         canvas.addEventListener('webglcontextrestored', resolve, { once: true }),
@@ -242,9 +243,9 @@ describe('looks', () => {
     await tab.page.close();
   });
 
-  test('the shadow lies below the surface as it stands: on the ground of another axis up', async () => {
+  test('the shadow lies below the surface in every position: on the ground of another upward axis', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:320');
-    // A board, which stands on its rim where y is up, and lies where z is.
+    // A board: it stands on its rim with y up, and lies flat with z up.
     const corners = [0, 1].flatMap((z) => [0, 1].flatMap((y) => [0, 1].map((x) => [x, y, z])));
     const quads = ['1 2 4 3', '5 7 8 6', '1 5 6 2', '3 4 8 7', '1 3 7 5', '2 6 8 4'];
     const board = [
@@ -255,7 +256,7 @@ describe('looks', () => {
     await tab.page.getByText('12 triangles').first().waitFor();
     await tab.settled();
     await chooseLook(tab, 'ground-shadow');
-    // From straight above, what is darker is the shadow beside the board.
+    // From directly above, the darker area is the shadow beside the board.
     const shadowFrom = async (axis) => {
       await tab.page.locator('#up').selectOption(axis);
       await tab.settled();
@@ -285,7 +286,7 @@ describe('looks', () => {
       Array.from({ length: values.length / 3 }, (_, i) =>
         [letter, ...values.slice(3 * i, 3 * i + 3).map((value) => value + add)].join(' '),
       );
-    // One triangle at the bottom is left out, which is not seen.
+    // One invisible triangle at the bottom is left out.
     let lowest = 0;
     for (let i = 0; i < triangles.length; i += 3) {
       const height = (at) => positions[3 * triangles[at] + 1];
@@ -303,7 +304,7 @@ describe('looks', () => {
   });
 
   for (const colorScheme of ['light', 'dark']) {
-    test(`the status is read before a surface that fills the view, ${colorScheme}`, async () => {
+    test(`the status is legible before a surface that fills the view, ${colorScheme}`, async () => {
       const tab = await Tab.open(browser, 'mesh=sphere:5000&kind=polyline');
       await tab.page.emulateMedia({ colorScheme });
       await tab.click([-60, 0], [60, 0]);
@@ -334,7 +335,7 @@ describe('looks', () => {
         const lights = Array.from({ length: width * height }, (_, i) =>
           light(data.slice(4 * i, 4 * i + 3)),
         ).sort((a, b) => a - b);
-        // Most of the pixels are of what lies behind.
+        // Most of the pixels belong to the background.
         const behind = lights[lights.length >> 1];
         return Math.max(ink, behind) / Math.min(ink, behind);
       }, png);
@@ -364,7 +365,7 @@ describe('looks', () => {
   });
 
   for (const colorScheme of ['light', 'dark']) {
-    test(`controls, handles and the default line are told apart, ${colorScheme}`, async () => {
+    test(`controls, handles and the default line are distinguishable, ${colorScheme}`, async () => {
       const tab = await Tab.open(browser, 'mesh=sphere:320');
       await tab.page.emulateMedia({ colorScheme });
       const colors = await tab.page.evaluate(() => {

@@ -1,4 +1,4 @@
-// What the threads of a page do for a while, as the browser traces it.
+// Traces the threads of a page for a while, as the browser records them.
 
 /** The page's main thread, and the workers', as the browser calls them. */
 const mainThread = 'CrRendererMain';
@@ -7,9 +7,9 @@ const workerThread = 'DedicatedWorker thread';
 const task = 'ThreadControllerImpl::RunTask';
 
 /**
- * The tasks of a page while something is done: the longest of the main thread by the clock and by the
- * processor's time, which other programs of the machine do not lengthen, and all the processor's time of
- * the main thread and the workers; in milliseconds.
+ * The tasks of a page during an action, in milliseconds: the longest task of the main thread by the
+ * clock, the longest by processor time, which other programs do not lengthen, and the total
+ * processor time of the main thread and the workers.
  */
 export async function tasksDuring(tab, action) {
   const client = await tab.page.context().newCDPSession(tab.page);

@@ -1,4 +1,4 @@
-// Objects that are moved as a whole: on a plane exactly, in one drag there and back, with a mouse.
+// Objects moved as a whole with a mouse: exactly on a plane, and back to the start in one drag.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -60,7 +60,7 @@ describe('objects that are moved', () => {
     await tab.close();
   });
 
-  test('there and back in one drag are the ones they were, and a click moves nothing', async () => {
+  test('are unchanged after a drag there and back, and a click moves nothing', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click(...places);
@@ -98,7 +98,7 @@ describe('objects that are moved', () => {
     await tab.close();
   });
 
-  test('stop where one would leave the surface, and say so', async () => {
+  test('stop before one would leave the surface, and say so', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('flat.obj', flatGrid(16));
     await tab.page.waitForFunction(() => window.karcherPage.triangles === 512);
@@ -117,13 +117,13 @@ describe('objects that are moved', () => {
     await tab.close();
   });
 
-  test('go by arrow keys, ten times as far with Shift, each key one step', async () => {
+  test('move by arrow keys, ten times as far with Shift, each key one step', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click(...places);
     await page.keyboard.press('Enter');
     await tab.settled();
-    // What is selected belongs to the step that follows.
+    // The selection belongs to the next step.
     const whole = await bytesOf(tab);
     await page.locator('#objects .object').last().click();
     await tab.settled();
@@ -145,7 +145,7 @@ describe('objects that are moved', () => {
       await tab.settled();
       await tab.still();
       const to = await tab.handle('Control point 2 of 4');
-      // The surface is curved: what lies elsewhere goes nearly as far.
+      // The surface is curved: objects elsewhere move nearly as far.
       assert.ok(Math.abs(to.x - from.x - dx) < 4 + 0.2 * Math.abs(dy), `${key}: ${to.x - from.x}`);
       assert.ok(Math.abs(to.y - from.y - dy) < 4 + 0.2 * Math.abs(dy), `${key}: ${to.y - from.y}`);
       from = to;

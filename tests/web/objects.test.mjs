@@ -54,7 +54,7 @@ describe('a drawing of many objects', () => {
   });
   after(() => browser.close());
 
-  test('Enter ends a curve and begins another, and a tool hides nothing', async () => {
+  test('Enter ends a curve and begins another, and no tool hides an object', async () => {
     const tab = await drawn(browser);
     assert.deepEqual(await kindsOf(tab), ['bspline', 'bspline', 'circle']);
     const { others, circle } = await tab.view();
@@ -156,7 +156,7 @@ describe('a drawing of many objects', () => {
       () => page.locator('#lower').click(),
       (objects) => objects[2].name === 'Seam',
     );
-    // Selecting is no step of the history: it goes with the next one.
+    // Selecting is no step of the history: it belongs to the next one.
     await clickRow(tab, 3);
     await clickRow(tab, 2, { shift: true });
     await step(
@@ -194,7 +194,7 @@ describe('a drawing of many objects', () => {
     await tab.close();
   });
 
-  test('and what was done to it come back after a reload', async () => {
+  test('is restored by a reload with its history', async () => {
     const tab = await drawn(browser);
     const { page } = tab;
     await page.getByRole('button', { name: 'Violet' }).click();
@@ -248,7 +248,7 @@ describe('a drawing of many objects', () => {
     await page.close();
   });
 
-  test('is saved as a file, and opened again as it was', async () => {
+  test('is saved as a file, and opens again unchanged', async () => {
     const tab = await drawn(browser);
     const { page } = tab;
     await page.getByRole('button', { name: 'Green' }).click();
@@ -275,7 +275,7 @@ describe('a drawing of many objects', () => {
     await tab.close();
   });
 
-  test('is larger than a link takes, and comes back all the same', async () => {
+  test('that exceeds a link is restored all the same', async () => {
     const numbers = randoms(seed);
     const random = () => numbers.next().value / 2;
     const points = Array.from({ length: 500 }, (_, i) => `${i},${random()},${random()}`).join(';');

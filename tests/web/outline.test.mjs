@@ -1,4 +1,4 @@
-// The surface's outline and what is seen of it: against closed forms, and in a saved file.
+// The surface's outline and its visible parts: against closed forms, and in a saved file.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -52,7 +52,7 @@ function sightFrom(eye) {
   camera.lookAt(new Vector3());
   camera.updateMatrixWorld();
   const matrix = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-  // Pixels for a slope of 1 from the middle.
+  // The number of pixels for a slope of 1 from the middle.
   const pixels = stage.height / 2 / Math.tan((15 * Math.PI) / 180);
   return { sight: { eye, matrix: matrix.toArray(), ...stage }, pixels };
 }
@@ -85,7 +85,8 @@ describe('the outline', () => {
       const [line] = contours;
       assert.equal(far(placesOf(line)[0], placesOf(line).at(-1)), 0, 'closed');
       for (const place of placesOf(line)) {
-        // Where p · (e − p) = 0 on the unit sphere. Facets of 5000 triangles lie 1e-3 below it.
+        // The circle has p · (e − p) = 0 on the unit sphere. Facets of 5000 triangles lie 1e-3
+        // below it.
         const along = place.reduce((sum, value, i) => sum + value * eye[i], 0) / away;
         assert.ok(Math.abs(along - 1 / away) < 0.01, `${along} for ${1 / away}`);
       }
@@ -96,12 +97,12 @@ describe('the outline', () => {
         const off = Math.hypot(x - stage.width / 2, y - stage.height / 2);
         assert.ok(Math.abs(off - radius) < 0.004 * radius, `${off} for ${radius}`);
       }
-      // All of it: no other part of a sphere hides it.
+      // The whole circle is visible: no other part of a sphere hides it.
       assert.ok(Math.abs(total(seen, 2) / (2 * Math.PI * radius) - 1) < 0.02);
     }
   });
 
-  test('of a cube is its edges, of which those at the back are hidden', () => {
+  test('of a cube consists of its edges, and those at the back are hidden', () => {
     const eye = [2.1, 1.7, 3.3];
     const { contours, creases, boundary } = parts.outlineOf(cube, eye);
     assert.deepEqual([contours, boundary], [[], []]);
@@ -109,13 +110,13 @@ describe('the outline', () => {
     const { sight } = sightFrom(eye);
     const tree = treeOf(cube);
     const visible = creases.flatMap((line) => parts.visibleParts(line, tree, sight, 0));
-    // The three edges at the corner away from the eye are hidden but for a grain at their ends.
+    // The three edges at the corner away from the eye are hidden, except for a grain at their ends.
     assert.ok(Math.abs(total(visible) - 9) < 0.12, `${total(visible)}`);
     const away = [-0.5, -0.5, -0.5];
     for (const place of visible.flatMap((line) => placesOf(line))) {
       assert.ok(far(place, away) > 0.9, 'nothing near the hidden corner');
     }
-    // Straight from the front: a square, and the depth behind it is hidden.
+    // Seen from the front it is a square, which hides the depth behind it.
     const front = sightFrom([0, 0, 4]);
     const seen = parts.seenOutline(cube, tree, front.sight);
     const side = front.pixels / 3.5;
@@ -126,7 +127,7 @@ describe('the outline', () => {
     assert.ok(Math.abs(total(seen, 2) / (4 * side) - 1) < 0.05);
   });
 
-  test('of an open sheet has its boundary, and none of what is behind the camera', () => {
+  test('of an open sheet includes its boundary, and nothing behind the camera', () => {
     const positions = Float32Array.from([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]);
     const square = { positions, triangles: Uint32Array.from([0, 1, 2, 0, 2, 3]) };
     const { boundary, creases, contours } = parts.outlineOf(square, [0.2, 0.1, 5]);
@@ -141,7 +142,7 @@ describe('the outline', () => {
 describe('a saved outline', () => {
   const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
-  test('lies round the surface, and leaves out what it hides', async () => {
+  test('surrounds the surface, and leaves out hidden parts', async () => {
     const points = '&points=&circle=300,0.3,0.3;0.5,0,0,1';
     const tab = await Tab.open(
       browser,
@@ -158,7 +159,7 @@ describe('a saved outline', () => {
     const svg = readFileSync(await download.path(), 'utf8');
     const { outline, others } = await page.evaluate((text) => {
       const root = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
-      // All along its curves.
+      // The points all along its curves.
       const read = (path) => {
         const length = path.getTotalLength();
         return Array.from({ length: 200 }, (_, i) => {

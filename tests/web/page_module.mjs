@@ -1,8 +1,8 @@
-// The page's own code in Node, as Vite reads it.
+// Loads the page's own code in Node, as Vite reads it.
 import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
 
-/** A module by its path from this folder, with what it imports. */
+/** A module by its path from this folder, with its imports. */
 export async function pageModule(path) {
   const file = fileURLToPath(new URL(path, import.meta.url));
   const { module } = await runnerImport(file, { configFile: false, logLevel: 'error' });

@@ -1,4 +1,4 @@
-/** What the tests take of the page's parts: of one import, so that they are the same ones. */
+/** The page's modules for the tests: a single import, so that they share their state. */
 
 export { Bend } from '../../web/editor/engine/bend';
 export { curveValueOf } from '../../web/editor/engine/compute';

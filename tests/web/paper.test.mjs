@@ -11,7 +11,7 @@ const ids = [
 ];
 
 const numbersOf = ({ lines }, id) => lines.find((line) => line.id === id);
-/** Our line among a panel's. */
+/** Our line in a panel. */
 const oursIn = (lines) =>
   ['karcher', 'karcherExact', 'circleArcs'].find((one) => lines.includes(one));
 
@@ -53,7 +53,7 @@ describe('the Paper page', () => {
           ]),
         ),
       );
-  /** Until the panel's canvas shows something. */
+  /** Waits until the panel's canvas shows a picture. */
   const drawn = async (panel) =>
     page.waitForFunction(
       (canvas) => {
@@ -95,7 +95,7 @@ describe('the Paper page', () => {
     });
   }
 
-  /** A panel's SVG and JSON as they would be saved, read again. */
+  /** A panel's SVG and JSON, saved and read again. */
   const saved = (id, index) =>
     page.evaluate(
       ([figure, i]) => {
@@ -114,7 +114,7 @@ describe('the Paper page', () => {
       [id, index],
     );
 
-  // A center, and curves that are soon traced.
+  // A center, and curves that are traced quickly.
   for (const id of long ? ids : ['means', 'graph']) {
     test(`has the figure '${id}' saved, moved and switched`, async () => {
       await open(id);
@@ -163,7 +163,7 @@ describe('the Paper page', () => {
     }
   });
 
-  test('a point that is dragged takes the curves of all panels that share it along', async () => {
+  test('a dragged point changes the curves of all panels that share it', async () => {
     await open('paths');
     const panels = page.locator('#paths .panel-card');
     const json = () =>
@@ -189,7 +189,7 @@ describe('the Paper page', () => {
     });
   });
 
-  test('a method is switched off and on, and one that was off is computed when asked for', async () => {
+  test('a method is switched off and on, and one that was off is computed on request', async () => {
     await open('plane');
     const panel = page.locator('#plane .panel-card').first();
     await panel.scrollIntoViewIfNeeded();
@@ -209,14 +209,14 @@ describe('the Paper page', () => {
       const { panels } = window.karcherPaper.sections.find(({ element }) => element.id === figure);
       return JSON.parse(panels[0].json());
     }, id);
-  test('sliders change a rational curve, and a method that was off is measured anew', async () => {
+  test('sliders change a rational curve, and a method that was off is measured again', async () => {
     await open('rational');
     const panel = page.locator('#rational .panel-card').first();
     const box = panel.locator('tr[data-line="paper"] input');
     const before = numbersOf(await firstJson('rational'), 'paper');
     await box.uncheck();
     const slider = panel.locator('input[type="range"]').nth(1);
-    // At once: what was measured before is not said of this curve.
+    // The earlier measurements disappear at once, since they are of another curve.
     const atOnce = await slider.evaluate((range) => {
       range.value = '1';
       range.dispatchEvent(new Event('input', { bubbles: true }));
@@ -248,7 +248,7 @@ describe('the Paper page', () => {
     assert.equal(await title.textContent(), 'Cubic, weights 1');
   });
 
-  test('says where the editor has no such weights', async () => {
+  test('says so where the editor cannot have the weights', async () => {
     await open('rational');
     const panel = page.locator('#rational .panel-card').first();
     const slider = (i) => panel.locator('input[type="range"]').nth(i);
@@ -267,7 +267,7 @@ describe('the Paper page', () => {
     assert.deepEqual([await link.isVisible(), await why.isVisible()], [true, false]);
   });
 
-  test('every method has a residual by exact paths, the reference too', async () => {
+  test('every method has a residual by exact paths, even the reference', async () => {
     await open('gallery');
     const panel = page.locator('#gallery .panel-card').nth(2);
     await panel.locator('tr[data-line="exactLogs"] input').check();
@@ -276,11 +276,11 @@ describe('the Paper page', () => {
     for (const id of ['bSurf', 'paper', 'karcher', 'exactLogs']) {
       assert.match(all[id][0], /^0\.\d+/, `${id}: ${all[id]}`);
     }
-    // The reference deviates from nothing, and its energy is that of the reference.
+    // The reference does not deviate from itself, and its energy difference is 0.
     assert.deepEqual([all.exactLogs[2], all.exactLogs[1]], ['–', '0']);
   });
 
-  test('a method that was off while a point moved is measured anew', async () => {
+  test('a method that was off while a point moved is measured again', async () => {
     await open('circles');
     const panel = page.locator('#circles .panel-card').first();
     const box = panel.locator('tr[data-line="isolineLinear"] input');
@@ -295,7 +295,7 @@ describe('the Paper page', () => {
     assert.notDeepEqual(after.deviation, before.deviation);
   });
 
-  /** What the editor shows of a panel's link, and what the panel shows. */
+  /** The curve that the editor shows for a panel's link, and the panel's own. */
   async function openedInEditor(figure, index) {
     await open(figure);
     const href = await page
@@ -349,7 +349,7 @@ describe('the Paper page', () => {
       );
       const numbers = panel.curve.weights ?? panel.curve.betas ?? [];
       const name = kind === 'barycentric' ? 'beta' : 'weight';
-      // Only their ratios count.
+      // Only the ratios count.
       const factor = (edited.points[0][name] ?? 1) / numbers[0];
       numbers.forEach((number, i) => {
         assert.ok(Math.abs((edited.points[i][name] ?? 1) - factor * number) < 1e-5 * number);
@@ -371,7 +371,7 @@ describe('the Paper page', () => {
     await section.scrollIntoViewIfNeeded();
     await section.getByLabel('Samples per segment').selectOption('128');
     const cells = () => page.evaluate(() => window.karcherPaper.table.cells);
-    /** As long as one cell comes after the other. */
+    /** Waits while cells follow one another. */
     const idle = async () => {
       const settled = () => page.evaluate(() => window.karcherPaper.table.settled);
       while (!(await settled())) {
@@ -422,12 +422,12 @@ describe('the Paper page', () => {
     assert.deepEqual(logged, []);
   });
 
-  test('Table 1 says in a cell why its method failed', async () => {
+  test('Table 1 shows in a cell why its method failed', async () => {
     const section = page.locator('#table');
     await page.evaluate(() => {
       const { table } = window.karcherPaper;
       const row = table.rows.find(({ id }) => id === 'knot-500k');
-      // Hardly a tube any more: too many faces are folded over in eight dimensions.
+      // The tube degenerates: too many faces are folded in eight dimensions.
       const of = { ...row.mesh, triangles: 20_000 };
       table.start([{ ...row, mesh: { kind: 'simplified', of, triangles: 90 } }]);
     });
@@ -446,10 +446,10 @@ describe('the Paper page', () => {
     assert.deepEqual(logged, []);
   });
 
-  test('Table 1 is cancelled inside a long step, and runs again', async () => {
+  test('Table 1 can be cancelled inside a long step, and run again', async () => {
     const section = page.locator('#table');
     const status = () => section.getByRole('status').textContent();
-    /** Starts a run; whether there is something to save at once. */
+    /** Starts a run; returns whether anything can be saved at once. */
     const start = (triangles) =>
       page.evaluate((count) => {
         const { table } = window.karcherPaper;
@@ -476,7 +476,7 @@ describe('the Paper page', () => {
     { width: 1280, height: 800 },
     { width: 390, height: 844 },
   ]) {
-    test(`every control is hit where it is clicked, ${viewport.width} wide`, async (t) => {
+    test(`a click hits every control, ${viewport.width} px wide`, async (t) => {
       await page.setViewportSize(viewport);
       await page.evaluate(() => {
         for (const details of document.querySelectorAll('details')) details.open = true;
@@ -496,7 +496,7 @@ describe('the Paper page', () => {
     });
   }
 
-  test('a narrow window has no sideways scroll', async () => {
+  test('a narrow window needs no sideways scroll', async () => {
     await page.setViewportSize({ width: 390, height: 844 });
     assert.equal(await page.evaluate(() => document.scrollingElement.scrollWidth), 390);
     await page.emulateMedia({ colorScheme: 'dark' });

@@ -36,7 +36,7 @@ describe('the paper, judged', () => {
 
   const verdicts = ['holds', 'does not', 'depends', 'settled here', 'open', 'not measured here'];
   test('every claim has a row with a verdict, and leads to its figure', async () => {
-    // What needs no report is judged by the figures as they are measured.
+    // Figures judge the claims that need no report when they are measured.
     await open('means');
     const four = page.locator('#claims tr[data-claim="four-points"]');
     assert.match(await four.locator('td').nth(1).textContent(), /center is [0-9.]+ h/);
@@ -71,7 +71,7 @@ describe('the paper, judged', () => {
     await page.evaluate(() => {
       const { sections } = window.karcherPaper;
       const { panels } = sections.find(({ element }) => element.id === 'means');
-      // Around the equator.
+      // Four points around the equator.
       panels[0].setPoints([
         [1.4, 0, 0],
         [0, 1.4, 0],
@@ -103,7 +103,7 @@ describe('the paper, judged', () => {
     assert.notEqual(other[1], turned[1]);
   });
 
-  test('Figure 7: every curve tells how far it leaps under a drag, until its points move', async () => {
+  test('Figure 7: every curve shows how far it leaps in a drag, until its points move', async () => {
     await open('far');
     const panel = page.locator('#far .panel-card').first();
     const turning = () =>
@@ -140,7 +140,7 @@ describe('the paper, judged', () => {
     for (const [id, text] of await turning()) assert.doesNotMatch(text, /drag/, id);
   });
 
-  test('Figure 8: another anisotropy is another mesh, measured anew', async () => {
+  test('Figure 8: another anisotropy is another mesh, measured again', async () => {
     await open('plane');
     const caption = await page.locator('#plane > .caption').textContent();
     assert.match(caption, /“Paper, 1-ring”: Eq\. 3 as printed/);
@@ -174,7 +174,7 @@ describe('the paper, judged', () => {
         const { carried, points, source, target, reason } = window.karcherPaper.carried.shown;
         return { carried, points, reason, source: [...source[0]], target: [...target[0]] };
       });
-    // The page may not have heard of the hand yet when `settled` is read.
+    // The page may not have received the pointer's event when `settled` is read.
     const moved = async (earlier) => {
       const at = String(earlier.target);
       await until(async () => String((await shown()).target) !== at, 'the target has moved');
@@ -188,7 +188,7 @@ describe('the paper, judged', () => {
     const handle = (side) => section.locator(`[data-panel="${side}"] .handle`).first();
     for (const side of ['target', 'source']) {
       const earlier = await shown();
-      // The mouse reaches what is in view only.
+      // The mouse reaches only visible elements.
       await handle(side).scrollIntoViewIfNeeded();
       const box = await handle(side).boundingBox();
       await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
@@ -261,7 +261,7 @@ describe('the paper, judged', () => {
     assert.ok(empty < 0.25, `${empty} of the width is empty on the right`);
   });
 
-  test('nothing of a table is cut off at 1280 px, however long its numbers are', async () => {
+  test('a table is not cut off at 1280 px, however long its numbers are', async () => {
     await open('resolution');
     await page.setViewportSize({ width: 1280, height: 800 });
     const beyond = await page.evaluate(() => {

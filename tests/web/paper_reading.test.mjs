@@ -1,4 +1,4 @@
-// The Paper page as a reader meets it: what is in sight, and what stands there before it is computed.
+// The Paper page as a reader meets it: what is visible, and what it shows before computing.
 import assert from 'node:assert/strict';
 import { after, afterEach, before, describe, test } from 'node:test';
 import { openBrowser } from './browser.mjs';
@@ -18,8 +18,8 @@ describe('the Paper page for readers', () => {
   afterEach(() => page.close());
 
   /**
-   * Opens the page. With `held` its workers do not begin before the returned function is called: what
-   * they are waited for with is seen.
+   * Opens the page. With `held` its workers start only when the returned function is called, so
+   * that the waiting state is visible.
    */
   async function open({ query = '?antialias=off', held = false, hash = '' } = {}) {
     page = await browser.context.newPage();
@@ -41,7 +41,7 @@ describe('the Paper page for readers', () => {
     page.evaluate((wanted) => {
       document.getElementById(wanted).scrollIntoView({ behavior: 'instant' });
     }, id);
-  /** How much of an element is in sight, in pixels of its height. */
+  /** The visible height of an element in pixels. */
   const inSight = (locator) =>
     locator.evaluate((element) => {
       const { top, bottom } = element.getBoundingClientRect();
@@ -53,7 +53,7 @@ describe('the Paper page for readers', () => {
     [1280, 800],
     [390, 844],
   ]) {
-    test(`a figure is in sight with its title, before its caption unfolds, at ${width} px`, async () => {
+    test(`a figure is visible with its title, before its caption unfolds, at ${width} px`, async () => {
       const release = await open({ held: true });
       await page.setViewportSize({ width, height });
       for (const id of ids) {
@@ -73,7 +73,7 @@ describe('the Paper page for readers', () => {
     });
   }
 
-  test('saved numbers stand in tables until they are computed, and panels say what they wait for', async () => {
+  test('saved numbers stand in tables until they are computed, and panels name what they wait for', async () => {
     const release = await open({ held: true });
     await goTo('circles');
     const circle = page.locator('#circles .panel-card').first();
@@ -97,7 +97,7 @@ describe('the Paper page for readers', () => {
     assert.equal(await circle.locator('.saved-note').isVisible(), false);
   });
 
-  test('the last saved Table 1 stands there until it is run', async () => {
+  test('the last saved Table 1 is shown until the table is run', async () => {
     const release = await open({ held: true });
     await goTo('table');
     const cell = page.locator('#table tr[data-row="bunny-4k"] td[data-method="karcher"]').first();
@@ -107,7 +107,7 @@ describe('the Paper page for readers', () => {
       await status.textContent(),
       /^Measured on \d{4}-.* by version .*“Run” measures it/,
     );
-    // Whose machine the numbers are of is told with them.
+    // The machine of the numbers is named with them.
     assert.doesNotMatch(await page.evaluate(() => window.karcherPaper.table.csv()), /Mozilla/);
     await page.getByRole('button', { name: 'Run', exact: true }).click();
     assert.equal(await cell.textContent(), '');
@@ -115,11 +115,11 @@ describe('the Paper page for readers', () => {
     release();
   });
 
-  test('what is in sight is computed first, also where others were asked for before', async () => {
+  test('visible figures are computed first, even if others were requested before', async () => {
     const release = await open({ query: '?antialias=off&detail=0.02', held: true });
     for (const id of ids.slice(0, 10)) {
       await goTo(id);
-      // Until the page has seen that it is near.
+      // Waits until the page has noticed that it is near.
       await page.waitForFunction(
         (wanted) =>
           ['transport', 'carried'].includes(wanted) ||
@@ -141,7 +141,7 @@ describe('the Paper page for readers', () => {
     assert.ok(others.length <= 2, `${others}`);
   });
 
-  test('a loupe shows curves larger, follows the mouse, goes by keys and is put away', async () => {
+  test('a loupe enlarges curves, follows the mouse, moves by keys and can be closed', async () => {
     await open({ query: '?antialias=off&detail=0.02' });
     await goTo('paths');
     const panel = page.locator('#paths .panel-card').first();
@@ -161,7 +161,7 @@ describe('the Paper page for readers', () => {
       );
       return picture();
     };
-    // A canvas has this width until something is drawn.
+    // A canvas has this width until it is drawn.
     await page.waitForFunction(
       (canvas) => canvas.width !== 300,
       await loupe.locator('canvas').elementHandle(),

@@ -1,8 +1,8 @@
-// What a run takes of many like cases: always the same, so that a fault does not show first in somebody
-// else's commit.
+// Chooses a part of many similar cases for a run: always the same part, so that a fault does not
+// first appear with somebody else's commit.
 import { test } from 'node:test';
 
-/** Draws the random cases: always the same ones, or those of KARCHER_SEED. */
+/** The seed of the random cases: always the same one, or KARCHER_SEED. */
 export const seed = Number(process.env.KARCHER_SEED ?? 1);
 if (!Number.isSafeInteger(seed)) throw new Error('KARCHER_SEED must be an integer');
 export const long = process.env.KARCHER_LONG === '1';
@@ -17,20 +17,23 @@ export function* randoms(start) {
   }
 }
 
-/** The same as a function that gives the next one. */
+/** The same as a function that returns the next number. */
 export function randomFrom(start) {
   const numbers = randoms(start);
   return () => numbers.next().value;
 }
 
-/** All cases in a long run (`npm run check:long`), else `count` of them: the first, the last and what lies evenly between. */
+/**
+ * All cases in a long run (`npm run check:long`), else `count` of them: the first, the last and
+ * evenly spaced ones between.
+ */
 export function part(cases, count) {
   if (long || cases.length <= count) return cases;
   const apart = (cases.length - 1) / Math.max(count - 1, 1);
   return Array.from({ length: count }, (_, i) => cases[Math.round(i * apart)]);
 }
 
-/** A test that is like others of its file, and left to a long run. */
+/** A test that resembles others of its file and runs only in a long run. */
 export function inLongRun(name, run) {
   test(name, { skip: !long && 'in a long run' }, run);
 }

@@ -1,4 +1,4 @@
-// Fills that are hatched or striped, by distances: on the page, in files, links and the history.
+// Fills hatched or striped by distances: on the page, in files, links and the history.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -28,7 +28,7 @@ describe('patterns of fills', () => {
     await tab.page.locator('#pattern').blur();
     await tab.settled();
   }
-  /** The area of the painted triangles of an SVG, in pixels. */
+  /** The area of the painted triangles in an SVG, in pixels. */
   async function paintedArea(tab) {
     const { text } = await tab.save('SVG');
     const [, path] = /<path fill="[^"]+" fill-opacity="[^"]+" d="([^"]*)"/.exec(text);
@@ -41,7 +41,7 @@ describe('patterns of fills', () => {
       }, 0);
   }
 
-  test('cover the part of the area that they should, of a plane', async () => {
+  test('cover the right part of the area, on a plane', async () => {
     const tab = await drawn('plane:grid:200');
     await tab.page.locator('#fill').fill('50');
     await tab.page.keyboard.press('Enter');
@@ -52,14 +52,14 @@ describe('patterns of fills', () => {
     await choose(tab, 'hatched', side / 16);
     const hatched = (await paintedArea(tab)) / whole;
     assert.ok(Math.abs(hatched - 1 / 4) < 0.02, `${hatched}`);
-    // Of four bands along the border of a square the first and the third.
+    // The first and the third of four bands along the border of a square.
     await choose(tab, 'striped', side / 8);
     const striped = (await paintedArea(tab)) / whole;
     assert.ok(Math.abs(striped - (1 - 9 / 16 + 4 / 16 - 1 / 16)) < 0.02, `${striped}`);
     await tab.close();
   });
 
-  test('are undone, follow a drag, and come back with the page and by a link', async () => {
+  test('are undone, follow a drag, and are restored by a reload and by a link', async () => {
     const tab = await drawn('sphere:1500');
     const before = JSON.stringify((await tab.state()).drawing);
     await choose(tab, 'hatched');
@@ -80,7 +80,7 @@ describe('patterns of fills', () => {
     await tab.close();
   });
 
-  test('stay solid where there would be too many lines to tell apart', async () => {
+  test('stay solid if they would have too many lines', async () => {
     const tab = await drawn('plane:grid:200');
     await choose(tab, 'solid');
     await tab.page.locator('#fill').fill('50');

@@ -10,18 +10,18 @@ const dot = (a, b) => a.reduce((sum, value, axis) => sum + value * b[axis], 0);
 describe('the pen', () => {
   const browser = browserOfSuite();
 
-  /** A place of the stage by its offsets from the middle. */
+  /** A place of the stage by its offset from the middle. */
   async function placeOf(tab, [dx, dy]) {
     const { x, y } = await tab.middle();
     return { x: x + dx, y: y + dy };
   }
 
-  /** Presses at one place, drags to another, and lets go. */
+  /** Presses at one place, drags to another, and releases. */
   async function pull(tab, from, to) {
     await tab.drag(await placeOf(tab, from), await placeOf(tab, to));
   }
 
-  /** A corner, a smooth anchor, and a corner. */
+  /** Draws a corner, a smooth anchor, and a corner. */
   async function drawn(mesh = 'sphere:1500') {
     const tab = await Tab.open(browser, `mesh=${mesh}`);
     await tab.page.keyboard.press('p');
@@ -31,7 +31,7 @@ describe('the pen', () => {
     return tab;
   }
 
-  test('places corners by clicks and smooth anchors by drags, each one step', async () => {
+  test('places corners by clicks and smooth anchors by drags, each as one step', async () => {
     const tab = await Tab.open(browser);
     await tab.page.keyboard.press('p');
     assert.match(await tab.page.locator('#hint').textContent(), /^Click to place a corner/);
@@ -69,7 +69,7 @@ describe('the pen', () => {
     await tab.close();
   });
 
-  test('drags handles and anchors, Alt breaks them, and all of it comes back with the link', async () => {
+  test('drags handles and anchors, Alt breaks them, and the link restores everything', async () => {
     const tab = await drawn();
     const { page } = tab;
     const anchor = await tab.handle('Anchor 2 of 3');
@@ -147,7 +147,7 @@ describe('the pen', () => {
     await tab.close();
   });
 
-  test('bends the curve by a drag, and removes an anchor by a double click, each one step', async () => {
+  test('bends the curve by a drag, and removes an anchor by a double click, each as one step', async () => {
     const tab = await drawn();
     const { page } = tab;
     const whole = await bytesOf(tab);
@@ -200,7 +200,7 @@ describe('the pen', () => {
     await tab.settled();
     assert.equal(await bytesOf(tab), whole);
 
-    // The handles stay where they are from then on.
+    // The handles stay in place from then on.
     await page.waitForFunction(() => !window.karcherPage.view().refining);
     await tab.still();
     await page.keyboard.down('Alt');
@@ -233,7 +233,7 @@ describe('the pen', () => {
       },
       [Object.values(after.path).slice(0, 3), told.direction],
     );
-    // Seen from the side the surface is foreshortened.
+    // The surface is foreshortened at the side.
     assert.ok(Math.abs(seen) < 0.15, `to the right: ${seen}`);
     await page.keyboard.press('n');
     await page.locator('#stage').focus();
@@ -256,7 +256,7 @@ describe('the pen', () => {
     await page.locator('#tool-pen').tap();
     assert.equal((await penOf(tab)).kind, 'pen');
     const { together } = await touchOf(page);
-    // The surface is seen above the sheet.
+    // The surface is visible above the sheet.
     const middle = await page.evaluate(() => window.karcherPage.seen([0, 0, 1]));
     const at = (dx, dy) => ({ x: middle.x + dx, y: middle.y + dy });
     const anchors = async () => {

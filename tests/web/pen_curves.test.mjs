@@ -1,4 +1,5 @@
-// Curves of the pen against cubic Bézier curves of the plane, and their smoothness elsewhere.
+// Curves of the pen against cubic Bézier curves of the plane, and their smoothness on other
+// surfaces.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { arraysOfShape, openPage } from './engine_in_node.mjs';
@@ -75,7 +76,7 @@ describe('curves of the pen', () => {
     });
   }
 
-  test('of corners alone are straight, and of one anchor none', async () => {
+  test('of corners alone are straight, and a single anchor has none', async () => {
     const places = await Promise.all(spots.map(([x, y]) => pointAt(plane, arrays, x, y)));
     const { curve } = await drawPen(plane, places);
     const length = spots.slice(1).reduce((sum, spot, i) => sum + far(spot, spots[i]), 0);
@@ -83,7 +84,7 @@ describe('curves of the pen', () => {
     assert.equal((await drawPen(plane, places.slice(0, 1))).curve, null);
   });
 
-  test('keep their shape on a plane where an anchor is put in', async () => {
+  test('keep their shape on a plane when an anchor is inserted', async () => {
     const points = await anchors(plane);
     const before = await drawPen(plane, points);
     const { position, segment } = before.curve.samples;
@@ -101,7 +102,7 @@ describe('curves of the pen', () => {
         bernstein(i / 199).reduce((sum, weight, k) => sum + weight * old[k][axis], 0),
       ),
     );
-    // The two halves run where the whole did.
+    // The two halves run where the whole curve did.
     const line = after.curve.samples.position;
     for (const place of places) {
       let least = Infinity;
@@ -110,7 +111,7 @@ describe('curves of the pen', () => {
       }
       assert.ok(least < 3e-3, `${least}: samples are as far apart`);
     }
-    // Its chords are others.
+    // The chords differ.
     assert.ok(Math.abs(after.curve.length / before.curve.length - 1) < 1e-4);
     plane.editor.undo();
     assert.deepEqual(plane.editor.state.figure.points, points);

@@ -1,17 +1,18 @@
-// The pen's segments, whose legs follow the hand: by the page's parts in Node, and dragged on the page.
+// The legs of the pen's segments follow the pointer: tested with the page's modules in Node, and
+// dragged on the page.
 import assert from 'node:assert/strict';
 import { beforeEach, describe, test } from 'node:test';
 import { load } from 'karcher';
 import { browserOfSuite, Tab } from './browser.mjs';
 import { arraysOfShape, openPage } from './engine_in_node.mjs';
 
-/** Along a geodesic around the tube of a torus; half of it is 1.25 long. */
+/** Points along a geodesic around the tube of a torus; half of it is 1.25 long. */
 const mesh = (await load()).shape('torus', 2000);
 const start = mesh.surfacePoint(5, [0.2, 0.3, 0.5]);
 const along = (length) => {
   const { end } = mesh.straightest(start, [0, 0, Math.sign(length) || 1], Math.abs(length));
   const [, u, v] = end.bary;
-  // As links tell them.
+  // The form of points in links.
   return { face: end.face, bary: [Math.max(0, 1 - u - v), u, v] };
 };
 const smooth = (at) => ({
@@ -63,7 +64,7 @@ describe('legs of the pen', () => {
   const places = (from, to) =>
     Array.from({ length: Math.round((to - from) / 0.05) }, (_, i) => from + 0.05 * (i + 1));
 
-  /** A corner and a smooth anchor that is dragged on around the tube. */
+  /** A corner and a smooth anchor that is dragged further around the tube. */
   async function drawnOut(more = []) {
     await draw([along(0), smooth(0.3), ...more]);
     for (const at of places(0.3, 1.9)) {
@@ -72,7 +73,7 @@ describe('legs of the pen', () => {
     }
   }
 
-  test('are continued while an anchor is dragged, and stay as they are drawn', async () => {
+  test('are continued while an anchor is dragged, and stay as drawn', async () => {
     await drawnOut();
     await release();
     assert.deepEqual(legs(), [true, false]);
@@ -80,7 +81,7 @@ describe('legs of the pen', () => {
     const [{ index, part }, ...others] = page.session.view.shorter;
     assert.deepEqual([index, others], [0, []]);
     assert.ok(part < 0.9, `${part}`);
-    // It is one step, with its legs.
+    // It is one step, including its legs.
     const drawn = figure();
     page.editor.undo();
     await page.settled();
@@ -96,11 +97,11 @@ describe('legs of the pen', () => {
     assert.deepEqual(page.session.view.shorter, []);
   });
 
-  test('are continued while a handle is dragged, and those at the other handle, too', async () => {
+  test('are continued while a handle is dragged, as are those at the other handle', async () => {
     const points = [along(0.9), smooth(0), along(-0.9)];
     await draw(points);
     const whole = length();
-    // Opposite to each other the handles turn around the tube; longer and longer.
+    // The opposite handles turn around the tube and grow.
     const led = (at) => ({
       ...points[1],
       tangents: { after: along(at), before: { length: null } },
@@ -111,7 +112,7 @@ describe('legs of the pen', () => {
     assert.ok(length() > whole, 'the segments go back over their anchor');
     assert.deepEqual(legs(), [true, true, false]);
     assert.equal(shorter.length, 2);
-    // As they are saved they are drawn again.
+    // The saved legs are drawn again.
     const { drawing, method } = page.editor.state;
     const { drawing: read } = page.parseLink(page.formatLink('torus:2000', method, drawing));
     assert.deepEqual(read.objects[0].figure, figure());
@@ -128,7 +129,7 @@ describe('legs of the pen', () => {
       { ...along(0), tangents: { after: along(before) } },
       { ...along(1.1), tangents: { before: along(after) } },
     ];
-    /** Of the curve on the geodesic, there and back. */
+    /** The length along the geodesic, there and back. */
     const wayOf = (b, c) => {
       const at = (t) => 3 * t * (1 - t) ** 2 * b + 3 * t * t * (1 - t) * c + 1.1 * t ** 3;
       const steps = Array.from({ length: 1000 }, (_, i) => at((i + 1) / 1000) - at(i / 1000));
@@ -142,7 +143,7 @@ describe('legs of the pen', () => {
       const to = { ...base, points: handles(b, c) };
       page.editor.preview({ type: 'replace', from: base, to }, [0, 1]);
       await page.settled();
-      // The handles are farther from each other than half-way around the tube in the end.
+      // In the end the distance of the handles exceeds half-way around the tube.
       isNear(length(), wayOf(b, c));
     }
     const bent = length();
@@ -155,7 +156,7 @@ describe('legs of the pen', () => {
     );
   });
 
-  test('are continued while an anchor is drawn out, which is one step', async () => {
+  test('are continued while an anchor is drawn out, as one step', async () => {
     await draw([along(0)]);
     const anchor = along(1.1);
     const place = async (point) => {
@@ -163,7 +164,7 @@ describe('legs of the pen', () => {
       await page.settled();
     };
     await place(anchor);
-    // The handle before it goes on around the tube.
+    // The handle before it continues around the tube.
     for (const at of places(0, 0.8)) {
       await place({ ...anchor, tangents: { after: along(1.1 - at), before: { length: null } } });
       isNear(lengthOf(page.session.view.curve.legs[1]), 1.1 + at);
@@ -177,9 +178,9 @@ describe('legs of the pen', () => {
     assert.deepEqual(legs(), [true, false]);
   });
 
-  test('to a handle are the geodesic that it ends', async () => {
+  test('to a handle are the geodesics that end there', async () => {
     const handle = (length) => ({ direction: [0, 0, 1], length });
-    // More than half around the tube, and on a face alone.
+    // One handle is more than half around the tube, the other within one face.
     for (const size of [2, 1e-3]) {
       const tangents = { after: handle(size), before: { length: null } };
       await draw([{ ...along(0), tangents }, along(0.5)]);
@@ -198,7 +199,7 @@ describe('legs of the pen', () => {
     assert.deepEqual(legs(), [true, false, false]);
   });
 
-  test('of a drag that an anchor is removed after at once do not hinder that', async () => {
+  test('of a drag do not hinder the removal of an anchor at once', async () => {
     await drawnOut([along(-0.3)]);
     page.editor.commitDrag();
     await page.edits.removeAnchor(1);
@@ -208,12 +209,12 @@ describe('legs of the pen', () => {
     assert.deepEqual(legs(), [true, true, false]);
   });
 
-  test('go where an end of theirs goes, and stay where it only is told otherwise', async () => {
+  test('move with their end, and stay if it is only written differently', async () => {
     await drawnOut([along(-0.3)]);
     await release();
     assert.deepEqual(legs(), [true, true, false]);
     const { points } = figure();
-    // Anchors put in, and taken out.
+    // Anchors are inserted and removed.
     const { samples } = page.session.view.curve;
     const before = length();
     for (const part of [0.06, 0.25, 0.44]) {
@@ -238,13 +239,13 @@ describe('legs of the pen', () => {
     await page.edits.append(along(2.5));
     assert.deepEqual(legs(), [true, true, false, false]);
     page.editor.undo();
-    // Without handles the anchor itself is an end of both.
+    // Without handles the anchor itself is an end of both legs.
     const { tangents: _, ...corner } = points[1];
     page.editor.run({ type: 'change', index: 1, from: points[1], to: corner });
     assert.deepEqual(legs(), [false, false, false]);
   });
 
-  test('of an anchor that is drawn out are those of no curve before', async () => {
+  test('of an anchor that is drawn out belong to no earlier curve', async () => {
     const press = async (index, point) => {
       page.editor.preview({ type: 'insert', index, point });
       await page.settled();
@@ -275,7 +276,7 @@ describe('legs of the pen', () => {
     page.editor.cancelDrag();
   });
 
-  test('are the middle ones of the engine’s, by the numbers of anchors', () => {
+  test('are the middle ones of the engine’s, by the indices of anchors', () => {
     const { penOptions, controlPointsOf, fitted } = page;
     const leg = [along(0.5)];
     const points = [along(0), { ...along(0.2), leg }, along(0.9)];
@@ -302,7 +303,7 @@ describe('legs of the pen', () => {
       [2, 3, 4],
       [5, 6, 7],
     ]);
-    // A handle that its leg does not end at may go.
+    // A handle may be removed if no leg ends at it.
     const fits = (index, to) => {
       const command = { type: 'change', index, from: points[index], to };
       const { points: after } = fitted(page.applyToFigure(open, command), open, command);
@@ -322,7 +323,7 @@ describe('legs of the pen', () => {
 describe('a segment of the pen on the page', () => {
   const browser = browserOfSuite();
 
-  /** On the upper side of the torus, around its axis. */
+  /** Points on the upper side of the torus, around its axis. */
   const onRing = (angle) => [Math.cos(angle), Math.sin(angle), 0.4];
 
   /** The least and the largest of a line's angles around the axis. */

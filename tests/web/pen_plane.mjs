@@ -1,6 +1,9 @@
-// A plane in rough triangles, and curves of the pen on it, for tests of their shape.
+// A plane of irregular triangles, and curves of the pen on it, for tests of their shape.
 
-/** A square of side 1 in uneven triangles: the corners of a grid, moved about, but so that none folds over. */
+/**
+ * A square of side 1 in irregular triangles: the vertices of a grid, displaced without folding a
+ * triangle.
+ */
 export function roughPlane(cells, random) {
   const positions = [];
   const triangles = [];
@@ -23,7 +26,7 @@ export function roughPlane(cells, random) {
 export const add = (p, q, factor = 1) => p.map((value, axis) => value + factor * q[axis]);
 export const far = (p, q) => Math.hypot(...add(p, q, -1));
 export const bernstein = (t) => [(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t ** 2 * (1 - t), t ** 3];
-/** Where a point of a surface is. */
+/** The place of a point of a surface. */
 export const placeOn =
   ({ positions, triangles }) =>
   ({ face, bary }) =>
@@ -34,7 +37,7 @@ export const placeOn =
       ),
     );
 
-/** The surface's point at a place of the plane, as the engine finds it. */
+/** The surface's point at a place of the plane, found by the engine. */
 export async function pointAt(page, arrays, x, y) {
   const start = { face: 0, bary: [1 / 3, 1 / 3, 1 / 3] };
   const [dx, dy] = add([x, y, 0], placeOn(arrays)(start), -1);
@@ -48,7 +51,7 @@ export const vector = (x, y) => {
   return { direction: [x / length, y / length, 0], length };
 };
 
-/** Draws a curve of the pen in place of all else. */
+/** Draws a curve of the pen as the only object. */
 export async function drawPen(page, points, settings = {}) {
   const { editor, emptyDrawing, activeObject } = page;
   const { figure } = activeObject(emptyDrawing);
@@ -57,7 +60,7 @@ export async function drawPen(page, points, settings = {}) {
   return page.settled();
 }
 
-/** The control points of each segment as the figure tells them, on a plane. */
+/** The control points of each segment by the figure's values, on a plane. */
 export function segmentsOf(arrays, points, closed) {
   const placeOf = placeOn(arrays);
   const handle = ({ tangents, ...point }, side) => {

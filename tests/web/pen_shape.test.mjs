@@ -1,4 +1,5 @@
-// The pen's curves bent, and with anchors put in and taken out: on a plane exactly, elsewhere nearly.
+// Bending of the pen's curves, and insertion and removal of anchors: exact on a plane, approximate
+// elsewhere.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { openPage } from './engine_in_node.mjs';
@@ -62,7 +63,7 @@ describe('the shape of curves of the pen', () => {
     ];
   }
 
-  test('a bent segment goes through the pointer at its parameter, and smooth anchors stay smooth', async (t) => {
+  test('a bent segment passes through the pointer at its parameter, and smooth anchors stay smooth', async (t) => {
     const points = await anchors();
     const { tangents } = await drawPen(page, points);
     const { figure, method } = page.editor.state;
@@ -75,7 +76,7 @@ describe('the shape of curves of the pen', () => {
     ]) {
       const options = page.methodOptions(method);
       const bend = await page.Bend.of(client, flat, figure, tangents, options, at);
-      // Near enough that no handle meets the boundary.
+      // The bend is small, so that no handle meets the boundary.
       const weights = bernstein(at.t);
       const at0 = placeOf(weights, segmentsOf(arrays, points, false)[at.from]);
       const [x, y] = at0.map((value) => value + 0.08 * (random() - 0.5));
@@ -97,7 +98,7 @@ describe('the shape of curves of the pen', () => {
     assert.ok(worst < 1e-9, `${worst}`);
   });
 
-  test('a bend back to where it began changes nothing', async () => {
+  test('a bend back to its start changes nothing', async () => {
     const points = await anchors();
     const { tangents, curve } = await drawPen(page, points);
     const { figure, method } = page.editor.state;
@@ -115,7 +116,7 @@ describe('the shape of curves of the pen', () => {
     assert.ok(curve.length > 0);
   });
 
-  test('an anchor put in and taken out again leaves the curve as it was', async (t) => {
+  test('an anchor that is inserted and removed again leaves the curve unchanged', async (t) => {
     const points = await anchors();
     await drawPen(page, points);
     const old = segmentsOf(arrays, points, false);
@@ -135,7 +136,7 @@ describe('the shape of curves of the pen', () => {
       const whole = places(old[segment], 400).flat();
       for (const half of halves.slice(segment, segment + 2)) {
         for (const place of places(half, 20)) {
-          // As near as chords of the whole are to it.
+          // The distance is that of the whole curve's chords.
           assert.ok(within(Float64Array.from(whole), place) < 1e-5);
         }
       }
@@ -154,7 +155,7 @@ describe('the shape of curves of the pen', () => {
     assert.deepEqual(page.editor.state.figure.points, points);
   });
 
-  test('without an anchor is as near as one cubic can be, keeps its directions, and straight sides straight', async () => {
+  test('without an anchor is the nearest cubic, keeps its directions, and straight sides stay straight', async () => {
     const points = await anchors();
     const { tangents: drawn, curve } = await drawPen(page, points);
     await page.edits.removeAnchor(1);
@@ -169,7 +170,7 @@ describe('the shape of curves of the pen', () => {
     const old = segmentsOf(arrays, points, false);
     const through = [...places(old[0]), ...places(old[1])];
     const found = off(view.curve.polyline, through);
-    // The same directions, with handles of every tenth of the side.
+    // The directions are the same, with handles of every tenth of the side.
     const [from, to] = [old[0][0], old[1][3]];
     const [onward, back] = [drawn[0].after.direction, drawn[2].before.direction];
     const lengths = Array.from({ length: 8 }, (_, i) => (i + 1) / 10);
@@ -190,7 +191,7 @@ describe('the shape of curves of the pen', () => {
     assert.deepEqual(page.editor.state.figure.points, corners.toSpliced(1, 1));
   });
 
-  test('on a sphere a bend comes as near to the pointer as asked, and is C1', async (t) => {
+  test('on a sphere a bend comes as near to the pointer as required, and is C1', async (t) => {
     const sphere = await openPage(5000);
     const { triangles, diagonal } = sphere.session.client.info;
     const places = [0.12, 0.2, 0.31].map((part) => ({
@@ -231,7 +232,7 @@ describe('the shape of curves of the pen', () => {
     assert.ok(degrees < 0.5, `${degrees}`);
   });
 
-  test('is told what a click does', () => {
+  test('is described before a click', () => {
     const { penActionAt, penWords } = page;
     const state = { anchors: 3, closed: false, selected: 2, chosen: false, alt: false };
     const told = (under, part = {}) => penActionAt(under, { ...state, ...part });

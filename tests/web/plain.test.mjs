@@ -1,4 +1,5 @@
-// Plain words first: the mathematics is folded until it is asked for, and lists of numbers where they are long.
+// Plain words first: the mathematics is folded until the user opens it, and so are long lists of
+// numbers.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -27,7 +28,7 @@ describe('the panel of a new user', () => {
     return ids.filter((_, i) => seen[i]);
   };
 
-  test('has the mathematics folded, and as it was left after a reload', async () => {
+  test('has the mathematics folded, and a reload keeps its state', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     const hidden = [...mathematics, '#status-samples', '#status-time'];
@@ -42,7 +43,7 @@ describe('the panel of a new user', () => {
     await tab.settled();
     assert.deepEqual(await shown(tab, hidden), hidden);
     await tab.page.locator('#fine > summary').click();
-    // What is plain is not among it.
+    // The plain controls are not part of it.
     await tab.page.keyboard.press('n');
     await tab.choose('circle');
     await tab.choose('ellipse');
@@ -50,7 +51,7 @@ describe('the panel of a new user', () => {
     await tab.close();
   });
 
-  test('measures in lengths alone until the mathematics is asked for', async () => {
+  test('measures only lengths until the mathematics is opened', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     await tab.page.keyboard.press('m');
@@ -70,7 +71,7 @@ describe('the panel of a new user', () => {
     await tab.page.close();
   });
 
-  test('folds a long list of points, but not while it grows, and keeps what was said', async () => {
+  test('folds a long list of points, but not while it grows, and keeps the user’s choice', async () => {
     const tab = await Tab.open(browser);
     const list = tab.page.locator('#points');
     const many = Array.from({ length: 9 }, (_, i) => [25 * i - 100, 40 * (i % 2) - 60]);
@@ -93,7 +94,7 @@ describe('the panel of a new user', () => {
     await tab.close();
   });
 
-  test('has two columns where there is room, objects beside what is set of them', async () => {
+  test('has two columns if there is room, with the settings of objects beside their list', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     await tab.page.setViewportSize({ width: 1920, height: 1080 });
@@ -103,7 +104,7 @@ describe('the panel of a new user', () => {
     await tab.close();
   });
 
-  test('writes large counts of mended places like its other numbers', async () => {
+  test('writes large counts of repaired places like its other numbers', async () => {
     const tab = await Tab.open(browser);
     const side = 40;
     const lines = [];

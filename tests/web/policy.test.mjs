@@ -1,4 +1,4 @@
-// The built pages' Content-Security-Policy: it lets them work, and nothing else in.
+// The Content-Security-Policy of the built pages allows their own work, and nothing else.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -6,7 +6,7 @@ import { browserOfSuite, Tab } from './browser.mjs';
 describe('the policy of the pages', () => {
   const browser = browserOfSuite();
 
-  /** What the page does with a script in its text, code made of text, and another host. */
+  /** The page's reaction to an inline script, to code made of text, and to another host. */
   const tried = (page) =>
     page.evaluate(async () => {
       const refused = [];
@@ -29,7 +29,7 @@ describe('the policy of the pages', () => {
       return { ran: window.ran === true, answer, image: await seen, refused: refused.sort() };
     });
 
-  test('lets the editor trace, and no script or host in', async () => {
+  test('allows the editor to trace, and no script or host from outside', async () => {
     const tab = await Tab.open(browser);
     await tab.click([-110, 40], [-40, -10], [40, 50], [110, -10]);
     assert.equal((await tab.view()).curve.samples.count, 128);

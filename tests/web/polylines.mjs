@@ -1,4 +1,4 @@
-// What the tests of the page measure on drawn lines: x, y, z of each vertex.
+// Measurements of drawn lines: x, y, z of each vertex.
 
 export const far = (a, b) => Math.hypot(...a.map((value, axis) => value - b[axis]));
 

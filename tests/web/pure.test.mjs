@@ -1,11 +1,11 @@
-// The page's parts that need no browser.
+// The page's modules that need no browser.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { load as loadEngine } from 'karcher';
 import { circle, ellipse, figure, load, point, settings } from './figures.mjs';
 
-describe('what was traced', () => {
-  test('is remembered of what is in the drawing and the last 64 beside that', async () => {
+describe('traced results', () => {
+  test('are kept for figures of the drawing and the last 64 others', async () => {
     const { BesideObjects, mostRemembered } = await load('editor/engine/beside.ts');
     const traced = { method: 'karcher', shown: {}, quality: 'draft' };
     const beside = new BesideObjects();
@@ -20,7 +20,7 @@ describe('what was traced', () => {
 });
 
 describe('a figure', () => {
-  test('has all of its places taken elsewhere, and nothing else', async () => {
+  test('has all of its places moved, and nothing else', async () => {
     const { withPlaces } = await load('model/figure.ts');
     const whole = {
       ...figure,
@@ -72,7 +72,7 @@ describe('legs', () => {
     }
   });
 
-  test('of the last point lead on to the first of a closed curve only', () => {
+  test('of the last point lead on to the first only in a closed curve', () => {
     const points = figure.points.with(3, { ...point(4), leg: drawn });
     const closed = { settings: { ...settings, closed: true }, points };
     assert.deepEqual(legs.legsOf(closed), { legs: [null, null, null, drawn] });
@@ -80,7 +80,7 @@ describe('legs', () => {
     assert.equal(legOf(legs.withFittingLegs({ ...closed, settings }, closed))[3], undefined);
   });
 
-  test('are named in the order of the points, or not at all', () => {
+  test('are in the order of the points, or absent', () => {
     assert.deepEqual(legs.legsOf(withOne), { legs: [null, drawn, null] });
     assert.deepEqual(legs.legsOf(figure), {});
   });
@@ -95,7 +95,7 @@ describe('commands of a figure', () => {
     };
   });
 
-  test('the inverse takes a command back', () => {
+  test('are undone by their inverse', () => {
     const [from, to] = [figure.points[1], point(9)];
     const commands = [
       { type: 'insert', index: 2, point: point(7) },
@@ -152,7 +152,7 @@ describe('keys of surfaces', () => {
     }
   });
 
-  test('that say nothing are refused', () => {
+  test('without meaning are refused', () => {
     const wrong = ['torus', 'torus:-1', 'torus:1e9', 'bunny:9', 'plane:8000', 'plane:round:8000'];
     const ofWhat = [
       'simplified:500',
@@ -164,7 +164,7 @@ describe('keys of surfaces', () => {
     }
   });
 
-  test('have as many triangles at most as a shape that the engine makes', async () => {
+  test('have at most as many triangles as a shape of the engine', async () => {
     const karcher = await loadEngine();
     assert.throws(() => karcher.shape('sphere', 1_000_001), /to 1000000 can be made/);
     assert.ok(meshes.parseKey('sphere:1000000'));
@@ -198,7 +198,7 @@ describe('the shape of a circle and an ellipse', () => {
     assert.deepEqual(withHandle(loose, grabbed, 'across', to), { ...loose, across: to });
   });
 
-  test("keeps an ellipse's radius as a circle, but no point it was taken from", () => {
+  test('keeps an ellipse’s radius as a circle, but not the point that it came from', () => {
     const { byRadii } = module;
     assert.deepEqual(byRadii(ellipse, drawn), { ...ellipse, rim });
     assert.deepEqual(byRadii({ ...ellipse, across: point(7) }, drawn), { ...circle, rim });
@@ -229,7 +229,7 @@ describe('the shape of a circle and an ellipse', () => {
     assert.equal(reachAlong(5, [0.6, -0.8, 0], [0, 1, 0]), -4);
   });
 
-  test('takes positive numbers, with a decimal comma too', async () => {
+  test('takes positive numbers, even with a decimal comma', async () => {
     const { positiveNumber } = await load('panels/number_field.ts');
     for (const [text, value] of Object.entries({ 2: 2, ' 0.5 ': 0.5, '0,5': 0.5, '1e-3': 1e-3 })) {
       assert.equal(positiveNumber(text), value);
@@ -272,7 +272,7 @@ describe('the newest request', () => {
 });
 
 describe('parts of a curve without a center', () => {
-  test('are what is bridged, and runs of samples that are not converged', async () => {
+  test('are bridges, and runs of samples that did not converge', async () => {
     const { lostIntervals, lostSamples } = await load('model/lost.ts');
     const [c, b, i, n] = ['converged', 'bridged', 'indefinite', 'noProgress'];
     const status = [c, b, b, c, i, i, n, c, c];

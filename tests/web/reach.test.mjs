@@ -1,4 +1,4 @@
-// Every control of every panel is hit where a person would click it, in a wide and a narrow window.
+// Clicks hit every control of every panel, in a wide and a narrow window.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { cutBox, stlFile } from '../wasm/mesh_files.mjs';
@@ -12,8 +12,8 @@ const sizes = {
 
 const at = (faces) => faces.map((face) => `${face},0.3,0.3`).join(';');
 /**
- * A curve with parts that are no center of mass and a leg that goes a longer way, another one beside
- * it, and a circle.
+ * A curve with parts that are no center of mass and a leg that is not the shortest, another curve
+ * beside it, and a circle.
  */
 const fragment = [
   'mesh=genus3:5000&method=karcher-fast&kind=bspline',
@@ -22,9 +22,9 @@ const fragment = [
   'circle=100,0.3,0.3;0.1,1,0,0',
 ].join('&');
 
-/** Kinds that no tool draws: they are made of other objects. */
+/** Kinds without a tool: they are made of other objects. */
 const made = ['union', 'intersection', 'difference', 'exclusion'];
-/** Two circles that lie across each other, of which others can be made. */
+/** Two overlapping circles, of which other objects can be made. */
 const twoCircles = [
   'mesh=sphere:6000&kind=circle&circle=100,0.3,0.3;0.5,1,0,0',
   `other=${encodeURIComponent('kind=circle&circle=110,0.3,0.3;0.5,1,0,0')}`,
@@ -40,11 +40,11 @@ f 2 3 4
 f 3 1 4
 `;
 
-describe('every control is hit where it is clicked', () => {
+describe('clicks hit every control', () => {
   const looked = [];
   const browser = browserOfSuite();
 
-  /** The controls of a page of some size, which count with those of all pages. */
+  /** The controls of a page of some size, which count together with those of all pages. */
   async function look(page, viewport) {
     await page.setViewportSize(viewport);
     const controls = new Controls(page);
@@ -94,7 +94,7 @@ describe('every control is hit where it is clicked', () => {
       await controls.click(page.locator('#tool-select'));
       await controls.click(page.locator('#go-on'));
       const chosen = new Set();
-      // Of the curve that is there; another kind of tool begins another one.
+      // The choices of the present curve; another kind of tool begins another one.
       await chooseAll(tab, controls, 'the curve', chosen);
       await page.locator('#compare').selectOption('paper-exact');
       await page.locator('#compare-off').waitFor();
@@ -162,7 +162,7 @@ describe('every control is hit where it is clicked', () => {
   }
 
   for (const [name, viewport] of Object.entries(sizes)) {
-    test(`of what is made of other objects, in a ${name} window`, async () => {
+    test(`of objects made of others, in a ${name} window`, async () => {
       const tab = await Tab.open(browser, twoCircles);
       const { page } = tab;
       const controls = await look(page, viewport);
@@ -198,7 +198,7 @@ describe('every control is hit where it is clicked', () => {
     });
   }
 
-  test('and none, and no panel, is left out', () => {
+  test('and no control or panel is left out', () => {
     assert.equal(looked.length, 4);
     const [names, panels, reached, withControls] = [
       looked.flatMap((one) => one.names),
@@ -218,13 +218,13 @@ describe('every control is hit where it is clicked', () => {
   });
 });
 
-/** Escape closes a menu, on a busy machine in a moment. */
+/** Escape closes a menu, on a busy machine after a moment. */
 async function closeByKey(page) {
   await page.keyboard.press('Escape');
   await page.waitForFunction(() => document.querySelector(':popover-open') === null);
 }
 
-/** Keeps engines that start from now on from being loaded, until what is given back is called. */
+/** Delays the loading of engines that start from now on, until the returned function is called. */
 async function holdEngine(page) {
   let open;
   const opened = new Promise((resolve) => {
@@ -237,7 +237,7 @@ async function holdEngine(page) {
   return open;
 }
 
-/** Shows what is folded, by clicks. */
+/** Opens folded sections, by clicks. */
 async function unfold(controls) {
   const folded = '[aria-expanded="false"]:not([aria-haspopup]), details:not([open]) > summary';
   for (;;) {
@@ -254,7 +254,7 @@ async function unfold(controls) {
   }
 }
 
-/** Until an open check-up has its answer: what lies below it moves then. */
+/** Waits until an open check-up has its answer, which moves the elements below it. */
 const checkedUp = (page) =>
   page.waitForFunction(() => {
     const [details, found] = ['checkup', 'checkup-found'].map((id) => document.getElementById(id));
@@ -279,7 +279,7 @@ async function checkBoxes(tab, controls, kind) {
   }
 }
 
-/** Every choice of the settings that no kind before had, which may show others. */
+/** Tries every choice of settings that no earlier kind had; it may show others. */
 async function chooseAll(tab, controls, kind, chosen) {
   for (const select of await all(controls, '.settings select')) {
     const id = await select.getAttribute('id');
@@ -294,7 +294,7 @@ async function chooseAll(tab, controls, kind, chosen) {
       );
       assert.ok(offers, `#${id} offers ${value} no more`);
       await select.selectOption(value);
-      // A method is prepared first; only then is the curve compared with others than it.
+      // The method is prepared first; only then does the comparison offer the others.
       if (id === 'method') {
         await tab.page.waitForFunction(
           (method) => window.karcherPage.state().method === method,

@@ -1,4 +1,5 @@
-// `karcher/react` in Chromium: a curve by hooks, mounted twice as StrictMode does, dragged and unmounted.
+// `karcher/react` in Chromium: a curve by hooks, mounted twice as in StrictMode, dragged and
+// unmounted.
 import assert from 'node:assert/strict';
 import { createServer } from 'node:http';
 import { extname, join } from 'node:path';
@@ -12,7 +13,7 @@ import { launching, until } from './browser.mjs';
 
 const types = { '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm' };
 
-/** Builds a page in memory and serves it, with more files beside it. */
+/** Builds a page in memory and serves it, together with more files. */
 async function serve(root, more) {
   const { output } = await build({
     configFile: false,
@@ -48,7 +49,7 @@ function model() {
   return glbFile({ positions: Array.from(attributes.position.array), faces });
 }
 
-/** Is put into a page before its scripts and counts the fat lines that are drawn, whose segments are instances. */
+/** Runs in a page before its scripts: counts the drawn fat lines, whose segments are instances. */
 function countLines() {
   window.lines = 0;
   const { prototype } = WebGL2RenderingContext;
@@ -100,11 +101,11 @@ describe('hooks of react-three-fiber', () => {
       await page.mouse.move(x + 6, y + 4, { steps: 3 });
       await page.mouse.up();
       await until(async () => 'face' in (await pointsOf(page))[1], 'the point is moved');
-      // The same options again, in a new object, leave it as it was dragged.
+      // Equal options in a new object leave the curve as it was dragged.
       const dragged = await pointsOf(page);
       await page.evaluate((value) => window.page.show(value), { ...shown, worker });
       assert.deepEqual(await pointsOf(page), dragged);
-      // Other options make it another curve, and the same object.
+      // Other options make another curve in the same object.
       const made = await page.evaluate(() => window.page.seen.made.size);
       const closed = { ...shown, worker, options: { ...shown.options, closed: true } };
       await page.evaluate((value) => window.page.show(value), closed);
@@ -112,7 +113,7 @@ describe('hooks of react-three-fiber', () => {
       assert.deepEqual(await pointsOf(page), points);
       assert.equal(await page.evaluate(() => window.page.seen.made.size), made);
       assert.equal(page.workers().length, worker ? 1 : 0);
-      // Another look is the same curve.
+      // Another look keeps the curve.
       const thick = { ...closed, look: { width: 7, color: '#0000ff' } };
       await page.evaluate((value) => window.page.show(value), thick);
       await page.waitForFunction(() => {
@@ -131,14 +132,14 @@ describe('hooks of react-three-fiber', () => {
     });
   }
 
-  test('give the memory back when they are unmounted', async () => {
+  test('free the memory when they are unmounted', async () => {
     const { page, complaints } = await open();
     const cycle = async () => {
       await page.evaluate((value) => window.page.show(value), shown);
       await isDrawn(page);
       const used = await page.evaluate(() => window.page.seen.bytes());
       await page.evaluate(() => window.page.unmount());
-      // The page still holds the engine, which its last user has given back.
+      // The page still holds the engine, which has no user left.
       await page.waitForFunction((bytes) => window.page.seen.bytes() < bytes, used);
       const left = await page.evaluate(() => {
         const { made, bytes } = window.page.seen;
@@ -156,14 +157,14 @@ describe('hooks of react-three-fiber', () => {
     await page.close();
   });
 
-  test('are enough for a GLB, as the example shows', async () => {
+  test('suffice for a GLB, as the example shows', async () => {
     const { page, complaints } = await open('example');
     await page.waitForFunction(() => window.lines > 0);
     assert.deepEqual(complaints, []);
     await page.close();
   });
 
-  test('throw what fails to the error boundary', async () => {
+  test('throw failures to the error boundary', async () => {
     const { page } = await open();
     const wrong = {
       ...shown,

@@ -17,10 +17,10 @@ const shapes = ['sphere', 'torus', 'knot', 'genus3', 'openSheet'];
 const triangles = 2000;
 const drags = 40;
 const steps = 12;
-/** Parts of the diagonal. */
+/** The tolerance as a part of the diagonal. */
 const tolerance = 1e-9;
 
-// What steps cost must not decide which levels are drawn.
+// The time that steps take must not decide which levels are drawn.
 performance.now = () => 0;
 
 const cases = [

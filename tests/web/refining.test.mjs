@@ -1,4 +1,4 @@
-// Two qualities of a curve: the draft while something is dragged, the exact one after it.
+// The two qualities of a curve: the draft during a drag, and the exact one after it.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -10,7 +10,7 @@ const places = [
   [40, 50],
   [110, -10],
 ];
-/** Mean edges that a median shift must not exceed, to go unseen. */
+/** The largest median shift that is invisible, in mean edges. */
 const unseen = 0.2;
 
 const samplesOf = (tab) =>
@@ -27,7 +27,7 @@ function medianShift(from, to) {
   return (shifts[(shifts.length - 1) >> 1] + shifts[shifts.length >> 1]) / 2;
 }
 
-/** Points all over a surface with holes: some samples have more than one center. */
+/** Points spread over a surface with holes: some samples have more than one center. */
 const scattered = [3713, 2975, 4071, 3269, 3294, 1757].map((face) => `${face},0.3,0.3`).join(';');
 
 describe('the exact curve after the draft', () => {
@@ -76,13 +76,13 @@ describe('the exact curve after the draft', () => {
     });
   }
 
-  test('is never in the way of the next drag', async () => {
+  test('never delays the next drag', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0&method=karcher');
     await tab.click(...places);
     const from = await tab.handle('Control point 2 of 4');
     await tab.drag(from, { x: from.x + 10, y: from.y });
 
-    // The engine that refines is held until the drags are over.
+    // The refining engine is held until the drags are over.
     let release;
     const released = new Promise((resolve) => {
       release = resolve;
@@ -111,7 +111,7 @@ describe('the exact curve after the draft', () => {
       drafts.push(await samplesOf(tab));
       await tab.page.mouse.up();
       await answered();
-      // Asked for in a turn of its own, after the draft is shown.
+      // It is requested in a turn of its own, after the draft is shown.
       await tab.page.waitForFunction(() => {
         const { quality, refining } = window.karcherPage.view();
         return refining || quality !== 'draft';
@@ -141,7 +141,7 @@ describe('the exact curve after the draft', () => {
     await tab.close();
   });
 
-  test('is made by another engine where the first one stopped', async () => {
+  test('is computed by another engine if the first one stopped', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:0&method=karcher');
     await tab.click(...places);
     const refining = tab.engines()[1];
@@ -160,7 +160,7 @@ describe('the exact curve after the draft', () => {
 describe('parts of a curve without a center', () => {
   const browser = browserOfSuite({ viewport: { width: 1100, height: 760 } });
 
-  test('are none with as many levels as fit, which a drag keeps', async () => {
+  test('do not exist with as many levels as needed, which a drag keeps', async () => {
     const tab = await Tab.open(browser, `mesh=genus3:5000&kind=bspline&points=${scattered}`);
     const { curve } = await tab.view();
     assert.ok(curve.levels > 0);
@@ -170,7 +170,7 @@ describe('parts of a curve without a center', () => {
     await tab.page.mouse.down();
     await tab.page.mouse.move(from.x + 12, from.y - 9, { steps: 4 });
     await tab.settled();
-    // As many as before, or a draft of averages alone where they take too long.
+    // The levels are as many as before, or a draft of averages alone if they take too long.
     const held = (await tab.view()).curve;
     assert.ok(held.levels >= Math.min(curve.levels, 2), `${held.levels}`);
     assert.deepEqual(held.lost, []);
@@ -179,7 +179,7 @@ describe('parts of a curve without a center', () => {
     const { curve: released } = await tab.view();
     assert.deepEqual(released.lost, []);
     assert.ok(released.levels > 0);
-    // A choice of the panel: the mean of all points breaks here.
+    // This choice of the panel breaks here: the mean of all points.
     await tab.page.locator('#levels').selectOption('0');
     await tab.settled();
     const { curve: mean } = await tab.view();
@@ -189,7 +189,7 @@ describe('parts of a curve without a center', () => {
     await tab.close();
   });
 
-  test('are counted and listed, and a click goes there', async () => {
+  test('are counted and listed, and a click shows the place', async () => {
     const tab = await Tab.open(
       browser,
       `mesh=genus3:5000&kind=bspline&points=${scattered}&levels=0`,
@@ -204,7 +204,7 @@ describe('parts of a curve without a center', () => {
     const drawn = Object.values(curve.polylineStatus);
     assert.ok(drawn.includes(0) && drawn.includes(1), 'it is drawn otherwise');
     const badge = tab.page.locator('#status-lost');
-    // Between two samples that are right the line is fine, and nothing is said.
+    // Between two good samples the line is fine, and the page reports nothing.
     const seen = curve.lost.filter(({ samples, reason }) => samples > 0 || reason === 'jump');
     const count = seen.length === 1 ? '1 place' : `${seen.length} places`;
     assert.equal(await badge.textContent(), `${count} to check`);

@@ -1,4 +1,5 @@
-// Lengths: the surface's unit is guessed and can be chosen, and a ruler measures along the surface and straight.
+// Lengths: the surface's unit is guessed and can be chosen, and a ruler measures along the surface
+// and in a straight line.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { cutBox, stlFile } from '../wasm/mesh_files.mjs';
@@ -30,7 +31,7 @@ describe('lengths', () => {
     // It follows the pointer until the second click.
     await tab.page.mouse.move(x - 20, y, { steps: 3 });
     const [short] = await told(tab);
-    // In one step: places on the way would be measured, too.
+    // The click is one step: places on the way would be measured, too.
     await tab.page.mouse.click(x + 130, y - 60);
     await tab.settled();
     await tab.page.waitForFunction(
@@ -41,13 +42,13 @@ describe('lengths', () => {
       [ruled().source, short],
     );
     const [along, straight] = await told(tab);
-    // Of a sphere of the mesh's radius; facets are within 1 part in 1000 of it.
+    // The sphere has the mesh's radius; facets are within 1 part in 1000 of it.
     const { positions } = await tab.mesh();
     const radius = Math.hypot(...positions.slice(0, 3));
     const arc = 2 * radius * Math.asin(straight / (2 * radius));
     assert.ok(Math.abs(along - arc) < 2e-3 * arc, `${along} is not ${arc}`);
     assert.equal(await tab.page.locator('.preview:visible').count(), 0, 'no mark is left behind');
-    // What was measured stays while the pointer goes on, and nothing is drawn by it.
+    // The measurement stays while the pointer moves on, and draws nothing.
     await tab.page.mouse.move(x, y, { steps: 3 });
     await tab.still();
     assert.deepEqual(await told(tab), [along, straight]);
@@ -58,7 +59,7 @@ describe('lengths', () => {
     await tab.close();
   });
 
-  test('have the unit of the file, which is guessed, chosen, and kept', async () => {
+  test('have the unit of the file: guessed, chosen, and kept', async () => {
     const tab = await Tab.open(browser);
     const unit = tab.page.locator('#unit');
     assert.equal(await unit.inputValue(), '');

@@ -1,4 +1,4 @@
-// What the page saves as files, and opens again.
+// Files that the page saves and opens again.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
@@ -18,7 +18,7 @@ f 1 2 3\nf 2 4 3\nf 4 5 3\nf 5 1 3\nf 2 1 6\nf 4 2 6\nf 5 4 6\nf 1 5 6\n`;
 describe('saving', () => {
   const browser = browserOfSuite({ asUsers: true });
 
-  test('an OBJ file holds the polyline that is drawn', async () => {
+  test('an OBJ file has the polyline of the curve', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     const { name, text } = await tab.save('OBJ');
@@ -38,12 +38,12 @@ describe('saving', () => {
     await tab.close();
   });
 
-  test('a PNG is the view in twice as many pixels, see-through where that is asked for', async () => {
+  test('a PNG is the view in twice as many pixels, transparent on request', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     await tab.still();
     const stage = await tab.page.locator('#stage').boundingBox();
-    /** Its size, how much of it is seen through, and whether the curve's color is on it. */
+    /** Its size, the transparent part of it, and whether it has the curve's color. */
     const look = async (format) => {
       const coming = tab.page.waitForEvent('download');
       await tab.page.locator('#save').click();
@@ -76,7 +76,7 @@ describe('saving', () => {
     await tab.close();
   });
 
-  test('a JSON file opens the curve again, elsewhere too', async () => {
+  test('a JSON file opens the curve again, even elsewhere', async () => {
     const tab = await Tab.open(browser);
     await tab.page.keyboard.press('2');
     await tab.click(...places);
@@ -138,7 +138,7 @@ describe('saving', () => {
     }
   });
 
-  test('an SVG file draws the curve where it is seen', async () => {
+  test('an SVG file draws the curve where it appears', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     const { text } = await tab.save('SVG');
@@ -166,7 +166,7 @@ describe('saving', () => {
     await tab.page.close();
   });
 
-  test('an SVG file has a group of a name for each object, of few Bézier curves within .25 pixels', async () => {
+  test('an SVG file has a named group for each object, of few Bézier curves within 0.25 pixels', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...places);
     await tab.page.locator('#object-name').fill('Wave & <rim>');
@@ -217,11 +217,12 @@ describe('saving', () => {
     for (const [i, name] of ['Wave & <rim>', 'B-spline 2'].entries()) {
       const { samples, commands } = groups.find((group) => group.name === name);
       for (const place of samples) assert.ok(off(place, lines[i]) < 0.25, `${name}: ${place}`);
-      // Each place of the line is as near to the curve; rounded digits and samples take two hundredths more.
+      // Each place of the line is as near to the curve; rounded digits and samples add two
+      // hundredths.
       for (const place of lines[i]) assert.ok(off(place, samples) < 0.27, `${name}: ${place}`);
       assert.ok(commands < lines[i].length / 6, `${commands} for ${lines[i].length} vertices`);
     }
-    // The selection alone, which is the second one.
+    // Only the selection is saved: the second curve.
     const only = tab.page.locator('#only-selected');
     await tab.page.locator('#save').click();
     await only.click();
@@ -239,7 +240,7 @@ describe('saving', () => {
     await tab.close();
   });
 
-  test('without a curve there is nothing to save, and a file of another kind is a sentence', async () => {
+  test('a drawing without a curve cannot be saved as one, and a file of another kind gives a sentence', async () => {
     const tab = await Tab.open(browser);
     await tab.page.locator('#save').click();
     assert.equal(await tab.page.getByRole('menuitem', { name: 'OBJ' }).isEnabled(), false);

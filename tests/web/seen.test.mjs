@@ -1,4 +1,4 @@
-// That what is drawn is seen: the pixels of the stage.
+// The drawing is visible: the pixels of the stage show it.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -6,7 +6,7 @@ import { browserOfSuite, Tab } from './browser.mjs';
 describe('the picture on the stage', () => {
   const browser = browserOfSuite({ asUsers: true });
 
-  /** How much bluer than red the window is, at most, within a few pixels of a place: 0 to 255. */
+  /** The largest excess of blue over red within a few pixels of a place of the window: 0 to 255. */
   async function bluest(tab, { x, y }) {
     const reach = 3;
     const side = 2 * reach + 1;
@@ -14,7 +14,7 @@ describe('the picture on the stage', () => {
     return Math.max(0, ...colors.map(([red, , blue]) => blue - red));
   }
 
-  test('has the whole curve in its color, and nothing of it beside', async () => {
+  test('has the whole curve in its color, and nowhere else', async () => {
     const tab = await Tab.open(browser, 'mesh=torus:2000');
     await tab.choose('bspline');
     await tab.click([-200, 60], [-100, 160], [50, 170], [200, 40]);

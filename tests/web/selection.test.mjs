@@ -1,4 +1,5 @@
-// One selection: what is edited, colored, named and deleted is what is seen to be selected.
+// One selection: the object that is edited, colored, named and deleted is the one that looks
+// selected.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -21,7 +22,7 @@ const two = [
 describe('the selection', () => {
   const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
-  /** Two curves, of which the second is edited, with the tool that selects. */
+  /** Two curves, the second of which is edited, with the tool that selects. */
   async function drawn() {
     const tab = await Tab.open(browser);
     await tab.click(...two[0]);
@@ -36,7 +37,7 @@ describe('the selection', () => {
   const swatch = (tab, name) => tab.page.getByRole('button', { name, exact: true });
   const length = (tab) => tab.page.locator('#status-length').textContent();
   const placeholder = (tab) => tab.page.locator('#object-name').getAttribute('placeholder');
-  test('after a drag of another object is undone, one object is shown, colored and named', async () => {
+  test('after the undo of another object’s drag, one object is shown, colored and named', async () => {
     const tab = await drawn();
     const place = await tab.onCurve(0.5, 0);
     await tab.drag(place, { x: place.x + 20, y: place.y + 30 });
@@ -63,7 +64,7 @@ describe('the selection', () => {
     await tab.close();
   });
 
-  test('Delete takes the object whose points are shown', async () => {
+  test('Delete removes the object whose points are shown', async () => {
     const tab = await drawn();
     await tab.page.keyboard.press('Escape');
     const state = await tab.state();
@@ -92,7 +93,7 @@ describe('the selection', () => {
       },
     ],
   ]) {
-    test(`${how} lets go: nothing is selected, and nothing is changed`, async () => {
+    test(`${how} deselects: the selection is empty, and the drawing unchanged`, async () => {
       const tab = await drawn();
       const place = await tab.onCurve(0.5);
       await tab.page.mouse.click(place.x, place.y);
@@ -133,7 +134,7 @@ describe('the selection', () => {
   };
 
   for (const key of ['b', 'p']) {
-    test(`takes several points of what tool ${key} drew: they are dragged, let go of and deleted together`, async () => {
+    test(`takes several points drawn with tool ${key}: they are dragged, deselected and deleted together`, async () => {
       const tab = await Tab.open(browser);
       const name = key === 'p' ? 'Anchor' : 'Control point';
       await tab.page.keyboard.press(key);
@@ -146,7 +147,7 @@ describe('the selection', () => {
       assert.deepEqual(await pressed(tab), ['point-1', 'point-2']);
       const said = key === 'p' ? '2 anchors' : '2 points';
       assert.equal(await tab.page.locator('#selected').textContent(), said);
-      // Both go as far on the stage, which is nearly flat there.
+      // Both move equally far on the stage, where the surface is nearly flat.
       const third = await tab.handle(`${name} 3 of 4`);
       await tab.dragHandle(`${name} 2 of 4`, 10, 60);
       const moved = await pointsOf(tab);
@@ -161,7 +162,7 @@ describe('the selection', () => {
       await tab.page.keyboard.press('Control+z');
       await tab.settled();
       assert.deepEqual(await pointsOf(tab), before, 'one step of the history');
-      // A box round the two on the right, and a click that takes one out again.
+      // A box around the two on the right, and a click that removes one of them.
       await tab.page.keyboard.down('Shift');
       const { x, y } = await tab.middle();
       await tab.drag({ x: x + 10, y: y + 130 }, { x: x + 180, y: y - 60 });
@@ -180,7 +181,7 @@ describe('the selection', () => {
       await tab.page.keyboard.press('Control+z');
       await tab.settled();
       assert.deepEqual(await pointsOf(tab), before);
-      // A click on one of several leaves that. The handles are back once a frame has been drawn.
+      // A click on one of several selects only that one. The handles are back after the next frame.
       await tab.still();
       const back = await tab.handle(`${name} 2 of 4`);
       assert.deepEqual(back, second);
@@ -192,7 +193,7 @@ describe('the selection', () => {
     });
   }
 
-  test('of several what they share is shown, and set for all', async () => {
+  test('of several objects shows their common settings, and sets them for all', async () => {
     const tab = await drawn();
     await swatch(tab, 'Pink').click();
     await tab.page.keyboard.press('Control+a');
@@ -212,7 +213,7 @@ describe('the selection', () => {
     await tab.close();
   });
 
-  test('of several what they do not share is said to be mixed, until it is set', async () => {
+  test('of several objects shows different settings as mixed, until one is set', async () => {
     const tab = await drawn();
     const set = async (id, value) => {
       await tab.page.locator(id).fill(value);
@@ -275,7 +276,7 @@ describe('the selection', () => {
     Escape: (tab) => tab.page.keyboard.press('Escape'),
   };
   for (const [way, letGo] of Object.entries(ways)) {
-    test(`a curve of too few points is gone once ${way} lets go of it, and comes back by undo`, async () => {
+    test(`an unfinished curve is removed once ${way} deselects it, and undo restores it`, async () => {
       const tab = await Tab.open(browser);
       await tab.page.locator('#tool-curve').click();
       await tab.click(...some);
@@ -299,7 +300,7 @@ describe('the selection', () => {
     });
   }
 
-  test('a curve of too few points is gone once another one is selected or begun', async () => {
+  test('an unfinished curve is removed once another one is selected or begun', async () => {
     const tab = await drawn();
     const { page } = tab;
     await page.keyboard.press('b');
@@ -321,12 +322,12 @@ describe('the selection', () => {
     await page.keyboard.press('Escape');
     await tab.settled();
     assert.deepEqual(await pointCounts(tab), [4, 4]);
-    // Nothing is selected: a click begins another one.
+    // The selection is empty: a click begins another object.
     assert.equal(await hint(tab), 'Click the surface to place a control point');
     await tab.close();
   });
 
-  test('a curve of too few points stays where it was copied', async () => {
+  test('an unfinished curve stays where it was copied', async () => {
     const tab = await Tab.open(browser);
     await tab.click([-60, 20], [40, 30]);
     await tab.page.keyboard.press('Control+d');
@@ -339,7 +340,7 @@ describe('the selection', () => {
     await tab.close();
   });
 
-  test('points that undo left can be let go of, and are done again', async () => {
+  test('points that undo left can be deselected, and are restored by redo', async () => {
     const tab = await drawn();
     const { page } = tab;
     await page.keyboard.press('Control+z');
@@ -354,7 +355,7 @@ describe('the selection', () => {
     await page.keyboard.press('Control+y');
     await tab.settled();
     assert.deepEqual(await pointCounts(tab), [4, 4]);
-    // What was a curve and lost points stays, though there is no line.
+    // A curve that has lost points stays, even without a line.
     await tab.page.locator('#points button').first().click();
     await page.keyboard.press('Delete');
     await tab.click(besideSurface);
@@ -363,7 +364,7 @@ describe('the selection', () => {
     await tab.close();
   });
 
-  test('an anchor alone is gone once the next path begins', async () => {
+  test('a single anchor is removed once the next path begins', async () => {
     const tab = await Tab.open(browser);
     await tab.page.keyboard.press('p');
     await tab.click([-60, 20]);
@@ -375,7 +376,7 @@ describe('the selection', () => {
     await tab.close();
   });
 
-  test('tells no length once nothing is selected, whatever was undone before', async () => {
+  test('shows no length once it is empty, whatever was undone before', async () => {
     const tab = await drawn();
     const { page } = tab;
     const told = () => page.locator('#status-length').textContent();

@@ -1,4 +1,4 @@
-// Whatever is done to a curve, in whatever order, there is a curve after it.
+// Any sequence of edits of a curve leaves a curve.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { openPage } from './engine_in_node.mjs';
@@ -7,11 +7,14 @@ import { long, randoms, seed } from './part.mjs';
 const triangles = 500;
 const kinds = ['bspline', 'bezier', 'catmullrom', 'rational', 'barycentric', 'polyline'];
 const mostPoints = 9;
-/** Sentences of edits that there is no way to make. */
+/** Sentences of impossible edits. */
 const refusals =
   /can(not)? be joined|cannot be split at \d+, its end|has no end to join|at least \d control points|not at one|control point there|takes no more|has a knot there/;
 
-/** What a link says of objects, which are numbered anew; the first of three weights follows from the others. */
+/**
+ * The objects in a link, which numbers them anew; the first of three weights follows from the
+ * others.
+ */
 const plain = ({ objects, active }) => ({
   active: objects.findIndex(({ id }) => id === active),
   objects: objects.map(({ id: _, figure, ...properties }) => ({
@@ -34,7 +37,7 @@ describe('sequences of edits', () => {
     page = await openPage(triangles);
   });
 
-  /** Edits of the page's own, by their names; each may find nothing to do. */
+  /** The page's own edits, by their names; each may have nothing to do. */
   function editsOf(random) {
     const { editor, session, edits, othersOf } = page;
     const below = (count) => Math.floor(random() * count);
@@ -48,7 +51,7 @@ describe('sequences of edits', () => {
       const at = position && 3 * below(position.length / 3);
       return position && Array.from(position.subarray(at, at + 3));
     };
-    /** How far from a click a knot is meant: often one is. */
+    /** The distance from a click within which it means a knot: often it means one. */
     const within = () => (random() < 0.3 ? 0.05 : 0);
     const change = (make) => {
       const { points } = editor.state.figure;
@@ -88,7 +91,7 @@ describe('sequences of edits', () => {
       spacing: () =>
         editor.setSettings({ parametrization: random() < 0.5 ? 'uniform' : 'centripetal' }),
       sampling: () => {
-        // Often more by tolerance than by number, which a drag then has.
+        // A tolerance often gives more samples than their fixed number, which a drag then uses.
         const [samples, tolerance] = [
           2 + below(random() < 0.5 ? 4 : 200),
           random() < 0.5 ? 1e-3 : null,
@@ -126,7 +129,10 @@ describe('sequences of edits', () => {
     };
   }
 
-  /** The link says all of the document, and what is shown is the document's curve, made anew. */
+  /**
+   * The link describes the whole document, and the visible curve equals a new curve of the
+   * document.
+   */
   async function assertSameAnew(view, told) {
     const { editor, session, parseLink, formatLink, curveOptions, methodOptions, splineOf } = page;
     const { mesh, method, drawing, figure } = editor.state;
@@ -141,7 +147,7 @@ describe('sequences of edits', () => {
     assert.ok(farthest <= 1e-6 * session.client.info.diagonal, `${farthest}: ${told}`);
   }
 
-  test('a drag has the number of samples where a tolerance takes more of them', async () => {
+  test('a drag has the fixed number of samples if a tolerance takes more', async () => {
     const { editor, edits, session } = page;
     editor.open('sphere:drag', page.emptyDrawing);
     for (const face of [10, 60, 110, 160]) await edits.append({ face, bary: [0.5, 0.25, 0.25] });
@@ -165,14 +171,14 @@ describe('sequences of edits', () => {
 
   const runs = long ? 60 : 3;
   for (let run = 0; run < runs; run++) {
-    test(`lead to a curve: KARCHER_SEED=${seed}, run ${run}`, async () => {
+    test(`leave a curve: KARCHER_SEED=${seed}, run ${run}`, async () => {
       const numbers = randoms(1000 * seed + run);
       const random = () => numbers.next().value;
       const edits = editsOf(random);
-      // Points come and go most.
+      // Most edits add and remove points.
       const names = [...Object.keys(edits), 'append', 'append', 'append', 'insert', 'remove'];
       const done = [];
-      // A document of its own, so that a run is the same alone.
+      // Each run has a document of its own, so that it can be repeated alone.
       page.editor.open(`sphere:${run}`, page.emptyDrawing);
       for (let step = 0; step < 150; step++) {
         const name = step < 5 ? 'append' : names[Math.floor(random() * names.length)];

@@ -1,17 +1,17 @@
-// Sittings of people who use the page for the first time, each step with the mouse and the keys that
-// they would use. `tell` is called after each step with its name.
+// Sessions of people who use the page for the first time, each step with the mouse and the keys
+// that they would use. `tell` is called after each step with its name.
 import assert from 'node:assert/strict';
 import bunny from 'bunny';
 import { openBrowser, Tab } from './browser.mjs';
 
-/** The sizes of windows that the page is looked at in. */
+/** The sizes of the page's windows. */
 export const windows = {
   laptop: { width: 1280, height: 800 },
   desk: { width: 1920, height: 1080 },
   phone: { width: 390, height: 844 },
 };
 
-/** A scan as a file: the npm package's bunny, which came from a scanner. */
+/** A scan as a file: the npm package's bunny, which was scanned. */
 function scanFile() {
   const lines = [
     ...bunny.positions.map((position) => `v ${position.join(' ')}`),
@@ -20,7 +20,7 @@ function scanFile() {
   return { name: 'scan.obj', mimeType: 'model/obj', buffer: Buffer.from(lines.join('\n')) };
 }
 
-/** A browser of a size, with the page as for a first visit. */
+/** A browser of a size, with the page as on a first visit. */
 export async function sitDown(viewport, options = {}) {
   const browser = await openBrowser({ viewport, ...options });
   const tab = new Tab(await browser.context.newPage(), browser.address);
@@ -29,7 +29,10 @@ export async function sitDown(viewport, options = {}) {
   return { browser, tab };
 }
 
-/** Where a part of the stage is in the window: from -1 to 1 both ways, of its smaller side. */
+/**
+ * A place of the stage in the window: from -1 to 1 in both directions, relative to its smaller
+ * side.
+ */
 async function placeOn(tab, [x, y]) {
   const box = await tab.page.locator('#stage').boundingBox();
   const unit = Math.min(box.width, box.height) / 2;
@@ -46,14 +49,14 @@ async function clickAt(tab, ...places) {
 
 const dragAt = async (tab, from, to) => tab.drag(await placeOn(tab, from), await placeOn(tab, to));
 
-/** A control of the panel, brought into view as by the wheel. */
+/** A control of the panel, scrolled into view as by the wheel. */
 async function control(tab, selector) {
   const found = tab.page.locator(selector).filter({ visible: true }).first();
   await found.scrollIntoViewIfNeeded();
   return found;
 }
 
-/** Loads a scan, draws on it, compares two methods and takes the curves away as a file. */
+/** Loads a scan, draws on it, compares two methods and saves the curves as a file. */
 export async function scanSitting(tab, tell = async () => {}) {
   const { page } = tab;
   await tell('welcome');
@@ -77,7 +80,7 @@ export async function scanSitting(tab, tell = async () => {}) {
   );
   await tell('drawn');
 
-  // The curve again, and it by the paper's method.
+  // The curve again, and its curve by the paper's method.
   await page.locator('#tool-select').click();
   await (await control(tab, '#objects .object:last-child, #objects li:last-child .object')).click();
   await tab.settled();
@@ -101,7 +104,7 @@ export async function scanSitting(tab, tell = async () => {}) {
   assert.equal(text.split('\n').filter((line) => line.startsWith('l ')).length, 2);
 }
 
-/** Reads figure 4 on the Paper page, and goes on with its curve in the editor, by two methods. */
+/** Reads figure 4 on the Paper page, and continues with its curve in the editor, by two methods. */
 export async function figureSitting(tab, tell = async () => {}) {
   const { page } = tab;
   await page.locator('#tour-skip').click();
@@ -148,7 +151,10 @@ export async function figureSitting(tab, tell = async () => {}) {
   await page.locator('#comparison').waitFor({ state: 'hidden' });
 }
 
-/** Draws a closed seam with the pen, styles it, duplicates and moves it, and all of it is kept. */
+/**
+ * Draws a closed seam with the pen, styles, duplicates and moves it, and checks that all of it is
+ * kept.
+ */
 export async function seamSitting(tab, tell = async () => {}) {
   const { page } = tab;
   await page.locator('#tour-skip').click();
@@ -227,7 +233,7 @@ export async function seamSitting(tab, tell = async () => {}) {
   assert.match(text, /stroke="#0e7c9e"/);
 }
 
-/** A vase that is turned on a wheel, without its bottom: foot, belly, neck and lip, 240 mm high. */
+/** A vase, a surface of revolution without a bottom: foot, belly, neck and lip, 240 mm high. */
 function vaseFile(around = 96, along = 70) {
   const radius = (t) =>
     45 + 42 * Math.sin(Math.PI * t) ** 2 * (1 - 0.35 * t) - 16 * t ** 3 + 22 * t ** 12;
@@ -255,7 +261,10 @@ const placeOf = ({ face, bary }, { positions, triangles }) =>
     ),
   );
 
-/** A poster: a heart in a ring of dots, evenly spaced round a vase, colored, and saved as SVG and PNG. */
+/**
+ * A poster: a heart in a ring of dots, evenly spaced around a vase, colored, and saved as SVG and
+ * PNG.
+ */
 export async function posterSitting(tab, tell = async () => {}) {
   const { page } = tab;
   await page.locator('#tour-skip').click();
@@ -286,7 +295,7 @@ export async function posterSitting(tab, tell = async () => {}) {
   await (await control(tab, '#mirror-now')).click();
   await page.waitForFunction(() => window.karcherPage.state().drawing.objects.length === 2);
   await tab.settled();
-  // The half ends in the middle of the view: there the other one begins.
+  // The half ends in the middle of the view: the other one begins there.
   const mesh = await tab.mesh();
   const [left, right] = (await tab.state()).drawing.objects.map(({ figure }) =>
     [0, -1].map((end) => placeOf(figure.points.at(end), mesh)),

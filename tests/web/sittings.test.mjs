@@ -1,4 +1,4 @@
-// What people do in their first half hour, from the first look to the file that they take away.
+// The first half hour of users, from the first look to the file that they save.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { part } from './part.mjs';

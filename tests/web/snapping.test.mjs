@@ -11,7 +11,7 @@ describe('snapping', () => {
   const mark = (tab) => tab.page.locator('.preview[data-on="snap"]:not([hidden])');
   const seen = (tab, place) => tab.page.evaluate((at) => window.karcherPage.seen(at), place);
 
-  test('takes points to vertices and edges of large triangles, but with Ctrl, and is kept', async () => {
+  test('moves points to vertices and edges of large triangles, unless Ctrl is held, and is kept', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.drop('flat.obj', flatGrid(4));
@@ -68,7 +68,7 @@ describe('snapping', () => {
     await tab.close();
   });
 
-  test('takes what is placed and dragged to anchors and curves of other objects', async () => {
+  test('moves placed and dragged points to anchors and curves of other objects', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:20000');
     const { page } = tab;
     await page.keyboard.press('p');
@@ -77,7 +77,7 @@ describe('snapping', () => {
     const [first] = (await tab.state()).drawing.objects[0].figure.points;
     await tab.click([60, 60]);
     const { x, y } = await tab.middle();
-    // Over the other curve's end: it would be selected, were the magnet off.
+    // The pointer is over the other curve's end, which it would select if the magnet were off.
     await page.keyboard.press('g');
     await page.mouse.move(x - 118, y + 41);
     await page.locator('.preview[data-tag="anchor"]').waitFor();

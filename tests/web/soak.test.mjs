@@ -1,4 +1,5 @@
-// Edits by hand by the thousand in one tab: what the page and its engine hold does not grow with them.
+// Thousands of edits by hand in one tab: the memory of the page and its engine does not grow with
+// them.
 import assert from 'node:assert/strict';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
@@ -6,7 +7,7 @@ import { openBrowser, Tab } from './browser.mjs';
 import { long, randoms, seed } from './part.mjs';
 
 const edits = long ? 2000 : 20;
-/** Measurements, evenly among the edits. */
+/** The number of measurements, evenly spaced among the edits. */
 const measurements = 10;
 const places = [
   [-110, 40],
@@ -15,7 +16,7 @@ const places = [
   [110, -10],
 ];
 
-/** Bytes of the page's own that are held, once all that nobody can reach is collected. */
+/** The bytes that the page holds after a garbage collection. */
 async function heldBytes(devtools) {
   await devtools.send('HeapProfiler.collectGarbage');
   return (await devtools.send('Runtime.getHeapUsage')).usedSize;
@@ -24,13 +25,16 @@ async function heldBytes(devtools) {
 const statusOf = (id) => readFileSync(`/proc/${id}/status`, 'utf8');
 const parentOf = (id) => Number(/^PPid:\s*(\d+)/m.exec(statusOf(id))[1]);
 
-/** Whether a process was started by this one, or by what this one started. */
+/** Whether this process, or one of its descendants, started a process. */
 function isOurs(id) {
   for (let one = id; one > 1; one = parentOf(one)) if (one === process.pid) return true;
   return false;
 }
 
-/** Bytes that the tab's process has in memory, with its workers' engines; null where nobody tells. */
+/**
+ * The resident bytes of the tab's process, including its workers' engines; null if the system does
+ * not report them.
+ */
 function residentBytes() {
   if (!existsSync('/proc/self/status')) return null;
   let most = null;
@@ -41,7 +45,7 @@ function residentBytes() {
       const [, kilobytes] = /^VmRSS:\s*(\d+)/m.exec(statusOf(name));
       most = Math.max(most ?? 0, 1024 * Number(kilobytes));
     } catch {
-      // It ended meanwhile.
+      // The process ended meanwhile.
     }
   }
   return most;
@@ -65,7 +69,7 @@ test(`${edits} edits by hand leave no memory behind`, { timeout: 7_200_000 }, as
       if (box === null) return;
       const from = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
       const middle = await tab.middle();
-      // Back towards the middle, so that points stay on the surface.
+      // The step leads back towards the middle, so that points stay on the surface.
       const toward = (at, center) => at + (center - at) * 0.3 + below(61) - 30;
       await tab.drag(from, { x: toward(from.x, middle.x), y: toward(from.y, middle.y) });
     };
@@ -85,7 +89,7 @@ test(`${edits} edits by hand leave no memory behind`, { timeout: 7_200_000 }, as
       await edit();
       await tab.settled();
       if ((i + 1) % (edits / measurements) > 0) continue;
-      // It is still a curve that is edited, whatever the edits made of it.
+      // The edited object is still a curve, whatever the edits did to it.
       assert.ok((await tab.state()).figure.points.length >= 3);
       const [held, resident] = [await heldBytes(devtools), residentBytes()];
       curve.push({ held, resident });

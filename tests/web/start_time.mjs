@@ -1,5 +1,5 @@
-// Prints how long the built page takes from its address to a surface that can be edited, in a new
-// profile with nothing cached and again with everything cached: node tests/web/start_time.mjs
+// Prints the time that the built page takes from its address to an editable surface, in a new
+// profile with an empty cache and again with a full one: node tests/web/start_time.mjs
 import { openBrowser } from './browser.mjs';
 
 const repeats = 5;

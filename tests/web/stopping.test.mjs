@@ -1,4 +1,4 @@
-// What takes too long is stopped by the person, and the page goes on with the same surface.
+// The user stops a computation that takes too long, and the page continues with the same surface.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -34,7 +34,7 @@ describe('a computation without an end', () => {
     await stop(tab).click();
     await page.getByText('It was stopped; an edit or another method').waitFor();
     await stop(tab).waitFor({ state: 'hidden' });
-    // Another worker takes the place of the one that hears nothing.
+    // Another worker replaces the one that no longer responds.
     await tab.dragHandle('Control point 3 of 4', 6, 8);
     const { polyline, problem } = await tab.view();
     assert.equal(problem, null);
@@ -50,7 +50,7 @@ describe('a computation without an end', () => {
     await page.close();
   });
 
-  test('of distances is given up where they are no longer wanted', async () => {
+  test('of distances is cancelled when they are no longer wanted', async () => {
     const tab = await open();
     const { page } = tab;
     const { polyline } = await tab.view();
@@ -69,7 +69,7 @@ describe('a computation without an end', () => {
     await tab.close();
   });
 
-  test('on a phone shows a button that a finger hits on 44 pixels', async () => {
+  test('on a phone shows a button with a target of 44 pixels', async () => {
     const tab = await open();
     const { page } = tab;
     const from = await tab.handle('Control point 2 of 4');

@@ -1,4 +1,4 @@
-// Strokes that become curves of the pen: few smooth anchors within the tolerance, corners kept.
+// Strokes become curves of the pen: few smooth anchors within the tolerance, with corners.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { openPage } from './engine_in_node.mjs';
@@ -16,7 +16,7 @@ describe('strokes', () => {
     page = await openPage(500);
   });
 
-  /** A stroke on a plane, whose points tell their numbers by their faces. */
+  /** A stroke on a plane; the face of each point is its index. */
   const strokeOf = (places, tolerance = 3) =>
     places.map(([x, y], face) => ({
       point: { face, bary: [1, 0, 0] },
@@ -43,7 +43,7 @@ describe('strokes', () => {
     });
   }
 
-  /** How far the places of a stroke are from its curve, at most. */
+  /** The largest distance between the places of a stroke and its curve. */
   function worstOff(anchors, places, closed = false) {
     const curve = segmentsOf(anchors, places, closed).flatMap((control) =>
       Array.from({ length: 301 }, (_, i) =>
@@ -57,7 +57,7 @@ describe('strokes', () => {
     );
   }
 
-  test('are few smooth anchors within the tolerance', (t) => {
+  test('have few smooth anchors within the tolerance', (t) => {
     const wave = sampled((t) => [4 * t, 0.6 * Math.sin(7 * t)], 240);
     for (const tolerance of [1, 3, 8]) {
       const shaken = wave.map(([x, y]) => [
@@ -111,7 +111,7 @@ describe('strokes', () => {
     assert.ok(worstOff(anchors, zigzag) < 0.1 * pixel);
   });
 
-  test('that come back to their start are closed, smooth there or a corner', () => {
+  test('that return to their start are closed, smooth or with a corner there', () => {
     const round = (count) =>
       sampled((t) => [Math.cos(2 * Math.PI * t), Math.sin(2 * Math.PI * t)], count);
     const circle = round(200);
@@ -133,8 +133,8 @@ describe('strokes', () => {
     assert.equal(page.jointOf(seam.tangents), 'corner');
   });
 
-  test('are rolled out of a sphere with their lengths and turns', () => {
-    // A circle of latitude has the same turn all along: its cone rolls out to an arc.
+  test('are unrolled from a sphere with their lengths and turns', () => {
+    // A circle of latitude turns evenly: its cone unrolls to an arc.
     const height = 0.5;
     const radius = Math.sqrt(1 - height ** 2);
     const samples = sampled((t) => {

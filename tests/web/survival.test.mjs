@@ -1,4 +1,4 @@
-// What happens to a page, and what it does then: no network, no storage, two fingers.
+// Adverse conditions and the page's reaction: no network, no storage, two fingers.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { dracoFile, meshoptFile } from '../wasm/compressed_files.mjs';
@@ -13,7 +13,7 @@ const places = [
 ];
 
 describe('the page survives', () => {
-  test('without a network: it says so, goes on, and a reload works after the first visit', async () => {
+  test('without a network: it says so, continues, and a reload works after the first visit', async () => {
     const browser = await openBrowser({ serviceWorkers: 'allow' });
     try {
       const tab = await Tab.open(browser);
@@ -31,7 +31,8 @@ describe('the page survives', () => {
       await tab.settled();
       assert.equal((await tab.state()).figure.points.length, 4);
       await chip.waitFor();
-      // What was not asked for yet is there, too: what decompresses files, the other page, and its module.
+      // Files that were not requested yet are there, too: the decompression of files, the other
+      // page, and its module.
       for (const [name, write] of [
         ['draco.glb', dracoFile],
         ['meshopt.glb', meshoptFile],
@@ -70,7 +71,7 @@ describe('the page survives', () => {
     }
   });
 
-  test('where storage is full or blocked, it says that nothing is kept', async () => {
+  test('a full or blocked storage: it says that nothing is kept', async () => {
     const browser = await openBrowser();
     try {
       await browser.context.addInitScript(() => {
@@ -90,7 +91,7 @@ describe('the page survives', () => {
       const chip = tab.page.getByText('not kept', { exact: true });
       await tab.click(...places);
       await chip.waitFor();
-      // There is room again, and what comes next is kept.
+      // There is room again, and the next change is kept.
       await tab.page.evaluate(() => {
         window.room = true;
       });
@@ -109,7 +110,7 @@ describe('the page survives', () => {
   });
 
   describe('two fingers on a phone', () => {
-    /** A phone's page with four points, and fingers as its browser hears of them. */
+    /** A phone's page with four points, and fingers as its browser reports them. */
     async function phone(work) {
       const browser = await openPhone();
       try {
@@ -123,7 +124,7 @@ describe('the page survives', () => {
     }
 
     const pointsOf = async (tab) => (await tab.state()).figure.points;
-    /** How far two points are apart on the screen. */
+    /** The distance between two points on the screen. */
     const spread = async (tab) => {
       await tab.still();
       const [a, b] = [await tab.handle('Control point 1'), await tab.handle('Control point 4')];
@@ -165,7 +166,7 @@ describe('the page survives', () => {
         }));
     }
 
-    test('one finger still moves a point, once and after a pinch', () =>
+    test('one finger still moves a point, with and without an earlier pinch', () =>
       phone(async (tab, { together }) => {
         for (const pinched of [false, true]) {
           const before = await pointsOf(tab);

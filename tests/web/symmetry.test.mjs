@@ -1,17 +1,17 @@
-// Mirroring in planes: the plane in which a surface is its own mirror image is found from its places, or is
-// that of three clicks.
+// Mirroring in planes: the plane in which a surface is its own mirror image, found from its places,
+// or the plane of three clicks.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
 import { pageModule } from './page_module.mjs';
 
-/** An egg with a nose, which is its own mirror image in x alone, as places and normals at directions. */
+/** An egg with a nose, symmetric in x only, as places and normals at directions. */
 function lopsided([x, y, z]) {
   const place = ([x, y, z]) => [x, 1.4 * y + 0.3 * y * y * y, 0.8 * z + 0.25 * y * y + 0.1 * z * z];
   return place([x, y, z]);
 }
 
-/** Turned round the upright axis, so that no axis is the plane's normal. */
+/** The angle about the vertical axis, so that no axis is the plane's normal. */
 const turn = 0.35;
 const turned = ([x, y, z]) => [
   x * Math.cos(turn) + z * Math.sin(turn),
@@ -27,7 +27,7 @@ describe('the plane of symmetry', () => {
     symmetry = await pageModule('../../web/model/symmetry.ts');
   });
 
-  /** Evenly on a sphere, made lopsided, turned and shifted; with normals. */
+  /** Evenly spread directions on a sphere, deformed, turned and shifted; with normals. */
   function cloud(count, change = (place) => place) {
     const shift = [0.3, -0.2, 0.1];
     const at = (direction) =>
@@ -38,7 +38,7 @@ describe('the plane of symmetry', () => {
       const angle = i * Math.PI * (3 - Math.sqrt(5));
       const direction = [radius * Math.cos(angle), z, radius * Math.sin(angle)];
       const place = at(direction);
-      // By differences along two directions on the sphere.
+      // The normal by differences along two directions on the sphere.
       const along = (way) => {
         const moved = direction.map((value, axis) => value + 1e-4 * way[axis]);
         const length = Math.hypot(...moved);
@@ -64,7 +64,7 @@ describe('the plane of symmetry', () => {
     let best = null;
     let least = Number.POSITIVE_INFINITY;
     for (const one of places) {
-      // Of hundreds of millions of places: written out.
+      // The vector is written out, since there are hundreds of millions of places.
       const [x, y, z] = one.place;
       const square = (x - at[0]) ** 2 + (y - at[1]) ** 2 + (z - at[2]) ** 2;
       if (square < least) {
@@ -88,20 +88,20 @@ describe('the plane of symmetry', () => {
     );
   const within = (degrees) => Math.cos((degrees * Math.PI) / 180);
 
-  test('of a surface that has one is found, wherever it lies', async () => {
+  test('of a symmetric surface is found, wherever the surface lies', async () => {
     const places = cloud(1500);
     const { plane, apart } = await find(
       places.filter((_, i) => i % 5 === 0),
       places,
     );
     assert.ok(Math.abs(dot(plane.normal, normal)) > within(1), `${plane.normal}`);
-    // Places of the cloud are .1 from each other.
+    // Neighbouring places of the cloud are 0.1 apart.
     assert.ok(apart < 0.08, `${apart}`);
     const through = dot(plane.normal, [0.3, -0.2, 0.1]) - plane.offset;
     assert.ok(Math.abs(through) < 0.02, `${through}`);
   });
 
-  test('is found where a part of the surface is missing or dented', async () => {
+  test('is found if a part of the surface is missing or dented', async () => {
     const places = cloud(1500, (place, [x, y]) =>
       x > 0.6 && y > 0 ? place.map((value) => 0.85 * value) : place,
     ).filter(({ place }) => place[1] > -1.2);
@@ -112,7 +112,7 @@ describe('the plane of symmetry', () => {
     assert.ok(Math.abs(dot(plane.normal, normal)) > within(3), `${plane.normal}`);
   });
 
-  test('is the first of those that are preferred where a surface has many', async () => {
+  test('is the first of the preferred ones if a surface has many', async () => {
     const places = Array.from({ length: 1500 }, (_, i) => {
       const z = 1 - (2 * i + 1) / 1500;
       const radius = Math.sqrt(1 - z * z);
@@ -127,7 +127,7 @@ describe('the plane of symmetry', () => {
     assert.ok(Math.abs(plane.normal[0]) > within(3), `${plane.normal}`);
   });
 
-  test('planes go through three places, and mirror places and directions', () => {
+  test('planes pass through three places, and mirror places and directions', () => {
     const plane = symmetry.planeThrough([0, 0, 2], [1, 0, 2], [0, 5, 2]);
     assert.deepEqual(
       symmetry.mirroredPlace(plane, [3, 4, 5]).map((value) => Math.round(value * 1e9) / 1e9),
@@ -157,7 +157,7 @@ describe('mirroring in planes', () => {
 
   let opened = 0;
 
-  /** The lopsided body with a curve that is only begun on one side, and the mirror taken. */
+  /** The lopsided body with an unfinished curve on one side, and the mirror tool. */
   async function open() {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=polyline');
     const { positions, triangles } = await tab.mesh();
@@ -165,7 +165,7 @@ describe('mirroring in planes', () => {
     for (let i = 0; i < positions.length; i += 3) {
       places.push(...turned(lopsided(positions.slice(i, i + 3))));
     }
-    // Another file each time: what was drawn on one comes back with it.
+    // Each test has a file of its own: its drawing would be restored with it.
     await tab.drop(
       'body.obj',
       [`# ${opened++}`, ...rows(places, 'v', 0), ...rows(triangles, 'f', 1)].join('\n'),
@@ -193,7 +193,7 @@ describe('mirroring in planes', () => {
     }
   }
 
-  test('a click mirrors a copy in the surface’s symmetry, as its button does', async () => {
+  test('a click mirrors a copy in the surface’s symmetry, as does its button', async () => {
     const tab = await open();
     const { page } = tab;
     const before = JSON.stringify((await tab.state()).drawing.objects);
@@ -217,7 +217,7 @@ describe('mirroring in planes', () => {
     await tab.close();
   });
 
-  test('three clicks mirror in the plane through them; on a line they say that they cannot', async () => {
+  test('three clicks mirror in the plane through them; on one line they give a sentence', async () => {
     const tab = await open();
     const { page } = tab;
     await page.locator('#mirror-copies').check();
@@ -230,7 +230,7 @@ describe('mirroring in planes', () => {
     await page.mouse.click(x, y);
     await page.getByText('do not lie on a line').waitFor();
     assert.equal((await tab.state()).drawing.objects.length, 1);
-    // Vertices near the plane of symmetry, of those that are seen the first, one far from it, and a third.
+    // Visible vertices: the one nearest to the plane of symmetry, one far from it, and a third.
     const { positions } = await tab.mesh();
     const near = [];
     for (let i = 0; i < positions.length; i += 3) {
@@ -250,7 +250,7 @@ describe('mirroring in planes', () => {
     await tab.close();
   });
 
-  test('a surface without a symmetry says so, and mirrors nothing', async () => {
+  test('a surface without symmetry gives a sentence, and mirrors nothing', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=polyline');
     const { positions, triangles } = await tab.mesh();
     const places = [];

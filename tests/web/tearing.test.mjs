@@ -1,4 +1,5 @@
-// What would be torn stays, and a stroke that leaves its part of the surface says why it ends.
+// A move that would tear a figure has no effect, and a stroke that leaves its part of the surface
+// says why it ends.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { Vector3 } from 'three';
@@ -11,7 +12,10 @@ describe('a figure', () => {
     ({ isTorn } = await pageModule('../../web/editor/engine/tearing.ts'));
   });
 
-  /** Points of the unit circle by their angle, as the face's number: a way round it, and short cuts in space. */
+  /**
+   * Points of the unit circle; their face is the angle: there is a path around it, and short cuts
+   * in space.
+   */
   const surface = {
     frame: { scale: 1 },
     position: ({ face }, target) => target.copy(new Vector3(Math.cos(face), Math.sin(face), 0)),
@@ -25,15 +29,15 @@ describe('a figure', () => {
   });
   const torn = (from, to, scale) => isTorn(client, surface, [{ figure: from }], [to], scale);
 
-  test('is torn where neighbors come to lie far apart, by how long the way between them was', async () => {
+  test('is torn if neighbors move far apart, compared with the path between them before', async () => {
     assert.equal(await torn(figure([0, 0.2, 0.4]), figure([1, 1.2, 1.4])), false);
     assert.equal(await torn(figure([0, 0.2, 0.4]), figure([1, 1.2, 1.2 + Math.PI])), true);
     assert.equal(await torn(figure([0, 0.2]), figure([0, 0.7])), false, 'it is stretched');
-    // Near in space and far along the surface: no leg is longer than the way was.
+    // The places are near in space and far along the surface: no leg is longer than the path was.
     const near = 2 * Math.PI - 0.1;
     assert.equal(await torn(figure([0, near]), figure([0, Math.PI])), false);
     assert.equal(await torn(figure([0, 0.2, 0.4], true), figure([0, 0.2, 0.4], true)), false);
-    // The last leg of a closed one, and a larger figure.
+    // The last leg of a closed figure, and a larger figure.
     assert.equal(await torn(figure([0, 0.6, 0.1], true), figure([0, 1.6, 3], true)), true);
     assert.equal(await torn(figure([0, 0.2]), figure([0, 1]), 2), false, 'it is scaled');
     assert.equal(await torn(figure([0, 0.2], false, 'points'), figure([0, 3])), false);

@@ -1,4 +1,5 @@
-// Objects turned, scaled and mirrored: by the engine alone, and on the page with a mouse and numbers.
+// Objects turned, scaled and mirrored: by the engine alone, and on the page with a mouse and
+// numbers.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { Vector3 } from 'three';
@@ -37,7 +38,7 @@ function flatArrays(cells) {
   return { positions: Float64Array.from(positions), triangles: Int32Array.from(triangles) };
 }
 
-/** Of the viewer's surface what a move asks for, on a plane seen from above. */
+/** The parts of the viewer's surface that a move needs, on a plane seen from above. */
 const flatSurface = {
   frame: { scale: 1 },
   position: (point, target) => target.fromArray(placesOf([point], flatArrays(16))[0]),
@@ -103,7 +104,7 @@ describe('objects that are placed anew', () => {
     assert.ok(Math.abs(round.circle.across.radius - 0.5 * scale) < 1e-12);
   });
 
-  test('there and back by two placements are where they were, to rounding', async () => {
+  test('return to their place after two opposite placements, up to rounding', async () => {
     const pivot = at(5, 7, 0.5, 0.1);
     const there = at(8, 4, 0.3, 0.3);
     const figure = pen();
@@ -119,7 +120,7 @@ describe('objects that are placed anew', () => {
     assert.deepEqual(same.command, { type: 'steps', steps: [] });
   });
 
-  test('stop where one would leave the surface', async () => {
+  test('stop before one would leave the surface', async () => {
     const move = await page.Move.of(page.session, flatSurface, [objectOf(pen())], at(5, 7));
     assert.match(await move.placed({ scale: 5 }), /leave the surface/);
     assert.match(await move.to(at(15, 15)), /leave the surface/);
@@ -142,7 +143,7 @@ describe('objects that are placed anew', () => {
   });
 });
 
-describe('the frame round what is selected', () => {
+describe('the frame around the selection', () => {
   const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
   const bytesOf = async (tab) => JSON.stringify((await tab.state()).drawing);
@@ -151,7 +152,7 @@ describe('the frame round what is selected', () => {
   const frameShown = (tab) =>
     tab.page.getByRole('button', { name: 'Turn the selection' }).waitFor();
 
-  /** A curve on a plane, with the frame round it. */
+  /** A curve on a plane, with the frame around it. */
   async function open() {
     const tab = await Tab.open(browser);
     await tab.drop('flat.obj', flatGrid(16));
@@ -211,7 +212,7 @@ describe('the frame round what is selected', () => {
     await tab.close();
   });
 
-  test('there and back in one drag is no step; the pivot is moved alone', async () => {
+  test('has no step for a drag there and back; the pivot moves alone', async () => {
     const tab = await open();
     const whole = await bytesOf(tab);
     for (const name of ['Turn the selection', 'Scale the selection, first', 'Move the selection']) {
@@ -279,7 +280,7 @@ describe('the frame round what is selected', () => {
     await tab.close();
   });
 
-  test('a finger that rests on a handle opens the menu and lets go of the frame', async () => {
+  test('closes for a menu when a finger rests on a handle', async () => {
     const tab = await open();
     const { page } = tab;
     const whole = await bytesOf(tab);

@@ -1,5 +1,5 @@
-// A trim line as a technician makes it: a scan of a limb, a closed line round it, 2 mm farther out a cut, a shell for
-// printing. No more than 15 clicks and drags beside the line itself.
+// A technician's trim line: a scan of a limb, a closed line around it, a cut 2 mm beside the line,
+// and a shell for printing. It takes at most 15 clicks and drags besides the line itself.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
@@ -7,7 +7,10 @@ import { browserOfSuite, Tab } from './browser.mjs';
 
 const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
-/** An open limb of 40 mm, a little thicker at one end and uneven all over, as a file of millimeters. */
+/**
+ * An open limb of 40 mm, slightly thicker at one end and uneven everywhere, as a file in
+ * millimeters.
+ */
 function limb(around = 72, along = 60) {
   const place = (i, j) => {
     const [angle, height] = [(2 * Math.PI * i) / around, (j / along - 0.5) * 240];
@@ -35,7 +38,7 @@ function limb(around = 72, along = 60) {
   return ['solid limb', ...lines, 'endsolid'].join('\n');
 }
 
-test('a limb is cut 2 mm beside a line round it, thickened and saved, in at most 15 clicks and drags', async () => {
+test('a limb is cut 2 mm beside a line around it, thickened and saved, in at most 15 clicks and drags', async () => {
   const tab = await Tab.open(browser, 'mesh=sphere:500');
   const { page } = tab;
   let hands = 0;
@@ -69,7 +72,7 @@ test('a limb is cut 2 mm beside a line round it, thickened and saved, in at most
   const from = { x: x - 280, y: y + 250 };
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
-  // Half a turn: until what was behind is seen in the middle.
+  // The view turns half around, until the hidden side is in the middle.
   const middle = () => page.evaluate(() => window.karcherPage.seen([0, 10, -43])?.x ?? null);
   for (let at = 0; at < 900; at += 20) {
     await page.mouse.move(from.x + at, from.y);
@@ -109,7 +112,7 @@ test('a limb is cut 2 mm beside a line round it, thickened and saved, in at most
   assert.ok(thick.closed);
   assert.equal(thick.most, null);
   assert.equal(bytes.readUInt32LE(80), thick.triangles.length / 3);
-  // 3 mm of it, and as much more as it is bent outwards.
+  // The volume is 3 mm of the area, and more where the surface is convex.
   assert.ok(thick.volume > 3 * area && thick.volume < 3.2 * area, `${thick.volume} ${area}`);
   assert.ok(hands <= 15, `${hands} clicks and drags`);
   console.log(`${hands} clicks and drags beside the line`);

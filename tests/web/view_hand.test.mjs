@@ -1,4 +1,4 @@
-// The view follows the hand: it is zoomed, turned and moved at what is under the pointer.
+// The view follows the pointer: it zooms, turns and moves at the place under the pointer.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -8,7 +8,9 @@ describe('the view', () => {
 
   const off = [70, -40];
 
-  /** A tab with a point of the surface under a place of the window, in the surface's coordinates. */
+  /**
+   * A tab with a point of the surface under a place of the window, in the surface's coordinates.
+   */
   async function aimed(mesh = 'sphere:5000') {
     const tab = await Tab.open(browser, `mesh=${mesh}`);
     const { x, y } = await tab.middle();
@@ -46,7 +48,7 @@ describe('the view', () => {
     await tab.still();
   };
 
-  test('is zoomed to what is under the pointer, never through it, and back', async () => {
+  test('zooms to the place under the pointer, never through it, and back', async () => {
     const { tab, at, place } = await aimed();
     const sizeOf = async () => {
       const [a, b] = [place, place.map((value) => value + 0.002)];
@@ -68,7 +70,7 @@ describe('the view', () => {
     ['Alt', 'Alt', 'left'],
   ]) {
     for (const tool of ['v', 'p', 'f']) {
-      test(`is turned with ${how} about what is under the pointer, with tool ${tool}`, async () => {
+      test(`turns with ${how} about the place under the pointer, with tool ${tool}`, async () => {
         const { tab, at, place } = await aimed();
         await wheel(tab, 6, -240);
         await tab.page.keyboard.press(tool);
@@ -77,7 +79,7 @@ describe('the view', () => {
         const beside = { x: at.x - 60, y: at.y + 60 };
         const other = await seen(tab, [0, 0, 0]);
         if (hold) await tab.page.keyboard.down(hold);
-        // Beside the point itself, which is a handle.
+        // The drag starts beside the point itself, which is a handle.
         await drag(tab, { x: at.x + 14, y: at.y }, [30, 12], button);
         if (hold) await tab.page.keyboard.up(hold);
         near(await seen(tab, place), at, 'turned', 16);
@@ -94,7 +96,7 @@ describe('the view', () => {
     ['the middle button', null, 'middle'],
     ['the space bar', 'Space', 'left'],
   ]) {
-    test(`is moved with ${how}, and what is under the pointer stays there`, async () => {
+    test(`moves with ${how}, and keeps the place under the pointer there`, async () => {
       const { tab, at, place } = await aimed();
       await wheel(tab, 4, -240);
       await tab.page.keyboard.press('p');

@@ -1,4 +1,4 @@
-// From where the surface is looked at, in links.
+// The camera's place in links.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -24,7 +24,7 @@ describe('a view in a link', () => {
     model = { ...view, ...link, ...problems };
   });
 
-  test('is read as it is written, to a pixel', () => {
+  test('is read as it was written, to a pixel', () => {
     const number = (least, most) => fc.double({ min: least, max: most, noNaN: true });
     const orbit = fc.record({
       azimuth: number(-180, 180),
@@ -47,7 +47,7 @@ describe('a view in a link', () => {
     for (const name of model.viewNames) assert.equal(model.parseView(name), name);
   });
 
-  test('says nothing else: what is out of range is told', () => {
+  test('has no other meaning: numbers out of range are reported', () => {
     const fine = [10, 20, 1, 0, 0, 0];
     const wrong = [
       ...[[181], [NaN], ['']].map((one) => [...one, ...fine.slice(1)]),
@@ -84,7 +84,7 @@ describe('links of the page', () => {
   after(() => browser.close());
 
   const link = 'mesh=torus:5000&kind=bspline&method=karcher-fast&points=10,0.3,0.3;900,0.2,0.3';
-  /** Where some vertices are seen; null where they are hidden. */
+  /** The places of some vertices in the window; null if they are hidden. */
   const seen = async (tab) => {
     await tab.still();
     return tab.page.evaluate(async () => {
@@ -113,7 +113,7 @@ describe('links of the page', () => {
     return tab.page.evaluate(() => navigator.clipboard.readText());
   };
 
-  test('open with the view that they were copied with', async () => {
+  test('open with the view with which they were copied', async () => {
     const tab = await Tab.open(browser, link);
     const { page } = tab;
     const usual = await seen(tab);
@@ -133,7 +133,7 @@ describe('links of the page', () => {
     await second.page.reload();
     await second.settled();
     assert.ok(farthest(turned, await seen(second)) < 1, 'also after a reload');
-    // On the surface that is shown: the same drawing from elsewhere.
+    // On the visible surface: the same drawing from elsewhere.
     await second.page.evaluate((text) => {
       location.hash = text;
     }, `${link}&view=top`);
@@ -151,7 +151,7 @@ describe('links of the page', () => {
     await page.close();
   });
 
-  test('and files of drawings open with the view that they were saved with', async () => {
+  test('and files of drawings open with the view with which they were saved', async () => {
     const tab = await Tab.open(browser, link);
     const { page } = tab;
     const usual = await seen(tab);
@@ -177,7 +177,7 @@ describe('links of the page', () => {
     await page.close();
   });
 
-  test('of before have the usual view, and one that cannot be is told', async () => {
+  test('of older versions have the default view, and an impossible view is reported', async () => {
     const tab = await Tab.open(browser, link);
     const usual = await seen(tab);
     await tab.page.close();
@@ -189,7 +189,7 @@ describe('links of the page', () => {
     await wrong.close();
   });
 
-  test('show in a narrow window what a wide one showed', async () => {
+  test('show the same in a narrow window and in a wide one', async () => {
     const wide = await Tab.open(browser, `${link}&view=30,40,0.9,0.05,0,0`);
     const inWide = (await seen(wide)).filter((place) => place !== null);
     await wide.page.close();

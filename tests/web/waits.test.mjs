@@ -1,10 +1,10 @@
-// What is done while the page waits for its workers is not undone by what it waited for.
+// Edits made while the page waits for its workers survive the workers' answers.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { everyFile } from '../wasm/mesh_files.mjs';
 import { openBrowser, Tab } from './browser.mjs';
 
-/** A cone that stands on z = 0, without a sole; its tip is the last vertex. */
+/** A cone on z = 0, without a base; its tip is the last vertex. */
 const ring = Array.from({ length: 60 }, (_, i) => (Math.PI * i) / 30);
 const cone = {
   positions: [...ring.flatMap((t) => [Math.cos(t), Math.sin(t), 0]), 0, 0, 3],
@@ -15,7 +15,7 @@ describe('while the page waits', () => {
   let browser;
   before(async () => {
     browser = await openBrowser();
-    // What is asked of workers whose script's name has the letters of `window.holds` waits.
+    // Requests to workers are held if their script's name contains the letters of `window.holds`.
     await browser.context.addInitScript(() => {
       window.holds = '';
       window.held = [];
@@ -46,7 +46,7 @@ describe('while the page waits', () => {
   const shown = (tab, ending) =>
     tab.page.waitForFunction((end) => window.karcherPage.state().mesh.endsWith(end), ending);
 
-  test('for another axis up: edits stay, and of two choices the last one counts', async () => {
+  test('for another upward axis: edits stay, and the last of two choices counts', async () => {
     const tab = await Tab.open(browser);
     await tab.dropBytes('cone.ply', everyFile(cone)['little.ply']);
     await shown(tab, 'cone.ply');
@@ -65,14 +65,14 @@ describe('while the page waits', () => {
     await hold(tab, '');
     await tab.settled();
     assert.equal((await tab.state()).figure.points.length, 5);
-    // A worker that was asked first has answered by the time that a later one has.
+    // An earlier request has an answer by the time that a later one has.
     await up.selectOption('Z up');
     await shown(tab, '~z:cone.ply');
     assert.equal((await tab.state()).figure.points.length, 5);
     await tab.close();
   });
 
-  test("for a link's method: its drawing does not land on the surface that was opened since", async () => {
+  test('for a link’s method: its drawing does not appear on the surface that was opened since', async () => {
     const tab = await Tab.open(browser);
     await hold(tab, 'engine');
     await tab.page.evaluate(() => {
@@ -96,7 +96,7 @@ describe('while the page waits', () => {
     await tab.page.close();
   });
 
-  test('for a method that takes long to prepare: the one that was chosen since stays', async () => {
+  test('for a method that takes long to prepare: the method that was chosen since stays', async () => {
     const tab = await Tab.open(browser);
     await tab.click([-20, 60], [30, 0], [0, -60], [10, 90]);
     const method = tab.page.locator('#method');
@@ -109,7 +109,7 @@ describe('while the page waits', () => {
     await tab.page.evaluate(() => {
       for (const send of window.held) send();
     });
-    // The engine answers in order: what comes after has been answered after it.
+    // The engine answers in order: a later request has been answered after it.
     await tab.click([60, 40]);
     await tab.page.waitForFunction(() => document.getElementById('progress').hidden);
     assert.equal((await tab.state()).method, 'paper-exact');
@@ -117,7 +117,7 @@ describe('while the page waits', () => {
     await tab.close();
   });
 
-  test('for the keys: Escape closes a menu that has just been opened, and lets go of nothing else', async () => {
+  test('for the focus: Escape closes a menu that has just opened, and deselects nothing', async () => {
     const tab = await Tab.open(browser);
     await tab.click([-60, 60], [-20, 0], [20, -60], [60, 20]);
     await tab.page.keyboard.press('v');
@@ -127,7 +127,7 @@ describe('while the page waits', () => {
     await tab.page.mouse.click(x, y, { button: 'right' });
     const menu = tab.page.locator('#context-menu');
     await menu.waitFor();
-    // The keys are elsewhere, as a moment after it is opened.
+    // The focus is elsewhere, as in the moment after the menu opens.
     await tab.page.evaluate(() => document.activeElement.blur());
     await tab.page.keyboard.press('Escape');
     assert.equal(await menu.isVisible(), false);
@@ -139,7 +139,7 @@ describe('while the page waits', () => {
     await tab.page.close();
   });
 
-  test('for the outline it says so, and nothing is saved once that is cancelled', async () => {
+  test('for the outline it says so, and nothing is saved after a cancellation', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click([-60, 0], [60, 0]);

@@ -1,5 +1,5 @@
-// A walk over the controls and gestures, in any order: after every step panel, handles, halo and status speak of one
-// selection, and what is undone comes back.
+// A random walk over the controls and gestures: after every step panel, handles, halo and status
+// agree on the selection, and undo works.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import fc from 'fast-check';
@@ -7,14 +7,14 @@ import { browserOfSuite, Tab } from './browser.mjs';
 import { Dropping, dropStep } from './dropping.mjs';
 import { long, seed } from './part.mjs';
 
-/** A place of the stage, from its middle: mostly on the surface. */
+/** A place of the stage, relative to its middle: usually on the surface. */
 const place = fc.tuple(
   fc.integer({ min: -9, max: 9 }).map((step) => 20 * step),
   fc.integer({ min: -8, max: 8 }).map((step) => 20 * step),
 );
 const number = fc.nat({ max: 7 });
 
-/** The steps, by how often they are taken: keys and clicks above all. */
+/** The steps with their frequencies: mostly keys and clicks. */
 const step = fc.oneof(
   { weight: 5, arbitrary: fc.record({ do: fc.constant('click'), at: place }) },
   { weight: 4, arbitrary: fc.record({ do: fc.constant('drag'), at: place, to: place }) },
@@ -66,10 +66,10 @@ const walks = fc.sample(fc.array(step, { minLength: steps, maxLength: steps }), 
   seed,
   numRuns: long ? 20 : 1,
 });
-/** Objects that a click on nothing leaves are few; more would only be slow. */
+/** With this many objects the walk begins no more, which would only be slow. */
 const mostObjects = 8;
 
-/** What the page says of the selection, everywhere. */
+/** The selection according to every part of the page. */
 const said = () => {
   const page = window.karcherPage;
   const { drawing, chosen, none, figure, selection, more, tool } = page.state();
@@ -133,7 +133,7 @@ const said = () => {
       ],
       'the halo': [
         page.marked().toSorted((a, b) => a - b),
-        // A single one has its handles.
+        // A single selected object has its handles instead.
         chosen.some((id) => id !== drawing.active) ? chosen.toSorted((a, b) => a - b) : [],
       ],
     },
@@ -198,7 +198,7 @@ describe('a walk', () => {
   }
 
   for (const [run, walk] of walks.entries()) {
-    test(`over everything: one selection is told everywhere, KARCHER_SEED=${seed}, walk ${run}`, async () => {
+    test(`over everything: all parts show one selection, KARCHER_SEED=${seed}, walk ${run}`, async () => {
       const tab = await Tab.open(browser, 'mesh=sphere:500');
       const dropping = new Dropping(tab);
       const way = [];

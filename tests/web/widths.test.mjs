@@ -1,4 +1,5 @@
-// Widths in pixels stay, widths in the surface's unit are seen as the surface is; opacity is one for a line.
+// Widths in pixels are constant, widths in the surface's unit scale with the view; opacity is
+// uniform along a line.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -21,7 +22,7 @@ describe('looks of lines', () => {
     return tab.pixels(clip);
   }
 
-  /** How many pixels of a column are red. */
+  /** The number of red pixels of a column. */
   const thickness = (colors) => colors.filter(([r, g, b]) => r > 120 && g < 90 && b < 90).length;
 
   async function redLine(tab) {
@@ -32,7 +33,7 @@ describe('looks of lines', () => {
     await tab.page.keyboard.press('Escape');
   }
 
-  /** How far the line's ends are apart in the window. */
+  /** The distance of the line's ends in the window. */
   async function span(tab) {
     const { polyline } = await tab.view();
     const ends = [polyline.slice(0, 3), polyline.slice(-3)];
@@ -43,7 +44,7 @@ describe('looks of lines', () => {
     return Math.hypot(a.x - b.x, a.y - b.y);
   }
 
-  test('a width in pixels stays as one comes near, one in the unit grows as the surface does', async () => {
+  test('a width in pixels stays when the camera comes near, one in the unit grows with the surface', async () => {
     const tab = await Tab.open(browser, 'mesh=plane:grid:200&kind=polyline');
     await redLine(tab);
     await tab.page.keyboard.press('v');
@@ -76,7 +77,7 @@ describe('looks of lines', () => {
     await tab.close();
   });
 
-  test('a width in the unit lies on the surface: seen from aside it is as slanted', async () => {
+  test('a width in the unit lies on the surface: from the side it is foreshortened with it', async () => {
     const tab = await Tab.open(browser, 'mesh=plane:grid:200&kind=polyline');
     await redLine(tab);
     await tab.page.keyboard.press('v');
@@ -94,7 +95,7 @@ describe('looks of lines', () => {
     await tab.close();
   });
 
-  test('what is seen through is as opaque where a line crosses itself, and kept in files', async () => {
+  test('a transparent line is equally opaque where it crosses itself, and in files', async () => {
     const tab = await Tab.open(browser, 'mesh=plane:grid:200&kind=polyline');
     await tab.click([-80, -60], [80, 60], [80, -60], [-80, 60]);
     await tab.page.locator('#color').fill('#ff0000');
@@ -103,11 +104,11 @@ describe('looks of lines', () => {
     const crossing = async () => (await column(tab, 0, 4))[4];
     const opaque = await crossing();
     await type(tab, '#opacity', '50');
-    // Without its anchors and the legs between them.
+    // Escape removes its anchors and the legs between them.
     for (let times = 0; times < 2; times++) await tab.page.keyboard.press('Escape');
     await tab.settled();
     const crossed = await crossing();
-    // On the same stretch, away from the crossing and from handles.
+    // The column lies on the same stretch, away from the crossing and from handles.
     const once = (await column(tab, -48, 60)).find(([r, g]) => r > 1.2 * g);
     assert.ok(crossed[1] > opaque[1] + 40, `the surface shows: ${crossed}, ${opaque}`);
     const apart = Math.max(...crossed.map((value, i) => Math.abs(value - once[i])));

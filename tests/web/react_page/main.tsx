@@ -11,7 +11,7 @@ interface Shown {
   options: CurveOptions;
   worker: boolean;
   look?: { width: number; color: string };
-  /** Segments round the torus: another number is another geometry. */
+  /** The number of segments round the torus: another number is another geometry. */
   segments: number;
 }
 
@@ -21,7 +21,7 @@ const seen = {
   changes: 0,
   made: new Set<SurfaceCurve>(),
   bytes: () => -1,
-  /** The engine's before it makes anything. */
+  /** The bytes of the engine's memory before its first use. */
   fresh: -1,
   message: '',
 };
@@ -74,7 +74,7 @@ const page = {
       </StrictMode>,
     ),
   unmount: () => root.render(null),
-  /** Where a control point is seen, in pixels. */
+  /** The place of a control point in the window, in pixels. */
   at: (number: number) => {
     const { curve, camera } = seen;
     const place = curve!.surface.position(curve!.value.points[number]!, new Vector3());
