@@ -1,18 +1,25 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 import { checkBoolean, checkInteger, checkNumber, checkOptions, shown, toVector } from './check.js';
-import { checkKind, engineValue, givenNumbers, OwnBasis, optionsOfParts } from './curve_options.js';
-import { disposable, type Engine, Handle } from './engine.js';
+import {
+  checkKind,
+  engineValue,
+  givenNumbers,
+  OwnBasis,
+  optionsOfParts,
+  tracingOf,
+} from './curve_options.js';
+import { disposable, type Handle, type MeshHandle } from './engine.js';
 import { KarcherError } from './errors.js';
 import type {
   EngineCurve,
+  EngineCurveEdits,
   EngineCurveParts,
-  EngineMesh,
   EngineViewOptions,
 } from './karcher-engine.mjs';
 import { curveOptionNames } from './options.js';
 import { Path } from './path.js';
 import type { CurveLeg } from './path_types.js';
-import { toSurfacePoint, toSurfacePoints, wirePoint, wirePoints } from './points.js';
+import { toSurfacePoints, wirePoint, wirePoints, withPoint } from './points.js';
 import { inDouble } from './polyline.js';
 import type {
   BridgedInterval,
@@ -33,12 +40,7 @@ import type {
 } from './types.js';
 import { CurveView } from './view.js';
 
-/** The mesh's part in the life of its curves. */
-export interface CurveOwner {
-  make(options: CurveOptions): Curve;
-  /** Called when a curve is disposed of. */
-  forget(curve: Curve): void;
-}
+const pointNumber = (i: number) => checkInteger(i, 'the number of the control point');
 
 /** What costs nothing to tell. */
 type Facts = Pick<CurveView, 'length' | 'segmentCount' | 'levels' | 'times'>;
@@ -60,27 +62,24 @@ export class Curve {
 
   /** Calls `dispose`, for `using`. */
   declare readonly [Symbol.dispose]: () => void;
-  readonly #engine: Engine;
-  readonly #mesh: Handle<EngineMesh>;
+  readonly #mesh: MeshHandle;
   readonly #handle: Handle<EngineCurve>;
-  readonly #owner: CurveOwner;
   #options: CurveOptions;
   #basis: OwnBasis | undefined;
   /** What it is, and what costs nothing to tell of it, until the next edit. */
   #parts: EngineCurveParts | undefined;
   #facts: Facts | undefined;
+  #edits = 0;
 
   /** @internal `Mesh.curve` makes curves. */
-  constructor(engine: Engine, mesh: Handle<EngineMesh>, options: CurveOptions, owner: CurveOwner) {
+  constructor(mesh: MeshHandle, options: CurveOptions) {
+    checkOptions(options, curveOptionNames);
     const basis = options.basis === undefined ? undefined : new OwnBasis(options.basis);
     const value = engineValue(options, basis);
-    this.#engine = engine;
     this.#mesh = mesh;
-    this.#owner = owner;
     this.#options = { ...options };
     this.#basis = basis;
-    const target = this.#guard(() => mesh.call((engineMesh) => engineMesh.curve(value)));
-    this.#handle = new Handle(engine, 'the curve', target, mesh);
+    this.#handle = this.#guard(() => mesh.made('the curve', (target) => target.curve(value)));
   }
 
   /**
@@ -88,10 +87,10 @@ export class Curve {
    * what its kind has no use for.
    */
   value(): CurveValue {
-    const parts = this.#call((curve) => curve.value());
+    const parts = this.#shape;
     const { basis } = this.#options;
     const own = parts.kind === 'custom' && basis !== undefined && { basis };
-    return { ...this.#shared(), ...optionsOfParts(parts), ...own };
+    return { ...tracingOf(this.#options), ...optionsOfParts(parts), ...own };
   }
 
   /**
@@ -108,10 +107,9 @@ export class Curve {
         : new OwnBasis(value.basis);
     const next = engineValue(value, value.basis && basis);
     const wanted = { inDouble: inDouble(options), withPoints: false };
-    const copy = { ...value };
     const set = () => this.#handle.call((curve) => curve.set(next, wanted));
     const bytes = basis ? basis.guard(set) : set();
-    this.#options = copy;
+    this.#options = { ...value };
     if (value.basis !== undefined) this.#basis = basis;
     this.#parts = undefined;
     return this.#seen(bytes);
@@ -124,7 +122,7 @@ export class Curve {
 
   /** The control points. */
   points(): SurfacePoint[] {
-    return toSurfacePoints(this.#call((curve) => curve.value()).points);
+    return toSurfacePoints(this.#shape.points);
   }
 
   /** The samples: the centers of mass of which the curve is made, and how the search for each ended. */
@@ -251,9 +249,7 @@ export class Curve {
    * ```
    */
   movePoint(i: number, point: PointLike): void {
-    const index = checkInteger(i, 'the number of the control point');
-    const wire = wirePoint(point);
-    this.#edit((curve) => curve.movePoint(index, wire));
+    this.#edit('movePoint', pointNumber(i), wirePoint(point));
   }
 
   /**
@@ -263,9 +259,7 @@ export class Curve {
    * of the curve's value.
    */
   dragPoint(i: number, point: PointLike): void {
-    const index = checkInteger(i, 'the number of the control point');
-    const wire = wirePoint(point);
-    this.#edit((curve) => curve.dragPoint(index, wire));
+    this.#edit('dragPoint', pointNumber(i), wirePoint(point));
   }
 
   /**
@@ -273,27 +267,25 @@ export class Curve {
    * numbers of points than before, there must be no weights, betas or knots of your own.
    */
   setPoints(points: readonly PointLike[]): void {
-    const wire = wirePoints(points);
-    this.#edit((curve) => curve.setPoints(wire));
+    this.#edit('setPoints', wirePoints(points));
   }
 
   /** Appends a control point. */
   addPoint(point: PointLike): void {
-    const wire = wirePoint(point);
-    this.#edit((curve) => curve.insertPoint(curve.pointCount(), wire));
+    this.insertPoint(
+      this.#call((curve) => curve.pointCount()),
+      point,
+    );
   }
 
   /** Inserts the point as number `i`; the numbers of those from there on grow by one. */
   insertPoint(i: number, point: PointLike): void {
-    const index = checkInteger(i, 'the number of the control point');
-    const wire = wirePoint(point);
-    this.#edit((curve) => curve.insertPoint(index, wire));
+    this.#edit('insertPoint', pointNumber(i), wirePoint(point));
   }
 
   /** Removes control point `i`; those after it move down by one. */
   removePoint(i: number): void {
-    const index = checkInteger(i, 'the number of the control point');
-    this.#edit((curve) => curve.removePoint(index));
+    this.#edit('removePoint', pointNumber(i));
   }
 
   /**
@@ -305,8 +297,7 @@ export class Curve {
    * Throws `KarcherError` badArgument where none can be put in.
    */
   insertOnCurve(parameter: number): number {
-    checkNumber(parameter, 'the parameter');
-    return this.#edit((curve) => curve.insertOnCurve(parameter));
+    return this.#edit('insertOnCurve', checkNumber(parameter, 'the parameter'));
   }
 
   /**
@@ -319,7 +310,9 @@ export class Curve {
    */
   split(parameter: number): Curve[] {
     checkNumber(parameter, 'the parameter');
-    return this.#call((curve) => curve.splitAt(parameter)).map((parts) => this.#alike(parts));
+    return this.#call((curve) => curve.splitAt(parameter)).map((parts) =>
+      alike(this.#mesh, this.#options, parts),
+    );
   }
 
   /**
@@ -333,25 +326,23 @@ export class Curve {
   join(other: Curve): Curve {
     if (!(other instanceof Curve) || other.#mesh !== this.#mesh) {
       const given = other instanceof Curve ? 'one of another mesh' : shown(other);
-      throw new KarcherError(
-        'badArgument',
-        `the other curve must be a curve of the same mesh, not ${given}`,
-      );
+      const sentence = `the other curve must be a curve of the same mesh, not ${given}`;
+      throw new KarcherError('badArgument', sentence);
     }
     const second = other.#handle.call((target) => target);
-    return this.#alike(this.#call((curve) => curve.joined(second)));
+    const parts = this.#call((curve) => curve.joined(second));
+    return alike(this.#mesh, this.#options, parts);
   }
 
   /** Makes point `from` the one of number `to`, with its weight and beta. */
   movePointInOrder(from: number, to: number): void {
-    const old = checkInteger(from, 'the number of the control point');
     const index = checkInteger(to, 'the new number of the control point');
-    this.#edit((curve) => curve.movePointInOrder(old, index));
+    this.#edit('movePointInOrder', pointNumber(from), index);
   }
 
   /** Runs the curve backwards. A closed one keeps its first point. */
   reverse(): void {
-    this.#edit((curve) => curve.reverse());
+    this.#edit('reverse');
   }
 
   /**
@@ -360,40 +351,32 @@ export class Curve {
    * basis.
    */
   setKind(kind: CurveKind): void {
-    checkKind(kind);
-    this.#edit((curve) => curve.setKind(kind));
+    this.#edit('setKind', checkKind(kind));
   }
 
   /** Closes the curve, or opens it; its control points stay. */
   setClosed(closed: boolean): void {
-    checkBoolean(closed, 'closed');
-    this.#edit((curve) => curve.setClosed(closed));
+    this.#edit('setClosed', checkBoolean(closed, 'closed'));
   }
 
   /** Sets the weight of point `i`, for the kinds `bspline` and `rational`. No field is computed. */
   setWeight(i: number, weight: number): void {
-    const index = checkInteger(i, 'the number of the control point');
-    checkNumber(weight, 'the weight');
-    this.#edit((curve) => curve.setWeight(index, weight));
+    this.#edit('setWeight', pointNumber(i), checkNumber(weight, 'the weight'));
   }
 
   /** Sets the weights of all points, as `setWeight` does one. */
   setWeights(weights: ArrayLike<number>): void {
-    const numbers = givenNumbers(weights, 'the weights');
-    this.#edit((curve) => curve.setWeights(numbers));
+    this.#edit('setWeights', givenNumbers(weights, 'the weights'));
   }
 
   /** Sets the beta of point `i`, for the kind `barycentric`. No field is computed. */
   setBeta(i: number, beta: number): void {
-    const index = checkInteger(i, 'the number of the control point');
-    checkNumber(beta, 'the beta');
-    this.#edit((curve) => curve.setBeta(index, beta));
+    this.#edit('setBeta', pointNumber(i), checkNumber(beta, 'the beta'));
   }
 
   /** Sets the betas of all points, as `setBeta` does one. */
   setBetas(betas: ArrayLike<number>): void {
-    const numbers = givenNumbers(betas, 'the betas');
-    this.#edit((curve) => curve.setBetas(numbers));
+    this.#edit('setBetas', givenNumbers(betas, 'the betas'));
   }
 
   /**
@@ -450,20 +433,11 @@ export class Curve {
   /** Gives the memory back. Safe to repeat. */
   dispose(): void {
     this.#handle.dispose();
-    this.#owner.forget(this);
   }
 
-  /** A curve of other parts, with the samples and fields of this one. */
-  #alike(parts: EngineCurveParts): Curve {
-    return this.#owner.make({ ...this.#shared(), ...optionsOfParts(parts) });
-  }
-
-  /** Its samples and fields, as they were given. */
-  #shared(): Partial<Omit<CurveOptions, 'legs'>> {
-    const { method, solver, rings, samples, tolerance, geometry, levels, leastLevels } =
-      this.#options;
-    const all = { method, solver, rings, samples, tolerance, geometry, levels, leastLevels };
-    return Object.fromEntries(Object.entries(all).filter(([, value]) => value !== undefined));
+  /** @internal How many times it was edited, but by `set`. */
+  edits(): number {
+    return this.#edits;
   }
 
   get #shape(): EngineCurveParts {
@@ -488,7 +462,7 @@ export class Curve {
   }
 
   #seen(bytes: Uint8Array): CurveView {
-    const view = new CurveView({ bytes, statusNames: this.#engine.statusNames });
+    const view = new CurveView({ bytes, statusNames: this.#handle.engine.statusNames });
     const { length, segmentCount, levels, times } = view;
     this.#facts = { length, segmentCount, levels, times };
     return view;
@@ -502,17 +476,19 @@ export class Curve {
     return this.#guard(() => this.#handle.call(work));
   }
 
-  #edit<Result>(change: (curve: EngineCurve) => Result): Result {
-    const result = this.#call(change);
+  #edit<Name extends keyof EngineCurveEdits>(
+    name: Name,
+    ...args: Parameters<EngineCurve[Name]>
+  ): ReturnType<EngineCurve[Name]> {
+    type Edit = (...args: Parameters<EngineCurve[Name]>) => ReturnType<EngineCurve[Name]>;
+    const result = this.#call((curve) => (curve[name] as Edit).apply(curve, args));
     this.#parts = undefined;
     this.#facts = undefined;
+    this.#edits++;
     return result;
   }
 }
 
-/** The same record, with the point as an object of face and weights. */
-function withPoint<At extends { point: Float64Array }>(
-  at: At,
-): Omit<At, 'point'> & { point: SurfacePoint } {
-  return { ...at, point: toSurfacePoint(at.point) };
-}
+/** A curve of the engine's parts, traced as options say. */
+const alike = (mesh: MeshHandle, options: CurveOptions, parts: EngineCurveParts): Curve =>
+  new Curve(mesh, { ...tracingOf(options), ...optionsOfParts(parts) });

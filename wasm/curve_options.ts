@@ -4,7 +4,6 @@ import {
   checkFunction,
   checkInteger,
   checkOneOf,
-  checkOptions,
   checkPositive,
   toFloat64,
 } from './check.js';
@@ -15,7 +14,7 @@ import type {
   EngineCurveValue,
   EngineSampling,
 } from './karcher-engine.mjs';
-import { curveOptionNames, engineCurveLevels, engineFieldOptions } from './options.js';
+import { engineCurveLevels, engineFieldOptions } from './options.js';
 import { toSurfacePoints, wirePointArrays, wirePoints } from './points.js';
 import type {
   CurveBasis,
@@ -120,6 +119,14 @@ function checkOwnOptions(options: CurveOptions): void {
   }
 }
 
+/** The options that say how a curve is traced, as they were given: its samples and fields. */
+export function tracingOf(options: CurveOptions): Partial<Omit<CurveOptions, 'legs'>> {
+  const { method, solver, rings, star, samples, tolerance, geometry, levels, leastLevels } =
+    options;
+  const all = { method, solver, rings, star, samples, tolerance, geometry, levels, leastLevels };
+  return Object.fromEntries(Object.entries(all).filter(([, value]) => value !== undefined));
+}
+
 /** The options that make a curve of the engine's parts: what its kind has a use for. */
 export function optionsOfParts(parts: EngineCurveParts): CurveValue {
   const { kind, closed, degree, clamped, centripetal, points, legs = [] } = parts;
@@ -174,24 +181,25 @@ export function givenNumbers(values: ArrayLike<number>, what: string): Float64Ar
   throw new KarcherError('badArgument', `${what} must not be an empty array`);
 }
 
+/** The same of an option, none where it is left out. */
+export const numbersOrNone = (values: ArrayLike<number> | undefined, what: string): Float64Array =>
+  values === undefined ? new Float64Array() : givenNumbers(values, what);
+
 function engineShape(options: CurveOptions, basis: OwnBasis | undefined): EngineCurveShape {
-  checkOptions(options, curveOptionNames);
   checkKind(options.kind);
   checkOwnOptions(options);
   const { knots = 'uniform', parametrization = 'centripetal' } = options;
   const named = typeof knots === 'string';
   if (named) checkOneOf(knots, ['uniform', 'clamped'], 'the knots');
   checkOneOf(parametrization, parametrizations, 'the parametrization');
-  const numbers = (values: ArrayLike<number> | undefined, what: string) =>
-    values === undefined ? new Float64Array() : givenNumbers(values, what);
   return {
     kind: options.kind,
     closed: checkBoolean(options.closed ?? false, 'closed'),
     degree: checkInteger(options.degree ?? 3, 'the degree'),
     clamped: knots === 'clamped',
-    knots: numbers(named ? undefined : knots, 'the knots'),
-    weights: numbers(options.weights, 'the weights'),
-    betas: numbers(options.betas, 'the betas'),
+    knots: numbersOrNone(named ? undefined : knots, 'the knots'),
+    weights: numbersOrNone(options.weights, 'the weights'),
+    betas: numbersOrNone(options.betas, 'the betas'),
     centripetal: parametrization === 'centripetal',
     basis: basis?.call,
   };

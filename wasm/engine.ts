@@ -1,5 +1,5 @@
 import { KarcherError } from './errors.js';
-import type { EngineModule } from './karcher-engine.mjs';
+import type { EngineMesh, EngineModule } from './karcher-engine.mjs';
 import type { ErrorCode, Status } from './types.js';
 
 /** Calls into the module, so that each failure arrives as a `KarcherError`. */
@@ -28,6 +28,9 @@ export class Engine {
       'the engine is at work: a basis must not call it, nor dispose of anything in it',
     );
   }
+
+  /** How many bytes of the engine's memory are in use. */
+  readonly allocatedBytes = (): number => this.call((module) => module.allocatedBytes());
 
   /** Returns what `work` returns, or throws the `KarcherError` that the engine left. */
   call<Result>(work: (module: EngineModule) => Result): Result {
@@ -78,19 +81,25 @@ const forgotten = new FinalizationRegistry<Lease>((lease) => {
   }
 });
 
+/** So many objects may be made of one before those that are gone are looked for. */
+const leastMost = 16;
+
 /** An object in the module's memory, until it is disposed of, or nobody can reach it any more. */
 export class Handle<Target extends { delete(): void }> {
-  readonly #engine: Engine;
+  readonly engine: Engine;
   readonly #what: string;
   readonly #lease: Lease;
   #target: Target | undefined;
+  /** What was made of it, which may be forgotten or disposed of before. */
+  readonly #made = new Set<WeakRef<Handle<{ delete(): void }>>>();
+  #most = leastMost;
 
   /**
    * `what` names the object in the error of a use after `dispose`: "the mesh"; `from` is what the
    * object was made from, and reads.
    */
   constructor(engine: Engine, what: string, target: Target, from?: Handle<{ delete(): void }>) {
-    this.#engine = engine;
+    this.engine = engine;
     this.#what = what;
     this.#target = target;
     this.#lease = new Lease(target, from ? from.#lease : undefined);
@@ -106,46 +115,40 @@ export class Handle<Target extends { delete(): void }> {
     if (this.disposed) throw new KarcherError('disposed', `${this.#what} has been disposed of`);
   }
 
+  /**
+   * An object that `make` makes of this one, which it reads and with which it is disposed of; `what` names
+   * it as in the constructor.
+   */
+  made<Other extends { delete(): void }>(
+    what: string,
+    make: (target: Target) => Other,
+  ): Handle<Other> {
+    const other = new Handle(this.engine, what, this.call(make), this);
+    if (this.#made.size >= this.#most) {
+      for (const ref of this.#made) if (ref.deref()?.disposed ?? true) this.#made.delete(ref);
+      this.#most = Math.max(leastMost, 2 * this.#made.size);
+    }
+    this.#made.add(new WeakRef(other));
+    return other;
+  }
+
   call<Result>(work: (target: Target) => Result): Result {
     this.check();
-    return this.#engine.call(() => work(this.#target!));
+    return this.engine.call(() => work(this.#target!));
   }
 
   /** Throws `KarcherError` `busy` where the engine is at work. */
   dispose(): void {
     if (this.disposed) return;
-    this.#engine.checkIdle();
+    this.engine.checkIdle();
+    for (const ref of this.#made) ref.deref()?.dispose();
     this.#target = undefined;
     forgotten.unregister(this);
     this.#lease.end();
   }
 }
 
-/** What was made from something and is disposed of with it; it does not keep it from being forgotten. */
-export class Made<Item extends { dispose(): void }> {
-  readonly #items = new Set<WeakRef<Item>>();
-  readonly #refs = new WeakMap<Item, WeakRef<Item>>();
-  #most = 16;
-
-  add(item: Item): void {
-    if (this.#items.size >= this.#most) {
-      for (const ref of this.#items) if (!ref.deref()) this.#items.delete(ref);
-      this.#most = Math.max(16, 2 * this.#items.size);
-    }
-    const ref = new WeakRef(item);
-    this.#items.add(ref);
-    this.#refs.set(item, ref);
-  }
-
-  delete(item: Item): void {
-    const ref = this.#refs.get(item);
-    if (ref) this.#items.delete(ref);
-  }
-
-  dispose(): void {
-    for (const ref of this.#items) ref.deref()?.dispose();
-  }
-}
+export type MeshHandle = Handle<EngineMesh>;
 
 /** Lets a class be disposed of by `using`, where the language has it. */
 export function disposable(prototype: { dispose(): void }): void {

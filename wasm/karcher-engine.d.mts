@@ -291,14 +291,7 @@ export interface EngineMinimum {
 }
 
 /** Each edit makes it another curve, whole, or fails and changes nothing. */
-export interface EngineCurve {
-  delete(): void;
-  /** Makes it the curve of a value: its view (view.ts). */
-  set(value: EngineCurveValue, options: EngineViewOptions): Uint8Array;
-  view(options: EngineViewOptions): Uint8Array;
-  /** What it is; arrays are empty where there are none. */
-  value(): EngineCurveParts;
-  legs(): { path: EnginePath; shorter?: EnginePath }[];
+export interface EngineCurveEdits {
   movePoint(i: number, point: Float64Array): void;
   /** The same, with its legs continued from where they lie. */
   dragPoint(i: number, point: Float64Array): void;
@@ -315,6 +308,16 @@ export interface EngineCurve {
   setBetas(betas: Float64Array): void;
   /** Returns the number of the new control point. */
   insertOnCurve(parameter: number): number;
+}
+
+export interface EngineCurve extends EngineCurveEdits {
+  delete(): void;
+  /** Makes it the curve of a value: its view (view.ts). */
+  set(value: EngineCurveValue, options: EngineViewOptions): Uint8Array;
+  view(options: EngineViewOptions): Uint8Array;
+  /** What it is; arrays are empty where there are none. */
+  value(): EngineCurveParts;
+  legs(): { path: EnginePath; shorter?: EnginePath }[];
   splitAt(parameter: number): EngineCurveParts[];
   joined(other: EngineCurve): EngineCurveParts;
   pointCount(): number;

@@ -50,7 +50,7 @@ export class Karcher {
     const bytes =
       typeof textOrBytes === 'string' ? new TextEncoder().encode(textOrBytes) : textOrBytes;
     const megabytes = (bytes.length / 2 ** 20).toFixed(0);
-    checkFits(bytes.length, `an OBJ file of ${megabytes} MB takes`, () => this.allocatedBytes());
+    checkFits(bytes.length, `an OBJ file of ${megabytes} MB takes`, this.#engine.allocatedBytes);
     return this.#mesh((engine) => engine.meshFromObj(bytes, wanted, repair, weld));
   }
 
@@ -68,8 +68,11 @@ export class Karcher {
     const corners = toInt32(triangles, 'the triangles');
     checkLength(corners, 3, 'the triangles');
     const { repair, weld } = engineMeshOptions(options);
-    checkMeshFits(coordinates.length / 3, corners.length / 3, 'a mesh of', () =>
-      this.allocatedBytes(),
+    checkMeshFits(
+      coordinates.length / 3,
+      corners.length / 3,
+      'a mesh of',
+      this.#engine.allocatedBytes,
     );
     return this.#mesh((engine) => engine.meshFromArrays(coordinates, corners, repair, weld));
   }
@@ -89,8 +92,11 @@ export class Karcher {
     const vertices = toInt32(corners, 'the corners');
     const counts = toInt32(sizes, 'the sizes');
     const { repair, weld } = engineMeshOptions(options);
-    checkMeshFits(coordinates.length / 3, vertices.length - 2 * counts.length, 'a mesh of', () =>
-      this.allocatedBytes(),
+    checkMeshFits(
+      coordinates.length / 3,
+      vertices.length - 2 * counts.length,
+      'a mesh of',
+      this.#engine.allocatedBytes,
     );
     return this.#mesh((engine) =>
       engine.meshFromPolygons(coordinates, vertices, counts, repair, weld),
@@ -114,7 +120,7 @@ export class Karcher {
 
   /** Bytes in use in the engine's memory, for tests of what is given back. */
   allocatedBytes(): number {
-    return this.#engine.call((engine) => engine.allocatedBytes());
+    return this.#engine.allocatedBytes();
   }
 
   #mesh(make: (engine: EngineModule) => EngineMesh): Mesh {

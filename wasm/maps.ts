@@ -1,8 +1,11 @@
 import { checkLength, checkNumber, toFloat64, toVector } from './check.js';
+import type { MeshHandle } from './engine.js';
 import { KarcherError } from './errors.js';
 import type { EngineMapped } from './karcher-engine.mjs';
-import { toSurfacePoints } from './points.js';
-import type { SurfacePoint } from './types.js';
+import { Path } from './path.js';
+import type { StraightestPath } from './path_types.js';
+import { toSurfacePoint, toSurfacePoints, wirePoint, wirePoints } from './points.js';
+import type { PointLike, SurfacePoint, VectorLike, VectorsLike } from './types.js';
 
 /** Points seen from another one, in its tangent plane: x, y, z each, in space. */
 export interface LogMap {
@@ -22,8 +25,77 @@ export interface MappedPoints {
   remaining: Float64Array;
 }
 
+export function straightest(
+  mesh: MeshHandle,
+  from: PointLike,
+  direction: VectorLike,
+  length: number,
+): StraightestPath {
+  const wire = wirePoint(from);
+  checkNumber(length, 'the length');
+  const vector = toVector(direction, 'the direction');
+  const line = mesh.call((target) => target.straightest(wire, vector, length));
+  return { ...line, end: toSurfacePoint(line.end), path: new Path(line.path) };
+}
+
+export function logMap(
+  mesh: MeshHandle,
+  from: PointLike,
+  points: readonly PointLike[] | undefined,
+  directions: VectorsLike | undefined,
+): LogMap {
+  const wire = wirePoint(from);
+  if (points === undefined) {
+    if (directions !== undefined) {
+      throw new KarcherError('badArgument', 'the log map of all vertices takes no directions');
+    }
+    const vectors = mesh.call((target) => target.logMapOfVertices(wire));
+    return { vectors, directions: new Float64Array() };
+  }
+  const places = wirePoints(points);
+  const ways = carriedVectors(directions, points.length);
+  return mesh.call((target) => target.logMap(wire, places, ways));
+}
+
+export function expMap(
+  mesh: MeshHandle,
+  from: PointLike,
+  vectors: VectorsLike,
+  directions: VectorsLike | undefined,
+): MappedPoints {
+  const wire = wirePoint(from);
+  const ways = toVectors(vectors, 'the vectors');
+  const carried = carriedVectors(directions, ways.length / 3);
+  return toMapped(mesh.call((target) => target.expMap(wire, ways, carried)));
+}
+
+export function transport(
+  mesh: MeshHandle,
+  from: PointLike,
+  to: PointLike,
+  vectors: VectorsLike,
+): Float64Array {
+  const wireFrom = wirePoint(from, 'the first point');
+  const wireTo = wirePoint(to, 'the second point');
+  const ways = toVectors(vectors, 'the vectors');
+  return mesh.call((target) => target.transport(wireFrom, wireTo, ways));
+}
+
+export function mirror(
+  mesh: MeshHandle,
+  line: readonly PointLike[],
+  points: readonly PointLike[],
+  directions: VectorsLike | undefined,
+): MappedPoints {
+  const wireLine = wirePoints(line, 'the line');
+  if (line.length < 2) throw new KarcherError('badArgument', 'a line has at least two points');
+  const places = wirePoints(points);
+  const ways = carriedVectors(directions, points.length);
+  return toMapped(mesh.call((target) => target.mirror(wireLine, places, ways)));
+}
+
 /** Vectors of a caller's (`VectorsLike`) one after the other, three finite numbers each. */
-export function toVectors(value: unknown, what: string): Float64Array {
+function toVectors(value: unknown, what: string): Float64Array {
   if (Array.isArray(value) && isObject(value[0])) {
     const all = new Float64Array(3 * value.length);
     for (let i = 0; i < value.length; i++) {
@@ -43,7 +115,7 @@ export function toVectors(value: unknown, what: string): Float64Array {
 const isObject = (value: unknown): value is object => typeof value === 'object' && value !== null;
 
 /** The directions at so many points; without any, of length 0. */
-export function carriedVectors(directions: unknown, count: number): Float64Array {
+function carriedVectors(directions: unknown, count: number): Float64Array {
   if (directions === undefined) return new Float64Array(3 * count);
   const numbers = toVectors(directions, 'the directions');
   if (numbers.length === 3 * count) return numbers;
@@ -53,6 +125,6 @@ export function carriedVectors(directions: unknown, count: number): Float64Array
   );
 }
 
-export function toMapped({ points, directions, remaining }: EngineMapped): MappedPoints {
+function toMapped({ points, directions, remaining }: EngineMapped): MappedPoints {
   return { points: toSurfacePoints(points), directions, remaining };
 }

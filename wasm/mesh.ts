@@ -1,47 +1,34 @@
 /// <reference lib="esnext.disposable" preserve="true" />
-import {
-  checkArray,
-  checkBoolean,
-  checkInteger,
-  checkNumber,
-  checkOneOf,
-  checkOptions,
-  shown,
-  toFloat64,
-  toVector,
-} from './check.js';
+import { checkInteger, toVector } from './check.js';
 import { Curve } from './curve.js';
-import { givenNumbers } from './curve_options.js';
-import { disposable, type Engine, Handle, Made } from './engine.js';
-import { KarcherError } from './errors.js';
-import type { EngineCircle, EngineMean, EngineMesh } from './karcher-engine.mjs';
-import { carriedVectors, type LogMap, type MappedPoints, toMapped, toVectors } from './maps.js';
-import { frozenInfo } from './mesh_info.js';
+import { disposable, type Engine, Handle, type MeshHandle } from './engine.js';
 import {
-  centerOptionNames,
-  centersOptionNames,
-  checkLongWork,
-  circleOptionNames,
-  curveOptionNames,
-  distanceOptionNames,
-  ellipseOptionNames,
-  engineArcs,
-  engineFieldOptions,
-  fieldOptionNames,
-  isolineOptionNames,
-  cornerShapes,
-  offsetOptionNames,
-  offsetSides,
-  regionOptionNames,
-  startOptionNames,
-  weightsOptionNames,
-} from './options.js';
-import { Path } from './path.js';
+  circle,
+  distance,
+  distanceFromPaths,
+  ellipse,
+  isolines,
+  offset,
+  shortestPath,
+} from './distances.js';
+import type { EngineMesh } from './karcher-engine.mjs';
+import {
+  expMap,
+  type LogMap,
+  logMap,
+  type MappedPoints,
+  mirror,
+  straightest,
+  transport,
+} from './maps.js';
+import { centerOfMass, centerOfMassOfDistances, centersOfMass, weightsOf } from './means.js';
+import { frozenInfo } from './mesh_info.js';
+import type { Path } from './path.js';
 import type { Circle, Ellipse, Outline, RegionShape, StraightestPath } from './path_types.js';
-import { toPointArrays, toSurfacePoint, wirePoint, wirePointArrays, wirePoints } from './points.js';
-import { prepareGraph } from './prepare.js';
-import { Region, wireOutlines, wireShapes } from './region.js';
-import { checkDistancesFit, checkMeshFits } from './room.js';
+import { toSurfacePoint, wirePoint, wirePointsOrArrays } from './points.js';
+import { prepareFields } from './prepare.js';
+import { type Region, regions, wireOutlines } from './region.js';
+import { checkMeshFits } from './room.js';
 import type {
   CenterOfMass,
   CenterOptions,
@@ -69,7 +56,6 @@ import type {
   VectorsLike,
   WeightsOptions,
 } from './types.js';
-import { CurveView } from './view.js';
 
 /**
  * A triangle mesh. It and what is made from it live in the engine's memory until `dispose`, or until
@@ -86,27 +72,19 @@ export class Mesh {
 
   /** Calls `dispose`, for `using`. */
   declare readonly [Symbol.dispose]: () => void;
-  readonly #engine: Engine;
-  readonly #handle: Handle<EngineMesh>;
-  readonly #curves = new Made<Curve>();
+  readonly #handle: MeshHandle;
 
   /** What the mesh consists of, and what was mended while it was read. */
   readonly info: Readonly<MeshInfo>;
 
   /** @internal `Karcher` makes meshes. */
   constructor(engine: Engine, target: EngineMesh) {
-    this.#engine = engine;
     this.#handle = new Handle(engine, 'the mesh', target);
     this.info = frozenInfo(this.#handle.call((mesh) => mesh.info()));
   }
 
-  /** @internal The engine that made the mesh. */
-  get engine(): Engine {
-    return this.#engine;
-  }
-
   /** @internal The mesh in that engine's memory. */
-  get handle(): Handle<EngineMesh> {
+  get handle(): MeshHandle {
     return this.#handle;
   }
 
@@ -152,10 +130,10 @@ export class Mesh {
     checkInteger(levels, 'the number of levels');
     if (levels >= 1 && levels <= 6) {
       const what = `${levels} ${levels === 1 ? 'level' : 'levels'} of subdivision make`;
-      checkMeshFits(0, 4 ** levels * this.info.triangles, what, this.#bytesInUse);
+      checkMeshFits(0, 4 ** levels * this.info.triangles, what, this.#handle.engine.allocatedBytes);
     }
     return new Mesh(
-      this.#engine,
+      this.#handle.engine,
       this.#handle.call((mesh) => mesh.subdivided(levels)),
     );
   }
@@ -230,13 +208,7 @@ export class Mesh {
    * the latter as soon as it is known that a graph cannot fit.
    */
   async prepare(options: FieldOptions = {}, work: LongWorkOptions = {}): Promise<void> {
-    checkOptions(options, fieldOptionNames);
-    checkLongWork(work);
-    const field = engineFieldOptions(options);
-    if (field.solver === 'graph') {
-      await prepareGraph(this.#engine, this.#handle, this.info.triangles, field.rings, work);
-    }
-    this.#handle.call((mesh) => mesh.prepareFields(field));
+    return prepareFields(this.#handle, this.info.triangles, options, work);
   }
 
   /**
@@ -257,19 +229,7 @@ export class Mesh {
     weights: ArrayLike<number>,
     options: CenterOptions = {},
   ): CenterOfMass {
-    checkOptions(options, centerOptionNames);
-    const places = wirePoints(points);
-    const masses = toFloat64(weights, 'the weights');
-    const start = this.#wireStart(options);
-    const field = engineFieldOptions(options);
-    const normalize = checkBoolean(options.normalize ?? false, 'normalize');
-    const looks = checkBoolean(options.uniqueness ?? false, 'uniqueness');
-    const certifies = checkBoolean(options.certificate ?? false, 'certificate');
-    return toCenterOfMass(
-      this.#handle.call((mesh) =>
-        mesh.centerOfMass(places, masses, start, normalize, looks, certifies, field),
-      ),
-    );
+    return centerOfMass(this.#handle, points, weights, options);
   }
 
   /**
@@ -283,17 +243,7 @@ export class Mesh {
     rows: ArrayLike<number> | readonly ArrayLike<number>[],
     options: CentersOptions = {},
   ): CentersOfMass {
-    checkOptions(options, centersOptionNames);
-    const places = wirePoints(points);
-    const weights = toRows(rows, points.length);
-    const start = this.#wireStart(options);
-    const field = engineFieldOptions(options);
-    const normalize = checkBoolean(options.normalize ?? false, 'normalize');
-    const checks = checkBoolean(options.check ?? false, 'check');
-    const { point, ...centers } = this.#handle.call((mesh) =>
-      mesh.centersOfMass(places, weights, start, normalize, checks, field),
-    );
-    return { count: point.length / 4, ...toPointArrays(point), ...centers };
+    return centersOfMass(this.#handle, points, rows, options);
   }
 
   /**
@@ -311,15 +261,7 @@ export class Mesh {
     points: readonly PointLike[],
     options: WeightsOptions = {},
   ): MeanWeights {
-    checkOptions(options, weightsOptionNames);
-    const place = wirePoint(point);
-    const places = wirePoints(points);
-    const { weights } = options;
-    const given =
-      weights === undefined ? new Float64Array() : givenNumbers(weights, 'the given weights');
-    const nonNegative = checkBoolean(options.nonNegative ?? false, 'nonNegative');
-    const field = engineFieldOptions(options);
-    return this.#handle.call((mesh) => mesh.weightsOf(place, places, given, nonNegative, field));
+    return weightsOf(this.#handle, point, points, options);
   }
 
   /**
@@ -335,26 +277,7 @@ export class Mesh {
     weights: ArrayLike<number>,
     options: StartOptions = {},
   ): CenterOfMass {
-    checkOptions(options, startOptionNames);
-    const vertices = this.#handle.call((mesh) => mesh.inputVertices());
-    const arrays = checkArray(distances, 'the distances');
-    const all = new Float64Array(vertices * arrays.length);
-    for (const [i, entry] of arrays.entries()) {
-      const values = toFloat64(entry, `array ${i} of the distances`);
-      if (values.length !== vertices) {
-        throw new KarcherError(
-          'badArgument',
-          `array ${i} must hold a distance a vertex: ${vertices}, not ${values.length}`,
-        );
-      }
-      all.set(values, vertices * i);
-    }
-    const masses = toFloat64(weights, 'the weights');
-    const start = this.#wireStart(options);
-    const normalize = checkBoolean(options.normalize ?? false, 'normalize');
-    return toCenterOfMass(
-      this.#handle.call((mesh) => mesh.centerOfMassOfDistances(all, masses, start, normalize)),
-    );
+    return centerOfMassOfDistances(this.#handle, distances, weights, options);
   }
 
   /**
@@ -372,13 +295,7 @@ export class Mesh {
    * ```
    */
   curve(options: CurveOptions): Curve {
-    checkOptions(options, curveOptionNames);
-    const curve = new Curve(this.#engine, this.#handle, options, {
-      make: (others) => this.curve(others),
-      forget: (disposed) => this.#curves.delete(disposed),
-    });
-    this.#curves.add(curve);
-    return curve;
+    return new Curve(this.#handle, options);
   }
 
   /**
@@ -394,14 +311,7 @@ export class Mesh {
    * ```
    */
   circle(center: PointLike, options: CircleOptions): Circle {
-    checkOptions(options, circleOptionNames);
-    const wire = wirePoint(center, 'the center');
-    const radius = checkNumber(options.radius, 'the radius');
-    const tolerance = checkNumber(options.tolerance ?? 1e-3, 'the tolerance');
-    const arcs = engineArcs(options);
-    return this.#toCircle(
-      this.#handle.call((mesh) => mesh.circle(wire, radius, ...arcs, tolerance)),
-    );
+    return circle(this.#handle, center, options);
   }
 
   /**
@@ -410,18 +320,7 @@ export class Mesh {
    * direction is perpendicular to the center's face.
    */
   ellipse(center: PointLike, options: EllipseOptions): Ellipse {
-    checkOptions(options, ellipseOptionNames);
-    const wire = wirePoint(center, 'the center');
-    const radii = checkArray(options.radii, 'the radii').map((radius, i) =>
-      checkNumber(radius, `radius ${i}`),
-    );
-    if (radii.length !== 2) throw new KarcherError('badArgument', 'an ellipse takes two radii');
-    const [along, across] = radii as [number, number];
-    const direction = toVector(options.direction, 'the direction');
-    const arcs = engineArcs(options);
-    return this.#toCircle(
-      this.#handle.call((mesh) => mesh.ellipse(wire, along, across, direction, ...arcs)),
-    );
+    return ellipse(this.#handle, center, options);
   }
 
   /**
@@ -435,22 +334,7 @@ export class Mesh {
    * ```
    */
   isolines(center: PointLike, options: IsolineOptions): Path[] {
-    checkOptions(options, isolineOptionNames);
-    const wire = wirePoint(center, 'the center');
-    const radius = checkNumber(options.radius, 'the radius');
-    const type = checkOneOf(options.type ?? 'exact', ['exact', 'linear'], 'the type of isolines');
-    for (const name of ['solver', 'rings'] as const) {
-      if (type === 'linear' || options[name] === undefined) continue;
-      throw new KarcherError(
-        'badArgument',
-        `isolines of the type 'exact' take no ${name}; those of the type 'linear' do`,
-      );
-    }
-    const { solver = 'exact', rings } = options;
-    const field = engineFieldOptions({ solver, rings });
-    return this.#handle
-      .call((mesh) => mesh.isolines(wire, radius, type === 'exact', field))
-      .map((line) => new Path(line));
+    return isolines(this.#handle, center, options);
   }
 
   /**
@@ -462,18 +346,7 @@ export class Mesh {
    * consecutive points without a face in common, and a `miterLimit` below 1.
    */
   offset(paths: readonly Outline[], options: OffsetOptions): Path[] {
-    checkOptions(options, offsetOptionNames);
-    const outlines = wireOutlines(paths);
-    const distance = checkNumber(options.distance, 'the distance');
-    const side = checkOneOf(options.side ?? 'both', offsetSides, 'the side');
-    const shape = checkOneOf(options.corners ?? 'round', cornerShapes, 'the corners');
-    const corners = cornerShapes.indexOf(shape);
-    const miterLimit = checkNumber(options.miterLimit ?? 4, 'the miterLimit');
-    return this.#handle
-      .call((mesh) =>
-        mesh.offset(outlines, distance, offsetSides.indexOf(side) - 1, corners, miterLimit),
-      )
-      .map((line) => new Path(line));
+    return offset(this.#handle, paths, options);
   }
 
   /**
@@ -490,9 +363,7 @@ export class Mesh {
     paths: readonly Outline[],
     points: readonly PointLike[] | PointArrays,
   ): Float64Array {
-    const outlines = wireOutlines(paths);
-    const places = wirePointsOrArrays(points);
-    return this.#handle.call((mesh) => mesh.distanceFromPaths(outlines, places));
+    return distanceFromPaths(this.#handle, paths, points);
   }
 
   /**
@@ -505,17 +376,7 @@ export class Mesh {
    * surface, or an open one that ends inside; and for consecutive points without a face in common.
    */
   regions(shapes: readonly (Outline | RegionShape)[], options: RegionOptions = {}): Region[] {
-    checkOptions(options, regionOptionNames);
-    const rule = checkOneOf(options.rule ?? 'evenOdd', ['evenOdd', 'nonZero'], 'the rule');
-    const combine = checkOneOf(
-      options.combine ?? 'none',
-      ['none', 'union', 'intersection', 'difference', 'exclusion'],
-      'what combines',
-    );
-    const { outlines, counts, insides } = wireShapes(shapes);
-    return this.#handle
-      .call((mesh) => mesh.regions(outlines, counts, insides, rule, combine))
-      .map((region) => new Region(region));
+    return regions(this.#handle, shapes, options);
   }
 
   /**
@@ -539,14 +400,7 @@ export class Mesh {
    * beyond them. The solver `graph` has neither.
    */
   distance(from: PointLike | readonly PointLike[], options: DistanceOptions = {}): Float64Array {
-    checkOptions(options, distanceOptionNames);
-    const wire = Array.isArray(from) ? wirePoints(from) : wirePoint(from as PointLike);
-    if (wire.length === 0) {
-      throw new KarcherError('tooFewPoints', 'distances are from at least one point');
-    }
-    const field = engineFieldOptions({ ...options, solver: options.solver ?? 'exact' });
-    checkDistancesFit(this.info.vertices, this.#bytesInUse);
-    return this.#handle.call((mesh) => mesh.distance(wire, field));
+    return distance(this.#handle, this.info.vertices, from, options);
   }
 
   /**
@@ -560,9 +414,7 @@ export class Mesh {
    * ```
    */
   shortestPath(from: PointLike, to: PointLike): Path {
-    const wireFrom = wirePoint(from, 'the first point');
-    const wireTo = wirePoint(to, 'the second point');
-    return new Path(this.#handle.call((mesh) => mesh.shortestPath(wireFrom, wireTo)));
+    return shortestPath(this.#handle, from, to);
   }
 
   /**
@@ -579,11 +431,7 @@ export class Mesh {
    * ```
    */
   straightest(from: PointLike, direction: VectorLike, length: number): StraightestPath {
-    const wire = wirePoint(from);
-    checkNumber(length, 'the length');
-    const vector = toVector(direction, 'the direction');
-    const line = this.#handle.call((mesh) => mesh.straightest(wire, vector, length));
-    return { ...line, end: toSurfacePoint(line.end), path: new Path(line.path) };
+    return straightest(this.#handle, from, direction, length);
   }
 
   /**
@@ -601,17 +449,7 @@ export class Mesh {
    * not one a point.
    */
   logMap(from: PointLike, points?: readonly PointLike[], directions?: VectorsLike): LogMap {
-    const wire = wirePoint(from);
-    if (points === undefined) {
-      if (directions !== undefined) {
-        throw new KarcherError('badArgument', 'the log map of all vertices takes no directions');
-      }
-      const vectors = this.#handle.call((mesh) => mesh.logMapOfVertices(wire));
-      return { vectors, directions: new Float64Array() };
-    }
-    const places = wirePoints(points);
-    const ways = carriedVectors(directions, points.length);
-    return this.#handle.call((mesh) => mesh.logMap(wire, places, ways));
+    return logMap(this.#handle, from, points, directions);
   }
 
   /**
@@ -621,18 +459,12 @@ export class Mesh {
    * ends. Throws as `logMap` does.
    */
   expMap(from: PointLike, vectors: VectorsLike, directions?: VectorsLike): MappedPoints {
-    const wire = wirePoint(from);
-    const ways = toVectors(vectors, 'the vectors');
-    const carried = carriedVectors(directions, ways.length / 3);
-    return toMapped(this.#handle.call((mesh) => mesh.expMap(wire, ways, carried)));
+    return expMap(this.#handle, from, vectors, directions);
   }
 
   /** Vectors of the tangent plane at `from`, carried along the log map's path to `to`: x, y, z each. */
   transport(from: PointLike, to: PointLike, vectors: VectorsLike): Float64Array {
-    const wireFrom = wirePoint(from, 'the first point');
-    const wireTo = wirePoint(to, 'the second point');
-    const ways = toVectors(vectors, 'the vectors');
-    return this.#handle.call((mesh) => mesh.transport(wireFrom, wireTo, ways));
+    return transport(this.#handle, from, to, vectors);
   }
 
   /**
@@ -647,11 +479,7 @@ export class Mesh {
     points: readonly PointLike[],
     directions?: VectorsLike,
   ): MappedPoints {
-    const wireLine = wirePoints(line, 'the line');
-    if (line.length < 2) throw new KarcherError('badArgument', 'a line has at least two points');
-    const places = wirePoints(points);
-    const ways = carriedVectors(directions, points.length);
-    return toMapped(this.#handle.call((mesh) => mesh.mirror(wireLine, places, ways)));
+    return mirror(this.#handle, line, points, directions);
   }
 
   /**
@@ -659,60 +487,6 @@ export class Mesh {
    * from within a basis.
    */
   dispose(): void {
-    this.#engine.checkIdle();
-    this.#curves.dispose();
     this.#handle.dispose();
   }
-
-  readonly #bytesInUse = () => this.#engine.call((engine) => engine.allocatedBytes());
-
-  #toCircle(circle: EngineCircle): Circle {
-    const view = new CurveView({ bytes: circle.view, statusNames: this.#engine.statusNames });
-    const { samples, bridged, unconverged, levels } = view;
-    const { deviation } = circle;
-    const notShortest = [...circle.notShortest];
-    return { samples, bridged, path: view.path(), unconverged, levels, notShortest, deviation };
-  }
-
-  /** The start of a search as it travels: empty for the engine's choice. */
-  #wireStart({ start }: StartOptions): Float64Array {
-    return start === undefined ? new Float64Array() : wirePoint(start, 'the start');
-  }
-}
-
-const wirePointsOrArrays = (points: readonly PointLike[] | PointArrays): Float64Array =>
-  Array.isArray(points) ? wirePoints(points) : wirePointArrays(toArrays(points));
-
-function toArrays(points: unknown): PointArrays {
-  if (typeof points === 'object' && points !== null) return points as PointArrays;
-  throw new KarcherError(
-    'badArgument',
-    `the points must be a list or {face, bary}, not ${shown(points)}`,
-  );
-}
-
-/** Rows of weights one after the other. */
-function toRows(rows: unknown, width: number): Float64Array {
-  if (!Array.isArray(rows) || typeof rows[0] !== 'object') return toFloat64(rows, 'the weights');
-  const all = new Float64Array(width * rows.length);
-  for (let i = 0; i < rows.length; i++) {
-    const row = toFloat64(rows[i], `row ${i} of the weights`);
-    if (row.length !== width) {
-      throw new KarcherError(
-        'badWeights',
-        `row ${i}: there are ${width} points but ${row.length} weights`,
-      );
-    }
-    all.set(row, width * i);
-  }
-  return all;
-}
-
-function toCenterOfMass(mean: EngineMean): CenterOfMass {
-  const others = mean.otherMinima.map((other) => ({
-    ...other,
-    point: toSurfacePoint(other.point),
-  }));
-  const otherMinima = mean.uniqueness === 'notLooked' ? 'notLooked' : others;
-  return { ...mean, point: toSurfacePoint(mean.point), otherMinima };
 }

@@ -1,4 +1,4 @@
-import { checkArray, checkPointLike, toFloat64, toInt32 } from './check.js';
+import { checkArray, checkPointLike, shown, toFloat64, toInt32 } from './check.js';
 import { KarcherError } from './errors.js';
 import type { PointArrays, PointLike, SurfacePoint } from './types.js';
 
@@ -34,6 +34,14 @@ export function wirePointArrays({ face, bary }: PointArrays): Float64Array {
   return all;
 }
 
+/** Points as they travel, of a list or of flat arrays. */
+export function wirePointsOrArrays(points: readonly PointLike[] | PointArrays): Float64Array {
+  if (Array.isArray(points)) return wirePoints(points);
+  if (typeof points === 'object' && points !== null) return wirePointArrays(points as PointArrays);
+  const sentence = `the points must be a list or {face, bary}, not ${shown(points)}`;
+  throw new KarcherError('badArgument', sentence);
+}
+
 /** Faces and weights of points as flat arrays. */
 export function toPointArrays(wire: Float64Array): { face: Int32Array; bary: Float64Array } {
   const count = wire.length / 4;
@@ -49,6 +57,11 @@ export function toSurfacePoint(wire: Float64Array, at = 0): SurfacePoint {
 export function toSurfacePoints(wire: Float64Array): SurfacePoint[] {
   return Array.from({ length: wire.length / 4 }, (_, i) => toSurfacePoint(wire, 4 * i));
 }
+
+/** The same record, with the point as an object of face and weights. */
+export const withPoint = <At extends { point: Float64Array }>(
+  at: At,
+): Omit<At, 'point'> & { point: SurfacePoint } => ({ ...at, point: toSurfacePoint(at.point) });
 
 /** The corner after the point's nearest one in its face: a drag by about an edge. */
 export function nextCorner({ face, bary }: SurfacePoint): SurfacePoint {

@@ -1,7 +1,8 @@
-import { type Engine, Handle } from './engine.js';
-import type { EngineMesh } from './karcher-engine.mjs';
+import { checkOptions } from './check.js';
+import type { MeshHandle } from './engine.js';
+import { checkLongWork, engineFieldOptions, fieldOptionNames } from './options.js';
 import { checkGraphFits, checkGraphGoesOn } from './room.js';
-import type { LongWorkOptions } from './types.js';
+import type { FieldOptions, LongWorkOptions } from './types.js';
 
 /** How long a slice may keep the thread busy, in milliseconds. */
 export const sliceTime = 8;
@@ -25,26 +26,34 @@ export function pause(): Promise<void> {
   });
 }
 
+/** Makes what fields need of a mesh of so many triangles: what `Mesh` says of it. */
+export async function prepareFields(
+  mesh: MeshHandle,
+  triangles: number,
+  options: FieldOptions,
+  work: LongWorkOptions,
+): Promise<void> {
+  checkOptions(options, fieldOptionNames);
+  checkLongWork(work);
+  const field = engineFieldOptions(options);
+  if (field.solver === 'graph') await prepareGraph(mesh, triangles, field.rings, work);
+  mesh.call((target) => target.prepareFields(field));
+}
+
 /** Builds a mesh's k-ring graph in slices, unless it has one: the milliseconds of work. */
 export async function prepareGraph(
-  engine: Engine,
-  mesh: Handle<EngineMesh>,
+  mesh: MeshHandle,
   triangles: number,
   rings: number,
   { progress, signal }: LongWorkOptions,
 ): Promise<number> {
   if (mesh.call((target) => target.hasRingGraph(rings))) return 0;
-  const inUse = () => engine.call((module) => module.allocatedBytes());
+  const inUse = mesh.engine.allocatedBytes;
   checkGraphFits(triangles, rings, inUse);
   const before = inUse();
   let looked = 0;
   const start = performance.now();
-  const builder = new Handle(
-    engine,
-    'the graph',
-    mesh.call((target) => target.graphBuilder(rings)),
-    mesh,
-  );
+  const builder = mesh.made('the graph', (target) => target.graphBuilder(rings));
   let worked = performance.now() - start;
   try {
     for (let done = false; !done; ) {

@@ -1,10 +1,12 @@
-import { checkArray, checkOptions, checkPointLike, shown } from './check.js';
+import { checkArray, checkOneOf, checkOptions, checkPointLike, shown } from './check.js';
+import type { MeshHandle } from './engine.js';
 import { KarcherError } from './errors.js';
 import type { EngineRegion } from './karcher-engine.mjs';
-import { regionShapeNames } from './options.js';
+import { regionOptionNames, regionShapeNames } from './options.js';
 import { Path } from './path.js';
+import type { Outline, RegionShape } from './path_types.js';
 import { wirePoint, wirePointArrays, wirePoints } from './points.js';
-import type { SurfacePoint } from './types.js';
+import type { RegionOptions, SurfacePoint } from './types.js';
 
 /** A part of the surface. It keeps what it tells, needs no mesh and is not disposed of. */
 export class Region {
@@ -85,8 +87,26 @@ const wireOutline = (outline: unknown, what: string): Float64Array => {
 export const wireOutlines = (paths: unknown): Float64Array[] =>
   checkArray(paths, 'the paths').map((path, i) => wireOutline(path, `path ${i}`));
 
+export function regions(
+  mesh: MeshHandle,
+  shapes: readonly (Outline | RegionShape)[],
+  options: RegionOptions,
+): Region[] {
+  checkOptions(options, regionOptionNames);
+  const rule = checkOneOf(options.rule ?? 'evenOdd', ['evenOdd', 'nonZero'], 'the rule');
+  const combine = checkOneOf(
+    options.combine ?? 'none',
+    ['none', 'union', 'intersection', 'difference', 'exclusion'],
+    'what combines',
+  );
+  const { outlines, counts, insides } = wireShapes(shapes);
+  return mesh
+    .call((target) => target.regions(outlines, counts, insides, rule, combine))
+    .map((region) => new Region(region));
+}
+
 /** Shapes as they travel: all outlines, how many each shape has, and its point inside or none. */
-export function wireShapes(shapes: unknown) {
+function wireShapes(shapes: unknown) {
   const outlines: Float64Array[] = [];
   const counts: number[] = [];
   const insides: Float64Array[] = [];

@@ -154,3 +154,13 @@ test('a step of a drag is one call into the module, and one copy out of it', () 
   assert.equal(view.polyline.buffer, calls[0].returned.buffer);
   assert.equal(view.polyline.length, 3 * view.unconverged.length);
 });
+
+test('a value says how a curve is traced, as far as that was said', () => {
+  const traced = { method: 'paper', solver: 'graph', rings: 3, star: 'ring', geometry: 'exact' };
+  const curve = mesh.curve({ kind: 'polyline', points: points.slice(0, 2), ...traced });
+  const { kind, closed, points: own, ...said } = curve.value();
+  assert.deepEqual(said, { ...traced });
+  const { kind: _, closed: open, points: all, ...none } = mesh.curve({ kind, points: own }).value();
+  assert.deepEqual(none, {});
+  assert.deepEqual([closed, open, all.length], [false, false, own.length]);
+});

@@ -72,7 +72,7 @@ test('a mesh and a curve in a worker have all that those here have', async () =>
     here.curve({ kind: 'bspline', points }),
   ];
   // What is internal, or of the engine itself.
-  const own = ['constructor', 'benchmark', 'engine', 'handle'];
+  const own = ['constructor', 'handle', 'edits'];
   for (const [remotely, local] of [
     [curve, expected],
     [mesh, here],

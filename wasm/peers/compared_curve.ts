@@ -1,56 +1,41 @@
 import { checkInteger } from '../check.js';
-import { type Engine, Handle } from '../engine.js';
-import type { Mesh } from '../mesh.js';
+import type { Handle } from '../engine.js';
 import { wirePoint } from '../points.js';
 import { pause, sliceTime } from '../prepare.js';
 import type { CurveSamples, LongWorkOptions, PointLike } from '../types.js';
 import { CurveView } from '../view.js';
-import type { EngineComparedCurve, EnginePreparedMethod } from './karcher-peers.mjs';
+import type { EngineComparedCurve } from './karcher-peers.mjs';
 import type { ComparedLine, LogMapCounts, MethodCurve } from './types.js';
 
 const all = 0x7fffffff;
 
 /** A curve by one of the methods, until `dispose`. */
 export class ComparedCurve implements MethodCurve {
-  readonly #engine: Engine;
-  readonly #mesh: Mesh;
-  readonly #method: Handle<EnginePreparedMethod>;
   readonly #handle: Handle<EngineComparedCurve>;
-  readonly #forget: (curve: ComparedCurve) => void;
   #fieldsMs = 0;
 
   /** @internal `PreparedMethod.curve` creates curves. */
-  constructor(
-    engine: Engine,
-    mesh: Mesh,
-    method: Handle<EnginePreparedMethod>,
-    target: EngineComparedCurve,
-    forget: (curve: ComparedCurve) => void,
-  ) {
-    this.#engine = engine;
-    this.#mesh = mesh;
-    this.#method = method;
-    this.#handle = new Handle(engine, 'the curve', target, method);
-    this.#forget = forget;
+  constructor(handle: Handle<EngineComparedCurve>) {
+    this.#handle = handle;
   }
 
   /** Replaces a control point. The next `trace` traces the segments that it touches again. */
   movePoint(i: number, point: PointLike): void {
     const index = checkInteger(i, 'the number of the control point');
     const wire = wirePoint(point);
-    this.#call((curve) => curve.movePoint(index, wire));
+    this.#handle.call((curve) => curve.movePoint(index, wire));
   }
 
   /** Starts the searches of each segment at a given point, instead of at the point of the largest weight. */
   startAt(point: PointLike): void {
     const wire = wirePoint(point);
-    this.#call((curve) => curve.startAt(wire));
+    this.#handle.call((curve) => curve.startAt(wire));
   }
 
   /** Computes the missing fields and samples at once, and returns the milliseconds that this took. */
   finish(): number {
     const start = performance.now();
-    while (!this.#call((curve) => curve.advance(all)));
+    while (!this.#handle.call((curve) => curve.advance(all)));
     return performance.now() - start;
   }
 
@@ -59,7 +44,7 @@ export class ComparedCurve implements MethodCurve {
    * `work.progress` receives the completed part of the samples. Rejects with the signal's reason.
    */
   async trace({ progress, signal }: LongWorkOptions = {}): Promise<number> {
-    const total = this.#call((curve) => curve.samplesLeft());
+    const total = this.#handle.call((curve) => curve.samplesLeft());
     let worked = 0;
     let left = total;
     this.#fieldsMs = 0;
@@ -71,11 +56,11 @@ export class ComparedCurve implements MethodCurve {
       let now = start;
       while (!done && now - start < sliceTime) {
         const before = now;
-        done = this.#call((curve) => curve.advance(batch));
+        done = this.#handle.call((curve) => curve.advance(batch));
         now = performance.now();
         // A step computes one field, or a batch of samples.
         const leftBefore = left;
-        left = this.#call((curve) => curve.samplesLeft());
+        left = this.#handle.call((curve) => curve.samplesLeft());
         if (left === leftBefore) this.#fieldsMs += now - before;
         else if (now - before < 1) batch = Math.min(2 * batch, all);
       }
@@ -93,7 +78,7 @@ export class ComparedCurve implements MethodCurve {
 
   /** The samples found so far, segment by segment. */
   samples(): CurveSamples {
-    return this.#view(this.#call((curve) => curve.samples())).samples;
+    return this.#view(this.#handle.call((curve) => curve.samples())).samples;
   }
 
   /**
@@ -103,7 +88,7 @@ export class ComparedCurve implements MethodCurve {
    * this is the number of samples that did not converge.
    */
   lostByOwnRule(): number {
-    return this.#call((curve) => curve.lostByOwnRule());
+    return this.#handle.call((curve) => curve.lostByOwnRule());
   }
 
   /**
@@ -112,28 +97,21 @@ export class ComparedCurve implements MethodCurve {
    * again. Null for other methods.
    */
   logMaps(): LogMapCounts | null {
-    return this.#call((curve) => curve.logMaps());
+    return this.#handle.call((curve) => curve.logMaps());
   }
 
   /** The samples joined by geodesics. */
   line(): ComparedLine {
-    const view = this.#view(this.#call((curve) => curve.joined()));
+    const view = this.#view(this.#handle.call((curve) => curve.joined()));
     return { path: view.path(), unconverged: view.unconverged };
   }
 
   /** Frees the memory. Safe to repeat. */
   dispose(): void {
     this.#handle.dispose();
-    this.#forget(this);
   }
 
   #view(bytes: Uint8Array): CurveView {
-    return new CurveView({ bytes, statusNames: this.#engine.statusNames });
-  }
-
-  #call<Result>(work: (curve: EngineComparedCurve) => Result): Result {
-    this.#mesh.handle.check();
-    this.#method.check();
-    return this.#handle.call(work);
+    return new CurveView({ bytes, statusNames: this.#handle.engine.statusNames });
   }
 }

@@ -1,5 +1,5 @@
 import { checkArray, checkInteger, toFloat64 } from '../check.js';
-import { Engine, Handle } from '../engine.js';
+import { Engine, type Handle } from '../engine.js';
 import { KarcherError } from '../errors.js';
 import { Karcher } from '../karcher.js';
 import { Mesh } from '../mesh.js';
@@ -46,7 +46,7 @@ export class Peers {
     work: LongWorkOptions = {},
   ): Promise<PreparedCurves> {
     this.#checkMesh(mesh);
-    return prepareMethod(this.#engine, this.#module, mesh, options, work);
+    return prepareMethod(this.#module, mesh, options, work);
   }
 
   /** The weights of a Bernstein basis of a given degree at evenly spaced parameters. */
@@ -92,8 +92,7 @@ export class Peers {
    */
   benchmark(mesh: Mesh): Handle<EngineBenchmark> {
     this.#checkMesh(mesh);
-    const target = mesh.handle.call((engineMesh) => this.#module.benchmark(engineMesh));
-    return new Handle(this.#engine, 'the benchmark', target, mesh.handle);
+    return mesh.handle.made('the benchmark', (target) => this.#module.benchmark(target));
   }
 
   /**
@@ -125,7 +124,7 @@ export class Peers {
   }
 
   #checkMesh(mesh: Mesh): void {
-    if (mesh instanceof Mesh && mesh.engine === this.#engine) return;
+    if (mesh instanceof Mesh && mesh.handle.engine === this.#engine) return;
     throw new KarcherError(
       'badArgument',
       'the mesh must be one that `karcher` of these peers made',

@@ -8,7 +8,7 @@ import {
   toFloat64,
   toInt32,
 } from '../check.js';
-import { type Engine, Handle } from '../engine.js';
+import type { Handle } from '../engine.js';
 import { KarcherError } from '../errors.js';
 import type { Mesh } from '../mesh.js';
 import { checkLongWork, engineFieldOptions } from '../options.js';
@@ -60,25 +60,18 @@ export class PreparedMethod implements PreparedCurves {
   readonly options: MethodOptions;
   /** The duration of the preparation in milliseconds, without pauses. */
   readonly prepareMs: number;
-  readonly #engine: Engine;
   readonly #module: PeersModule;
-  readonly #mesh: Mesh;
   readonly #handle: Handle<EnginePreparedMethod>;
-  readonly #curves = new Set<ComparedCurve>();
 
   /** @internal `Peers.prepare` creates one. */
   constructor(
-    engine: Engine,
     module: PeersModule,
-    mesh: Mesh,
     options: MethodOptions,
-    target: EnginePreparedMethod,
+    handle: Handle<EnginePreparedMethod>,
     prepareMs: number,
   ) {
-    this.#engine = engine;
     this.#module = module;
-    this.#mesh = mesh;
-    this.#handle = new Handle(engine, 'the method', target, mesh.handle);
+    this.#handle = handle;
     this.options = { ...options };
     this.prepareMs = prepareMs;
   }
@@ -94,14 +87,10 @@ export class PreparedMethod implements PreparedCurves {
     const first = toInt32(plan.first, 'the first points of the segments');
     const t = toFloat64(plan.table.t, 'the parameters');
     const weights = toFloat64(plan.table.weights, 'the weights');
-    const target = this.#handle.call((method) =>
+    const handle = this.#handle.made('the curve', (method) =>
       this.#module.comparedCurve(method, points, first, t, weights),
     );
-    const curve = new ComparedCurve(this.#engine, this.#mesh, this.#handle, target, (disposed) => {
-      this.#curves.delete(disposed);
-    });
-    this.#curves.add(curve);
-    return curve;
+    return new ComparedCurve(handle);
   }
 
   /**
@@ -135,14 +124,12 @@ export class PreparedMethod implements PreparedCurves {
 
   /** Frees the memory of the method and its curves. Safe to repeat. */
   dispose(): void {
-    for (const curve of this.#curves) curve.dispose();
     this.#handle.dispose();
   }
 }
 
 /** @internal */
 export async function prepareMethod(
-  engine: Engine,
   module: PeersModule,
   mesh: Mesh,
   options: MethodOptions,
@@ -156,17 +143,17 @@ export async function prepareMethod(
   if (isOfEngine(method)) return new EngineMethod(mesh, { ...options, method });
   let worked = 0;
   if (wire.field.solver === 'graph') {
-    worked += await prepareGraph(engine, mesh.handle, mesh.info.triangles, wire.field.rings, work);
+    worked += await prepareGraph(mesh.handle, mesh.info.triangles, wire.field.rings, work);
   }
   const start = performance.now();
-  const target = mesh.handle.call((engineMesh) =>
-    module.prepareMethod(engineMesh, wire, (landmarks) => {
+  const handle = mesh.handle.made('the method', (target) =>
+    module.prepareMethod(target, wire, (landmarks) => {
       progress?.(Math.min(landmarks / wire.landmarks, 1), 'landmarks');
       return !signal?.aborted;
     }),
   );
   worked += performance.now() - start;
-  return new PreparedMethod(engine, module, mesh, options, target, worked);
+  return new PreparedMethod(module, options, handle, worked);
 }
 
 function engineOptions(options: MethodOptions): EngineMethodOptions {

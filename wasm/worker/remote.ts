@@ -55,9 +55,9 @@ interface Polyline {
   polyline(options?: PolylineOptions): Promise<Float32Array | Float64Array>;
 }
 
-type CurveMethod = MethodsOf<Curve>;
+type CurveMethod = Exclude<MethodsOf<Curve>, 'edits'>;
 type CurveFact = Exclude<keyof Curve & string, MethodsOf<Curve>>;
-type MeshMethod = Exclude<MethodsOf<Mesh>, 'benchmark'>;
+type MeshMethod = MethodsOf<Mesh>;
 
 /** A curve in a worker: the methods of `Curve`, and its properties as promises. */
 export type RemoteCurve = Remotely<Curve, Exclude<CurveMethod, 'polyline'>> &
