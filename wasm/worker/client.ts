@@ -4,8 +4,9 @@ import { Path } from '../path.js';
 import { Region } from '../region.js';
 import type { CurveOptions, LongWorkOptions } from '../types.js';
 import { CurveView } from '../view.js';
-import { copyOf, type Origin, targetIn, withoutWork } from './origin.js';
+import { copyOf, isGone, type Origin, withoutWork } from './origin.js';
 import {
+  type Call,
   errorOf,
   isPlain,
   isSent,
@@ -27,8 +28,6 @@ interface Pending {
   callbacks: ((...args: unknown[]) => void)[];
   /** The time at which the worker began the call; 0 before. */
   begun: number;
-  /** Whether the answer is taken as it is sent. */
-  raw: boolean;
 }
 
 /** A cancelled call, which the worker has to acknowledge. */
@@ -48,9 +47,9 @@ const leastPatience = 200;
  *
  * With a function that starts workers, a call that the worker is at can be interrupted: a worker that
  * does not hear that its call is cancelled is ended after a while, and another one takes its place, in
- * which all meshes and curves are made anew and the other calls are made again. It waits for about as
- * long as that takes, so that little is lost where the call was about to end. What is being disposed of
- * is not made anew. What else `serve` was given must not hold anything that calls have changed.
+ * which the other calls are made again, and each mesh and curve anew before the first call that needs it.
+ * It waits for about as long as it takes to make all of them, so that little is lost where the call was
+ * about to end. What else `serve` was given must not hold anything that calls have changed.
  */
 export class WorkerClient {
   readonly #start: (() => WorkerLike) | null;
@@ -59,13 +58,14 @@ export class WorkerClient {
   readonly #cancelled = new Map<number, Cancelled>();
   /** The origins of meshes and curves in the worker. */
   readonly #origins = new WeakMap<object, Origin>();
-  /** The objects that a new worker must create again, in the order of their creation. */
+  /** The origins of the objects that a new worker would have to create again. */
   readonly #kept = new Set<Origin>();
-  /** Whether a new worker can create all of them again. */
+  /** Whether it could create all of them again. */
   #keepsAll = true;
-  #isRestarting = false;
   #hasAnswered = false;
   #calls = 0;
+  /** How many objects were created again. They have negative numbers. */
+  #remade = 0;
   #end: KarcherError | null = null;
 
   /** Called when the worker ended by itself, or its engine broke: every call fails from then on. */
@@ -124,19 +124,18 @@ export class WorkerClient {
       if (origin === undefined) throw gone();
       if (name === 'dispose' && origin) {
         // An object of a former worker that the present one did not create again is gone already.
-        if (origin.worker !== this.#worker && !this.#isRestarting) return resolve(undefined);
-        this.#leave(origin);
+        if (this.#hasLeft(origin)) return resolve(undefined);
       }
       const pending: Pending = {
         ...{ resolve, reject, call: name, args: this.#copied(args, signals), of: origin },
-        ...{ tells: progress as Pending['tells'], callbacks: [], begun: 0, raw: false },
+        ...{ tells: progress as Pending['tells'], callbacks: [], begun: 0 },
       };
       for (const signal of signals) {
         signal.throwIfAborted();
         const abort = () => this.#cancel(id, signal.reason);
         signal.addEventListener('abort', abort, { once: true, signal: settled.signal });
       }
-      if (!this.#isRestarting) this.#post(id, pending);
+      this.#post(id, pending);
       this.#pending.set(id, pending);
     }).finally(() => {
       settled.abort();
@@ -151,8 +150,8 @@ export class WorkerClient {
    * they reject with the reason.
    */
   giveUp(reason: unknown): void {
-    for (const [id, { call, raw }] of this.#pending) {
-      if (call !== 'dispose' && !raw) this.#cancel(id, reason);
+    for (const [id, { call }] of this.#pending) {
+      if (call !== 'dispose') this.#cancel(id, reason);
     }
   }
 
@@ -164,16 +163,18 @@ export class WorkerClient {
   #post(id: number, pending: Pending): void {
     const { call, tells, of } = pending;
     pending.callbacks = tells ? [tells] : [];
-    if (of && of.worker !== this.#worker) throw gone();
+    const disposed = call === 'dispose' ? of : null;
+    const target = disposed?.target ?? (of ? this.#targetOf(of) : 0);
     const args = pending.args.map((arg) => this.#sent(arg, pending.callbacks));
-    const request = { id, target: of?.target ?? 0, call, args, tells: tells !== undefined };
+    const request = { id, target, call, args, tells: tells !== undefined };
+    if (disposed) Object.assign(disposed, { isDisposed: true, worker: null });
     const keeps = this.#start !== null;
     sending(() => this.#worker.postMessage({ ...request, keeps } satisfies Request));
   }
 
   /** In Node the process waits for calls that are under way, not for a worker that nobody calls. */
   #hold(): void {
-    const waits = this.#pending.size + this.#cancelled.size > 0 || this.#isRestarting;
+    const waits = this.#pending.size + this.#cancelled.size > 0;
     if (waits) this.#worker.ref?.();
     else this.#worker.unref?.();
   }
@@ -183,7 +184,6 @@ export class WorkerClient {
     if (!pending) return;
     this.#pending.delete(id);
     pending.reject(reason);
-    if (this.#isRestarting) return;
     this.#worker.postMessage({ cancel: id } satisfies Request);
     if (!this.#start || !this.#keepsAll) return;
     const cancelled = { begun: false };
@@ -198,36 +198,14 @@ export class WorkerClient {
     const since = performance.now();
     const wait = () => {
       let left = since + leastPatience - performance.now();
-      for (const { took } of this.#wanted()) left += took;
+      for (const origin of this.#kept) {
+        if (isGone(origin)) this.#kept.delete(origin);
+        else left += origin.took;
+      }
       if (left > 0) cancelled.timer = setTimeout(wait, left);
-      else void this.#restart();
+      else this.#restart();
     };
     cancelled.timer = setTimeout(wait, leastPatience);
-  }
-
-  /** It is being disposed of, and with a mesh the curves on it. */
-  #leave(origin: Origin): void {
-    origin.leaving = true;
-    for (const other of this.#kept) {
-      if (other.of === origin && other.call === 'curve') other.leaving = true;
-    }
-  }
-
-  /** The objects to create again; those being disposed of only if calls still wait for them. */
-  #wanted(): Origin[] {
-    const asked = new Set<Origin>();
-    const ask = (origin: Origin | null | undefined): void => {
-      for (let one = origin; one; one = one.of) asked.add(one);
-    };
-    for (const { call, of, args } of this.#pending.values()) {
-      if (call === 'dispose') continue;
-      ask(of);
-      replaced(args, (part) => {
-        ask(this.#origins.get(part));
-        return ArrayBuffer.isView(part) || this.#origins.has(part) ? part : undefined;
-      });
-    }
-    return [...this.#kept].filter((origin) => !origin.leaving || asked.has(origin));
   }
 
   #forgetCancelled(): void {
@@ -235,70 +213,72 @@ export class WorkerClient {
     this.#cancelled.clear();
   }
 
-  /** Replaces this worker by another one, and creates all of its objects again. */
-  async #restart(): Promise<void> {
+  /** Replaces this worker by another one, in which the calls under way are made again. */
+  #restart(): void {
     this.#forgetCancelled();
-    this.#isRestarting = true;
     const before = this.#worker;
-    // Objects that are not created again no longer exist.
-    const spare: Origin[] = [];
     try {
       this.#worker = this.#start!();
-      before.terminate();
-      this.#listen();
-      this.#hold();
-      for (const origin of this.#wanted()) await this.#make(origin, spare);
-      for (const of of spare) await this.#ask({ call: 'dispose', args: [], of });
     } catch (error) {
       this.#break(error);
       return;
     }
-    this.#isRestarting = false;
-    this.#hold();
-    for (const [id, pending] of this.#pending) {
+    before.terminate();
+    this.#listen();
+    const calls = [...this.#pending];
+    // Calls that wait for it come before it is disposed of.
+    for (const [, { call, of }] of calls) if (call === 'dispose' && of) of.isDisposed = false;
+    for (const [id, pending] of calls) {
       pending.begun = 0;
       const { call, of } = pending;
-      if (call === 'dispose' && of && (of.worker !== this.#worker || spare.includes(of))) {
-        // The object is gone with the worker that had it.
-        this.#pending.delete(id);
-        this.#forget(of);
-        pending.resolve(undefined);
-        continue;
-      }
       try {
-        this.#post(id, pending);
+        if (call !== 'dispose' || !of || !this.#hasLeft(of)) {
+          this.#post(id, pending);
+          continue;
+        }
+        pending.resolve(undefined);
       } catch (error) {
-        this.#pending.delete(id);
         pending.reject(error);
       }
+      this.#pending.delete(id);
     }
+    this.#hold();
     this.onRestart?.();
   }
 
-  /** Creates a mesh or curve again; disposed objects that this needs go to `spare`. */
-  async #make(origin: Origin, spare: Origin[]): Promise<void> {
-    if (origin.of && origin.of.worker !== this.#worker) {
-      await this.#make(origin.of, spare);
-      spare.push(origin.of);
-    }
-    const target = targetIn(await this.#ask(origin));
-    if (target === undefined) throw new Error(`'${origin.call}' made nothing`);
-    origin.target = target;
-    origin.worker = this.#worker;
+  /** Whether an object that is to be disposed of is gone already, with the worker that had it. */
+  #hasLeft(origin: Origin): boolean {
+    if (origin.worker === this.#worker) return false;
+    origin.isDisposed = true;
+    return true;
   }
 
-  /** A call of its own while it restarts: what the worker answers, as it is sent. */
-  #ask({ call, args, of }: Pick<Pending, 'call' | 'args' | 'of'>): Promise<unknown> {
-    return new Promise((resolve, reject) => {
-      if (this.#end) return reject(this.#end);
+  /** The number of an object in the present worker, which creates it again where it does not have it. */
+  #targetOf(origin: Origin): number {
+    if (isGone(origin)) throw gone();
+    if (origin.worker !== this.#worker) this.#make(origin);
+    return origin.target;
+  }
+
+  /** Creates an object again, before the calls that follow. */
+  #make(origin: Origin): void {
+    const { of, call } = origin;
+    const isWithout = of !== null && of.worker !== this.#worker;
+    if (isWithout) this.#make(of);
+    const target = of?.target ?? 0;
+    const args = origin.args.map((arg) => this.#sent(arg, []));
+    const send = (request: Pick<Call, 'call' | 'args' | 'makes'>) => {
       const id = ++this.#calls;
-      const pending: Pending = {
-        ...{ resolve, reject, call, args, of },
-        ...{ tells: undefined, callbacks: [], begun: 0, raw: true },
-      };
-      this.#post(id, pending);
-      this.#pending.set(id, pending);
-    });
+      const whole = { id, target, tells: false, keeps: false, ...request };
+      this.#worker.postMessage(whole satisfies Request);
+    };
+    origin.target = -++this.#remade;
+    origin.worker = this.#worker;
+    send({ call, args, makes: origin.target });
+    // What it was made of had been disposed of.
+    if (!isWithout || !of.isDisposed) return;
+    of.worker = null;
+    send({ call: 'dispose', args: [] });
   }
 
   #break(error: unknown): void {
@@ -346,9 +326,8 @@ export class WorkerClient {
     }
     this.#pending.delete(reply.id);
     if ('result' in reply) {
-      const result = pending?.raw ? reply.result : this.#received(reply.result, pending);
-      // Calls that create objects again are recorded already.
-      if (!pending?.raw) this.#keep(reply, pending);
+      const result = this.#received(reply.result, pending);
+      this.#keep(reply, pending);
       pending?.resolve(result);
       return;
     }
@@ -375,8 +354,7 @@ export class WorkerClient {
   #sent(arg: unknown, callbacks: Pending['callbacks']): unknown {
     return replaced(arg, (part) => {
       const origin = this.#origins.get(part);
-      if (origin && origin.worker !== this.#worker) throw gone();
-      if (origin) return { sent: 'object', target: origin.target };
+      if (origin) return { sent: 'object', target: this.#targetOf(origin) };
       if (typeof part === 'function') {
         callbacks.push(part as (...args: unknown[]) => void);
         return { sent: 'callback', callback: callbacks.length - 1 };
@@ -418,13 +396,13 @@ export class WorkerClient {
     if (sent === 'mesh') {
       const took = performance.now() - begun;
       const kept = this.#start ? withoutWork(args) : [];
-      return { target, worker, of, call, args: kept, took, leaving: false };
+      return { target, worker, of, call, args: kept, took, isDisposed: false };
     }
     // A curve that another one makes is of the same mesh.
     const mesh = of?.call === 'curve' ? of.of : of;
     const { value } = more as { value?: CurveOptions };
     const took = performance.now() - begun;
-    const made = { of: mesh, call: 'curve', args: [value], took, leaving: false };
+    const made = { of: mesh, call: 'curve', args: [value], took, isDisposed: false };
     return { target, worker, ...made };
   }
 
@@ -432,17 +410,8 @@ export class WorkerClient {
   #keep({ value }: { value?: CurveOptions }, pending: Pending | undefined): void {
     const of = pending?.of;
     if (!of) return;
-    if (pending.call === 'dispose') this.#forget(of);
-    else if (pending.call === 'set') of.args = withoutWork(pending.args).slice(0, 1);
+    if (pending.call === 'set') of.args = withoutWork(pending.args).slice(0, 1);
     else if (value) of.args = [value];
-  }
-
-  /** It no longer exists, nor do the curves on it. */
-  #forget(of: Origin): void {
-    this.#kept.delete(of);
-    for (const origin of this.#kept) {
-      if (origin.of === of && origin.call === 'curve') this.#kept.delete(origin);
-    }
   }
 }
 

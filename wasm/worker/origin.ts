@@ -1,4 +1,4 @@
-import { isPlain, isSent, replaced, type WorkerLike } from './protocol.js';
+import { isPlain, type WorkerLike } from './protocol.js';
 
 /**
  * A mesh or curve in the worker, and how another worker creates it again: a mesh by the call that created it, a
@@ -7,7 +7,8 @@ import { isPlain, isSent, replaced, type WorkerLike } from './protocol.js';
 export interface Origin {
   /** Its number in the worker that it is in, or was in. */
   target: number;
-  worker: WorkerLike;
+  /** Null once it is disposed of. */
+  worker: WorkerLike | null;
   /** The mesh that it was made of; null of one that was made of nothing. */
   readonly of: Origin | null;
   readonly call: string;
@@ -15,8 +16,8 @@ export interface Origin {
   args: readonly unknown[];
   /** Milliseconds that the call took. */
   readonly took: number;
-  /** Whether it is being disposed of. */
-  leaving: boolean;
+  /** Whether it is disposed of, or is about to be. */
+  isDisposed: boolean;
 }
 
 /** A copy of a view alone, however large the buffer that it is of. */
@@ -34,14 +35,6 @@ export const withoutWork = (args: readonly unknown[]): unknown[] =>
     );
   });
 
-/** The number of the mesh or curve in what a call returned. */
-export function targetIn(result: unknown): number | undefined {
-  let target: number | undefined;
-  replaced(result, (part) => {
-    if (ArrayBuffer.isView(part)) return part;
-    if (!isSent(part)) return undefined;
-    if (part.sent === 'mesh' || part.sent === 'curve') target ??= part.target;
-    return part;
-  });
-  return target;
-}
+/** Whether it was disposed of, or with its mesh a curve. */
+export const isGone = ({ isDisposed, call, of }: Origin): boolean =>
+  isDisposed || (call === 'curve' && of !== null && of.isDisposed);

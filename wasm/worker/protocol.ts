@@ -18,7 +18,8 @@ export interface WorkerLike {
 
 /**
  * With `tells` the first function among the arguments hears when the worker begins with the call. With
- * `keeps` the client hears that too, and what curves are that the call makes or edits.
+ * `keeps` the client hears that too, and what curves are that the call makes or edits. With `makes` the
+ * call gives another worker's mesh or curve anew, which gets this number; that it failed is its only answer.
  */
 export interface Call {
   id: number;
@@ -27,6 +28,7 @@ export interface Call {
   args: unknown[];
   tells: boolean;
   keeps: boolean;
+  makes?: number;
 }
 
 /**

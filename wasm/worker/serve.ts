@@ -41,25 +41,6 @@ export function serve(root: object | Promise<object>): void {
 
 const arraysOf = ({ face, bary, position, lengths }: EnginePath) => [face, bary, position, lengths];
 
-/** Methods after which a curve may be another one than the client knows. */
-const edits: readonly string[] = [
-  'movePoint',
-  'dragPoint',
-  'setPoints',
-  'addPoint',
-  'insertPoint',
-  'removePoint',
-  'insertOnCurve',
-  'movePointInOrder',
-  'reverse',
-  'setKind',
-  'setClosed',
-  'setWeight',
-  'setWeights',
-  'setBeta',
-  'setBetas',
-] satisfies (keyof Curve)[];
-
 class Server {
   readonly #root: object | Promise<object>;
   readonly #scope: Scope;
@@ -92,10 +73,34 @@ class Server {
     if (this.#beginning) return;
     this.#beginning = true;
     for (let next = this.#waiting.shift(); next; next = this.#waiting.shift()) {
-      void this.#answer(next);
+      if (next.makes === undefined) void this.#answer(next);
+      else await this.#make(next, next.makes);
       await pause();
     }
     this.#beginning = false;
+  }
+
+  /** Makes an object of another worker anew; without it the client's calls mean nothing. */
+  async #make({ id, target, call, args }: Call, number: number): Promise<void> {
+    try {
+      const owner = target === 0 ? await this.#root : this.#object(target);
+      const make = (owner as Record<string, (...args: unknown[]) => unknown>)[call]!;
+      const { signal } = new AbortController();
+      replaced(
+        await make.apply(
+          owner,
+          args.map((arg) => this.#received(arg, id, signal)),
+        ),
+        (part) => {
+          const isObject = part instanceof Mesh || part instanceof Curve;
+          if (isObject && !this.#objects.has(number)) this.#objects.set(number, part);
+          return ArrayBuffer.isView(part) ? part : undefined;
+        },
+      );
+      if (!this.#objects.has(number)) throw new Error(`'${call}' made nothing`);
+    } catch (error) {
+      this.#post({ id, failure: { ...failureOf(error), fatal: true } });
+    }
   }
 
   #cancel(id: number): void {
@@ -124,13 +129,14 @@ class Server {
       if (asked === undefined || call in Object.prototype) {
         throw new KarcherError('badArgument', `there is no call '${call}'`);
       }
+      const edits = owner instanceof Curve ? owner.edits() : 0;
       const given = args.map((arg) => this.#received(arg, id, controller.signal));
       const result = typeof asked === 'function' ? await asked.apply(owner, given) : asked;
       if (call === 'dispose') this.#objects.delete(target);
       const transfer = new Set<Transferable>();
       const sent = this.#sent(result, transfer, keeps);
-      const changed = keeps && owner instanceof Curve && edits.includes(call);
-      const value = changed && { value: owner.value() };
+      const isEdited = keeps && owner instanceof Curve && owner.edits() > edits;
+      const value = isEdited && { value: owner.value() };
       this.#post({ id, result: sent, ...value }, [...transfer]);
     } catch (error) {
       this.#post({ id, failure: failureOf(error) });
