@@ -3,7 +3,7 @@
  * that undoes it. After both, the drawing is the same to the last byte of its JSON.
  */
 import { type Drawing, type DrawnObject, indexOf, type Properties } from './drawing';
-import { applyToFigure, type FigureCommand, invertFigureCommand } from './figure_commands';
+import { applyToFigure, type FigureCommand, invertFigureCommand, swapped } from './figure_commands';
 
 export type Command =
   | { type: 'figure'; id: number; edit: FigureCommand }
@@ -62,14 +62,8 @@ export function invert(command: Command): Command {
       return { ...command, type: 'add' };
     case 'steps':
       return { ...command, steps: command.steps.toReversed().map(invert) };
-    case 'order':
-      return { ...command, from: command.to, to: command.from };
-    case 'properties':
-      return { ...command, from: command.to, to: command.from };
-    case 'activate':
-      return { ...command, from: command.to, to: command.from };
-    case 'draw':
-      return { ...command, from: command.to, to: command.from };
+    default:
+      return swapped(command);
   }
 }
 

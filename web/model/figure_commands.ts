@@ -62,27 +62,20 @@ export function fitted(to: Figure, from: Figure, command: FigureCommand): Figure
   return withFittingKnots(command.type === 'replace' ? to : withFittingLegs(to, from));
 }
 
+/** A command from one value to another, the other way round. */
+export const swapped = <Change extends { from: unknown; to: unknown }>(change: Change): Change => ({
+  ...change,
+  from: change.to,
+  to: change.from,
+});
+
 export function invertFigureCommand(command: FigureCommand): FigureCommand {
   switch (command.type) {
     case 'insert':
       return { ...command, type: 'remove' };
     case 'remove':
       return { ...command, type: 'insert' };
-    case 'reorder':
-      return { ...command, from: command.to, to: command.from };
-    case 'change':
-      return { ...command, from: command.to, to: command.from };
-    case 'kind':
-      return { ...command, from: command.to, to: command.from };
-    case 'settings':
-      return { ...command, from: command.to, to: command.from };
-    case 'circle':
-      return { ...command, from: command.to, to: command.from };
-    case 'circleForm':
-      return { ...command, from: command.to, to: command.from };
-    case 'inside':
-      return { ...command, from: command.to, to: command.from };
-    case 'replace':
-      return { ...command, from: command.to, to: command.from };
+    default:
+      return swapped(command);
   }
 }

@@ -16,26 +16,22 @@
 import {
   activeObject,
   type Drawing,
-  type DrawnObject,
-  dashes,
   defaultStyle,
-  type FillPattern,
-  fillPatterns,
+  type DrawnObject,
+  type FillStyle,
   indexOf,
-  leastOpacity,
+  type LineStyle,
   newObject,
   othersOf,
   type Properties,
-  surfaceWidths,
-  widthRange,
 } from './drawing';
 import { type Figure, isEmpty, isRound, type Kind, withFittingKnots } from './figure';
+import { lookFields, readFields, writtenFields } from './link_fields';
 import { figureFields, parseFigure, pointTexts } from './link_figure';
-import { isWithin } from './link_numbers';
 import { linkProblems } from './link_problems';
 import { isMethod, type MethodId } from './methods';
 import { longestName, shortened } from './names';
-import { isColor, mostObjects } from './saved_drawing';
+import { mostObjects } from './saved_drawing';
 import { formatView, parseView, type ViewPlace } from './view_place';
 
 export interface Link {
@@ -95,19 +91,11 @@ function objectFields(
   numberOf: (id: number) => number,
 ): string[] {
   const parts = figureFields(figure, numberOf);
-  const { name, visible, locked, color, width, onSurface, dash, opacity, group } = properties;
-  const { fill, fillColor, pattern, spacing } = properties;
+  const { name, visible, locked, group } = properties;
   if (name) parts.push(`name=${encodeName(name)}`);
   if (!visible) parts.push('hidden=1');
   if (locked) parts.push('locked=1');
-  if (color) parts.push(`color=${color.slice(1)}`);
-  if (onSurface) parts.push(`band=${width}`);
-  else if (width !== defaultStyle.width) parts.push(`width=${width}`);
-  if (dash !== defaultStyle.dash) parts.push(`dash=${dash}`);
-  if (opacity !== defaultStyle.opacity) parts.push(`opacity=${opacity}`);
-  if (fill > 0) parts.push(`fill=${fill}`);
-  if (fillColor) parts.push(`fillcolor=${fillColor.slice(1)}`);
-  if (pattern !== 'solid') parts.push(`${pattern}=${spacing}`);
+  parts.push(...writtenFields(lookFields, linkLook(properties)));
   if (group !== null) parts.push(`group=${encodeName(group)}`);
   return parts;
 }
@@ -177,30 +165,28 @@ function parseObjects(fragment: string): DrawnObject[] {
     : [{ ...object, figure: curve }, ...behind(round, 'circle')];
 }
 
+function linkLook(properties: LineStyle & FillStyle) {
+  const { color, width, onSurface, dash, opacity, fill, fillColor, pattern, spacing } = properties;
+  return {
+    ...{ color, dash, opacity, fill, fillcolor: fillColor },
+    ...{ band: onSurface ? width : null, width: onSurface ? defaultStyle.width : width },
+    hatched: pattern === 'hatched' ? spacing : null,
+    striped: pattern === 'striped' ? spacing : null,
+  };
+}
+
 function parseProperties(fragment: string): Partial<Properties> {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
-  const color = `#${fields.get('color')}`;
-  const band = Number(fields.get('band') ?? Number.NaN);
-  const onSurface = isWithin(band, surfaceWidths);
-  const width = Number(fields.get('width') ?? defaultStyle.width);
-  const opacity = Number(fields.get('opacity') ?? defaultStyle.opacity);
-  const fill = Number(fields.get('fill') ?? 0);
-  const fillColor = `#${fields.get('fillcolor')}`;
-  const spacingOf = (name: FillPattern) => Number(fields.get(name) ?? Number.NaN);
-  const pattern = fillPatterns.find((name) => isWithin(spacingOf(name), surfaceWidths)) ?? 'solid';
+  const look = readFields(lookFields, fields);
+  const { color, band, dash, opacity, fill, fillcolor: fillColor, hatched, striped } = look;
   return {
     name: shortened(fields.get('name') ?? '', longestName),
     visible: fields.get('hidden') !== '1',
     locked: fields.get('locked') === '1',
-    color: isColor(color) ? color : null,
-    width: onSurface ? band : isWithin(width, widthRange) ? width : defaultStyle.width,
-    onSurface,
-    dash: dashes.find((one) => one === fields.get('dash')) ?? defaultStyle.dash,
-    opacity: isWithin(opacity, { least: leastOpacity, most: 1 }) ? opacity : defaultStyle.opacity,
-    fill: fill >= 0 && fill <= 1 ? fill : 0,
-    fillColor: isColor(fillColor) ? fillColor : null,
-    pattern,
-    spacing: pattern === 'solid' ? null : spacingOf(pattern),
+    ...{ color, dash, opacity, fill, fillColor },
+    ...{ width: band ?? look.width, onSurface: band !== null },
+    pattern: hatched !== null ? 'hatched' : striped !== null ? 'striped' : 'solid',
+    spacing: hatched ?? striped,
     group: shortened(fields.get('group') ?? '', longestName) || null,
   };
 }

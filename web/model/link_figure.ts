@@ -1,33 +1,23 @@
 /** Figures in links: points, legs and handles, settings, circles. */
-import type { CurveLevels, SurfacePoint } from 'karcher';
+import type { SurfacePoint } from 'karcher';
 import { isDerived } from './derived';
 import {
   type Across,
-  type CircleForm,
   type CircleShape,
   type ControlPoint,
-  type CurveSettings,
-  defaultCircleForm,
-  defaultSettings,
   type Figure,
-  fewestArcs,
-  kinds,
-  marksRange,
-  mostArcs,
   mostLegPoints,
-  mostLevels,
   type Rim,
-  samplesRange,
   type Tangent,
   type Tangents,
-  toleranceRange,
   type Vector,
   withFittingKnots,
   withLeg,
   withParameter,
 } from './figure';
 import { derivedFields, parseDerived } from './link_derived';
-import { formatPoint, isWithin, parseNumbers, parsePoint } from './link_numbers';
+import { circleFields, kindFields, readFields, settingFields, writtenFields } from './link_fields';
+import { formatPoint, parseNumbers, parsePoint } from './link_numbers';
 import { withTangents } from './pen';
 
 /**
@@ -39,10 +29,14 @@ export function figureFields(
   numberOf: (id: number) => number,
 ): string[] {
   const parts = [`kind=${kind}`, `points=${points.map(formatControlPoint).join(';')}`];
-  parts.push(...legsFields(points), ...tangentsFields(points), ...settingsFields(settings));
+  parts.push(
+    ...legsFields(points),
+    ...tangentsFields(points),
+    ...writtenFields(settingFields, settings),
+  );
   if (circle) parts.push(`circle=${formatCircle(circle)}`);
-  if (circleForm.type !== defaultCircleForm.type) parts.push(`circletype=${circleForm.type}`);
-  if (circleForm.arcs !== defaultCircleForm.arcs) parts.push(`arcs=${circleForm.arcs}`);
+  const { type: circletype, arcs } = circleForm;
+  parts.push(...writtenFields(circleFields, { circletype, arcs }));
   if (inside) parts.push(`inside=${inside}`);
   if (isDerived(kind) && derived) parts.push(...derivedFields(derived, numberOf));
   return parts;
@@ -116,22 +110,6 @@ function parseTangents(text: string): Map<string, Tangents> {
   );
 }
 
-function settingsFields(settings: CurveSettings): string[] {
-  const parts: string[] = [];
-  if (settings.closed) parts.push('closed=1');
-  if (settings.degree !== defaultSettings.degree) parts.push(`degree=${settings.degree}`);
-  if (settings.clamped) parts.push('clamped=1');
-  if (settings.knots) parts.push(`knots=${settings.knots}`);
-  if (settings.parametrization !== defaultSettings.parametrization) {
-    parts.push(`parametrization=${settings.parametrization}`);
-  }
-  if (settings.samples !== defaultSettings.samples) parts.push(`samples=${settings.samples}`);
-  if (settings.tolerance !== null) parts.push(`tolerance=${settings.tolerance}`);
-  if (settings.marks > 0) parts.push(`marks=${settings.marks}`);
-  if (settings.levels !== defaultSettings.levels) parts.push(`levels=${settings.levels}`);
-  return parts;
-}
-
 /** The texts of the points in a figure's fragment. */
 export function pointTexts(fragment: string): string[] {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
@@ -149,15 +127,15 @@ export function parseFigure(fragment: string): Figure {
     const leg = next ? legs.get(i) : null;
     return point && withTangents(withLeg(point, leg), tangents.get(`${i}`));
   });
-  const kind = kinds.find((one) => one === fields.get('kind')) ?? 'bspline';
-  const inside = fields.get('inside');
+  const { kind, inside } = readFields(kindFields, fields);
+  const { circletype: type, arcs } = readFields(circleFields, fields);
   return withFittingKnots({
     kind,
-    settings: parseSettings(fields),
+    settings: readFields(settingFields, fields),
     points: points.filter((point) => point !== null),
     circle: parseCircle(fields.get('circle') ?? ''),
-    circleForm: parseCircleForm(fields),
-    ...((inside === 'left' || inside === 'right') && { inside }),
+    circleForm: { type, arcs },
+    ...(inside && { inside }),
     ...(isDerived(kind) && { derived: parseDerived(kind, fields) }),
   });
 }
@@ -187,35 +165,6 @@ function parseParameter(text: string): number {
   return Math.min(1e12, Math.max(1e-12, value!));
 }
 
-function parseSettings(fields: URLSearchParams): CurveSettings {
-  const degree = Number(fields.get('degree'));
-  const knots = fields.get('knots') ?? '';
-  const within = (name: string, range: { least: number; most: number }) => {
-    const [value] = parseNumbers(fields.get(name) ?? '', 1) ?? [0];
-    return isWithin(value!, range) ? value! : null;
-  };
-  const whole = (value: number | null) => (Number.isInteger(value) ? value : null);
-  return {
-    closed: fields.get('closed') === '1',
-    degree: [1, 2, 3, 4, 5].includes(degree) ? degree : defaultSettings.degree,
-    clamped: fields.get('clamped') === '1',
-    knots: parseNumbers(knots, knots.split(',').length),
-    parametrization:
-      fields.get('parametrization') === 'uniform' ? 'uniform' : defaultSettings.parametrization,
-    samples: whole(within('samples', samplesRange)) ?? defaultSettings.samples,
-    tolerance: within('tolerance', toleranceRange),
-    marks: whole(within('marks', marksRange)) ?? 0,
-    levels: levelsOf(fields.get('levels')) ?? defaultSettings.levels,
-  };
-}
-
-/** The levels in a text; null if it has none. */
-export function levelsOf(text: string | null): CurveLevels | null {
-  if (text === 'auto' || text === 'limit') return text;
-  const number = Number(text || NaN);
-  return Number.isInteger(number) && number >= 0 && number <= mostLevels ? number : null;
-}
-
 function parseCircle(text: string): CircleShape | null {
   const [centerText = '', rimText = '', acrossText = ''] = text.split(';');
   const center = parsePoint(centerText);
@@ -239,16 +188,4 @@ function parseAcross(text: string): Across | null {
   if (point) return point;
   const [radius] = parseNumbers(text, 1) ?? [0];
   return radius! > 0 ? { radius: radius! } : null;
-}
-
-function parseCircleForm(fields: URLSearchParams): CircleForm {
-  const type = fields.get('circletype');
-  // Older links did not name the default of seven arcs: these circles now keep nearer to their
-  // radius.
-  const arcs = Number(fields.get('arcs'));
-  const good = Number.isInteger(arcs) && arcs >= fewestArcs && arcs <= mostArcs;
-  return {
-    type: type === 'linear' || type === 'exact' ? type : defaultCircleForm.type,
-    arcs: good ? arcs : defaultCircleForm.arcs,
-  };
 }

@@ -19,6 +19,3 @@ export function parsePoint(text: string): SurfacePoint | null {
   const good = Number.isInteger(face) && face >= 0 && u >= 0 && v >= 0 && u + v <= 1;
   return good ? surfacePoint(face, u, v) : null;
 }
-
-export const isWithin = (value: number, { least, most }: { least: number; most: number }) =>
-  value >= least && value <= most;

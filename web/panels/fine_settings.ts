@@ -10,7 +10,7 @@ import {
   samplesRange,
   toleranceRange,
 } from '../model/figure';
-import { levelsOf } from '../model/link_figure';
+import { settingFields } from '../model/link_fields';
 import { mayHaveLevels } from '../model/splines';
 import { byId, write } from './elements';
 import { sentenceOf } from './messages';
@@ -36,7 +36,7 @@ export class FineSettings {
       editor.setSettings({ tolerance: byTolerance ? firstTolerance : null });
     });
     this.#levels.addEventListener('change', () => {
-      const levels = levelsOf(this.#levels.value);
+      const levels = settingFields.levels.read(this.#levels.value);
       if (levels !== null) editor.setSettings({ levels });
     });
     this.#samples = new NumberField(
