@@ -20,11 +20,11 @@ class CurveHandle {
   val view(const val& options) const;
   /// The curve's value: {points, legs} with a shape (curve_value.h).
   val value() const;
-  /// The legs as `legsAndShorterToJs` of legs.h returns them.
+  /// The legs, as `legsAndShorterToJs` of legs.h returns them.
   val legs() { return legsAndShorterToJs(mesh_, curve_); }
 
   void movePoint(int i, const val& point);
-  /// Moves a point and continues its legs from where they lie.
+  /// Moves a point and continues its legs from their present course.
   void dragPoint(int i, const val& point);
   void insertPoint(int i, const val& point);
   void removePoint(int i) { become(withPointRemoved(curve_.value(), i)); }
@@ -51,13 +51,13 @@ class CurveHandle {
 
   /// {parameter, point, position, status}
   val pointAt(double parameter);
-  /// The same with the derivative as {inFace, inSpace}.
+  /// The same, with the derivative as {inFace, inSpace}.
   val tangentAt(double parameter);
   /// The same as `pointAt`, with {distance}. `place` is a Float64Array of three numbers.
   val nearest(const val& place);
   double lengthAt(double parameter);
   val pointAtLength(double length);
-  /// {parameter, face, bary, position}: arrays over the points.
+  /// {parameter, face, bary, position}, as arrays over the points.
   val equallySpaced(int count);
 
  private:

@@ -8,11 +8,12 @@ namespace karcher::bindings {
 
 CurveKind curveKind(const std::string& name);
 
-/// {points, legs, areDrawn, shape, sampling, field}: the points one after the other, `legs` and
-/// `areDrawn` as in legs.h, `shape` {kind, closed, degree, clamped, knots, weights, betas,
-/// centripetal, basis} with numbers in Float64Arrays, empty if unused, and `basis` undefined or a
-/// function of the number of points and t that returns a Float64Array; `sampling` {samples,
-/// tolerance, exact, levels, leastLevels, levelsTolerance}, `field` as for `fieldOptionsFromJs`.
+/// Reads {points, legs, areDrawn, shape, sampling, field}. `points` come one after the other;
+/// `legs` and `areDrawn` are as in legs.h. `shape` is {kind, closed, degree, clamped, knots,
+/// weights, betas, centripetal, basis}, with numbers in Float64Arrays, which are empty if unused;
+/// `basis` is undefined, or a function of the number of points and t that returns a Float64Array.
+/// `sampling` is {samples, tolerance, exact, levels, leastLevels, levelsTolerance}, and `field` as
+/// for `fieldOptionsFromJs`.
 CurveValue curveValueFromJs(const MeshHandle& mesh, const val& value, Legs& legs);
 
 /// {points} with the shape's properties, without the basis.

@@ -6,8 +6,8 @@
 
 namespace karcher::bindings {
 
-/// {method, solver, rings}, by the names of the JavaScript API. Throws Error kBadArgument for
-/// others, and as `checkFieldOptions` does.
+/// Reads {method, solver, rings}, by the names of the JavaScript API. Throws Error kBadArgument for
+/// other names, and as `checkFieldOptions` does.
 FieldOptions fieldOptionsFromJs(const emscripten::val& options);
 
 /// The name of a solver in the JavaScript API.

@@ -12,7 +12,7 @@ class GraphBuilderHandle {
   GraphBuilderHandle(MeshHandle& mesh, int rings)
       : mesh_(mesh), rings_(rings), builder_(mesh.surface().geometry(), rings) {}
 
-  /// Adds the next `vertices` vertices to the graph; returns true when the graph is complete and
+  /// Adds the next `vertices` vertices to the graph. Returns true when the graph is complete and
   /// belongs to the mesh.
   bool advance(int vertices) {
     if (!builder_.advance(vertices)) return false;

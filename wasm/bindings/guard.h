@@ -9,15 +9,15 @@
 
 #include "mesh/error.h"
 
-/// Failures on their way to JavaScript. An exception that leaves the module loses its sentence, so
-/// each binding runs under a guard that keeps code and sentence and returns an empty result; the
+/// Failures on their way to JavaScript. An exception that leaves the module loses its sentence. So
+/// each binding runs under a guard that keeps code and sentence and returns an empty result. The
 /// facade takes the failure after each call.
 namespace karcher::bindings {
 
 /// Keeps a failure until `takeFailure`.
 void keepFailure(const char* code, const char* sentence);
 
-/// The kept failure as {code, message}, or undefined; it is then forgotten.
+/// Returns the kept failure as {code, message}, or undefined, and forgets it.
 emscripten::val takeFailure();
 
 /// Keeps the exception that is being handled.

@@ -11,13 +11,14 @@
 namespace karcher::bindings {
 namespace {
 
-/// Paths whose lengths differ by less than this part are equally short.
+/// The relative difference of lengths below which paths count as equally short.
 constexpr double kSameLength = 1e-9;
 
-/// A weight this small is rounding of one that was computed from the two others, as in a link.
+/// A weight this small is the rounding of a weight that was computed from the two others, as in a
+/// link.
 constexpr double kNoWeight = 1e-15;
 
-/// Moves points that lie on an edge up to rounding onto it.
+/// The points, of which those on an edge up to rounding are moved onto it.
 Array<SurfacePoint> onEdges(Array<SurfacePoint> points) {
   for (SurfacePoint& point : points) {
     for (int k = 0; k < 3; ++k) {
@@ -43,7 +44,7 @@ Array<SurfacePath> Legs::fromJs(const MeshHandle& mesh, const Array<SurfacePoint
   const int count = legs["length"].as<int>();
   for (int i = 0; i < count; ++i) {
     paths.emplace_back();
-    // The engine refuses more legs than points.
+    // The engine rejects more legs than points.
     if (i >= points.count()) continue;
     Array<SurfacePoint> given = pointsFromJs(mesh.numbering(), mesh.mesh(), legs[i]);
     if (given.count() < (drawn[i] ? 2 : 1)) continue;

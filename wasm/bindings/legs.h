@@ -6,14 +6,14 @@
 
 namespace karcher::bindings {
 
-/// Conversion of a control polygon's legs: a list with the points that each leg passes through,
-/// empty for the shortest path; an empty list if all are shortest.
+/// Conversion of a control polygon's legs. The list has, for each leg, the points that it passes,
+/// which are none for the shortest path. It is empty if all legs are shortest.
 class Legs {
  public:
-  /// The legs of a curve's value with these points; those marked in `areDrawn`, an Int32Array of 0
-  /// and 1, are given by all their points, with their own ends. Legs of the last call are not
-  /// searched for again. Throws Error kUnreachable for waypoints on another component than the
-  /// leg's ends, and what `pointsFromJs` throws.
+  /// The legs of a curve's value with these points. `areDrawn`, an Int32Array of 0 and 1, marks
+  /// legs given by all their points, with their own ends. Legs of the last call are not searched
+  /// again. Throws Error kUnreachable for waypoints on another component than the leg's ends, and
+  /// what `pointsFromJs` throws.
   Array<SurfacePath> fromJs(const MeshHandle& mesh, const Array<SurfacePoint>& points,
                             const val& legs, const val& areDrawn);
 
@@ -28,7 +28,7 @@ class Legs {
   Array<Leg> known_;
 };
 
-/// The legs of a curve's value; the shortest ones are found with these options.
+/// The legs of a curve's value. The shortest ones are recognised by a search with these options.
 val legsToJs(const MeshHandle& mesh, const Array<SurfacePath>& legs,
              const FindPathOptions& shortest);
 

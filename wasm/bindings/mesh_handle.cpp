@@ -135,7 +135,7 @@ val MeshHandle::nearestPoint(const val& place) {
   return result;
 }
 
-/// A vector in space as a unit vector in the frame of a face.
+/// The unit vector, in the frame of a face, of a vector in space.
 Vec2 MeshHandle::directionInFace(int face, const val& direction) const {
   const Array<double> space = fromJs<double>(direction);
   const Vec2 vector = toFace(surface_.geometry(), face, {space[0], space[1], space[2]});
@@ -296,7 +296,7 @@ val MeshHandle::meanToJs(const Mean& mean) const {
   return result;
 }
 
-/// Field number `field` of a caller's distances, in the engine's order. An error names the caller's
+/// Field number `field` of a caller's distances, in the engine's order. Errors name the caller's
 /// vertex.
 Array<double> MeshHandle::engineDistances(const Array<double>& distances, size_t field) const {
   const double* own = distances.data() + field * numbering_.engineVertex.size();

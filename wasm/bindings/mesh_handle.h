@@ -24,10 +24,10 @@ class MeshHandle {
   /// The field sets of the mesh's curves and centers of mass.
   const std::shared_ptr<FieldSets>& fieldSets() const { return fieldSets_; }
 
-  /// Keeps the marks of an OBJ file that the mesh was read from.
+  /// Keeps the marks of the OBJ file from which the mesh was read.
   void setMarks(ObjMarks marks) { marks_ = std::move(marks); }
-  /// {parts, partOf, materials, materialOf, colors}, as in types.ts; a mesh that was not read from
-  /// an OBJ file has no parts.
+  /// {parts, partOf, materials, materialOf, colors}, as in types.ts. A mesh from another source has
+  /// no parts.
   val marks() const;
 
   /// Sets the curvature bound of the smooth surface that the mesh approximates.
@@ -42,7 +42,7 @@ class MeshHandle {
 
   val checkedPoint(const val& point) const;
   val position(const val& point) const;
-  /// The positions of points, x, y and z of one after the other.
+  /// The positions of points, as x, y and z of one after the other.
   val positionsOf(const val& points) const;
   /// The normal of the point's face.
   val normal(const val& point) const;
@@ -52,7 +52,8 @@ class MeshHandle {
   val straightest(const val& from, const val& direction, double length) const;
   val shortestPath(const val& from, const val& to) const;
 
-  // Vectors and directions are in space, three numbers each; a direction of length 0 is none.
+  // Vectors and directions are in space, three numbers each. A direction of length 0 stands for
+  // none.
   /// {vectors, directions}
   val logMap(const val& from, const val& points, const val& directions) const;
   /// The log vectors of all vertices of the caller; NaN for unreachable ones.
@@ -67,10 +68,10 @@ class MeshHandle {
   /// The distances to the nearest of the points in `from`, which follow one another.
   val distance(const val& from, const val& field);
   bool hasRingGraph(int rings) const { return surface_.hasRingGraph(rings); }
-  /// Builds what fields share, including the graph, unless that was built in slices.
+  /// Builds the data that fields share, including the graph unless it was built in slices.
   void prepareFields(const val& field);
   /// `start` is a point, or an empty array for the engine's choice. The result has a `certificate`
-  /// if that is requested.
+  /// on request.
   val centerOfMass(const val& points, const val& weights, const val& start, bool normalize,
                    bool looksForOthers, bool certifies, const val& field);
   /// {point, position, energy, status}, with the values for each row of weights one after the
@@ -80,7 +81,7 @@ class MeshHandle {
   /// {weights, isMinimum}; `given` is empty for equal weights.
   val weightsOf(const val& point, const val& points, const val& given, bool nonNegative,
                 const val& field);
-  /// `distances` holds one field after another, each with a distance for each vertex of the caller.
+  /// `distances` holds one field after another. Each has a distance for each vertex of the caller.
   val centerOfMassOfDistances(const val& distances, const val& weights, const val& start,
                               bool normalize);
   val circle(const val& center, double radius, const val& arcs, int samples, int levels,
@@ -92,11 +93,11 @@ class MeshHandle {
   val isolines(const val& center, double radius, bool exact, const val& field);
   /// A list of paths. `side` is 1 for the left, -1 for the right, 0 for both.
   val offset(const val& outlines, double distance, int side, int corners, double miterLimit) const;
-  /// The distances of points from the nearest of the outlines; NaN where no path leads.
+  /// The distances of points from the nearest of the outlines; NaN for unreachable points.
   val distanceFromPaths(const val& outlines, const val& points) const;
   /// A list of {area, perimeter, boundary, share, triangles, sides}, one for each shape, with
-  /// `isLeft`, or one for all. `counts` has the number of each shape's outlines, `insides` a point
-  /// of each, none, or the side of its first outline: 1 for the left, 0 for the right.
+  /// `isLeft`, or one for all. `counts` has the number of each shape's outlines. `insides` has, for
+  /// each shape, a point, none, or the side of its first outline: 1 for the left, 0 for the right.
   val regions(const val& outlines, const val& counts, const val& insides, const std::string& rule,
               const std::string& combine) const;
   /// A list of {positions, triangles, faces}, one for each cell.
@@ -116,21 +117,21 @@ class MeshHandle {
   ObjMarks marks_;
   Surface surface_;
   std::optional<CurvatureBound> smooth_;
-  std::optional<FaceTree> faceTree_;  ///< built on first use
+  std::optional<FaceTree> faceTree_;  ///< The tree is built on first use.
   std::shared_ptr<FieldSets> fieldSets_;
   /// The fields of the last center of mass.
   std::shared_ptr<FieldSet> fields_;
 };
 
-/// `bytes` is a Uint8Array with the content of an OBJ file, `parts` holds the numbers of its parts
-/// or is null for all, and `weld` is that of ImportOptions.
+/// `bytes` is a Uint8Array with the content of an OBJ file. `parts` holds the numbers of the wanted
+/// parts, or is null for all. `weld` is that of ImportOptions.
 std::unique_ptr<MeshHandle> meshFromObj(const val& bytes, const val& parts, bool repair,
                                         double weld);
 /// `positions` is a Float64Array, `triangles` an Int32Array, with three numbers for each item.
 std::unique_ptr<MeshHandle> meshFromArrays(const val& positions, const val& triangles, bool repair,
                                            double weld);
-/// The same for polygons: `corners` has the vertices of one after the other, `sizes` their numbers
-/// of corners.
+/// The same for polygons. `corners` has the vertices of one polygon after the other, `sizes` their
+/// numbers of corners.
 std::unique_ptr<MeshHandle> meshFromPolygons(const val& positions, const val& corners,
                                              const val& sizes, bool repair, double weld);
 /// A built-in shape, by its name in the JavaScript API.

@@ -13,7 +13,7 @@ Vec3 vectorAt(const Array<double>& numbers, int i) {
   return {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
 }
 
-/// The points that the exp map leads to, for JavaScript.
+/// The end points of the exp map, for JavaScript.
 class MappedPoints {
  public:
   void append(const Geometry& geometry, const ExpMapped& mapped) {

@@ -6,7 +6,7 @@
 #include "bindings/mesh_handle.h"
 #include "rcm/center_of_mass.h"
 
-// The allocator's own count; Emscripten's <malloc.h> does not declare it.
+// The allocator's own count, which Emscripten's <malloc.h> does not declare.
 extern "C" {
 struct mallinfo {
   size_t arena, ordblks, smblks, hblks, hblkhd, usmblks, fsmblks, uordblks, fordblks, keepcost;

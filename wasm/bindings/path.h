@@ -4,19 +4,19 @@
 
 namespace karcher::bindings {
 
-/// A path on the surface for JavaScript, in arrays over its points. A point that the engine has
-/// twice, in two faces, is here once.
+/// A path on the surface for JavaScript, in arrays over its points. A point that the engine has in
+/// two faces occurs once.
 struct Path {
   bool closed = false;
   double length = 0;
   Array<int> faces;
   Array<double> bary;
   Array<double> positions;
-  Array<double> lengths;  ///< from the start
+  Array<double> lengths;  ///< the lengths from the start
 };
 
-/// Appends points of the engine with the length from the first to the last; between two of them the
-/// path is straight, or nearly so. Returns the indices of those that were kept.
+/// Appends points of the engine with the length from the first to the last. Between two of them the
+/// path is straight, or nearly so. Returns the indices of the points that were kept.
 Array<int> append(Path& path, const Numbering& numbering, const TriangleMesh& mesh,
                   const Array<SurfacePoint>& points, double length);
 

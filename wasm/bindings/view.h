@@ -6,7 +6,7 @@
 
 namespace karcher::bindings {
 
-/// A traced curve, segment by segment. `paths` is empty if they are not wanted.
+/// A traced curve, segment by segment. `paths` is empty if paths are not requested.
 struct TracedLine {
   bool closed = false;
   int levels = 0;
@@ -21,8 +21,8 @@ struct TracedLine {
 };
 
 struct ViewOptions {
-  bool inDouble = false;    ///< positions along the path in 64 bits
-  bool withPoints = false;  ///< the path's faces and weights, too
+  bool inDouble = false;    ///< whether positions along the path have 64 bits
+  bool withPoints = false;  ///< whether the path's faces and weights are included
 };
 
 /// The options from {inDouble, withPoints}.

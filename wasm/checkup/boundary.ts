@@ -1,18 +1,19 @@
 import { batchMask, type Slices } from '../slices.js';
 import { facesOnOthers } from './doubled.js';
 
-/** The edges of one face only. */
+/** The boundary: the edges of one face only. */
 export interface Boundary {
-  /** The numbers of both ends, two an edge. */
+  /** The numbers of both ends, two for each edge. */
   ends: Int32Array;
   /** A vertex for each number. */
   vertexAt: Int32Array;
 }
 
 /**
- * `numbers` has that of each corner's vertex: vertices that are one have the same. Where an edge has more
- * than two faces, pairs of them stay together, so that one is alone where they are odd in number. With
- * `doubled` faces that lie on others are left out as the engine does.
+ * Finds the boundary. `numbers` has the number of each corner's vertex, equal for vertices that
+ * count as one. At an edge with more than two faces, pairs of faces stay together, so that one face
+ * of an odd number is alone. With `doubled`, faces that lie on others are left out as the engine
+ * does.
  */
 export async function boundaryEdges(
   triangles: Int32Array,
@@ -23,7 +24,7 @@ export async function boundaryEdges(
   const count = numbers.reduce((most, number) => Math.max(most, number), 0) + 1;
   const onOthers = doubled ? await facesOnOthers(triangles, numbers, count, slices) : null;
   const vertexAt = new Int32Array(count);
-  // The edges of each vertex to those of larger numbers, one list after the other.
+  // The edges from each vertex to those of larger numbers, one list after the other.
   const starts = new Int32Array(count + 1);
   const others = new Int32Array(numbers.length);
   const forEachEdge = async (done: number, visit: (low: number, high: number) => void) => {
@@ -57,11 +58,12 @@ export async function boundaryEdges(
     for (let at = starts[low]!; at < starts[low + 1]!; at++) faces += others[at] === high ? 1 : 0;
     return faces;
   };
-  /** Edges with another number of faces than they have here, odd for even. */
+  /** The edges whose number of faces changes by an odd number when faces are left out. */
   const changed = new Set<string>();
   for (const face of onOthers?.turned ?? []) {
     const edges = [0, 1, 2].map((k) => edgeOf(numbers, 3 * face + k).sort((i, j) => i - j));
-    // Two faces on each other are a closed surface of their own, unless another one is there.
+    // Two faces that lie on each other are a closed surface, unless a further face has one of their
+    // edges.
     if (!edges.some(([low, high]) => facesAt(low!, high!) > 2)) continue;
     for (const edge of edges) if (!changed.delete(`${edge}`)) changed.add(`${edge}`);
   }
@@ -79,7 +81,7 @@ export async function boundaryEdges(
   return { ends: Int32Array.from(ends), vertexAt };
 }
 
-/** The numbers of an edge's ends, from a corner on. */
+/** The numbers of the ends of the edge that starts at a corner. */
 function edgeOf(numbers: Int32Array, corner: number): [number, number] {
   return [numbers[corner]!, numbers[corner % 3 === 2 ? corner - 2 : corner + 1]!];
 }

@@ -1,17 +1,20 @@
 import { batchMask, type Slices } from '../slices.js';
 
-/** Faces that lie on one before them. */
+/** The faces that lie on an earlier one. */
 export interface FacesOnOthers {
-  /** 1 for each face that lies on another one with the same orientation: the engine leaves it out. */
+  /**
+   * 1 for each face that lies on another one with the same orientation, which the engine leaves
+   * out.
+   */
   same: Uint8Array;
   /**
-   * Faces that lie on another one with the opposite orientation and have no other neighbor, or the same vertices.
-   * The engine leaves them out where an edge has more than two faces.
+   * Faces that lie on another one with the opposite orientation and have no other neighbor, or the
+   * same vertices. The engine leaves them out at edges of more than two faces.
    */
   turned: number[];
 }
 
-/** By the numbers of the corners, which are less than `count`. */
+/** Finds these faces by the numbers of the corners, which are less than `count`. */
 export async function facesOnOthers(
   triangles: Int32Array,
   numbers: Int32Array,
@@ -23,7 +26,7 @@ export async function facesOnOthers(
     const at = 3 * face;
     return Math.min(numbers[at]!, numbers[at + 1]!, numbers[at + 2]!);
   };
-  // The faces of each number that is the lowest of theirs, one list after the other.
+  // The faces of each number that is the lowest of their corners', one list after the other.
   const starts = new Int32Array(count + 1);
   for (let face = 0; face < faces; face++) starts[lowest(face)]!++;
   for (let i = 1; i <= count; i++) starts[i]! += starts[i - 1]!;
@@ -42,7 +45,7 @@ export async function facesOnOthers(
   for (let i = 0; i < count; i++) {
     if ((i & batchMask) === 0 && slices.over) await slices.rest(0.7);
     if (starts[i + 1]! < starts[i]! + 2) continue;
-    /** By the other two corners, the lower one first. */
+    /** The first face for each pair of the other two corners, the lower one first. */
     const first = new Map<string, { face: number; rises: boolean }>();
     for (const face of listed.subarray(starts[i], starts[i + 1])) {
       const k = [0, 1, 2].find((corner) => numbers[3 * face + corner] === i)!;
@@ -58,7 +61,7 @@ export async function facesOnOthers(
   return found;
 }
 
-/** How many corners each vertex has. */
+/** The number of corners at each vertex. */
 function usesOf(triangles: Int32Array): Uint32Array {
   const uses = new Uint32Array(triangles.reduce((most, vertex) => Math.max(most, vertex), 0) + 1);
   for (const vertex of triangles) uses[vertex]!++;

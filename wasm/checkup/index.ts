@@ -9,9 +9,9 @@ export type { NearBoundaries } from './near_boundaries.js';
 export { type Solid, solidOf } from './solid.js';
 export { type Thickened, thickened } from './thicken.js';
 
-/** What a mesh is like, triangle by triangle, and where it is not as curves would have it. */
+/** The properties of a mesh, triangle by triangle, and the places where it does not suit curves. */
 export interface CheckUp {
-  /** Lengths of the shortest and the longest edge. */
+  /** The length of the shortest edge. */
   shortestEdge: number;
   /** The length of the longest edge. */
   longestEdge: number;
@@ -23,28 +23,28 @@ export interface CheckUp {
   needles: Int32Array;
   /** Numbers of triangles with an angle above 170 degrees. */
   caps: Int32Array;
-  /** Edges of one face only: x, y, z of both ends, six numbers an edge. */
+  /** Edges of one face only: x, y, z of both ends, six numbers for each edge. */
   boundary: Float64Array;
-  /** Boundaries that lie near each other and are not joined; null without any. */
+  /** Boundaries that lie near each other and are not joined; null if none do. */
   nearBoundaries: NearBoundaries | null;
-  /** Sentences about what is to be expected of curves. */
+  /** Sentences about what to expect of curves. */
   expected: string[];
 }
 
-/** A mesh of this thread or of a worker. */
+/** A mesh in this thread or in a worker. */
 export interface CheckedMesh {
-  /** What the mesh consists of, as `Mesh.info`. */
+  /** The numbers of the mesh's elements, as `Mesh.info`. */
   readonly info: Readonly<MeshInfo>;
-  /** The positions of the vertices, as `Mesh.positions` gives them. */
+  /** The positions of the vertices, as `Mesh.positions` returns them. */
   positions(): Float64Array | Promise<Float64Array>;
-  /** Three vertex numbers a triangle, as `Mesh.triangles` gives them. */
+  /** Three vertex numbers for each triangle, as `Mesh.triangles` returns them. */
   triangles(): Int32Array | Promise<Int32Array>;
 }
 
 /**
- * Looks a mesh over, in slices of some milliseconds: two seconds for two million triangles. Faces are
- * numbered as the caller's; those that were left out or flipped away while the mesh was read are passed
- * over.
+ * Checks a mesh, in slices of some milliseconds: two seconds for two million triangles. Faces have
+ * the caller's numbers; those that were left out or flipped away while the mesh was read are
+ * skipped.
  *
  * Rejects with the signal's reason when it is aborted, and with `KarcherError` disposed.
  */
@@ -53,7 +53,7 @@ export async function checkUp(mesh: CheckedMesh, work: LongWorkOptions = {}): Pr
   const slices = new Slices(work, 'checking');
   const [positions, triangles] = [await mesh.positions(), await mesh.triangles()];
   const { info } = mesh;
-  // Where nothing was welded, vertices at one place are several in the engine too.
+  // If no vertices were welded, vertices at one place are separate in the engine, too.
   const byPlace = info.repairs.some(({ kind }) => kind === 'welded');
   const doubled = info.repairs.some(({ kind }) => kind === 'duplicate');
   const { numbers, shortest, ...shapes } = await shapesOf(positions, triangles, byPlace, slices);
@@ -76,7 +76,10 @@ function placesOf(positions: Float64Array, { ends, vertexAt }: Boundary): Float6
   return places;
 }
 
-/** Edges that differ by more leave distances fewer right digits (the gallery of `docs/gallery.md`). */
+/**
+ * Edges that differ by more leave distances fewer correct digits (the gallery of
+ * `docs/gallery.md`).
+ */
 const widestRange = 1e8;
 
 function expectedOf(info: Readonly<MeshInfo>, found: Omit<CheckUp, 'expected'>): string[] {

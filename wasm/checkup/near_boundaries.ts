@@ -12,16 +12,19 @@ export interface NearBoundaries {
   weld: number;
 }
 
-/** How near boundaries lie on each other, as a part of the diagonal. */
+/** The distance, relative to the diagonal, within which boundaries are near each other. */
 const nearness = 1e-4;
-/** The engine welds vertices no farther apart than this part of the shortest edge at either. */
+/** The engine welds vertices up to this part of the shortest edge at either vertex. */
 const partOfEdge = 1 / 3;
-/** The least tolerance that is told, as a part of the diagonal. */
+/** The least tolerance that is recommended, relative to the diagonal. */
 const leastWeld = 1e-9;
-/** Halvings of the nearness: shorter edges share the last one. */
+/** The number of halvings of the nearness. Shorter edges share the last one. */
 const mostLevels = 40;
 
-/** The mesh as the check-up has it: places by the numbers of vertices, and their shortest edges. */
+/**
+ * The mesh in the form that the check-up uses: places by the numbers of vertices, and their
+ * shortest edges.
+ */
 interface Places {
   positions: Float64Array;
   boundary: Boundary;
@@ -30,9 +33,9 @@ interface Places {
 }
 
 /**
- * Finds boundaries that lie on each other. A vertex of one is within 1e-4 of the diagonal of a vertex of the other,
- * and within a third of the shortest edge at either. Where both are at the same place, an edge of each must be
- * too, since vertices that only touch are not welded.
+ * Finds boundaries that lie on each other: a vertex of one is within 1e-4 of the diagonal of a
+ * vertex of the other, and within a third of the shortest edge at either. If both are at the same
+ * place, an edge of each must be, too, since vertices that only touch are not welded.
  */
 export async function nearBoundaries(
   { positions, boundary, shortest, diagonal }: Places,
@@ -45,7 +48,8 @@ export async function nearBoundaries(
   const distance = (i: number, j: number) =>
     Math.sqrt((at(i, 0) - at(j, 0)) ** 2 + (at(i, 1) - at(j, 1)) ** 2 + (at(i, 2) - at(j, 2)) ** 2);
   const limitOf = (number: number) => Math.min(reach, partOfEdge * shortest[number]!);
-  // Cells as wide as what their vertices reach, so that few vertices without a neighbour share one.
+  // Cells are as wide as the reach of their vertices, so that few vertices without a neighbour
+  // share one.
   const levelOf = (limit: number) =>
     Math.min(mostLevels, Math.max(0, Math.floor(Math.log2(reach / limit))));
   const first = new Map<number, number>();
@@ -72,7 +76,7 @@ export async function nearBoundaries(
     return apart > 0 || touchesAlong(i, j);
   };
 
-  /** The first that is near enough, or -1. */
+  /** The first vertex that is near enough, or -1. */
   const nearTo = (number: number): number => {
     const limit = limitOf(number);
     for (const level of levels) {
@@ -111,7 +115,9 @@ export async function nearBoundaries(
 
 type Cell = [number, number, number];
 
-/** Cells may share a key: what lies in them is looked at. */
+/**
+ * The key of a cell. Several cells may share one, so that the vertices in them must be compared.
+ */
 function cellKey(level: number, x: number, y: number, z: number): number {
   let key = Math.imul(level + 1, 0x9e3779b1);
   for (const part of [x, y, z]) {
@@ -138,7 +144,7 @@ async function neighboursOf(ends: Int32Array, slices: Slices): Promise<Map<numbe
   return neighbours;
 }
 
-/** To two digits, and a little more than the length itself. */
+/** The length rounded up to two digits, slightly more than itself. */
 function roundedUp(length: number): number {
   const unit = 10 ** (Math.floor(Math.log10(length)) - 1);
   return Number((Math.ceil((1.01 * length) / unit) * unit).toPrecision(2));

@@ -1,9 +1,12 @@
 import { Places } from '../places.js';
 import { batchMask, type Slices } from '../slices.js';
 
-/** In degrees: below the one a triangle is a needle, above the other a cap. */
+/** These angles are in degrees: below the first a triangle is a needle, above the second a cap. */
 const [needleAngle, capAngle] = [2, 170];
-/** Lower triangles, as a part of their longest edge, are on a line: the engine flips or refuses them. */
+/**
+ * The least height of a triangle, relative to its longest edge. Corners of a lower one lie on a
+ * line, and the engine flips or rejects it.
+ */
 const leastHeight = 1e-12;
 const degrees = 180 / Math.PI;
 
@@ -14,15 +17,15 @@ interface Shapes {
   largestAngle: number;
   needles: Int32Array;
   caps: Int32Array;
-  /** The number of each corner's vertex: the same for vertices that are one. */
+  /** The number of each corner's vertex, equal for vertices that count as one. */
   numbers: Int32Array;
   /** The length of the shortest edge of any face at each number. */
   shortest: Float64Array;
 }
 
 /**
- * The lengths and angles of triangles; those with two corners at one place, or on a line as the engine
- * has it, are none. With `byPlace` vertices at one place are one.
+ * The lengths and angles of triangles. Triangles with two corners at one place, or with corners on
+ * a line by the engine's rule, are skipped. With `byPlace`, vertices at one place count as one.
  */
 export async function shapesOf(
   positions: Float64Array,
@@ -82,7 +85,9 @@ export async function shapesOf(
   return { shortestEdge, longestEdge, ...angles, ...faces, numbers, shortest: shortestAt };
 }
 
-/** By the product of two edges, which keeps the digits of thin triangles. */
+/**
+ * Twice a triangle's area, by the product of two edges, which keeps the digits of thin triangles.
+ */
 function twiceArea(positions: Float64Array, p: number, q: number, r: number): number {
   const along = (vertex: number, axis: number) =>
     positions[3 * vertex + axis]! - positions[3 * p + axis]!;

@@ -1,16 +1,22 @@
-/** What triangles are worth for printing. */
+/** The suitability of triangles for printing. */
 export interface Solid {
   /** The sum of the triangles' areas. */
   area: number;
-  /** Whether no edge runs the same way in two triangles. */
+  /** Whether no edge has the same direction in two triangles. */
   oriented: boolean;
-  /** Whether each edge runs both ways as often: nothing is open. */
+  /** Whether each edge occurs equally often in both directions, so that no part is open. */
   closed: boolean;
-  /** What they enclose where they are closed and oriented, negative where they face inwards; else null. */
+  /**
+   * The enclosed volume if the triangles are closed and oriented, negative if they face inwards;
+   * else null.
+   */
   volume: number | null;
 }
 
-/** Measures triangles by themselves, as `mesh.cut` gives them: x, y, z a vertex, and three vertices a triangle. */
+/**
+ * Measures triangles as `mesh.cut` returns them: x, y, z for each vertex, and three vertices for
+ * each triangle.
+ */
 export function solidOf({
   positions,
   triangles,
@@ -31,7 +37,8 @@ export function solidOf({
       along[i + k] = tail * count + head;
       against[i + k] = head * count + tail;
     });
-    // Seen from the first vertex, so that a place far from the origin costs no digits.
+    // Places are taken relative to the first vertex, so that a place far from the origin costs no
+    // digits.
     const [a, b, c] = corners.map((v) => start.map((from, k) => positions[3 * v + k]! - from));
     const across = cross(
       b!.map((value, k) => value - a![k]!),

@@ -3,13 +3,19 @@ import { KarcherError } from '../errors.js';
 
 /** A closed shell round triangles. */
 export interface Thickened {
-  /** x, y, z a vertex: those that were given, and behind them the same moved by the thickness. */
+  /**
+   * x, y, z for each vertex: first the given vertices, then the same vertices moved by the
+   * thickness.
+   */
   positions: Float64Array;
-  /** Three vertex numbers a triangle: the part, its copy turned over, and walls along the boundary. */
+  /**
+   * Three vertex numbers for each triangle: the part, its reversed copy, and walls along the
+   * boundary.
+   */
   triangles: Int32Array;
   /**
-   * The thickness that the shape allows, where that is less: beyond it the shell runs into itself. Null where
-   * the thickness fits.
+   * The largest thickness that the shape allows, beyond which the shell intersects itself; null if
+   * the given thickness fits.
    */
   most: number | null;
 }
@@ -22,11 +28,13 @@ interface Triangles {
 type Vector = [number, number, number];
 
 /**
- * The closed shell between triangles and the same moved along their vertices' normals by a thickness, outwards, or
- * inwards by a negative one; what was open gets walls. Triangles must be oriented, as `mesh.cut` gives them.
+ * The closed shell between triangles and their copy, which is moved along the vertices' normals by
+ * a thickness: outwards, or inwards if it is negative. Open sides get walls. Triangles must be
+ * oriented, as `mesh.cut` returns them.
  *
- * Of a part of a mesh, as `mesh.cut` gives it, `whole` is that mesh: its normals are those of the part, which along the
- * cut has triangles so small that their own would say nothing of the shape.
+ * For a part of a mesh, as `mesh.cut` returns it, `whole` is that mesh, whose normals the part then
+ * has. Along the cut the part's own triangles are so small that their normals would not describe
+ * the shape.
  *
  * Throws `KarcherError` badArgument for a thickness of 0.
  */
@@ -54,7 +62,7 @@ export function thickened(
   const both = new Float64Array(2 * positions.length);
   both.set(Float64Array.from(positions));
   both.set(moved, positions.length);
-  // The outer one of both keeps its orientation.
+  // The outer one of the two keeps its orientation.
   const [outer, inner] = thickness > 0 ? [count, 0] : [0, count];
   const all: number[] = [];
   for (let i = 0; i < triangles.length; i += 3) {
@@ -73,7 +81,9 @@ export function thickened(
   return { positions: both, triangles: Int32Array.from(all), most };
 }
 
-/** Vertices of one place as one: files and meshes may have several there. */
+/**
+ * Triangles in which the vertices at one place are one: files and meshes may have several there.
+ */
 function united({ positions, triangles }: Triangles): Triangles {
   const order = Int32Array.from({ length: positions.length / 3 }, (_, vertex) => vertex);
   const apart = (a: number, b: number) =>
@@ -89,13 +99,16 @@ function united({ positions, triangles }: Triangles): Triangles {
   return { positions, triangles: Int32Array.from(triangles, (vertex) => same[vertex]!) };
 }
 
-/** The triangles of faces, each once. */
+/** The triangles of faces, without repetitions. */
 const facesOf = (triangles: ArrayLike<number>, faces: ArrayLike<number>): Int32Array =>
   Int32Array.from(
     [...new Set(Array.from(faces))].flatMap((face) => cornersOf(triangles, 3 * face)),
   );
 
-/** Normals at a part's vertices, each as its place in a face of the whole says: there they change evenly. */
+/**
+ * The normals at a part's vertices, interpolated in a face of the whole, so that they change
+ * evenly.
+ */
 function carried(
   part: Triangles,
   faces: ArrayLike<number>,
@@ -145,7 +158,10 @@ const cross = (a: Vector, b: Vector): Vector => [
   a[0] * b[1] - a[1] * b[0],
 ];
 
-/** Unit normals at vertices, each triangle's weighted by its angle there, so that no triangulation matters. */
+/**
+ * Unit normals at vertices. Each triangle's normal is weighted by its angle there, so that the
+ * triangulation does not matter.
+ */
 function vertexNormals(positions: ArrayLike<number>, triangles: ArrayLike<number>): Float64Array {
   const normals = new Float64Array(positions.length);
   for (let i = 0; i < triangles.length; i += 3) {
@@ -170,7 +186,7 @@ function vertexNormals(positions: ArrayLike<number>, triangles: ArrayLike<number
   return normals;
 }
 
-/** The directed edges that no other triangle has the other way. */
+/** The directed edges whose reverse belongs to no other triangle. */
 function rims(triangles: ArrayLike<number>, count: number): [number, number][] {
   const open = new Set<number>();
   for (let i = 0; i < triangles.length; i++) {
@@ -180,7 +196,10 @@ function rims(triangles: ArrayLike<number>, count: number): [number, number][] {
   return [...open].map((edge) => [Math.floor(edge / count), edge % count]);
 }
 
-/** How far all triangles may be moved along their vertices' normals before the first one is turned over. */
+/**
+ * The distance by which all triangles may be moved along their vertices' normals before the first
+ * one is turned over.
+ */
 function unfolded(
   positions: ArrayLike<number>,
   triangles: ArrayLike<number>,
@@ -194,7 +213,7 @@ function unfolded(
     const [u, v] = [b, c].map((to) => minus(vectorAt(positions, to), vectorAt(positions, a)));
     const [du, dv] = [b, c].map((to) => minus(vectorAt(normals, to), vectorAt(normals, a)));
     const across = cross(u!, v!);
-    // The triangle's area, seen along its normal, is a quadratic of the way.
+    // The triangle's area, seen along its normal, is a quadratic function of the distance.
     const [p, q] = [cross(du!, v!), cross(u!, dv!)];
     const linear = way * (dot(across, p) + dot(across, q));
     const root = firstRoot(dot(across, across), linear, dot(across, cross(du!, dv!)));
@@ -203,17 +222,20 @@ function unfolded(
   return least;
 }
 
-/** The least positive t with c + b t + a t² = 0, of a positive c; infinite without one. */
+/** The least positive t with c + b t + a t² = 0, for a positive c; infinite if none exists. */
 function firstRoot(c: number, b: number, a: number): number {
   const under = b * b - 4 * a * c;
   if (c <= 0 || under < 0) return Infinity;
-  // So that nothing is subtracted from what is as large.
+  // This avoids the difference of two numbers of similar size.
   const half = -(b + Math.sign(b || 1) * Math.sqrt(under)) / 2;
   const roots = [half / a, c / half].filter((root) => root > 0);
   return Math.min(Infinity, ...roots);
 }
 
-/** Balls touch a vertex from the side that it moves to: the radius of the least one that reaches another vertex. */
+/**
+ * The radius of the least ball that touches a vertex, from the side to which it moves, and reaches
+ * another vertex.
+ */
 function ballBound(
   positions: ArrayLike<number>,
   triangles: ArrayLike<number>,
@@ -225,7 +247,7 @@ function ballBound(
   let least = Math.abs(thickness);
   const size = 2 * least;
   const cellOf = (vertex: number, axis: number) => Math.floor(positions[3 * vertex + axis]! / size);
-  // Cells share a bucket now and then: of more vertices than need be the least is the same.
+  // Cells may share a bucket. Comparing more vertices than necessary gives the same least radius.
   const buckets = 2 ** Math.ceil(Math.log2(used.length + 1));
   const bucketOf = (x: number, y: number, z: number) =>
     (Math.imul(x, 73856093) ^ Math.imul(y, 19349663) ^ Math.imul(z, 83492791)) & (buckets - 1);

@@ -1,17 +1,17 @@
 import type { DracoAttribute, DracoModule } from './draco_decoder.mjs';
 import { badFile } from './failures.js';
 
-/** The type of a column's numbers, as glTF has it, and how many a row has. */
+/** The type of a column's numbers, as in glTF, and the number of them in a row. */
 export interface DracoColumn {
   id: number;
   type: number;
   size: number;
 }
 
-/** A mesh that Draco compressed: triangles, and columns by the numbers of the request. */
+/** A mesh that Draco compressed: triangles, and the requested columns. */
 export interface DracoResult {
   points: number;
-  /** Of 4 bytes a number. */
+  /** The corners, as numbers of 4 bytes. */
   corners: Uint8Array;
   columns: Map<number, Uint8Array>;
 }
@@ -25,7 +25,7 @@ const types = new Map<number, [keyof DracoModule, number]>([
   [5126, ['DT_FLOAT32', 4]],
 ]);
 
-/** Decodes a mesh. Throws `KarcherError` badFile; `what` names it. */
+/** Decodes a mesh. Throws `KarcherError` badFile; `what` names the mesh. */
 export function decodeDraco(
   draco: DracoModule,
   bytes: Uint8Array,
@@ -76,7 +76,7 @@ function decoded(draco: DracoModule, bytes: Uint8Array, columns: readonly DracoC
   }
 }
 
-/** A copy of what the decoder writes into its memory. */
+/** A copy of the data that the decoder writes into its memory. */
 function filled(
   draco: DracoModule,
   length: number,

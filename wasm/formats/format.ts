@@ -5,7 +5,9 @@ import { isBinaryStl, isTextStl } from './stl.js';
 import { startOf } from './text.js';
 import type { MeshFormat } from './types.js';
 
-/** Files that are no mesh that is read, by how they begin: what they are. */
+/**
+ * The beginnings of files that are not meshes of a supported format, and the names of their kinds.
+ */
 const others: readonly (readonly [RegExp | string, string])[] = [
   [/^Kaydara FBX Binary/, 'an FBX file'],
   [/^; FBX/, 'an FBX file'],
@@ -42,15 +44,16 @@ const endings = new Map<string, MeshFormat>([
   ['gltf', 'gltf'],
 ]);
 
-/** The endings of the names of files that are read. */
+/** The endings of the names of files that can be read. */
 export const fileEndings: readonly string[] = [...endings.keys()].map((ending) => `.${ending}`);
 
 /**
- * A file's bytes without the mark of their order that some editors write before UTF-8 text. Throws
- * `KarcherError` badFile for what is no mesh whatever its ending says: a Git LFS pointer, text in UTF-16.
+ * A file's bytes without the byte order mark that some editors write before UTF-8 text. Throws
+ * `KarcherError` badFile for bytes that are no mesh, whatever the ending: a Git LFS pointer, text
+ * in UTF-16.
  */
 export function withoutMark(bytes: Uint8Array): Uint8Array {
-  // A binary STL file begins with 80 bytes of anything; its length proves what it is.
+  // A binary STL file begins with 80 arbitrary bytes. Its length identifies it.
   if (isBinaryStl(bytes)) return bytes;
   const [first, second, third] = bytes;
   if ((first === 0xff && second === 0xfe) || (first === 0xfe && second === 0xff)) {
@@ -67,8 +70,8 @@ export function withoutMark(bytes: Uint8Array): Uint8Array {
 }
 
 /**
- * Which format bytes are of, by what they begin with; the name's ending decides where that says
- * nothing. Throws `KarcherError` badFile with what they are where they are no mesh that is read.
+ * The format of bytes, by their beginning, or else by the name's ending. Throws `KarcherError`
+ * badFile, which names the kind of the bytes, if they are no mesh of a supported format.
  */
 export function formatOf(bytes: Uint8Array, name = ''): MeshFormat {
   const start = startOf(withoutMark(bytes));
@@ -78,7 +81,7 @@ export function formatOf(bytes: Uint8Array, name = ''): MeshFormat {
   const other = others.find(([begin]) =>
     typeof begin === 'string' ? start.startsWith(begin) : begin.test(start),
   )?.[1];
-  // A binary STL file begins with 80 bytes of anything.
+  // A binary STL file begins with 80 arbitrary bytes.
   if (isBinaryStl(bytes) && (ending === 'stl' || !isTextStl(start))) return 'stl';
   if (other) {
     throw badFile(`the file is ${other}, which is not read; ${fileEndings.join(', ')} files are`);

@@ -11,7 +11,7 @@ export const [glbMagic, jsonChunk, binaryChunk] = [0x46546c67, 0x4e4f534a, 0x004
 export const isGlb = (bytes: Uint8Array) =>
   bytes.length >= 4 && new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true) === glbMagic;
 
-/** Takes a GLB file, or a glTF file of text, apart. Throws `KarcherError` badFile. */
+/** Splits a GLB file, or a glTF file of text, into its contents. Throws `KarcherError` badFile. */
 export function gltfContent(bytes: Uint8Array): GltfContent {
   if (!isGlb(bytes)) return { json: parsed(bytes), buffer: null };
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);

@@ -15,24 +15,24 @@ import type { FilePart, Polygons } from './types.js';
 /** A matrix's 16 numbers, column by column. */
 type Matrix = readonly number[];
 
-/** The limit of parts in a file, since instances may repeat a mesh. */
+/** The limit on parts in a file. Instances may repeat a mesh. */
 const mostParts = 250_000;
 
 const identity: Matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-/** Extensions that change nothing of where triangles are. */
+/** Extensions that do not affect the places of triangles. */
 const harmless =
   /^(KHR_(materials|texture|lights|mesh_quantization|xmp)|EXT_(texture|mesh_gpu_instancing)|MSFT_texture)/;
 
 const modes = ['points', 'lines', 'lines', 'lines', 'triangles', 'strip', 'fan'] as const;
 
-/** Files that a glTF file's buffers are in, by names relative to its own. Throws badFile. */
+/** The files that contain a glTF file's buffers, by names relative to its own. Throws badFile. */
 export const gltfBeside = (bytes: Uint8Array) => buffersBeside(gltfContent(bytes).json);
 
 /**
- * Reads the triangles of a glTF 2 file's scene, GLB or text with its buffers beside it, where its nodes
- * put them. Each primitive of a node's mesh is a part. Skins and morph targets stay at rest. What Draco or
- * meshoptimizer compressed is decompressed.
+ * Reads the triangles of a glTF 2 file's scene, GLB or text with its buffers beside it, at the
+ * places where its nodes put them. Each primitive of a node's mesh is a part. Skins and morph
+ * targets stay at rest. Data that Draco or meshoptimizer compressed is decompressed.
  *
  * Rejects with `KarcherError` badFile, badIndex or notLoaded, or the signal's reason.
  */
@@ -63,28 +63,28 @@ export async function readGltf(
   return { positions: scene.positions, corners: scene.corners, sizes: null, info };
 }
 
-/** Triangles of a mesh, however often nodes place it. */
+/** The triangles of a mesh, shared by all nodes that place it. */
 interface Primitive {
   mode: 'triangles' | 'strip' | 'fan';
   places: Accessor;
-  /** Numbers of its vertices; null where they are taken one after the other. */
+  /** The numbers of its vertices; null if they follow one another. */
   indices: Accessor | null;
   triangles: number;
   colors: Accessor | null;
   /** The number of its material, -1 for none. */
   material: number;
-  /** The number among the mesh's primitives, from 1; empty where it has one. */
+  /** The number among the mesh's primitives, from 1; empty if the mesh has only one. */
   number: string;
 }
 
-/** A primitive, where a node puts it. */
+/** A primitive at the place of a node. */
 interface Strip {
   name: string;
   node: PlacedMesh;
   primitive: Primitive;
 }
 
-/** The triangles of a mesh, and notes on what is left out. */
+/** The triangles of a mesh, and notes on the content that is left out. */
 interface Primitives {
   triangles: Primitive[];
   points: number;
@@ -92,7 +92,7 @@ interface Primitives {
   morphed: number;
 }
 
-/** All parts, those that are wanted as strips, and sentences about what else the scene has. */
+/** All parts, the wanted ones as strips, and sentences about other content of the scene. */
 async function stripsOf(
   accessors: Accessors,
   wanted: (part: number) => boolean,
@@ -148,7 +148,7 @@ async function primitivesOf(mesh: Json, accessors: Accessors, slices: Slices): P
       found[kind]++;
       continue;
     }
-    // Draco has triangles only, whatever they were made of.
+    // Draco has triangles only, whatever the primitive was before.
     const mode = dracoOf(primitive) ? 'triangles' : kind;
     if (listOf(primitive, 'targets').length > 0) found.morphed++;
     const { places, indices } = accessors.ofPrimitive(primitive);
@@ -193,7 +193,7 @@ interface PlacedMesh {
   name: string;
 }
 
-/** The meshes of the scene's nodes. Throws where nodes are no tree. */
+/** The meshes of the scene's nodes. Throws if the nodes are no tree. */
 function placedMeshes(accessors: Accessors): PlacedMesh[] {
   const { json } = accessors;
   const nodes = listOf(json, 'nodes');
@@ -216,7 +216,7 @@ function placedMeshes(accessors: Accessors): PlacedMesh[] {
       const mesh = entryOf(json, 'meshes', node.mesh);
       const name = [node.name, mesh.name].find((one) => typeof one === 'string' && one !== '');
       const told = (name as string | undefined) ?? `mesh ${node.mesh}`;
-      // In glTF the joints of a skin place its mesh, not the node.
+      // In glTF the joints of a skin place its mesh; the node does not.
       const place = node.skin === undefined ? matrix : identity;
       addInstances({ mesh, matrix: place, name: told }, node, accessors, placed);
     }
@@ -266,7 +266,7 @@ function addInstances(mesh: PlacedMesh, node: Json, accessors: Accessors, placed
   }
 }
 
-/** Nodes that are not children of others. */
+/** The nodes that are not children of others. */
 function rootsOf(json: Json, nodes: readonly unknown[]): number[] {
   const children = new Set(nodes.flatMap((_, i) => listOf(entryOf(json, 'nodes', i), 'children')));
   return nodes.map((_, i) => i).filter((i) => !children.has(i));
@@ -308,12 +308,12 @@ function product(a: Matrix, b: Matrix): Matrix {
   });
 }
 
-/** Whether a matrix turns what it maps inside out. */
+/** Whether a matrix turns shapes inside out. */
 function mirrors([a, b, c, , d, e, f, , g, h, i]: Matrix): boolean {
   return a! * (e! * i! - f! * h!) - d! * (b! * i! - c! * h!) + g! * (b! * f! - c! * e!) < 0;
 }
 
-/** Vertices and triangles as nodes put them. */
+/** Vertices and triangles at the places of nodes. */
 class Scene {
   readonly #slices: Slices;
   readonly positions: Float64Array;
@@ -322,11 +322,13 @@ class Scene {
   readonly colors: Uint8Array | null;
   #vertices = 0;
   #corner = 0;
-  /** Where the vertices of accessors begin, of the last node: its primitives share them. */
+  /**
+   * The number of the first vertex of each accessor for the last node, whose primitives share them.
+   */
   #starts = new Map<Accessor, number>();
   #node: PlacedMesh | null = null;
 
-  /** Room for all of these. Throws `KarcherError` outOfMemory where they do not fit. */
+  /** Reserves memory for all of these. Throws `KarcherError` outOfMemory if they do not fit. */
   constructor(slices: Slices, strips: readonly Strip[]) {
     this.#slices = slices;
     let [triangles, vertices] = [0, 0];
@@ -367,7 +369,7 @@ class Scene {
       if (corner === 0) first = vertex;
       else if (corner === 1) second = vertex;
       else {
-        // In a strip every other triangle is turned over.
+        // In a strip every second triangle is turned over.
         const over = (mode === 'strip' && row % 2 === 1) !== turned;
         const [b, c] = over ? [vertex, second] : [second, vertex];
         corners[this.#corner++] = start + first;
@@ -379,7 +381,7 @@ class Scene {
     }
   }
 
-  /** The number of the first of a node's vertices, which are made once. */
+  /** The number of the first of a node's vertices, which are added once. */
   async #start(node: PlacedMesh, places: Accessor, colors: Accessor | null): Promise<number> {
     if (node !== this.#node) this.#starts = new Map();
     this.#node = node;

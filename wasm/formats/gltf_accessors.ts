@@ -13,14 +13,14 @@ const componentBytes = new Map([
   [5125, 4],
   [5126, 4],
 ]);
-/** The divisor of whole numbers that stand for numbers from -1 or 0 to 1. */
+/** The divisor of whole numbers that represent numbers from -1 or 0 to 1. */
 const most = new Map([
   [5120, 127],
   [5121, 255],
   [5122, 32767],
   [5123, 65535],
 ]);
-/** The types of numbers that count: whole and at least 0. */
+/** The types of numbers for indices: whole and at least 0. */
 const counting: readonly unknown[] = [5121, 5123, 5125];
 
 const components = { SCALAR: 1, VEC3: 3, VEC4: 4 } as const;
@@ -39,7 +39,7 @@ interface Rows {
   type: number;
 }
 
-/** Reads the accessors of a glTF file: lists of numbers in its buffers. */
+/** A reader of the accessors of a glTF file, which are lists of numbers in its buffers. */
 export class Accessors {
   readonly #json: Json;
   readonly #buffers: Buffers;
@@ -61,7 +61,7 @@ export class Accessors {
     return this.#json;
   }
 
-  /** The places of a primitive's vertices, and their numbers where it has a list of them. */
+  /** The places of a primitive's vertices, and their numbers if it lists these. */
   ofPrimitive(primitive: Json): { places: Accessor; indices: Accessor | null } {
     const { POSITION } = objectOf(primitive, 'attributes');
     const draco = this.#draco && dracoOf(primitive);
@@ -84,23 +84,23 @@ export class Accessors {
         ? this.#colorsOfDraco(draco, accessor, `accessor ${COLOR_0}`, type)
         : this.#accessor(COLOR_0, type);
     } catch {
-      // No surface is refused for its colors.
+      // A surface is never rejected because of its colors.
       return null;
     }
   }
 
-  /** One of rows of three or four numbers. */
+  /** An accessor with rows of three or four numbers. */
   vectors(number: unknown, size: 3 | 4): Accessor {
     return this.#accessor(number, size === 3 ? 'VEC3' : 'VEC4');
   }
 
   /**
-   * The places and triangles of a primitive that Draco compressed. Its accessors say how many there are, and they
-   * are checked first. The data is decoded when the first row is read; without an accessor of triangles it is
-   * decoded at once, since it has triangles all the same.
+   * The places and triangles of a primitive that Draco compressed. Its accessors give their
+   * numbers, which are checked first. The data is decoded when the first row is read. Without an
+   * accessor of triangles it is decoded at once, since it contains triangles nevertheless.
    */
   #ofDraco(of: Json, places: unknown, indices: unknown): { places: Accessor; indices: Accessor } {
-    // First, as what is no number may have no text.
+    // This check comes first, since a value that is no number may not convert to text.
     entryOf(this.#json, 'bufferViews', of.bufferView);
     const place = entryOf(this.#json, 'accessors', places);
     const index = indices === undefined ? null : entryOf(this.#json, 'accessors', indices);
@@ -141,7 +141,10 @@ export class Accessors {
     return made;
   }
 
-  /** Decoded when a first one is asked for; white where what is decoded has none of this type. */
+  /**
+   * The colors, decoded when the first one is read; white if the decoded data has none of this
+   * type.
+   */
   #colorsOfDraco(of: Json, accessor: Json, what: string, rowType: 'VEC3' | 'VEC4'): Accessor {
     const id = countOf(objectOf(of, 'attributes'), 'COLOR_0', what);
     const type = accessor.componentType as number;
@@ -174,7 +177,7 @@ export class Accessors {
     return known;
   }
 
-  /** `decoded` gives its rows where they are in no buffer as they are. */
+  /** `decoded` returns the rows if no buffer has them uncompressed. */
   #made(accessor: Json, what: string, type: RowType, decoded?: () => Rows): Accessor {
     if (accessor.type !== type) throw badFile(`${what} has to be of type ${type}`);
     const count = countOf(accessor, 'count', what);
@@ -201,7 +204,7 @@ export class Accessors {
     return { count, fill: fillRow };
   }
 
-  /** Rows that stand instead of others: `find` gives the place among `values`, or -1. */
+  /** Rows that replace others. `find` returns a row's place among `values`, or -1. */
   #sparse(accessor: Json, what: string, type: RowType, componentType: number, rows: number) {
     if (accessor.sparse === undefined) {
       if (accessor.bufferView === undefined && rows > 0) throw badFile(`${what} has no values`);
@@ -255,7 +258,7 @@ export class Accessors {
   }
 }
 
-/** How many bytes a number of this type has. */
+/** The number of bytes of a number of this type. */
 function checkType(componentType: number, what: string): number {
   const bytes = componentBytes.get(componentType);
   if (bytes === undefined) throw badFile(`${what} has numbers of no type that is known`);

@@ -110,7 +110,7 @@ export class Buffers {
   }
 }
 
-/** Whether rows of this length are what the decoder takes: it does not look. */
+/** Whether the decoder takes rows of this length, which it does not check itself. */
 function isMeshopt(mode: unknown, filter: unknown, stride: number, count: number): boolean {
   const filtered: Readonly<Record<string, boolean>> = {
     NONE: true,
@@ -139,7 +139,7 @@ function embedded(uri: string): Uint8Array {
   }
 }
 
-/** The names of the files beside a glTF file that its buffers are in. */
+/** The names of the files beside a glTF file that contain its buffers. */
 export function buffersBeside(json: unknown): string[] {
   if (!isJson(json)) return [];
   const uris = listOf(json, 'buffers')
@@ -154,7 +154,7 @@ function nameBeside(uri: string): string {
   try {
     name = decodeURIComponent(uri);
   } catch {
-    // As it is written.
+    // A name that cannot be decoded is used unchanged.
   }
   if (/^[a-z][a-z+.-]*:|^[\\/]|(^|[\\/])\.\.([\\/]|$)/i.test(name)) {
     throw badFile(`the glTF file names '${name.slice(0, 60)}', which does not lie beside it`);

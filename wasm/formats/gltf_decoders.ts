@@ -11,10 +11,13 @@ export interface Decoders {
 
 const meshoptNames = ['KHR_meshopt_compression', 'EXT_meshopt_compression'];
 
-/** Extensions of compression, which are read. */
+/** The extensions of compression that can be read. */
 export const compressions: readonly unknown[] = ['KHR_draco_mesh_compression', ...meshoptNames];
 
-/** An object's extension of a name: it says how meshoptimizer or Draco compressed the object. */
+/**
+ * The extension of an object with this name. It describes how meshoptimizer or Draco compressed the
+ * object.
+ */
 const extension = (of: unknown, name: string): Json | undefined => {
   const value = isJson(of) ? objectOf(of, 'extensions')[name] : undefined;
   return isJson(value) ? value : undefined;
@@ -25,8 +28,8 @@ export const dracoOf = (primitive: unknown): Json | undefined =>
   extension(primitive, 'KHR_draco_mesh_compression');
 
 /**
- * Loads the decoders that a file needs. Draco's is a new one for each file, so that the memory of a large
- * one is given back.
+ * Loads the decoders that a file needs. Each file gets a new Draco decoder, so that the memory of a
+ * large file is freed.
  *
  * Rejects with `KarcherError` notLoaded.
  */

@@ -1,6 +1,6 @@
 import { counted } from './failures.js';
 
-/** Arrays whose lengths are known once a file is read: they double. */
+/** Arrays for files whose counts are known only once they are read. The arrays grow by doubling. */
 
 export class GrowingInts {
   #array = new Int32Array(1 << 10);
@@ -21,7 +21,10 @@ export class GrowingInts {
   }
 }
 
-/** The corners of polygons. The numbers of corners are kept as soon as one polygon is not a triangle. */
+/**
+ * The corners of polygons. Numbers of corners are kept from the first polygon that is not a
+ * triangle.
+ */
 export class GrowingPolygons {
   readonly #corners = new GrowingInts();
   #sizes: GrowingInts | null = null;
@@ -54,13 +57,13 @@ export class GrowingPolygons {
     return this.#sizes?.values ?? null;
   }
 
-  /** A sentence about faces that are points and lines, if there are any. */
+  /** A sentence about faces that are points and lines, if any. */
   get notRead(): string[] {
     if (this.#leftOut === 0) return [];
     return [`${counted(this.#leftOut)} points and lines were left out.`];
   }
 
-  /** How many triangles they are cut into. */
+  /** The number of triangles into which the polygons are cut. */
   get triangles(): number {
     return this.#corners.length - 2 * this.count;
   }

@@ -23,17 +23,17 @@ export interface MarkedMesh {
   fileMarks(): FileMarks | Promise<FileMarks>;
 }
 
-/** The engine that makes a mesh: a `Karcher`, in this thread or in a worker. */
+/** An engine that creates meshes: a `Karcher`, in this thread or in a worker. */
 export interface MeshMaker<Mesh extends MarkedMesh> {
-  /** Makes a mesh of an OBJ file's bytes, as `Karcher.meshFromObj`. */
+  /** Creates a mesh from an OBJ file's bytes, as `Karcher.meshFromObj`. */
   meshFromObj(bytes: Uint8Array, options?: ObjOptions): Mesh | Promise<Mesh>;
-  /** Makes a mesh of arrays, as `Karcher.meshFromArrays`. */
+  /** Creates a mesh from arrays, as `Karcher.meshFromArrays`. */
   meshFromArrays(
     positions: Float64Array,
     triangles: Int32Array,
     options?: MeshOptions,
   ): Mesh | Promise<Mesh>;
-  /** Makes a mesh of polygons, as `Karcher.meshFromPolygons`. */
+  /** Creates a mesh from polygons, as `Karcher.meshFromPolygons`. */
   meshFromPolygons(
     positions: Float64Array,
     corners: Int32Array,
@@ -53,16 +53,18 @@ const optionNames = namesOf<FileOptions>({
 });
 
 /**
- * Makes a mesh of a file: OBJ, PLY (text or binary), STL or OFF (text or binary), or glTF 2 (GLB, or text
- * with its buffers in `beside`). The format is told by the content, or else by the name's ending.
+ * Creates a mesh from a file: OBJ, PLY (text or binary), STL or OFF (text or binary), or glTF 2
+ * (GLB, or text with its buffers in `beside`). The content determines the format, or else the
+ * name's ending does.
  *
- * Vertices and faces keep the file's order, faces counting triangles; in an STL file, which has no
- * vertices, corners at exactly the same place are one. Reading takes slices of a few milliseconds,
- * between which the thread does other work; making the mesh is one call, in which OBJ is also read.
+ * Vertices and faces keep the file's order, and faces count triangles. In an STL file, which has no
+ * vertices, corners at exactly the same place are one vertex. Reading takes slices of a few
+ * milliseconds, between which the thread does other work. Creating the mesh is one call, which also
+ * reads OBJ.
  *
- * Rejects with the signal's reason when it is aborted, and with `KarcherError`: badFile (with the line
- * or byte, or with what the file is instead), badIndex, badArgument (options, and a part that the file
- * does not have), and those of `meshFromObj`.
+ * Rejects with the signal's reason when it is aborted, and with `KarcherError`: badFile (with the
+ * line or byte, or with the kind of the file), badIndex, badArgument (options, and a part that the
+ * file does not have), and those of `meshFromObj`.
  */
 export async function meshFromFile<Mesh extends MarkedMesh>(
   karcher: MeshMaker<Mesh>,
@@ -81,7 +83,7 @@ export async function meshFromFile<Mesh extends MarkedMesh>(
   const bytes = withoutMark(given);
   const format = formatOf(bytes, name);
   if (format === 'obj') {
-    // The engine reads these by itself, in one call.
+    // The engine itself reads these, in one call.
     signal?.throwIfAborted();
     progress?.(0, 'making');
     const mesh = await karcher.meshFromObj(bytes, {
@@ -103,9 +105,9 @@ export async function meshFromFile<Mesh extends MarkedMesh>(
 }
 
 /**
- * The names of the files that lie beside a glTF file and hold its buffers, to be given as `beside`;
- * none of any other file. Throws `KarcherError` badFile where its JSON cannot be read, or names files
- * elsewhere.
+ * The names of the files that lie beside a glTF file and hold its buffers, to be passed as
+ * `beside`; none for any other file. Throws `KarcherError` badFile if the file's JSON cannot be
+ * read, or names files elsewhere.
  */
 export function namesBeside(bytes: Uint8Array, name?: string): string[] {
   return formatOf(bytes, name) === 'gltf' ? gltfBeside(withoutMark(bytes)) : [];

@@ -1,9 +1,9 @@
 import type { FileMarks, FilePart } from '../types.js';
 
-/** The marks of a file that holds the surface alone. */
+/** The marks of a file that contains only the surface. */
 export const noMarks = { partOf: null, materials: [], materialOf: null, colors: null };
 
-/** The part of each triangle, where parts come one after the other; null where there is one part. */
+/** The part of each triangle if parts come one after the other; null if there is only one part. */
 export function partOfEach(
   parts: readonly FilePart[],
   wanted: (part: number) => boolean,
@@ -19,7 +19,7 @@ export function partOfEach(
   return partOf;
 }
 
-/** The materials of triangles, by those of their parts, -1 for none. */
+/** The materials of triangles, by the materials of their parts, -1 for none. */
 export function materialsOf(
   names: string[],
   ofParts: readonly number[],
@@ -32,13 +32,13 @@ export function materialsOf(
   return { materials: names, materialOf };
 }
 
-/** A part of 1 as a byte; what is no number is 0. */
+/** A number from 0 to 1 as a byte; NaN becomes 0. */
 export const colorByte = (value: number) => Math.round(255 * Math.min(1, Math.max(0, value || 0)));
 
 /** A linear color of glTF in sRGB, which other formats and screens use. */
 export const encodedLight = (light: number) =>
   light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055;
 
-/** The inverse of it. */
+/** The inverse of `encodedLight`. */
 export const linearLight = (value: number) =>
   value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;

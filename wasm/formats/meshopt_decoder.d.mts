@@ -1,4 +1,4 @@
-/** The decoder of the package `meshoptimizer`, which the build copies beside what reads it. */
+/** The decoder of the package `meshoptimizer`, which the build copies beside its reader. */
 export const MeshoptDecoder: {
   readonly supported: boolean;
   readonly ready: Promise<void>;

@@ -7,7 +7,10 @@ import { colorByte } from './marks.js';
 import { isLineEnd, lineEndAt, longerRows, TextRows, Words } from './text.js';
 import type { Polygons } from './types.js';
 
-/** A keyword such as OFF, COFF, STNOFF, 4OFF: what a vertex has beside its place; a count may follow. */
+/**
+ * A keyword such as OFF, COFF, STNOFF, 4OFF. It lists the data that a vertex has beside its place.
+ * A count may follow.
+ */
 const keyword = /^(ST)?(C)?(N)?(4)?(n)?OFF(\d+)?$/;
 
 export const isOff = (start: string) => keyword.test(/^\s*(?:#.*\s+)*(\S+)/.exec(start)?.[1] ?? '');
@@ -20,21 +23,24 @@ interface Source {
   count(what: string): number;
   /** Ends the counts. `rows` is the number of rows that follow. */
   endHeader(rows: number): void;
-  /** Ends a vertex of three coordinates, by what follows them; its color as in the file, if it has one. */
+  /**
+   * Ends a vertex of three coordinates, and returns its color as in the file, if the numbers after
+   * them include one.
+   */
   endVertex(): readonly number[] | null;
-  /** Ends a face, by its color. */
+  /** Ends a face by reading its color. */
   endFace(): void;
-  /** Throws where the file goes on. */
+  /** Throws if the file continues. */
   end(): void;
-  /** "line 12", "byte 240". */
+  /** The place of the last number: "line 12", "byte 240". */
   place(): string;
-  /** How many bytes a vertex and a face without corners take at least, and how many follow. */
+  /** The least numbers of bytes that a vertex and a face without corners take. */
   least: { vertex: number; face: number };
   room(): number;
   notRead(): string[];
 }
 
-/** How many numbers a vertex has beside its place, in this order. */
+/** The numbers that a vertex has beside its place, in this order. */
 interface Beside {
   normal: number;
   color: number;
@@ -42,8 +48,9 @@ interface Beside {
 }
 
 /**
- * The colors of vertices, which are NaN where one has none, and white then: whole numbers to 255, or, where
- * none is more than 1, parts of 1. None where no vertex has one.
+ * The colors of vertices as bytes; null if no vertex has one. A vertex without a color, whose
+ * numbers are NaN, is white. The numbers are whole ones to 255, or, if none is more than 1, parts
+ * of 1.
  */
 function colorBytes(colors: Float64Array): Uint8Array | null {
   if (colors.every(Number.isNaN)) return null;
@@ -52,7 +59,8 @@ function colorBytes(colors: Float64Array): Uint8Array | null {
 }
 
 /**
- * Reads an OFF file, of text or binary; normals, texture coordinates and colors of faces are left out.
+ * Reads an OFF file, of text or binary. Normals, texture coordinates and colors of faces are left
+ * out.
  *
  * Rejects with `KarcherError` badFile or badIndex, naming the line or byte, or the signal's reason.
  */
@@ -123,10 +131,10 @@ class TextSource implements Source {
   readonly #words: Words;
   readonly #beside: Beside;
   readonly #rows: TextRows;
-  /** Whether each vertex and face begins on a line of its own; otherwise only the numbers count. */
+  /** Whether each vertex and face begins on a separate line; otherwise only the numbers count. */
   #inRows = true;
   #longer = 0;
-  /** A vertex takes three digits with what is between them, a face of no corners one. */
+  /** A vertex takes three digits and the characters between them, a face of no corners one. */
   readonly least = { vertex: 6, face: 2 };
 
   constructor(bytes: Uint8Array, words: Words, beside: Beside) {
@@ -145,7 +153,7 @@ class TextSource implements Source {
     return this.#words.asCount(what);
   }
 
-  /** The number of edges is of no use, and may be missing where both others are on a line. */
+  /** The number of edges is not used, and may be missing if the other two numbers are on a line. */
   endHeader(rows: number): void {
     if (this.#rows.isSplit) this.#words.skip('the number of edges');
     else this.#words.nextInLine();
@@ -153,7 +161,10 @@ class TextSource implements Source {
     this.#inRows = this.#hasLines(rows);
   }
 
-  /** A color has three or four numbers, which the line's end tells: of rows on any lines none is known. */
+  /**
+   * The line's end shows whether a color has three or four numbers. If rows do not follow lines, it
+   * is unknown.
+   */
   endVertex(): readonly number[] | null {
     const what = 'a number of a vertex';
     const { normal, color, texture } = this.#beside;
@@ -189,7 +200,7 @@ class TextSource implements Source {
     return [longerRows(this.#longer, 'the places of vertices')];
   }
 
-  /** Whether a number of lines follow that are neither empty nor comments. */
+  /** Whether this number of lines follow that are neither empty nor comments. */
   #hasLines(wanted: number): boolean {
     const bytes = this.#bytes;
     let lines = 0;
@@ -209,7 +220,7 @@ class TextSource implements Source {
   }
 }
 
-/** Numbers of four bytes, the greatest first, as the line that says BINARY is followed by. */
+/** Numbers of four bytes, the most significant first, after the line with BINARY. */
 class BinarySource implements Source {
   readonly #view: DataView;
   readonly #beside: Beside;
@@ -244,7 +255,7 @@ class BinarySource implements Source {
     return value;
   }
 
-  /** By the number of edges. */
+  /** Skips the number of edges. */
   endHeader(): void {
     this.#next('the number of edges');
   }

@@ -4,14 +4,15 @@ import type { FileMarks } from './types.js';
 import type { Triangles } from './write.js';
 
 /**
- * The marks of a part that was cut out of a file's surface: each vertex has the color of its place,
- * interpolated in its old triangle, and each triangle the part of its old one. It can be spread into what
- * `meshFile` writes. `surface` has the mesh's positions and triangles, `file` what was read with them.
+ * The marks of a part that was cut out of a file's surface. Each vertex has the color of its place,
+ * interpolated in its old triangle, and each triangle the part of its old one. The marks can be
+ * spread into the argument of `meshFile`. `surface` has the mesh's positions and triangles, `file`
+ * the marks that were read with them.
  *
- * Of a part made thick the shell's outside lies on the same places: with `sheets` of 2 colors are given twice, and
- * no parts, since walls are of none.
+ * If the part was made thick, the outside of the shell lies on the same places. With `sheets` of 2,
+ * colors are given twice, and parts are omitted, since walls belong to none.
  *
- * Throws `KarcherError` badArgument where the colors are not those of this surface.
+ * Throws `KarcherError` badArgument if the colors are not those of this surface.
  *
  * @example
  * const { mesh, file } = await meshFromFile(karcher, bytes);
@@ -66,7 +67,10 @@ function colorsOfPart(
 
 type Place = readonly [number, number, number];
 
-/** The weights of a triangle's corners at a place in it; those of its first corner where it has no area. */
+/**
+ * The weights of a triangle's corners at a place in it; those of its first corner if it has no
+ * area.
+ */
 function weightsIn(corners: readonly Place[], place: Place): [number, number, number] {
   const [a, b, c] = corners as [Place, Place, Place];
   const [u, v, d] = [b, c, place].map((to) => to.map((x, k) => x - a[k]!));

@@ -8,19 +8,19 @@ import { type PlyElement, type PlyProperty, plyHeader } from './ply_header.js';
 import { longerRows, TextRows, Words } from './text.js';
 import type { Polygons } from './types.js';
 
-/** Reads numbers of an element's rows, one after the other. */
+/** A reader of the numbers in an element's rows, one after the other. */
 interface Rows {
   /** The next number; `length` is true for the length of a list. */
   number(property: PlyProperty, what: string, length?: boolean): number;
-  /** Goes on by a number that is not used: it need not be one. */
+  /** Skips a value that is not used and need not be a number. */
   skip(property: PlyProperty, what: string): void;
   /** Ends a row. */
   endRow(): void;
-  /** How many rows had more numbers than the header declares. */
+  /** The number of rows that had more numbers than the header declares. */
   longer: number;
-  /** Where the reading stands: "line 12", "byte 240". */
+  /** The place of the reader: "line 12", "byte 240". */
   place(): string;
-  /** A part of 1. */
+  /** The fraction of the file that has been read. */
   done(): number;
 }
 
@@ -111,7 +111,7 @@ export async function readPly(bytes: Uint8Array, work: LongWorkOptions): Promise
     if (element.name === 'vertex') places = await readVertices(element, rows, slices);
     else if (element.name === 'face') await readFaces(element, rows, vertices, polygons, slices);
     else await skip(element, rows, slices);
-    // Elements after the faces and vertices are not used.
+    // Later elements than the faces and vertices are not used.
     if (places.positions.length > 0 && polygons.count > 0) break;
   }
   const notRead = [
@@ -131,7 +131,7 @@ const indexNames = ['vertex_indices', 'vertex_index'];
 
 const isIndexList = ({ name, length }: PlyProperty) => length !== null && indexNames.includes(name);
 
-/** Throws where the elements are no mesh, saying what they are. */
+/** Throws if the elements are no mesh, and names them. */
 function checkElements(elements: readonly PlyElement[]): void {
   const [vertex, face] = ['vertex', 'face'].map((wanted) =>
     elements.find(({ name }) => name === wanted),
@@ -161,7 +161,7 @@ function checkElements(elements: readonly PlyElement[]): void {
 
 interface Vertices {
   positions: Float64Array;
-  /** Bytes, three a vertex. */
+  /** The colors, three bytes for each vertex. */
   colors: Uint8Array | null;
 }
 
@@ -172,14 +172,14 @@ const colorNames = [
   ['r', 'g', 'b'],
 ];
 
-/** For each property 0 to 2 for red, green or blue, or -1. */
+/** The number of each property's channel: 0 to 2 for red, green or blue, or -1. */
 function channelsOf({ properties }: PlyElement): number[] {
   const has = (name: string) => properties.some((one) => one.name === name && one.length === null);
   const names = colorNames.find((three) => three.every(has)) ?? [];
   return properties.map(({ name }) => names.indexOf(name));
 }
 
-/** The divisor of a color's numbers: whole numbers range up to the greatest of their type. */
+/** The divisor of a color's numbers. Whole numbers range up to the greatest of their type. */
 const mostOf = ({ type: { get, bytes } }: PlyProperty) =>
   get.startsWith('Float') ? 1 : 2 ** (8 * bytes - (get.startsWith('Int') ? 1 : 0)) - 1;
 

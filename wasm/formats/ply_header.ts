@@ -42,7 +42,7 @@ export interface PlyElement {
 export interface PlyHeader {
   encoding: 'ascii' | 'little' | 'big';
   elements: PlyElement[];
-  /** Where the data begins, and its line. */
+  /** The place where the data begins, and its line. */
   end: number;
   line: number;
 }
@@ -53,7 +53,7 @@ const encodings = new Map<string, PlyHeader['encoding']>([
   ['binary_big_endian', 'big'],
 ]);
 
-/** The limit of a header; longer text is not one. */
+/** The limit of a header. Longer text is not one. */
 const longestHeader = 1 << 16;
 
 /** Reads a PLY file's header. Throws `KarcherError` badFile with the line. */
@@ -84,13 +84,13 @@ export function plyHeader(bytes: Uint8Array): PlyHeader {
   return header;
 }
 
-/** Where the line of `end_header` has ended: what follows is data, whatever it is. */
+/** The place after the end of the line `end_header`. Everything after it is data. */
 function dataStart(bytes: Uint8Array, from: number): number {
   let at = from;
   while (bytes[at] === 32 || bytes[at] === 9) at++;
   const length = lineEndAt(bytes, at);
   if (length === 0) throw badFile("the line 'end_header' has no end");
-  // Where lines end by \r, a \n is data.
+  // If lines end with \r, a \n is data.
   const isShort = bytes[3] === 13 && lineEndAt(bytes, 3) === 1;
   return at + (isShort ? 1 : length);
 }
@@ -116,13 +116,13 @@ function property(words: Words, of: PlyElement | undefined): void {
   element.properties.push({ name: words.word, type: last, length: isList ? first : null });
 }
 
-/** Counts that the rest of the file has no room for are refused before anything is made for them. */
+/** Rejects counts for which the rest of the file is too short, before memory is allocated. */
 function checkRoom({ encoding }: PlyHeader, { name, count, properties }: PlyElement, room: number) {
   if (properties.length === 0 && count > 0) {
     throw badFile(`the PLY file's element '${name}' has no properties`);
   }
   const bytes = properties.reduce(
-    // In text, a character and a space.
+    // In text, a number takes at least a character and a space.
     (sum, { type, length }) => sum + (encoding === 'ascii' ? 2 : (length ?? type).bytes),
     encoding === 'ascii' ? -1 : 0,
   );

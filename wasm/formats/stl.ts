@@ -11,7 +11,7 @@ import type { FilePart, Polygons } from './types.js';
 const headerBytes = 84;
 const triangleBytes = 50;
 
-/** Whether bytes are a binary STL file, by their number; text may begin with anything. */
+/** Whether bytes are a binary STL file, by their number; text may have any beginning. */
 export function isBinaryStl(bytes: Uint8Array): boolean {
   if (bytes.length < headerBytes) return false;
   const count = viewOf(bytes).getUint32(80, true);
@@ -22,9 +22,9 @@ const viewOf = (bytes: Uint8Array) =>
   new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 
 /**
- * Whether each triangle is followed by as many bytes as its last two say: they then lead from one to the
- * next, and from the last to the file's end. Where the triangles fill the file alone, some programs have
- * a color in those two.
+ * Whether the last two bytes of each triangle give the number of extra bytes after it. They must
+ * lead from one triangle to the next, and from the last to the file's end. If the triangles alone
+ * fill the file, some programs store a color in these two bytes.
  */
 function hasMore(bytes: Uint8Array): boolean {
   const view = viewOf(bytes);
@@ -38,15 +38,15 @@ function hasMore(bytes: Uint8Array): boolean {
   return at === bytes.length;
 }
 
-/** Whether they begin as one of text does: comments may come first, and `solid` may be missing. */
+/** Whether bytes begin as text STL does. Comments may come first, and `solid` may be missing. */
 export function isTextStl(start: string): boolean {
   const begin = /^\s*(?:#[^\r\n]*[\r\n]\s*)*(solid|facet\s+normal)\b/i.exec(start);
   return begin !== null && /\b(facet|endsolid)\b/i.test(start.slice(begin.index));
 }
 
 /**
- * Reads an STL file, binary or of text, whose solids are its parts. Corners at exactly the same place
- * are one vertex, numbered in the order in which they come; the normals are not read.
+ * Reads an STL file, binary or of text, whose solids are its parts. Corners at exactly the same
+ * place are one vertex, numbered in the order of their first occurrence. Normals are not read.
  *
  * Rejects with `KarcherError` badFile, naming the line or byte, or the signal's reason.
  */
@@ -112,7 +112,7 @@ const readText: Reader = async (bytes, wanted, places, corners, slices) => {
   const parts: FilePart[] = [];
   const coordinate = 'a coordinate';
   while (words.next()) {
-    // Some programs write facets alone.
+    // Some programs write only facets.
     const isSolid = isWord(words, 'solid');
     if (!isSolid && (parts.length > 0 || !isWord(words, 'facet'))) words.fail("'solid'");
     const name = (isSolid && words.restOfLine()) || `solid ${parts.length + 1}`;

@@ -8,7 +8,7 @@ const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 /** The words that C, Python and Windows print for numbers that are not finite: nan, -nan(ind), inf, 1.#QNAN. */
 const notFinite = /^[+-]?(nan|inf$|infinity$|1\.#)/i;
 
-/** A line ends as any system ends it: by \n, \r\n or \r. */
+/** Whether a byte ends a line. Systems end lines with \n, \r\n or \r. */
 export const isLineEnd = (byte: number | undefined) => byte === newline || byte === carriageReturn;
 
 /** The length of the line end there: 0 to 2. */
@@ -19,14 +19,14 @@ export function lineEndAt(bytes: Uint8Array, at: number): number {
 }
 
 /**
- * The words of a text, one after the other, by its bytes: a text of many megabytes is no string. A `#`
- * that begins a word starts a comment; within one it is a sign like others, as in `1.#QNAN`, by which
- * some programs write what is no number.
+ * The words of a text, read one after the other from its bytes, since a text of many megabytes does
+ * not become a string. A `#` that begins a word starts a comment. Inside a word it is an ordinary
+ * character, as in `1.#QNAN`, which some programs write for NaN.
  */
 export class Words {
   readonly #bytes: Uint8Array;
   readonly #end: number;
-  /** Where the next word is looked for. */
+  /** The place where the search for the next word begins. */
   at: number;
   /** The line of the last word, from 1. */
   line: number;
@@ -40,7 +40,7 @@ export class Words {
     this.line = line;
   }
 
-  /** Goes on to the next word, on whatever line; false at the end of the text. */
+  /** Moves to the next word, on whatever line. Returns false at the end of the text. */
   next(): boolean {
     const bytes = this.#bytes;
     let at = this.at;
@@ -60,7 +60,7 @@ export class Words {
     return this.#to > this.#from;
   }
 
-  /** Goes on to the next word of this line; false at its end. */
+  /** Moves to the next word of this line. Returns false at its end. */
   nextInLine(): boolean {
     let at = this.at;
     while (at < this.#end && this.#bytes[at]! <= space && !isLineEnd(this.#bytes[at])) at++;
@@ -71,7 +71,7 @@ export class Words {
     return this.next();
   }
 
-  /** Goes on to the next word if that is this one. */
+  /** Moves to the next word if it is the given one. */
   nextIs(word: string): boolean {
     const { at, line } = this;
     if (this.next() && this.word === word) return true;
@@ -79,7 +79,7 @@ export class Words {
     return false;
   }
 
-  /** Goes back by some bytes of the last word, so that they are read once more as a word of their own. */
+  /** Moves back by some bytes of the last word, so that they are read again as a separate word. */
   back(bytes: number): void {
     this.at -= bytes;
   }
@@ -96,7 +96,7 @@ export class Words {
     return ascii(this.#bytes, this.#from, this.#to);
   }
 
-  /** Throws `KarcherError` badFile with the line, and what was wanted there. */
+  /** Throws `KarcherError` badFile with the line, and the word expected there. */
   fail(wanted: string): never {
     const met = this.#to > this.#from ? `not '${shortened(this.word)}'` : 'but the file ends';
     throw badFile(`line ${this.line}: there must be ${wanted}, ${met}`);
@@ -107,7 +107,7 @@ export class Words {
     if (!this.next()) this.fail(what);
   }
 
-  /** The next word as a number; what is written for a number that is not finite is NaN. */
+  /** The next word as a number; NaN for a number that is not finite. */
   number(what: string): number {
     if (!this.next()) this.fail(what);
     return this.asNumber(what);
@@ -137,8 +137,8 @@ export class Words {
   }
 
   /**
-   * Reads a number of at most 15 digits with a small power of ten. Both are exact doubles, so that their
-   * quotient or product is the nearest one; NaN for any other number.
+   * Reads a number of at most 15 digits with a small power of ten. Both are exact doubles, so that
+   * their quotient or product is the nearest one. Returns NaN for any other number.
    */
   #shortNumber(): number {
     const bytes = this.#bytes;
@@ -181,27 +181,28 @@ export class Words {
 }
 
 /**
- * The rows of a table in a text. A row is a line, of which what follows the row's numbers is left out; or
- * it is several lines, and ends with the last of them: with more in that, a number was missing before.
+ * The rows of a table in a text. A row may be one line, in which words after the row's numbers are
+ * ignored. Or it spans several lines and ends with the last of them. If that line has more words, a
+ * number was missing before.
  */
 export class TextRows {
   readonly words: Words;
   #inRow = false;
-  /** What was missing where the row's first line ended, if it goes on on others. */
+  /** The value missing at the end of the row's first line, if the row continues on others. */
   #missing: string | null = null;
-  /** How many rows had more than their numbers. */
+  /** The number of rows with more than their numbers. */
   longer = 0;
 
   constructor(words: Words) {
     this.words = words;
   }
 
-  /** Whether the row has gone on on another line. */
+  /** Whether the row has continued on another line. */
   get isSplit(): boolean {
     return this.#missing !== null;
   }
 
-  /** Goes on to the row's next word. */
+  /** Moves to the row's next word. */
   next(what: string): void {
     const { words } = this;
     if (this.#inRow) {
@@ -234,13 +235,13 @@ export class TextRows {
   }
 }
 
-/** A sentence about rows that have more than their numbers. */
+/** A sentence about rows with more than their numbers. */
 export const longerRows = (rows: number, numbers: string) =>
   `Numbers beyond ${numbers} were left out, in ${counted(rows)} ${rows === 1 ? 'row' : 'rows'}.`;
 
 const shortened = (text: string) => (text.length > 30 ? `${text.slice(0, 27)}...` : text);
 
-/** Bytes as characters, one each; what is no ASCII is shown as a question mark. */
+/** Bytes as characters. Bytes that are not ASCII become question marks. */
 export function ascii(bytes: Uint8Array, from: number, to: number): string {
   let text = '';
   for (let at = from; at < to && text.length < longestWord; at++) {
@@ -250,5 +251,5 @@ export function ascii(bytes: Uint8Array, from: number, to: number): string {
   return text;
 }
 
-/** The first bytes of a file as characters, one each. */
+/** The first bytes of a file, each as a character. */
 export const startOf = (bytes: Uint8Array) => String.fromCharCode(...bytes.subarray(0, 1000));

@@ -2,16 +2,16 @@ import type { FileMarks, LongWorkOptions, MeshOptions } from '../types.js';
 
 export type { FileMarks, FilePart } from '../types.js';
 
-/** The formats of mesh files that are read; `gltf` stands for GLB too. */
+/** The formats of mesh files that can be read; `gltf` also stands for GLB. */
 export type MeshFormat = 'obj' | 'ply' | 'stl' | 'off' | 'gltf';
 
-/** An axis of a file's coordinates that points up. */
+/** The axis of a file's coordinates that points up. */
 export type UpAxis = 'x' | 'y' | 'z';
 
 export interface FileOptions extends LongWorkOptions, MeshOptions {
-  /** The file's name, whose ending gives the format if the content does not. */
+  /** The file's name. Its ending gives the format if the content does not. */
   name?: string;
-  /** Numbers of the parts that are wanted, in the file's order; all by default. */
+  /** The numbers of the parts to read, in the file's order; all by default. */
   parts?: readonly number[];
   /** The files that a glTF file names (`namesBeside`), by these names. */
   beside?: Readonly<Record<string, Uint8Array>>;
@@ -21,17 +21,19 @@ export interface FileOptions extends LongWorkOptions, MeshOptions {
 export interface FileInfo extends FileMarks {
   /** The format of the file. */
   format: MeshFormat;
-  /** Sentences about what the file holds and no mesh has: lines, skins, other elements. */
+  /**
+   * Sentences about content of the file that a mesh does not have: lines, skins, other elements.
+   */
   notRead: string[];
 }
 
 /** The result of a reader: positions of vertices, and the corners of polygons. */
 export interface Polygons {
-  /** x, y, z a vertex. */
+  /** x, y, z for each vertex. */
   positions: Float64Array;
   /** Vertex numbers, polygon by polygon. */
   corners: Int32Array;
-  /** Corners a polygon; null where all are triangles. */
+  /** The number of corners of each polygon; null if all are triangles. */
   sizes: Int32Array | null;
   /** The format, parts and marks of the file. */
   info: Pick<FileInfo, 'format' | 'parts' | 'notRead'> & Partial<FileMarks>;

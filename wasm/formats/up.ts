@@ -2,12 +2,18 @@ import type { MeshFormat, UpAxis } from './types.js';
 
 /** The height of the sole above the lowest place, as a part of the whole height. */
 const soleHeight = 0.02;
-/** Cosine of the most that a sole's triangle leans. */
+/** The cosine of the largest angle by which a sole's triangle leans. */
 const flat = 0.94;
-/** The least part of the box's face that is a sole, and how much more than another axis has. */
+/**
+ * The least share of a sole in the face of the box, and the ratio by which it must exceed that of
+ * another axis.
+ */
 const [leastSole, muchMore] = [0.06, 2];
 
-/** The axis that points up where the shape does not show it: the one that most programs use with the format. */
+/**
+ * The axis that points up if the shape does not show it: the one that most programs use with the
+ * format.
+ */
 const usual: Readonly<Record<MeshFormat, UpAxis>> = {
   obj: 'y',
   gltf: 'y',
@@ -34,8 +40,8 @@ export function guessUp(
 }
 
 /**
- * What the surface stands on along y and z, as parts of the bounding box's face there: the area of
- * flat triangles at the bottom, and that which boundary edges there enclose.
+ * The areas on which the surface stands along y and z, as parts of the bounding box's face there:
+ * that of flat triangles at the bottom, and that which boundary edges there enclose.
  */
 function soles(positions: ArrayLike<number>, triangles: ArrayLike<number>): [number, number] {
   const low = [Infinity, Infinity, Infinity];
@@ -71,7 +77,7 @@ function soles(positions: ArrayLike<number>, triangles: ArrayLike<number>): [num
 
 type Place = [number, number, number];
 
-/** The area of a triangle, seen along its last coordinate, unless it leans. */
+/** The area of a triangle, seen along its last coordinate; 0 if it leans. */
 function flatArea(p: Place, q: Place, r: Place): number {
   const [ux, uy, uz] = [q[0] - p[0], q[1] - p[1], q[2] - p[2]];
   const [vx, vy, vz] = [r[0] - p[0], r[1] - p[1], r[2] - p[2]];
@@ -102,7 +108,8 @@ function openArea(
     }
   }
   let twice = 0;
-  // From the box's corner: the area is that of the loops wherever the mesh lies.
+  // Places are relative to the box's corner, so that the area is that of the loops wherever the
+  // mesh lies.
   const at = (vertex: number, along: number) => positions[3 * vertex + along]! - low[along]!;
   for (const { from, to } of inLoops([...open.values()])) {
     twice += at(from, b) * at(to, c) - at(from, c) * at(to, b);
@@ -118,7 +125,7 @@ interface Edge {
   end: string;
 }
 
-/** The edges without those of open chains, which enclose nothing. */
+/** The edges without those of open chains, which enclose no area. */
 function inLoops(edges: readonly Edge[]): Edge[] {
   const touching = new Map<string, Edge[]>();
   const ends = new Map<string, { out: number; in: number }>();

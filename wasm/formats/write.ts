@@ -8,13 +8,13 @@ import { linearLight } from './marks.js';
  * which can be spread into it: colors are written to PLY, OBJ and GLB, parts to OBJ and GLB.
  */
 export interface Triangles {
-  /** The positions of the vertices: x, y, z each. */
+  /** The positions of the vertices: x, y, z for each. */
   positions: ArrayLike<number>;
-  /** Three vertex numbers a triangle. */
+  /** Three vertex numbers for each triangle. */
   triangles: ArrayLike<number>;
   /** Red, green and blue of each vertex, 0 to 255. */
   colors?: ArrayLike<number> | null | undefined;
-  /** The names of the parts, for the formats that have some. */
+  /** The names of the parts, for formats that have parts. */
   parts?: readonly { name: string }[] | undefined;
   /** The number of each triangle's part. */
   partOf?: ArrayLike<number> | null | undefined;
@@ -22,16 +22,17 @@ export interface Triangles {
 
 const writers = { stl: stlFile, ply: plyFile, obj: objFile, glb: glbFile };
 
-/** A format of mesh files that is written, which is the ending of a file's name too. */
+/** A format of mesh files that can be written, which is also the ending of a file's name. */
 export type WrittenFormat = keyof typeof writers;
 
-/** The formats that are written, which are the endings of files' names too. */
+/** The formats that can be written, which are also the endings of files' names. */
 export const writtenFormats = Object.keys(writers) as readonly WrittenFormat[];
 
 /**
- * Triangles as a file: OBJ, and PLY and STL and GLB as binary. OBJ and PLY keep positions to the last bit.
- * STL and GLB hold single precision: what lies on both sides of a cut is still equal there, and triangles of
- * which two corners become one are left out. Throws `KarcherError` badArgument and badIndex.
+ * Triangles as a file: OBJ, or PLY, STL or GLB in binary. OBJ and PLY keep positions to the last
+ * bit. STL and GLB hold single precision: positions on both sides of a cut are still equal, and
+ * triangles of which two corners become one are left out. Throws `KarcherError` badArgument and
+ * badIndex.
  */
 export function meshFile(mesh: Triangles, format: WrittenFormat): Uint8Array<ArrayBuffer> {
   checkOneOf(format, writtenFormats, 'the format');
@@ -79,7 +80,7 @@ function checkTriangles({ positions, triangles, colors, parts, partOf }: Triangl
   }
 }
 
-/** The name of a part on a line of its own. */
+/** The name of a part, on one line. */
 const partName = ({ name }: { name: string }) => name.replace(/\p{Cc}+/gu, ' ').trim() || 'unnamed';
 
 function objFile({ positions, triangles, colors, parts, partOf }: Triangles) {
@@ -124,7 +125,7 @@ function plyFile({ positions, triangles, colors }: Triangles): Uint8Array<ArrayB
   return bytes;
 }
 
-/** The triangles in single precision, without those of which rounding makes two corners one. */
+/** The triangles in single precision, without those of which rounding unites two corners. */
 function single({ positions, triangles, partOf }: Triangles) {
   const rounded = Float32Array.from(positions);
   const isOne = (v: number, w: number) =>
@@ -144,7 +145,7 @@ function stlFile(mesh: Triangles): Uint8Array<ArrayBuffer> {
   const { rounded, kept } = single(mesh);
   const [headerBytes, triangleBytes] = [84, 50];
   const bytes = new Uint8Array(headerBytes + triangleBytes * (kept.length / 3));
-  // It must not begin with 'solid', as files of text do.
+  // The text must not begin with 'solid', as text files do.
   bytes.set(new TextEncoder().encode('binary STL of Karcher'));
   const view = new DataView(bytes.buffer);
   view.setUint32(80, kept.length / 3, true);
@@ -179,7 +180,7 @@ function cornersOfParts(kept: readonly number[], keptParts: readonly number[]) {
   return [...ofParts].sort(([a], [b]) => a - b);
 }
 
-/** A mesh and a node for each part; all have the same vertices. */
+/** A GLB file with a mesh and a node for each part. All have the same vertices. */
 function glbFile(mesh: Triangles): Uint8Array<ArrayBuffer> {
   const { rounded, kept, keptParts } = single(mesh);
   const light = mesh.colors && Float32Array.from(mesh.colors, (byte) => linearLight(byte / 255));
