@@ -88,6 +88,33 @@ describe('fills', () => {
     await tab.close();
   });
 
+  test('have no pinholes beside their border, from afar and from near', async (t) => {
+    const drawn = await openBrowser({ viewport: { width: 1280, height: 800 }, asUsers: true });
+    t.after(() => drawn.close());
+    const tab = await Tab.open(drawn, 'mesh=sphere:1500&kind=bspline');
+    await tab.click([-95, -95], [95, -80], [80, 95], [-95, 85], [-130, 0]);
+    await tab.page.locator('#closed').check();
+    await tab.page.locator('#fill-color').fill('#d00000');
+    await set(tab, 100);
+    await tab.page.keyboard.press('v');
+    const { x, y } = await tab.middle();
+    await tab.page.mouse.move(x - 70, y - 60);
+    for (const turns of [0, 5]) {
+      for (let turn = 0; turn < turns; turn++) await tab.page.mouse.wheel(0, -120);
+      await tab.still();
+      const [width, height] = [700, 500];
+      const colors = await tab.pixels({ x: x - width / 2, y: y - height / 2, width, height });
+      const red = colors.map(([r, g, b]) => r - Math.max(g, b) > 60);
+      const around = [-width - 1, -width, -width + 1, -1, 1, width - 1, width, width + 1];
+      const holes = red.filter(
+        (is, i) => !is && around.filter((step) => red[i + step]).length >= 7,
+      );
+      assert.ok(red.filter(Boolean).length > 20_000);
+      assert.equal(holes.length, 0, `${holes.length} pinholes after ${turns} turns of the wheel`);
+    }
+    await tab.close();
+  });
+
   test('are picked by a click inside, moved by a drag there, and restored by a reload', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=circle');
     await tab.page.keyboard.press('o');

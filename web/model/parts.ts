@@ -54,7 +54,12 @@ type Six = [number, number, number, number, number, number];
  * Whether a point of the plane lies in a triangle or on its rim; its corners begin at index 6 *
  * `i`.
  */
-export function isInTriangle(corners: Float32Array, i: number, x: number, y: number): boolean {
+export function isInTriangle(
+  corners: Float32Array | Float64Array,
+  i: number,
+  x: number,
+  y: number,
+): boolean {
   const [ax, ay, bx, by, cx, cy] = corners.subarray(6 * i, 6 * i + 6) as unknown as Six;
   const side = (px: number, py: number, qx: number, qy: number) =>
     (qx - px) * (y - py) - (qy - py) * (x - px);

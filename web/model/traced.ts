@@ -9,7 +9,7 @@ export interface Region {
   /** The face of each triangle, in order. */
   parts: Int32Array;
   /** Two numbers for each corner of a triangle: its second and third weight in the triangle's face. */
-  corners: Float32Array;
+  corners: Float64Array;
   area: number;
   /** Closed lines with the region on their left. */
   boundary: readonly Path[];
@@ -21,7 +21,7 @@ export interface Region {
 export interface Pattern {
   faces: Int32Array;
   /** Corners as in a region. */
-  corners: Float32Array;
+  corners: Float64Array;
   values: Float32Array;
 }
 

@@ -47,7 +47,9 @@ const unitWeights = [
 ] as const;
 
 /** Whole faces, and triangles within faces. */
-type Triangulated = Omit<Region, 'area' | 'side' | 'boundary'>;
+type Triangulated = Omit<Region, 'area' | 'side' | 'boundary' | 'corners'> & {
+  corners: Float32Array | Float64Array;
+};
 
 /** A surface in the scene: its triangles for drawing, and for rays. */
 export class Surface {
@@ -152,26 +154,40 @@ export class Surface {
     const [positions, normals] = [new Float32Array(3 * count), new Float32Array(3 * count)];
     const bent = new Float32Array(hollowWidths * count);
     let to = 0;
-    const add = (face: number, weights: readonly [number, number, number]) => {
-      for (let corner = 0; corner < 3; corner++) {
+    const add = (
+      face: number,
+      weights: readonly [number, number, number],
+      order: readonly number[] = [0, 1, 2],
+    ) => {
+      let [x, y, z] = [0, 0, 0];
+      for (const corner of order) {
         const from = 3 * this.#triangles[3 * face + corner]!;
         const weight = weights[corner]!;
         for (let width = 0; width < hollowWidths; width++) {
           const sunken = this.#hollows[(from / 3) * hollowWidths + width]!;
           bent[(to / 3) * hollowWidths + width]! += weight * sunken;
         }
+        x += weight * this.#positions[from]!;
+        y += weight * this.#positions[from + 1]!;
+        z += weight * this.#positions[from + 2]!;
         for (let axis = 0; axis < 3; axis++) {
-          positions[to + axis]! += weight * this.#positions[from + axis]!;
           normals[to + axis]! += weight * this.#normals[from + axis]!;
         }
       }
+      positions[to] = x;
+      positions[to + 1] = y;
+      positions[to + 2] = z;
       to += 3;
     };
     for (const face of whole) for (const corner of unitWeights) add(face, corner);
     for (const [i, face] of parts.entries()) {
+      // Both faces of an edge sum its ends in one order: a point of it is at the same place in
+      // both, to the last bit.
+      const vertexOf = (corner: number) => this.#triangles[3 * face + corner]!;
+      const order = [0, 1, 2].sort((a, b) => vertexOf(a) - vertexOf(b));
       for (let at = 6 * i; at < 6 * i + 6; at += 2) {
         const [b, c] = [corners[at]!, corners[at + 1]!];
-        add(face, [1 - b - c, b, c]);
+        add(face, [1 - b - c, b, c], order);
       }
     }
     const geometry = new BufferGeometry();

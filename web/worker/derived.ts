@@ -54,7 +54,7 @@ export function offsetOf(
   const paths = mesh.offset(from, { distance, side: sides[side], corners });
   // The line itself lies in the band around it, and in the region of an outer offset.
   const inside = side === 'inwards' ? undefined : outlines[0];
-  return { paths, fill: fill ? painted(() => outlined(mesh, paths, inside)) : null };
+  return { paths, fill: fill ? painted(mesh, () => outlined(mesh, paths, inside)) : null };
 }
 
 export function combined(
@@ -64,5 +64,5 @@ export function combined(
   fill: boolean,
 ): DerivedLines {
   const region = mesh.regions(shapes, { combine })[0]!;
-  return { paths: region.boundary(), fill: fill ? painted(() => region) : null };
+  return { paths: region.boundary(), fill: fill ? painted(mesh, () => region) : null };
 }

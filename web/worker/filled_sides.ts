@@ -1,78 +1,146 @@
 /**
- * Fills parts of faces given by their sides: vertical lines through the ends of its sides cut a
- * face into strips. Within a strip no two sides cross, and every second piece is filled, from
- * below.
+ * Fills parts of faces that are given by their sides. A face is swept from left to right, and where the sweep meets a
+ * vertex it is joined to those that it sees (S. Hertel and K. Mehlhorn, "Fast triangulation of simple polygons", 1983).
+ * Triangles have no other corners than the ends of sides, so neighbors have whole edges in common, also across faces:
+ * no pixel between them is missed.
  */
 
-/** The narrowest strip that is visible, in weights. */
-const narrowest = 1e-9;
+type Place = readonly [x: number, y: number];
+
+/** From its left end to its right one; upright sides go up. */
+interface Side {
+  left: Place;
+  right: Place;
+}
+
+/** The front of what is filled between a side and the next one above: places from the lower to the upper side. */
+type Front = Place[];
+
+/** The numbers are whole multiples of this. */
+const scale = 2 ** 40;
 
 /**
- * `faces` has the face of each side, in order, and `sides` four numbers each: second and third
- * weight of one end and of the other. Returns triangles: their faces, and the two weights of each
- * corner.
+ * `faces` has the face of each side, in order, and `sides` four numbers each: second and third weight of one end and of
+ * the other. Gives triangles: their faces, and of each corner the two weights.
  */
 export function filledSides(
   faces: Int32Array,
   sides: Float64Array,
-): { parts: Int32Array; corners: Float32Array } {
+): { parts: Int32Array; corners: Float64Array } {
   const parts: number[] = [];
   const corners: number[] = [];
   for (let first = 0; first < faces.length; ) {
     let end = first;
     while (end < faces.length && faces[end] === faces[first]) end++;
-    fillFace(sides.subarray(4 * first, 4 * end), (...triangle) => {
+    fillFace(sides.subarray(4 * first, 4 * end), (a, b, c) => {
       parts.push(faces[first]!);
-      corners.push(...triangle);
+      corners.push(...a, ...b, ...c);
     });
     first = end;
   }
-  return { parts: Int32Array.from(parts), corners: Float32Array.from(corners) };
+  return { parts: Int32Array.from(parts), corners: Float64Array.from(corners) };
 }
 
-interface Side {
-  left: number;
-  right: number;
-  /** The height of a side at a place between its ends. */
-  at(x: number): number;
+const isBefore = ([ax, ay]: Place, [bx, by]: Place) => ax < bx || (ax === bx && ay < by);
+const isSame = ([ax, ay]: Place, [bx, by]: Place) => ax === bx && ay === by;
+
+/** Positive where a, b and c turn to the left, 0 on a line: the sign is exact. */
+function turn([ax, ay]: Place, [bx, by]: Place, [cx, cy]: Place): number {
+  const [x, y, u, v] = [bx - ax, by - ay, cx - ax, cy - ay];
+  const [over, under] = [x * v, y * u];
+  // Rounding keeps the order of products.
+  if (over !== under || over === 0) return over - under;
+  const [p, q, r, s] = [x, y, u, v].map((value) => BigInt(Math.round(value * scale)));
+  return Number(p! * s! - q! * r!);
 }
 
-function fillFace(sides: Float64Array, add: (...triangle: number[]) => void): void {
+type Add = (a: Place, b: Place, c: Place) => void;
+
+function fillFace(sides: Float64Array, add: Add): void {
   const all: Side[] = [];
-  const ends = new Set<number>();
   for (let i = 0; i < sides.length; i += 4) {
-    const [ax, ay, bx, by] = sides.subarray(i, i + 4) as unknown as [
-      number,
-      number,
-      number,
-      number,
+    const [a, b]: Place[] = [
+      [sides[i]!, sides[i + 1]!],
+      [sides[i + 2]!, sides[i + 3]!],
     ];
-    ends.add(ax);
-    ends.add(bx);
-    // Vertical sides lie on the lines between strips.
-    if (ax === bx) continue;
-    const [left, right] = [Math.min(ax, bx), Math.max(ax, bx)];
-    const at = (x: number) => (x === bx ? by : ay + ((x - ax) / (bx - ax)) * (by - ay));
-    all.push({ left, right, at });
+    if (!isSame(a!, b!))
+      all.push(isBefore(a!, b!) ? { left: a!, right: b! } : { left: b!, right: a! });
   }
-  all.sort((a, b) => a.left - b.left);
-  const places = [...ends].sort((a, b) => a - b);
+  const places = all.flatMap(({ left, right }) => [left, right]);
+  places.sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+  all.sort((a, b) => a.left[0] - b.left[0] || a.left[1] - b.left[1]);
+  /** The sides that the sweep meets, from below; between the first and the second of a pair it is filled. */
   let open: Side[] = [];
+  const fronts = new Map<Side, Front>();
   let next = 0;
-  for (const [i, to] of places.entries()) {
-    const from = places[i - 1];
-    if (from === undefined) continue;
-    open = open.filter(({ right }) => right > from);
-    while (next < all.length && all[next]!.left <= from) open.push(all[next++]!);
-    if (to - from < narrowest) continue;
-    const middle = (from + to) / 2;
-    const across = open.filter(({ right }) => right >= to);
-    across.sort((a, b) => a.at(middle) - b.at(middle));
-    for (let k = 1; k < across.length; k += 2) {
-      const [below, above] = [across[k - 1]!, across[k]!];
-      const [a, b, c, d] = [below.at(from), below.at(to), above.at(to), above.at(from)];
-      if (b !== c) add(from, a, to, b, to, c);
-      if (a !== d) add(from, a, to, c, from, d);
+  for (const [i, place] of places.entries()) {
+    if (i > 0 && isSame(place, places[i - 1]!)) continue;
+    const ended = open.filter(({ right }) => isSame(right, place));
+    const below = open.filter(
+      (side) => !isSame(side.right, place) && turn(side.left, side.right, place) > 0,
+    );
+    const above = open.slice(below.length + ended.length);
+    const begun: Side[] = [];
+    while (next < all.length && isSame(all[next]!.left, place)) begun.push(all[next++]!);
+    begun.sort((a, b) => turn(place, b.right, a.right));
+    const isFilled = below.length % 2 === 1;
+    const under = below.at(-1);
+    const before = (under && fronts.get(under)) ?? [];
+    const rows = ended.map((side) => fronts.get(side) ?? []);
+    for (const side of ended) fronts.delete(side);
+    // What ends at the place is closed: all between two ended sides, and it bounds what is below and above.
+    for (const [k, row] of rows.slice(0, -1).entries())
+      if ((k % 2 === 1) === isFilled) close(row, place, add);
+    let lower: Front = [];
+    let upper: Front = [];
+    if (ended.length > 0) {
+      lower = isFilled ? joinedAbove(before, place, add) : [];
+      upper = (ended.length % 2 === 1) === isFilled ? [] : joinedBelow(rows.at(-1)!, place, add);
+    } else if (isFilled) [lower, upper] = parted(before, place, add);
+    if (begun.length === 0) {
+      if (isFilled) fronts.set(under!, [...lower, ...upper.slice(1)]);
+    } else {
+      if (isFilled) fronts.set(under!, lower);
+      for (const [k, side] of begun.entries()) {
+        const last = k === begun.length - 1;
+        if ((k % 2 === 0) === isFilled) continue;
+        fronts.set(side, last && upper.length > 0 ? upper : [place]);
+      }
     }
+    open = [...below, ...begun, ...above];
   }
+}
+
+/** A front with a place at its upper end, joined to those that the place sees from there. */
+function joinedAbove(front: Front, place: Place, add: Add): Front {
+  let count = front.length;
+  while (count > 1 && turn(front[count - 2]!, place, front[count - 1]!) > 0) {
+    add(front[count - 2]!, place, front[count - 1]!);
+    count--;
+  }
+  return [...front.slice(0, count), place];
+}
+
+/** The same with the place at its lower end. */
+function joinedBelow(front: Front, place: Place, add: Add): Front {
+  let first = 0;
+  while (first < front.length - 1 && turn(front[first]!, place, front[first + 1]!) > 0) {
+    add(front[first]!, place, front[first + 1]!);
+    first++;
+  }
+  return [place, ...front.slice(first)];
+}
+
+/** A front parted by a place in its middle, which its rightmost place is joined to first. */
+function parted(front: Front, place: Place, add: Add): [Front, Front] {
+  let right = 0;
+  for (const [i, other] of front.entries()) if (isBefore(front[right]!, other)) right = i;
+  return [
+    joinedAbove(front.slice(0, right + 1), place, add),
+    joinedBelow(front.slice(right), place, add),
+  ];
+}
+
+function close(front: Front, place: Place, add: Add): void {
+  if (front.length > 1) parted(front, place, add);
 }

@@ -3,6 +3,7 @@ import { type Curve, KarcherError, type Mesh, type Region, type SurfacePoint } f
 import type { Inside } from '../model/figure';
 import type { Fill } from '../model/traced';
 import { filledSides } from './filled_sides';
+import { withTouched } from './touched_faces';
 
 /**
  * The region that a curve, or several paths together, enclose: the smaller side unless one is
@@ -14,11 +15,11 @@ export function fillOf(
   inside: Inside | null,
 ): Fill {
   const outlines = Array.isArray(lines) ? lines : [(lines as Curve).path()];
-  return painted(() => mesh.regions([{ outlines, ...(inside && { inside }) }])[0]!);
+  return painted(mesh, () => mesh.regions([{ outlines, ...(inside && { inside }) }])[0]!);
 }
 
 /** A region in its painted form, or the reason why there is none. */
-export function painted(regionOf: () => Region): Fill {
+export function painted(mesh: Mesh, regionOf: () => Region): Fill {
   try {
     const region = regionOf();
     const { share, triangles, sides, isLeft } = region.data();
@@ -27,9 +28,14 @@ export function painted(regionOf: () => Region): Fill {
     const faces = new Int32Array(whole);
     let next = 0;
     for (let face = 0; face < share.length; face++) if (share[face] === 1) faces[next++] = face;
-    const filled = filledSides(triangles, sides);
+    const { whole: left, ...open } = withTouched(
+      faces,
+      { faces: triangles, sides },
+      mesh.triangles(),
+    );
+    const filled = filledSides(open.faces, open.sides);
     return {
-      region: { whole: faces, ...filled, area: region.area, boundary: region.boundary(), side },
+      region: { whole: left, ...filled, area: region.area, boundary: region.boundary(), side },
       problem: null,
     };
   } catch (error) {

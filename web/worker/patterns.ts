@@ -51,7 +51,7 @@ export function patternOf(
     });
     return {
       faces: Int32Array.from(pieces.faces),
-      corners: Float32Array.from(pieces.corners),
+      corners: Float64Array.from(pieces.corners),
       values: Float32Array.from(number, (of) => distances[of]!),
     };
   } catch (error) {
