@@ -21,11 +21,14 @@ import { fileError, UsageError } from './errors.js';
 import { type Described, formatOption, type Option, outOption } from './options.js';
 import { decimalOf, isJson, parseNumber, parsePoint, parsePoints, parseRows } from './syntax.js';
 
-/** The arguments of one command, checked: known options, once each, with a value where one belongs. */
+/**
+ * The arguments of one command, checked: known options, once each, with a value if the option takes
+ * one.
+ */
 export class Arguments {
   /** The files of the meshes. */
   readonly meshes: readonly string[];
-  /** Which of them the command is run for. */
+  /** The mesh for which the command is running. */
   #meshPath: string;
   readonly #command: Described;
   readonly #values: ReadonlyMap<string, string>;
@@ -58,7 +61,7 @@ export class Arguments {
     this.#progress = progress;
   }
 
-  /** Runs the command for one of the meshes from now on. */
+  /** Sets the mesh for which the command runs next. */
   take(mesh: string): void {
     this.#meshPath = mesh;
   }
@@ -68,12 +71,15 @@ export class Arguments {
     return this.#command.name;
   }
 
-  /** Whether a flag, or an option rather than its default, was given. */
+  /** Whether a flag was given, or an option explicitly rather than by its default. */
   given(name: string): boolean {
     return this.#values.has(name);
   }
 
-  /** The value of an option, or its default. In an `out` of the command's own, of several meshes, a star stands for the mesh's name. */
+  /**
+   * The value of an option, or its default. In the command's own `out`, for several meshes, a star
+   * stands for the mesh's name.
+   */
   text(name: string): string {
     const option = this.#command.options.find((candidate) => candidate.name === name);
     const value = this.#values.get(name) ?? option!.default!;
@@ -110,7 +116,7 @@ export class Arguments {
       .map((text, i) => parseNumber(text, `number ${i + 1} of --${name}`));
   }
 
-  /** Options by their names, where they were given: `{ [name]: read(name) }` each. */
+  /** Options by their names, if they were given: `{ [name]: read(name) }` each. */
   whereGiven<Name extends string, Value>(
     names: readonly Name[],
     read: (name: Name) => Value,
@@ -119,7 +125,7 @@ export class Arguments {
     return Object.fromEntries(given.map((name) => [name, read(name)])) as { [key in Name]?: Value };
   }
 
-  /** Throws where one of these options was given. `why` ends the sentence: "with --type exact". */
+  /** Throws if one of these options was given. `why` ends the sentence: "with --type exact". */
   refuse(names: readonly string[], why: string): void {
     const name = names.find((candidate) => this.given(candidate));
     if (name !== undefined) throw new UsageError(`--${name} has no use ${why}`);
@@ -173,14 +179,14 @@ export class Arguments {
     const solver = this.choice<Solver>('solver');
     return {
       method: this.choice<Method>('method'),
-      // Which solver is the default depends on the method.
+      // The default solver depends on the method.
       ...(this.given('solver') && { solver }),
       ...this.whereGiven(['rings'], () => this.integer('rings')),
       ...(this.given('star') && { star: this.choice<Star>('star') }),
     };
   }
 
-  /** How many levels a curve has. */
+  /** The levels of a curve. */
   levels(): CurveLevels {
     const text = this.text('levels');
     if (text === 'auto' || text === 'limit') return text;
@@ -189,7 +195,7 @@ export class Arguments {
     throw new UsageError(`--levels must be a whole number, auto or limit, not '${text}'`);
   }
 
-  /** How the mesh is read. */
+  /** The options for reading the mesh. */
   meshOptions(): MeshOptions {
     return {
       repair: this.choice<'safe' | 'none'>('repair'),
@@ -202,7 +208,7 @@ export class Arguments {
     return (await read(await load())).mesh;
   }
 
-  /** Loads the mesh's file, and gives what reads it into an engine. */
+  /** Loads the mesh's file, and returns a function that reads it into an engine. */
   async meshFile(): Promise<(karcher: Karcher) => Promise<{ mesh: Mesh; file: FileInfo }>> {
     const bytes = await this.#bytesOf(this.#meshPath);
     const { meshFromFile, namesBeside } = await import('../formats/index.js');
@@ -220,7 +226,7 @@ export class Arguments {
   async #bytesOf(path: string): Promise<Buffer> {
     try {
       if (path !== '-') return await readFile(path);
-      // Several meshes read it once.
+      // Standard input is read once for several meshes.
       this.#read ??= await buffer(this.#stdin);
       return this.#read;
     } catch (cause) {
@@ -229,10 +235,13 @@ export class Arguments {
   }
 }
 
-/** Files of these names would be taken for drawings or meshes. */
+/** Files with these names would be mistaken for drawings or meshes. */
 const namesOfOthers = /\.(obj|svg|dxf|ply|stl|off|glb|gltf|png)$/i;
 
-/** Where the format is not given the name of the file tells it. Throws where that is one that is not written. */
+/**
+ * Takes the format from the file's name if it is not given. Throws if that format cannot be
+ * written.
+ */
 function takeFormatOfName(command: Described, values: Map<string, string>): void {
   const out = values.get('out');
   if (!command.options.includes(outOption) || out === undefined || values.has('format')) return;
@@ -244,12 +253,12 @@ function takeFormatOfName(command: Described, values: Map<string, string>): void
   }
 }
 
-/** Throws where a command cannot be run for several meshes. */
+/** Throws if a command cannot run for several meshes. */
 function checkBatch(command: Described, values: ReadonlyMap<string, string>): void {
   if (values.get('format') === 'obj') {
     throw new UsageError(`${command.name} takes one mesh with --format obj`);
   }
-  // A command with an `out` of its own writes one file for each mesh.
+  // A command with its own `out` writes one file for each mesh.
   if (command.options.includes(outOption) || !command.options.some(({ name }) => name === 'out'))
     return;
   if (!values.has('out') || values.get('out')!.includes('*')) return;
@@ -263,7 +272,10 @@ interface Read {
   positionals: string[];
 }
 
-/** Not `strict`: a value may begin with a dash (a negative weight), and the errors are ours. */
+/**
+ * The parser is not `strict`: a value may begin with a dash (a negative weight), and the errors are
+ * ours.
+ */
 function readTokens(command: Described, args: string[]): Read {
   const { tokens } = parseArgs({
     args,

@@ -9,9 +9,12 @@ import { UsageError } from './errors.js';
 import { pointsOption } from './options.js';
 
 const runs = 5;
-/** The runs of what takes a few milliseconds at most. */
+/** The number of runs for steps of a few milliseconds at most. */
 const quickRuns = 50;
-/** Runs before times are taken: the first code that an engine makes of WebAssembly is slow. */
+/**
+ * The runs before times are taken, since the code that an engine first generates from WebAssembly
+ * is slow.
+ */
 const warmUp = { runs: 1000, ms: 500 };
 const rings = 6;
 
@@ -29,13 +32,13 @@ export const bench: Command = {
     const samples = args.integer('samples');
     const given = await args.points();
     const read = await args.meshFile();
-    // Only here: the other commands need not wait for a second module.
+    // The import is here, since the other commands need not wait for a second module.
     const { loadPeers } = await import('../peers/index.js');
     const peers = await loadPeers();
     const { mesh } = await read(peers.karcher);
     const { vertices, triangles } = mesh.info;
     const points = given.map((point) => pointOfFace(mesh, point));
-    // First, so that wrong points are told before the long work.
+    // This comes first, so that wrong points are reported before the long work.
     const { sampleUs, ...karcherCurve } = timeCurve(mesh, points, samples, { method: 'karcher' });
     const steps = timeSteps(peers, mesh, points[0]!);
     const paperCurve = timeCurve(mesh, points, samples, {
@@ -73,7 +76,7 @@ function pointOfFace(mesh: Mesh, point: PointLike): SurfacePoint {
   return { face: Math.floor(corner / 3), bary: [weight(0), weight(1), weight(2)] };
 }
 
-/** Milliseconds of a mesh's preparation and of the fields of its first point. */
+/** The milliseconds of a mesh's preparation and of the fields of its first point. */
 function timeSteps(peers: Peers, mesh: Mesh, { face, bary }: SurfacePoint) {
   const benchmark = peers.benchmark(mesh);
   const time = (work: (steps: EngineBenchmark) => void, times = runs) =>
@@ -88,7 +91,7 @@ function timeSteps(peers: Peers, mesh: Mesh, { face, bary }: SurfacePoint) {
     const fieldMs = time((steps) => steps.readField(), quickRuns);
     return { fieldMs, fieldVertices, fieldNsPerVertex: (1e6 * fieldMs) / fieldVertices };
   };
-  // One after the other: the fields need the graph and the operator.
+  // These run in order, since the fields need the graph and the operator.
   const prepareMs = time((steps) => steps.prepare());
   const calibrationMs = time((steps) => steps.edgeDijkstra());
   const graphMs = time((steps) => steps.ringGraph(rings), 1);
@@ -107,7 +110,7 @@ function timeSteps(peers: Peers, mesh: Mesh, { face, bary }: SurfacePoint) {
   return result;
 }
 
-/** A B-spline, its middle point dragged to a neighbouring place and back. */
+/** Times a B-spline whose middle point is dragged to a neighbouring place and back. */
 function timeCurve(
   mesh: Mesh,
   points: readonly SurfacePoint[],
@@ -118,7 +121,7 @@ function timeCurve(
   const { count, status } = curve.samples();
   const lost = status.filter((name) => name !== 'converged').length;
   const start = performance.now();
-  /** Traces anew with all fields known: equal weights change nothing else. */
+  /** Traces again with all fields known. Equal weights change nothing else. */
   const retrace = (i: number) => curve.setWeights(points.map(() => 1 + (i % 2)));
   for (let i = 1; i <= warmUp.runs && performance.now() - start < warmUp.ms; i++) retrace(i);
   const index = Math.floor(points.length / 2);
@@ -132,14 +135,14 @@ function timeCurve(
     curve.movePoint(index, places[i % 2]!);
     const { fields, trace, bridge } = curve.times();
     drags.push(fields + trace + bridge);
-    // Once more: the searches alone.
+    // The second run times the searches alone.
     retrace(i);
     const times = curve.times();
     traces.push(times.trace);
     bridges.push(times.bridge);
     joins.push(times.join);
   }
-  // An edit is traced at once: without the joining paths it is what is left.
+  // An edit is traced at once. The time without the joining paths is the remaining one.
   const weights = Array.from({ length: field.method === 'paper' ? runs : quickRuns }, (_, i) => {
     const whole = elapsed(() => curve.setWeight(index, i % 2 === 0 ? 2 : 1));
     return whole - curve.times().join;
@@ -156,7 +159,10 @@ function timeCurve(
   };
 }
 
-/** The default curve, its middle point dragged to a neighbouring place and back at its levels. */
+/**
+ * Times the default curve, whose middle point is dragged at its levels to a neighbouring place and
+ * back.
+ */
 function timeSteadyDrag(mesh: Mesh, points: readonly SurfacePoint[], samples: number) {
   const curve = mesh.curve({ kind: 'bspline', points: [...points], samples });
   const { levels } = curve;

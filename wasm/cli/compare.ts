@@ -71,7 +71,7 @@ export const compare: Command = {
     const rings = args.integer('rings');
     const points = await args.points();
     const read = await args.meshFile();
-    // Only here: the other commands need not wait for a second module.
+    // The import is here, since the other commands need not wait for a second module.
     const {
       comparedMethods,
       loadPeers,
@@ -85,7 +85,7 @@ export const compare: Command = {
     const peers = await loadPeers();
     const { mesh } = await read(peers.karcher);
     const plan = peers.plan(points, samples);
-    // First, so that wrong points are told before the long work.
+    // This comes first, so that wrong points are reported before the long work.
     const reference = await traceReference(peers, mesh, plan);
     const ruler = new Ruler(mesh, plan);
     await ruler.compareWith(reference.samples);
@@ -115,7 +115,7 @@ export const compare: Command = {
   },
 };
 
-/** Tells how far a method is that takes long. */
+/** A function that reports the progress of a slow method. */
 function reporter(
   name: string,
   tell: (sentence: string) => void,

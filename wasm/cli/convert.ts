@@ -14,7 +14,9 @@ import type { Command, Result } from './command.js';
 import { UsageError, writeError } from './errors.js';
 import type { Option } from './options.js';
 
-/** The mesh as Karcher reads it, in a file: its vertices of faces, its triangles, its colors and parts. */
+/**
+ * The mesh as Karcher reads it, in a file: its used vertices, its triangles, its colors and parts.
+ */
 
 const outOption: Option = {
   name: 'out',
@@ -85,7 +87,7 @@ function formatOf(args: Arguments): WrittenFormat {
   );
 }
 
-/** The colors of places, by where they are: what is mended gives vertices other numbers. */
+/** The colors of vertices, found by their places, since repairs change the numbers of vertices. */
 function colorsAt(mesh: Mesh, colors: Uint8Array, positions: readonly number[]): Uint8Array {
   const given = mesh.positions();
   const place = (at: ArrayLike<number>, i: number) => `${at[i]} ${at[i + 1]} ${at[i + 2]}`;
@@ -101,8 +103,8 @@ function colorsAt(mesh: Mesh, colors: Uint8Array, positions: readonly number[]):
 }
 
 /**
- * The surface with what was mended: its triangles in the file's order, vertices as they use them first, and
- * what the file says of both.
+ * The surface after its repairs, with the file's marks: triangles are in the file's order, vertices
+ * in the order of their first use.
  */
 function surfaceOf(
   mesh: Mesh,
@@ -111,7 +113,7 @@ function surfaceOf(
   positions: Float64Array;
   triangles: Int32Array;
 } {
-  // Cut along nothing a mesh comes apart into its components, which have the engine's own vertices.
+  // Cutting along no path divides a mesh into its components, which have the engine's own vertices.
   const triangles: { face: number; part: CutPart; at: number; first: number }[] = [];
   let first = 0;
   for (const part of mesh.cut([])) {

@@ -7,7 +7,9 @@ import { UsageError } from './errors.js';
 import { type Option, pointsOption } from './options.js';
 import { isJson, parseJson, parsePoints } from './syntax.js';
 
-/** A curve as its control points and what they make: on the command line, in files and in results. */
+/**
+ * A curve as its control points and other options: on the command line, in files and in results.
+ */
 
 export type CurveRecord = Pick<
   CurveOptions,
@@ -36,7 +38,7 @@ const recordNames = namesOf<CurveRecord>({
 
 export const kinds = 'bspline|bezier|rational|barycentric|catmullrom|polyline';
 
-/** What a curve is made of, unless a file says it all. */
+/** The options that describe a curve, unless a file describes it. */
 const partOptions: readonly Option[] = [
   { ...pointsOption, required: false },
   { name: 'kind', value: kinds, help: 'the kind of curve', default: 'bspline' },
@@ -117,7 +119,7 @@ function knotsOf(args: Arguments): 'uniform' | 'clamped' | number[] {
   return args.numbers('knots');
 }
 
-/** The other curve of a join: a file of a curve, or of points that make one of the same kind. */
+/** The other curve of a join: a file with a curve, or with points for a curve of the same kind. */
 export async function readOther(args: Arguments, name: string, like: Curve): Promise<CurveRecord> {
   const text = await args.file(name);
   const path = args.text(name);
@@ -136,7 +138,9 @@ export async function readOther(args: Arguments, name: string, like: Curve): Pro
   };
 }
 
-/** What `karcher edit` printed, or one curve of it, or a drawing of the page. */
+/**
+ * The curves of a file: the output of `karcher edit`, one curve of it, or a drawing of the page.
+ */
 function curvesOfFile(text: string, path: string): unknown[] {
   const drawn = isJson(text) ? curvesOfDrawing(parseJson(text, path), path) : null;
   if (drawn) return drawn;
@@ -145,14 +149,14 @@ function curvesOfFile(text: string, path: string): unknown[] {
     const { curves = [content] } = content as { curves?: unknown };
     if (Array.isArray(curves)) return curves;
   } catch {
-    // As where it is other JSON.
+    // The text is handled like other JSON.
   }
   throw new UsageError(
     `${path} must hold a curve as JSON, as 'karcher edit' prints it, or a drawing`,
   );
 }
 
-/** What the values are is for the engine to check. */
+/** The engine checks the values. */
 function curveOf(curves: readonly unknown[], number: number, path: string): CurveRecord {
   const curve = curves[number];
   if (typeof curve !== 'object' || curve === null) {
@@ -167,7 +171,10 @@ function curveOf(curves: readonly unknown[], number: number, path: string): Curv
   return curve as CurveRecord;
 }
 
-/** A curve as data that makes it again: weights and betas unless all are 1, legs unless all are shortest. */
+/**
+ * A curve as data from which it can be created again: weights and betas unless all are 1, legs
+ * unless all are shortest.
+ */
 export function recordOf(curve: Curve): CurveRecord {
   const { kind, closed } = curve;
   const { legs } = curve.value();

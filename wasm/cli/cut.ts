@@ -18,7 +18,7 @@ export const cut: Command = {
       name: 'out',
       value: 'FILE',
       help: `where parts are written: leg.stl makes leg_0.stl, leg_1.stl, …; ${writtenFormats.join(', ')}`,
-      // Words for the help: no such value is given.
+      // These are words for the help; no such value is passed.
       default: 'nowhere',
     },
     {

@@ -23,7 +23,7 @@ interface Figure {
 
 const splines = ['bspline', 'bezier', 'rational', 'barycentric', 'catmullrom', 'polyline'];
 
-/** The figures of a drawing as the page saves it; null where a value is none. */
+/** The figures of a drawing as the page saves it; null if the value is no drawing. */
 export function figuresOf(value: unknown): Figure[] | null {
   const { drawing = value } = Object(value) as { drawing?: unknown };
   const { format, objects } = Object(drawing) as { format?: unknown; objects?: unknown };
@@ -32,8 +32,8 @@ export function figuresOf(value: unknown): Figure[] | null {
 }
 
 /**
- * The splines of a drawing, in its order; null where a value is no drawing. Circles are drawn by
- * `karcher circle`; curves of the pen have no points of their own before the page has found them.
+ * The splines of a drawing, in its order; null if the value is no drawing. `karcher circle` draws
+ * circles. Curves of the pen have no points until the page has found them.
  */
 export function curvesOfDrawing(value: unknown, path: string): CurveOptions[] | null {
   const figures = figuresOf(value);

@@ -1,4 +1,4 @@
-/** A mistake in the use of the command line: the message is a sentence for standard error. */
+/** A mistake in the use of the command line. The message is a sentence for standard error. */
 export class UsageError extends Error {}
 
 const whyNotRead: Record<string, string> = {
@@ -15,13 +15,13 @@ const whyNotWritten: Record<string, string> = {
   EPIPE: 'it was closed before everything was written',
 };
 
-/** Why a file could not be read, as a sentence. */
+/** The error for a file that could not be read, with the reason as a sentence. */
 export function fileError(path: string, cause: unknown): UsageError {
   const { code, message } = cause as NodeJS.ErrnoException;
   return new UsageError(`cannot read ${path}: ${whyNotRead[code ?? ''] ?? message}`, { cause });
 }
 
-/** Why a file could not be written, as a sentence. */
+/** The error for a file that could not be written, with the reason as a sentence. */
 export function writeError(path: string, cause: unknown): UsageError {
   const { code, message } = cause as NodeJS.ErrnoException;
   return new UsageError(`cannot write to ${path}: ${whyNotWritten[code ?? ''] ?? message}`, {

@@ -4,7 +4,9 @@ import type { Option } from './options.js';
 const label = (option: Option) =>
   `--${option.name}${option.value === undefined ? '' : ` ${option.value}`}`;
 
-/** The left column is no wider than this: what follows a longer entry has a line of its own. */
+/**
+ * The largest width of the left column. After a longer entry, its description starts a new line.
+ */
 const mostWidth = 28;
 
 const indented = (rows: readonly (readonly [string, string])[]) => {

@@ -20,12 +20,12 @@ export const info: Command = {
   },
 };
 
-/** Without what it says of each vertex and triangle. */
+/** The file's marks, without the data of single vertices and triangles. */
 function fileSummary({ format, parts, materials, colors, notRead }: FileInfo) {
   return { format, parts, materials, isColored: colors !== null, notRead };
 }
 
-/** Longer lists are for programs, which call `checkUp` themselves. */
+/** The most faces listed. Programs that need longer lists call `checkUp` themselves. */
 const mostFaces = 20;
 
 function summaryOf({ needles, caps, boundary, nearBoundaries: near, ...rest }: CheckUp) {

@@ -66,12 +66,12 @@ export interface Streams {
   stderr: Writable;
 }
 
-/** Runs `karcher` with these arguments, as a shell would, and gives its exit status. */
+/** Runs `karcher` with these arguments, as a shell would, and returns its exit status. */
 export async function main(
   args: readonly string[],
   { stdin, stdout, stderr }: Streams,
 ): Promise<number> {
-  // A closed standard error leaves nobody to tell.
+  // If standard error is closed, nobody can read the message.
   stderr.on('error', () => {});
   const terminal = new Terminal(stderr);
   let status = 0;
@@ -91,7 +91,7 @@ export async function main(
   return status;
 }
 
-/** A text or bytes in pieces, and the file that they go to, if not to standard output. */
+/** A text or bytes in pieces, and the file for them, if not standard output. */
 interface Written {
   pieces: Pieces;
   out?: string;
@@ -136,7 +136,7 @@ async function resultOf(command: Command, args: Arguments, terminal: Terminal): 
   }
 }
 
-/** A line of JSON for each mesh. One that fails is told, and the others go on. */
+/** A line of JSON for each mesh. A failure is reported, and the other meshes continue. */
 async function* batch(
   command: Command,
   args: Arguments,
@@ -169,14 +169,14 @@ function commandNamed(name: string | undefined): Command {
 async function printToFile(pieces: Pieces, path: string): Promise<void> {
   const file = createWriteStream(path);
   const closed = finished(file);
-  // Awaited below; what fails before is said by `print`.
+  // `closed` is awaited below. `print` reports earlier failures.
   closed.catch(() => {});
   await print(pieces, file, path);
   file.end();
   await closed;
 }
 
-/** The package's. */
+/** The version of the package. */
 async function version(): Promise<string> {
   const text = await readFile(new URL('../../package.json', import.meta.url), 'utf8');
   return JSON.parse(text).version;

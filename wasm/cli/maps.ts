@@ -3,7 +3,7 @@ import { UsageError } from './errors.js';
 import { formatOption, type Option, pointsOption } from './options.js';
 import { pathRecord, triples } from './output.js';
 
-/** What log map, exp map and parallel transport make of vectors and points. */
+/** Log maps, exp maps and parallel transport of vectors and points. */
 
 const fromOption: Option = {
   name: 'from',
@@ -19,7 +19,7 @@ const vectorsOption: Option = {
   required: true,
 };
 
-/** Vectors, null where there is none. */
+/** The vectors, null for missing ones. */
 function* vectorRecords(flat: Float64Array) {
   for (const vector of triples(flat)) yield vector.some(Number.isNaN) ? null : vector;
 }

@@ -33,7 +33,7 @@ async function robustMean(args: Arguments, kind: string, start: StartOptions): P
   };
 }
 
-/** A center for each row of weights. */
+/** The centers, one for each row of weights. */
 async function meansOfRows(args: Arguments, options: CentersOptions): Promise<Result> {
   args.refuse(['uniqueness', 'certificate', 'paths'], 'with --rows');
   const rows = await args.rows('rows');

@@ -1,14 +1,14 @@
 /** An option of a command. Without `value` it is a flag. */
 export interface Option {
   name: string;
-  /** What stands for the value in the help text: FILE. */
+  /** The name of the value in the help text: FILE. */
   value?: string;
   help: string;
   default?: string;
   required?: boolean;
 }
 
-/** What a command is called with. */
+/** The arguments and options that a command takes. */
 export interface Described {
   name: string;
   options: readonly Option[];
@@ -29,16 +29,16 @@ export const pointsOption: Option = {
   required: true,
 };
 
-/** Where the result goes, for every command that has no `out` of its own. */
+/** The destination of the result, for every command without its own `out`. */
 export const outOption: Option = {
   name: 'out',
   value: 'FILE',
   help: 'where the result is written',
-  // Words for the help: no such value is given.
+  // These are words for the help; no such value is passed.
   default: 'standard output',
 };
 
-/** How the mesh is read, for every command. */
+/** The options for reading the mesh, of every command. */
 export const meshOptions: readonly Option[] = [
   {
     name: 'parts',
@@ -56,7 +56,7 @@ export const meshOptions: readonly Option[] = [
     name: 'weld',
     value: 'LENGTH',
     help: 'weld boundaries that lie this near each other; 0 for none',
-    // Words for the help: no such value is given.
+    // These are words for the help; no such value is passed.
     default: '1e-6 of the diagonal',
   },
 ];
@@ -68,7 +68,7 @@ export const levelsOption: Option = {
   default: 'auto',
 };
 
-/** How fields are made, for the commands that need some. */
+/** The options of fields, for the commands that need fields. */
 export const fieldOptions: readonly Option[] = [
   { name: 'method', value: 'karcher|paper', help: 'how fields are made', default: 'karcher' },
   {

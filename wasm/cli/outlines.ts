@@ -16,7 +16,7 @@ export const outlineOptions: readonly Option[] = [
   ...fieldOptions,
 ];
 
-/** The mesh, what its file says beside it, and the curves on it as paths. */
+/** The mesh, its file's marks, and the curves on it as paths. */
 export async function readOutlines(
   args: Arguments,
 ): Promise<{ mesh: Mesh; file: FileInfo; outlines: Path[] }> {

@@ -5,7 +5,7 @@ import type { CurvePoints, CurveSamples, Status } from '../types.js';
 import type { Result } from './command.js';
 import { writeError } from './errors.js';
 
-/** x, y, z, … as [x, y, z], …, one after the other. */
+/** The triples [x, y, z] of an array x, y, z, …, one after the other. */
 export function* triples(flat: ArrayLike<number>): Generator<[number, number, number]> {
   for (let i = 0; i < flat.length; i += 3) yield [flat[i]!, flat[i + 1]!, flat[i + 2]!];
 }
@@ -44,7 +44,7 @@ export interface SampleRecord {
   status: Status;
 }
 
-/** Entry i of x, y, z, …. */
+/** Entry i of an array x, y, z, …. */
 export const triple = (flat: Float64Array, i: number): [number, number, number] => [
   flat[3 * i]!,
   flat[3 * i + 1]!,
@@ -92,8 +92,8 @@ export function* polylinesAsObj(polylines: readonly Float64Array[]): Generator<s
 }
 
 /**
- * A value as JSON, in pieces: a large result does not fit one string. What it has of iterators
- * becomes arrays; their entries are small.
+ * A value as JSON, in pieces, since a large result does not fit one string. Its iterators become
+ * arrays, whose entries are small.
  */
 export function* jsonPieces(value: unknown): Generator<string> {
   if (typeof value !== 'object' || value === null) {
@@ -123,16 +123,19 @@ export function* jsonPieces(value: unknown): Generator<string> {
   yield '}';
 }
 
-/** A value as JSON on a line of its own, in pieces. */
+/** A value as JSON on a separate line, in pieces. */
 export function* jsonLine(value: unknown): Generator<string> {
   yield* jsonPieces(value);
   yield '\n';
 }
 
-/** Of texts, and of files' bytes. */
+/** Pieces of texts, or of files' bytes. */
 export type Pieces = Iterable<string | Uint8Array> | AsyncIterable<string | Uint8Array>;
 
-/** Writes pieces to a stream, each when those before it have gone; `name` is the stream's. */
+/**
+ * Writes pieces to a stream, each after the previous ones have been written. `name` is the
+ * stream's.
+ */
 export async function print(
   pieces: Pieces,
   stream: Writable,
@@ -154,8 +157,8 @@ export async function print(
 }
 
 /**
- * A text whose control characters, but for tabs and line ends, are question marks: names of files and
- * of their parts may hold what changes a terminal.
+ * A text in which control characters, except tabs and line ends, are replaced by question marks.
+ * Names of files and of their parts may contain characters that change a terminal.
  */
 export const printable = (text: string) =>
   text.replace(/(?![\t\n])[\p{Cc}\p{Bidi_Control}]/gu, '?');
@@ -174,7 +177,7 @@ function write(text: string | Uint8Array, stream: Writable, name: string): Promi
   });
 }
 
-/** A region as results give it. */
+/** A region in the form of results. */
 export const regionRecord = (region: Region) => ({
   area: region.area,
   perimeter: region.perimeter,

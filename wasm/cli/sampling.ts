@@ -3,7 +3,7 @@ import type { Arguments } from './arguments.js';
 import { UsageError } from './errors.js';
 import { levelsOption, type Option } from './options.js';
 
-/** How a curve is traced. */
+/** The options for tracing a curve. */
 export const samplingOptions: readonly Option[] = [
   {
     name: 'samples',

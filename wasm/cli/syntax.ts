@@ -2,12 +2,12 @@ import type { PointLike, SurfacePoint } from '../types.js';
 import { figuresOf } from './drawing.js';
 import { UsageError } from './errors.js';
 
-/** How points and numbers are written on the command line and in files. */
+/** The syntax of points and numbers on the command line and in files. */
 
 const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 const whole = /^\d+$/;
 
-/** NaN where a text is none. */
+/** The number in a text; NaN if it is none. */
 export const decimalOf = (text: string) => (decimal.test(text.trim()) ? Number(text) : Number.NaN);
 
 export function parseNumber(text: string, what: string): number {
@@ -19,7 +19,7 @@ export function parseNumber(text: string, what: string): number {
 /** Whether a text is JSON rather than lines of points. */
 export const isJson = (text: string) => /^\s*[{[]/.test(text);
 
-/** The value of a text that is JSON; `path` is where it was read. */
+/** The value of a JSON text. `path` is its source, for errors. */
 export function parseJson(text: string, path: string): unknown {
   try {
     return JSON.parse(text);
@@ -28,7 +28,10 @@ export function parseJson(text: string, path: string): unknown {
   }
 }
 
-/** `face:b1,b2`, the weights of the face's second and third corner, or `v:vertex`, or JSON. */
+/**
+ * A point in one of the forms `face:b1,b2` (with the weights of the face's second and third
+ * corner), `v:vertex`, or JSON.
+ */
 export function parsePoint(text: string, what: string): PointLike {
   if (isJson(text)) return pointOfJson(parseJson(text, what), what);
   const point = shortPoint(text, what);
@@ -46,8 +49,8 @@ function shortPoint(text: string, what: string): PointLike | null {
 }
 
 /**
- * A points file: JSON, or a line `face b1 b2`, `face:b1,b2` or `v:vertex` each; blank lines and comments
- * after `#` are skipped.
+ * The points of a file: JSON, or one line `face b1 b2`, `face:b1,b2` or `v:vertex` for each. Blank
+ * lines and comments after `#` are skipped.
  */
 export function parsePoints(text: string, path: string): PointLike[] {
   if (isJson(text)) return pointsOfJson(parseJson(text, path), path);
@@ -67,7 +70,10 @@ export function parsePoints(text: string, path: string): PointLike[] {
   });
 }
 
-/** A point as commands print it, or what they print of one. What its numbers are is for the engine to check. */
+/**
+ * A point in the form that commands print, or their output for one point. The engine checks its
+ * numbers.
+ */
 function pointOfJson(value: unknown, what: string): PointLike {
   if (typeof value === 'object' && value !== null) {
     const { point, end, face, bary, vertex } = value as Record<string, unknown>;
@@ -93,7 +99,10 @@ function pointsOfJson(value: unknown, path: string): PointLike[] {
   return list.map((entry, i) => pointOfJson(entry, `point ${i} of ${path}`));
 }
 
-/** Lists of numbers: JSON, a list of lists or an object that has one by this name, or a line each. */
+/**
+ * Lists of numbers: one line for each, or JSON with a list of lists or an object that has one by
+ * this name.
+ */
 export function parseRows(text: string, path: string, name: string): number[][] {
   const rows = isJson(text)
     ? listOfJson(parseJson(text, path), path, name)

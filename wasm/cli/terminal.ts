@@ -3,7 +3,7 @@ import { printable } from './output.js';
 
 const clearLine = '\r\u001b[K';
 
-/** Standard error: sentences, and on a terminal one line that says how far a mesh is read. */
+/** Standard error: sentences, and on a terminal one line with the progress of reading a mesh. */
 export class Terminal {
   readonly #stream: Writable;
   readonly #isTerminal: boolean;
@@ -19,7 +19,7 @@ export class Terminal {
     this.#stream.write(`karcher: ${printable(sentence)}\n`);
   }
 
-  /** Takes the place of what was shown before; nothing where standard error is no terminal. */
+  /** Shows the progress in place of the previous one, if standard error is a terminal. */
   show(done: number, stage: string): void {
     const text = `${stage}, ${Math.floor(100 * done)} %`;
     if (!this.#isTerminal || text === this.#shown) return;

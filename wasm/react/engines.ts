@@ -7,10 +7,10 @@ interface Shared {
   users: number;
 }
 
-/** By `worker`: the engines that mounted components share. */
+/** The engines that mounted components share, by `worker`. */
 const engines = new Map<boolean, Shared>();
 
-/** The engine of the page, or the one in a worker: loaded for its first user, and shared by all. */
+/** The engine of the page or of the worker. It is loaded for its first user, and shared by all. */
 export function takeEngine(worker: boolean): Promise<AnyKarcher> {
   let shared = engines.get(worker);
   if (!shared) {
@@ -22,8 +22,8 @@ export function takeEngine(worker: boolean): Promise<AnyKarcher> {
 }
 
 /**
- * Gives an engine back. Its last user ends it, but only in the next task: StrictMode unmounts every
- * component once to mount it again at once, and a worker should not be loaded twice for that.
+ * Releases an engine. Its last user ends it, but only in the next task: StrictMode unmounts every
+ * component once and mounts it again at once, and a worker should not be loaded twice for that.
  */
 export function releaseEngine(worker: boolean): void {
   const shared = engines.get(worker)!;
@@ -33,7 +33,7 @@ export function releaseEngine(worker: boolean): void {
     engines.delete(worker);
     shared.engine.then(
       (engine) => 'dispose' in engine && engine.dispose(),
-      // What could not be loaded has nothing to give back.
+      // An engine that could not be loaded has nothing to release.
       () => {},
     );
   });

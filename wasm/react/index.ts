@@ -1,4 +1,6 @@
-/** Karcher with React and react-three-fiber: hooks that make surfaces and curves and give them back. */
+/**
+ * Karcher with React and react-three-fiber: hooks that create surfaces and curves and free them.
+ */
 import { useThree } from '@react-three/fiber';
 import { useEffect, useRef, useState } from 'react';
 import type { BufferGeometry } from 'three';
@@ -20,7 +22,7 @@ import type {
 export { KarcherError } from '../errors.js';
 export type * from './types.js';
 
-/** The newest of a value, for effects that are not to run again with it. */
+/** The newest of a value, for effects that must not run again because of it. */
 function useNewest<Value>(value: Value): { readonly current: Value } {
   const newest = useRef(value);
   useEffect(() => {
@@ -29,7 +31,7 @@ function useNewest<Value>(value: Value): { readonly current: Value } {
   return newest;
 }
 
-/** Hands errors to `onError`, or throws them while the component renders. */
+/** Passes errors to `onError`, or throws them while the component renders. */
 function useFailure(onError: FailureOptions['onError']): (error: unknown) => void {
   const [failure, setFailure] = useState<{ error: unknown } | undefined>();
   const told = useNewest(onError);
@@ -42,8 +44,8 @@ function useFailure(onError: FailureOptions['onError']): (error: unknown) => voi
 }
 
 /**
- * The engine, undefined until it is loaded. All components share one in the page and one in a worker; the
- * last one that is unmounted ends it.
+ * The engine, undefined until it is loaded. All components share one in the page and one in a
+ * worker. The last component to be unmounted ends it.
  */
 export function useKarcher({
   worker = false,
@@ -67,8 +69,9 @@ export function useKarcher({
 }
 
 /**
- * The surface of a geometry, as `surfaceFromGeometry` makes it: undefined until it is made, and without a
- * geometry. Another geometry makes another surface; unmounted, its mesh gives its memory back.
+ * The surface of a geometry, as `surfaceFromGeometry` returns it; undefined until it exists, and
+ * without a geometry. Another geometry gives another surface. When the component is unmounted, the
+ * memory of the mesh is freed.
  */
 export function useSurface(
   geometry: BufferGeometry | undefined,
@@ -83,7 +86,7 @@ export function useSurface(
     let surface: Surface<AnyMesh> | undefined;
     const make = async () => {
       const options: MeshOptions = { repair, weld };
-      // An engine in the page gives the surface itself, one in a worker a promise.
+      // An engine in the page returns the surface itself, one in a worker a promise.
       surface = await surfaceFromGeometry(karcher as never, geometry, options);
       if (isMounted) setMade({ surface, of: geometry });
       else release(surface);
@@ -99,15 +102,15 @@ export function useSurface(
 }
 
 function release({ mesh }: Surface<AnyMesh>): void {
-  // A worker that has ended has nothing left to give back.
+  // A worker that has ended has no memory left to free.
   Promise.resolve(mesh.dispose()).catch(() => {});
 }
 
 /**
- * A curve on a surface, as an object of three.js: undefined until there are a surface and options. Put it
- * into the scene as a child of what draws the surface, `<primitive object={curve} />`. Options that differ
- * from those of the render before make it another curve; options that are the same leave it as a hand
- * has dragged it since.
+ * A curve on a surface, as an object of three.js; undefined until a surface and options exist. Put
+ * it into the scene as a child of the object that draws the surface, `<primitive object={curve}
+ * />`. Options that differ from those of the previous render change the curve. Equal options leave
+ * it as a hand has dragged it since.
  */
 export function useSurfaceCurve(
   surface: Surface<AnyMesh> | undefined,
@@ -124,7 +127,7 @@ export function useSurfaceCurve(
   const look = useNewest({ width, color });
   useEffect(() => {
     if (!surface || !hasOptions) return;
-    // The effects of one component run in order: the newest options are known.
+    // The effects of one component run in order, so that the newest options are known.
     const first = newest.current!;
     const curve = new SurfaceCurve(surface, first, look.current);
     curve.addEventListener('change', ({ view }) => told.current?.(curve.value, view));

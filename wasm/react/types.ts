@@ -4,36 +4,42 @@ import type { CurveOptions, MeshOptions } from '../types.js';
 import type { CurveView } from '../view.js';
 import type { RemoteKarcher } from '../worker/index.js';
 
-/** An engine in the page, or one in a worker. */
+/** An engine in the page or in a worker. */
 export type AnyKarcher = Karcher | RemoteKarcher;
 
-/** Where the engine runs. */
+/** The options of the engine. */
 export interface EngineHookOptions {
   /** Whether the engine runs in a worker; false by default. */
   worker?: boolean | undefined;
 }
 
-/** The callback of hooks that hears of failures. */
+/** The callback of hooks that receives failures. */
 export interface FailureOptions {
   /**
-   * Called with what went wrong. Without it, the hook throws that while the component renders, so that
-   * the nearest error boundary shows it.
+   * A function that is called with the error. Without it, the hook throws the error while the
+   * component renders, so that the nearest error boundary shows it.
    */
   onError?: ((error: unknown) => void) | undefined;
 }
 
 export interface SurfaceHookOptions extends MeshOptions, EngineHookOptions, FailureOptions {}
 
-/** How a component's curve looks, and what the component hears of it. */
+/** The look of a component's curve, and the component's callbacks. */
 export interface CurveHookOptions extends LineLook, FailureOptions {
-  /** Called when what is drawn has changed. */
+  /** A function that is called when the drawn curve has changed. */
   onChange?: ((value: CurveOptions, view: CurveView) => void) | undefined;
 }
 
-/** How control points are dragged. */
+/** The options for dragging control points. */
 export interface DragHookOptions {
-  /** How near to a control point, in pixels, a press takes hold of it; 12 by default. */
+  /**
+   * The distance from a control point, in pixels, within which a press takes hold of it; 12 by
+   * default.
+   */
   reach?: number | undefined;
-  /** Called with what an edit threw, as where the pointer is over another component. */
+  /**
+   * A function that is called with the error of an edit, such as that of a pointer over another
+   * component.
+   */
   onError?: ((error: unknown) => void) | undefined;
 }

@@ -5,27 +5,33 @@ import type { Region } from '../region.js';
 import type { PointLike, SurfacePoint } from '../types.js';
 import type { AnyMesh } from './energy.js';
 
-/** How a centroid is searched for. */
+/** The options of the search for a centroid. */
 export interface CentroidOptions {
   /** The point where the search starts; by default the one nearest to the region's centroid in space. */
   start?: PointLike | undefined;
-  /** The number of points, at most, that stand for the region; the default is 1000. */
+  /** The largest number of points that represent the region; the default is 1000. */
   samples?: number | undefined;
-  /** A part of the diagonal: a step that is shorter ends the search. The default is 1e-7. */
+  /**
+   * The length of a step, relative to the diagonal, below which the search ends. The default is
+   * 1e-7.
+   */
   tolerance?: number | undefined;
-  /** The number of steps after which the search ends in any case; the default is 100. */
+  /** The largest number of steps; the default is 100. */
   mostSteps?: number | undefined;
-  /** Mass by area: a value of at least 0 for each vertex, linear in triangles. By default it is 1 everywhere. */
+  /**
+   * The mass per area: a value of at least 0 for each vertex, linear in triangles. By default it is
+   * 1 everywhere.
+   */
   density?: ArrayLike<number> | undefined;
 }
 
-/** The centroid of a region, and how the search for it ended. */
+/** The centroid of a region, and the result of the search for it. */
 export interface Centroid {
-  /** The centroid as a point of the surface; it need not lie in the region. */
+  /** The centroid as a point of the surface. It need not lie in the region. */
   point: SurfacePoint;
   /** The place of that point in space. */
   position: [number, number, number];
-  /** The number of points that stood for the region. */
+  /** The number of points that represented the region. */
   samples: number;
   /** The number of steps of the search. */
   steps: number;
@@ -41,7 +47,7 @@ const names = namesOf<CentroidOptions>({
   density: true,
 });
 
-/** A part of the region: a point that stands for it, where that is in space, and its mass. */
+/** A part of the region: the point that represents it, its place in space, and its mass. */
 interface Patch {
   point: SurfacePoint;
   place: readonly [number, number, number];
@@ -49,17 +55,20 @@ interface Patch {
 }
 
 /**
- * The centroid of a region, or with `'all'` of the whole surface: the center of mass of its area, or of a density
- * on it, where the integral of the squared distances to all of the region has a minimum.
+ * The centroid of a region, or with `'all'` of the whole surface: the center of mass of its area,
+ * or of a density on it, where the integral of the squared distances to all of the region has a
+ * minimum.
  *
- * Each triangle, or its part in the region, stands for its mass at its own centroid, which is exact to rounding on
- * a plane and good to the square of the edges on smooth surfaces. Where that makes more points than `samples`,
- * neighbors are put together, which is good to the square of the size of such groups: on the unit sphere of
- * 20,000 triangles centroids of caps were up to .0015 off with 1000 samples, and 6e-5 with all. Distances are those
- * of locally shortest paths (`Mesh.logMap`).
+ * The mass of each triangle, or of its part in the region, is placed at its own centroid. This is
+ * exact to rounding on a plane and good to the square of the edges on smooth surfaces. If that
+ * gives more points than `samples`, neighbors are united, which is good to the square of the size
+ * of the groups. On the unit sphere of 20,000 triangles, centroids of caps were up to .0015 off
+ * with 1000 samples, and 6e-5 with all. Distances are those of locally shortest paths
+ * (`Mesh.logMap`).
  *
- * Rejects with `KarcherError` badArgument for a region without area or mass, for a density that is negative or has
- * not one value for each vertex, and for samples below 1, and as `Mesh.logMap` does.
+ * Rejects with `KarcherError` badArgument for a region without area or mass, for a density that is
+ * negative or does not have one value for each vertex, and for samples below 1, and as
+ * `Mesh.logMap` does.
  *
  * @example
  * ```ts
@@ -150,7 +159,7 @@ const allOf = (triangles: Int32Array): Parts => ({
 /** The sides of a whole triangle, in its second and third weights. */
 const whole = Float64Array.of(0, 0, 1, 0, 1, 0, 0, 1, 0, 1, 0, 0);
 
-/** The triangles of a region, and its parts of others. */
+/** The triangles of a region, and its parts of other triangles. */
 function patchesOf(
   { share, triangles: parts, sides }: Parts,
   positions: Float64Array,
@@ -162,7 +171,7 @@ function patchesOf(
     const at = 3 * triangles[3 * face + k]!;
     return [positions[at]!, positions[at + 1]!, positions[at + 2]!] as const;
   };
-  /** Adds what some sides enclose, with its mass and center of mass. */
+  /** Adds the area that some sides enclose, with its mass and center of mass. */
   const add = (face: number, around: Float64Array) => {
     const [a, b, c] = [corner(face, 0), corner(face, 1), corner(face, 2)];
     const [u, v] = [b, c].map((to) => to.map((value, k) => value - a[k]!)) as [number[], number[]];
@@ -184,7 +193,7 @@ function patchesOf(
       y += (turn * (ay * (atA + sum) + by * (atB + sum))) / 24;
     }
     if (mass === 0) return;
-    // Of a sliver rounding may lead out of the triangle.
+    // In a sliver, rounding may lead out of the triangle.
     x = Math.min(1, Math.max(0, x / mass));
     y = Math.min(1 - x, Math.max(0, y / mass));
     patches.push({
@@ -207,7 +216,10 @@ function patchesOf(
 type Three = [number, number, number];
 type Four = [number, number, number, number];
 
-/** At most so many: neighbors, by a curve that fills space, of about the same mass together. */
+/**
+ * At most `most` patches: neighbors along a space-filling curve are united to groups of about the
+ * same mass.
+ */
 function grouped(patches: Patch[], most: number): Patch[] {
   if (patches.length <= most) return patches;
   const low = [0, 1, 2].map((k) => Math.min(...extremes(patches, k)));
@@ -260,7 +272,7 @@ const meanPlace = (patches: readonly Patch[]): [number, number, number] => {
   return sum.map((value) => value / all) as [number, number, number];
 };
 
-/** The patch nearest to the middle of a group, with the mass of all of it. */
+/** The patch nearest to the middle of a group, with the mass of the whole group. */
 function middleOf(group: readonly Patch[]): Patch {
   const middle = meanPlace(group);
   const apart = ({ place }: Patch) => Math.hypot(...place.map((x, k) => x - middle[k]!));

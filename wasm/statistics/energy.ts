@@ -3,7 +3,7 @@ import type { Mesh } from '../mesh.js';
 import type { PointLike } from '../types.js';
 import type { RemoteMesh } from '../worker/remote.js';
 
-/** A mesh in this thread, or one in a worker. */
+/** A mesh in this thread or in a worker. */
 export type AnyMesh = Mesh | RemoteMesh;
 
 type Vector = [number, number, number];
@@ -12,7 +12,9 @@ type Vector = [number, number, number];
 export interface Energy {
   /** The weighted sum of squared distances to the points. */
   energy: number;
-  /** A vector in the plane of the face: -2 times the weighted sum of the log vectors. */
+  /**
+   * The gradient, a vector in the plane of the face: -2 times the weighted sum of the log vectors.
+   */
   gradient: Vector;
 }
 
@@ -25,9 +27,10 @@ export interface Hessian {
 }
 
 /**
- * The energy and its gradient at a point, by locally shortest paths (`Mesh.logMap`). The gradient is that on the
- * polyhedron: on an edge and at a vertex it is in the plane of the face that the point names. It is small at a
- * center of mass inside a face, and not zero, since centers are found in fields that smooth these paths. Rejects as `Mesh.logMap` does.
+ * The energy and its gradient at a point, by locally shortest paths (`Mesh.logMap`). The gradient
+ * is that on the polyhedron. On an edge and at a vertex it is in the plane of the face that the
+ * point names. At a center of mass inside a face it is small but not zero, since centers are found
+ * in fields that smooth these paths. Rejects as `Mesh.logMap` does.
  */
 export async function energyAt(
   mesh: AnyMesh,
@@ -77,11 +80,12 @@ export async function hessianAt(
 }
 
 /**
- * How a center of mass moves with each weight, as if all others stayed as they are: a vector in the plane of
- * its face for each, in units of the mesh. `center` is the center of mass with these weights.
+ * The derivatives of a center of mass with respect to each weight, the others being fixed: a vector
+ * in the plane of its face for each, in units of the mesh. `center` is the center of mass with
+ * these weights.
  *
- * They are derivatives on the polyhedron: exact on a plane, while on a torus of 2,000 triangles differences of
- * centers, whose fields are smoothed, were up to 15 % off.
+ * They are derivatives on the polyhedron and exact on a plane. On a torus of 2,000 triangles,
+ * differences of centers, whose fields are smoothed, were up to 15 % off.
  *
  * Rejects as `hessianAt` does, and with badArgument where the Hessian is not positive definite.
  */
@@ -117,7 +121,7 @@ const dot = (a: ArrayLike<number>, b: ArrayLike<number>) =>
 const unit = (a: Vector): Vector => a.map((x) => x / Math.hypot(...a)) as Vector;
 const subtract = (a: Vector, b: Vector) => a.map((x, k) => x - b[k]!) as Vector;
 
-/** The face of a point, and points of it near that one. */
+/** The face of a point, and points of this face near it. */
 async function faceOf(mesh: AnyMesh, at: PointLike) {
   const inside = 'face' in at && Math.min(...at.bary) > 1e-9;
   if (!inside) {
@@ -133,7 +137,7 @@ async function faceOf(mesh: AnyMesh, at: PointLike) {
   const along = unit(ab);
   const height = dot(ac, along);
   const across = unit(ac.map((x, k) => x - height * along[k]!) as Vector);
-  // The weights of the corners b and c change with places by these gradients.
+  // These are the gradients of the weights of corners b and c with respect to places.
   const toC = 1 / dot(ac, across);
   const toB = 1 / dot(ab, along);
   const change = (axis: Vector, length: number): Vector => {
@@ -141,7 +145,7 @@ async function faceOf(mesh: AnyMesh, at: PointLike) {
     const second = length * dot(axis, along) * toB - third * height * toB;
     return [-second - third, second, third];
   };
-  // Within the face, and so short that paths seldom change on the way.
+  // The step stays within the face, and is so short that paths seldom change on the way.
   const reach = Math.min(
     ...[along, across].flatMap((axis) =>
       change(axis, 1).map((slope, k) => bary[k]! / Math.max(Math.abs(slope), Number.MIN_VALUE)),

@@ -1,6 +1,6 @@
 /**
- * Robust means, derivatives of the energy, centroids and Voronoi diagrams: of a mesh in this thread, or of one in
- * a worker.
+ * Robust means, derivatives of the energy, centroids and Voronoi diagrams, for a mesh in this
+ * thread or in a worker.
  */
 import { checkArray, checkNumber, checkOptions, namesOf } from '../check.js';
 import { KarcherError } from '../errors.js';
@@ -20,33 +20,36 @@ export {
 export { type Site, type VoronoiDiagram, voronoi } from './voronoi.js';
 export type { VoronoiBorder } from './voronoi_cells.js';
 
-/** The start and the end of a search for a robust mean. */
+/** The options of a search for a robust mean. */
 export interface RobustOptions {
   /** The point where the search starts; by default the center of mass. */
   start?: PointLike | undefined;
-  /** A part of the diagonal: a step that is shorter ends the search. The default is 1e-7. */
+  /**
+   * The length of a step, relative to the diagonal, below which the search ends. The default is
+   * 1e-7.
+   */
   tolerance?: number | undefined;
-  /** The number of steps after which the search ends in any case; the default is 200. */
+  /** The largest number of steps; the default is 200. */
   mostSteps?: number | undefined;
 }
 
 /** The options of `huberMean`. */
 export interface HuberOptions extends RobustOptions {
-  /** The distance, in units of the mesh, beyond which a point pulls no more than at it. */
+  /** The threshold, in units of the mesh: a point beyond it pulls no more than a point at it. */
   threshold: number;
 }
 
-/** A median or a Huber mean, and how the search for it ended. */
+/** A median or a Huber mean, and the result of the search for it. */
 export interface RobustMean {
   /** The mean as a point of the surface. */
   point: SurfacePoint;
   /** The place of that point in space. */
   position: [number, number, number];
-  /** The sum that the mean minimizes: of a median the weighted sum of distances. */
+  /** The sum that the mean minimizes; for a median, the weighted sum of distances. */
   value: number;
   /** The number of steps of the search. */
   steps: number;
-  /** True where the last step was shorter than the tolerance, or where the median is one of the points. */
+  /** Whether the last step was shorter than the tolerance, or the median is one of the points. */
   converged: boolean;
 }
 
@@ -55,12 +58,13 @@ const robustNames = namesOf<RobustOptions>(options);
 const huberNames = namesOf<HuberOptions>({ ...options, threshold: true });
 
 /**
- * The geometric median: the point where the weighted sum of distances to points has a minimum. It stays near
- * the others wherever less than half of the points lie. Weights are positive; each is 1 by default.
+ * The geometric median: the point where the weighted sum of distances to points has a minimum. It
+ * stays near the majority if less than half of the points lie elsewhere. Weights are positive; each
+ * is 1 by default.
  *
- * A search finds the minimum near its start, as that for a center of mass does. Each of its steps takes one
- * exact shortest path to each point. Rejects as `Mesh.centerOfMass` does, and with `KarcherError` badArgument
- * for a weight that is not positive.
+ * The search finds the minimum near its start, as the search for a center of mass does. Each of its
+ * steps takes one exact shortest path to each point. Rejects as `Mesh.centerOfMass` does, and with
+ * `KarcherError` badArgument for a weight that is not positive.
  */
 export function median(
   mesh: AnyMesh,
@@ -102,16 +106,19 @@ export function huberMean(
   });
 }
 
-/** How a point at a distance counts. */
+/** The influence of a point, as functions of its distance. */
 interface Rule {
-  /** As a factor of its weight in a center of mass. */
+  /** The factor of its weight in a center of mass. */
   pull(distance: number): number;
   cost(distance: number): number;
-  /** Whether the cost has a kink at the point itself, where the minimum may lie. */
+  /** Whether the cost has a kink at the point itself, so that the minimum may lie there. */
   isSharp: boolean;
 }
 
-/** A step is to the center of mass with the weights that the points have from where it starts (Weiszfeld). */
+/**
+ * Each step leads to the center of mass with weights that depend on the distances at its start
+ * (Weiszfeld).
+ */
 async function search(
   mesh: AnyMesh,
   points: readonly PointLike[],
@@ -146,7 +153,7 @@ async function search(
         break;
       }
     }
-    // A point that was reached and is no minimum is left by what the others pull.
+    // At a point that is no minimum, the pull of the others leads the search away.
     const factors = own.map((weight, i) => weight * pull(Math.max(distances[i]!, least)));
     const before = point;
     point = (await centerOf(factors, before)).point;
@@ -163,7 +170,10 @@ async function search(
   };
 }
 
-/** Whether all others together pull less at one of the points than its own weight holds it. */
+/**
+ * Whether one of the points is the median: the joint pull of all others there is less than its own
+ * weight.
+ */
 async function isMedian(
   mesh: AnyMesh,
   points: readonly PointLike[],

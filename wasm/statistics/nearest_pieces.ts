@@ -1,10 +1,12 @@
 /**
- * A surface divided by which of several sites is nearest, where squared distances are linear in each triangle.
+ * A surface divided by the nearest of several sites, with squared distances linear in each
+ * triangle.
  *
- * Sites are added one after the other. The new one takes what is nearer to it by more than rounding from the convex pieces that
- * the earlier ones have in a triangle. A corner of a piece is a vertex of the mesh, or was put on an edge between
- * two corners when a site took one of them. It is kept by these two, so that pieces on both sides of an edge, also
- * in two triangles, get the same corner, and no gap opens whatever the rounding.
+ * Sites are added one after the other. From the convex pieces that the earlier ones have in a
+ * triangle, the new site takes the part that is nearer to it by more than rounding. A corner of a
+ * piece is a vertex of the mesh, or was put on an edge between two corners when a site took one of
+ * them. It is stored by these two, so that pieces on both sides of an edge, also in two triangles,
+ * get the same corner, and no gap opens whatever the rounding.
  */
 
 /** A convex part of a triangle, counterclockwise by its corners. */
@@ -13,27 +15,33 @@ export interface Piece {
   corners: number[];
 }
 
-/** Numbers of corners stay below this; two make a key that a double holds exactly. */
+/** The bound on numbers of corners. Two numbers form a key that a double holds exactly. */
 const mostCorners = 2 ** 26;
 
 /**
- * The relative difference of squared distances that counts as rounding: a site must be nearer by more than
- * this.
+ * The relative difference of squared distances that counts as rounding. A site must be nearer by
+ * more than this.
  */
 const rounding = 1e-12;
 
 export class NearestPieces {
   /** x, y, z of each vertex. */
   readonly positions: Float64Array;
-  /** The vertices of each triangle; vertices that are welded count as the first of them. */
+  /** The vertices of each triangle. Welded vertices count as the first of them. */
   readonly triangles: Int32Array;
-  /** The site that has all of a triangle, -1 before any has it, or -2 for a triangle with pieces of several. */
+  /**
+   * The site to which all of a triangle belongs; -1 if none, or -2 for a triangle with pieces of
+   * several.
+   */
   readonly whole: Int32Array;
 
   /** The pieces of triangles that several sites share or shared. */
   readonly #pieces = new Map<number, Piece[]>();
   readonly #first: Int32Array;
-  /** The squared distance from each corner to its nearest site: first of vertices, then of what was put on edges. */
+  /**
+   * The squared distance from each corner to its nearest site: first for vertices, then for corners
+   * on edges.
+   */
   readonly #least: number[];
   readonly #site: Int32Array;
   /** The corners that were put on edges: vertices of a triangle and their weights, in turn. */
@@ -41,7 +49,10 @@ export class NearestPieces {
   readonly #between = new Map<number, number>();
   #sites = 0;
 
-  /** `distances` are those from some point: vertices at one place are welded where these agree, too. */
+  /**
+   * `distances` are those from some point. Vertices at one place are welded if these are equal,
+   * too.
+   */
   constructor(positions: Float64Array, triangles: Int32Array, distances: Float64Array) {
     this.positions = positions;
     const count = positions.length / 3;
@@ -119,7 +130,10 @@ export class NearestPieces {
     this.#pieces.set(face, [{ site, corners }]);
   }
 
-  /** Whether a corner is the one numbered `k` of a triangle, or was put on the edge from there to the next. */
+  /**
+   * Whether a corner is the one with number `k` of a triangle, or was put on the edge from there to
+   * the next.
+   */
   #isOnEdge(face: number, corner: number, k: number): boolean {
     const at = this.#cornersOf(face);
     if (corner < this.#site.length) return corner === at[k];
@@ -130,7 +144,7 @@ export class NearestPieces {
     );
   }
 
-  /** A number for two corners, in either order. */
+  /** A key for two corners, in either order. */
   key(a: number, b: number): number {
     return Math.min(a, b) * mostCorners + Math.max(a, b);
   }
@@ -153,12 +167,16 @@ export class NearestPieces {
     return corner < vertices ? [corner, 1] : this.#blends[corner - vertices]!;
   }
 
-  /** A piece without what is nearer to the new site, and that. */
+  /**
+   * The two parts of a piece: without the points that are nearer to the new site, and with these
+   * alone.
+   */
   #divided(piece: Piece, site: number, own: number[], isNearer: readonly boolean[]): Piece[] {
     const { corners } = piece;
     if (!corners.some((corner) => isNearer[corner])) return [piece];
     if (corners.every((corner) => isNearer[corner])) return [{ site, corners }];
-    // Where no path leads nothing can be divided, such as at a corner between parts that only touch there.
+    // Without a path to a corner the piece cannot be divided, as at a corner between parts that
+    // only touch there.
     if (corners.some((corner) => !Number.isFinite(own[corner]! - this.#least[corner]!))) {
       return [piece];
     }

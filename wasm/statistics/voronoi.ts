@@ -6,12 +6,18 @@ import type { AnyMesh } from './energy.js';
 import { NearestPieces } from './nearest_pieces.js';
 import { areasOf, bordersOf, regionOf, type VoronoiBorder } from './voronoi_cells.js';
 
-/** A site of a Voronoi diagram: a point, or several of which the nearest counts. */
+/** A site of a Voronoi diagram: a point, or several points of which the nearest counts. */
 export type Site = PointLike | readonly PointLike[];
 
-/** The parts of a surface that are nearest to each of several sites. It needs no mesh and is not disposed of. */
+/**
+ * The parts of a surface that are nearest to each of several sites. The diagram needs no mesh and
+ * is not disposed of.
+ */
 export interface VoronoiDiagram {
-  /** For each vertex the number of the nearest site, the lowest of equally near ones; -1 where no path leads. */
+  /**
+   * The number of the nearest site for each vertex, the lowest of equally near ones; -1 for
+   * unreachable vertices.
+   */
   nearest: Int32Array;
   /** The area of each site's cell, in squared units of the mesh. */
   areas: Float64Array;
@@ -22,13 +28,16 @@ export interface VoronoiDiagram {
 }
 
 /**
- * The Voronoi diagram of sites: the surface divided into cells, each with the points that are nearest to one site.
+ * The Voronoi diagram of sites: the surface divided into cells, each with the points that are
+ * nearest to one site.
  *
- * The squared distances from each site to the vertices are interpolated linearly in every triangle. On a plane
- * that gives the exact borders, and on smooth surfaces borders good to the square of the edges. One field of
- * distances is found for each site. Where sites coincide, the first has the cell and the others have empty ones.
+ * The squared distances from each site to the vertices are interpolated linearly in every triangle.
+ * On a plane that gives the exact borders, and on smooth surfaces borders good to the square of the
+ * edges. One field of distances is computed for each site. If sites coincide, the first has the
+ * cell and the others have empty ones.
  *
- * Rejects with `KarcherError` tooFewPoints without sites, or for one without points, and as `Mesh.distance` does.
+ * Rejects with `KarcherError` tooFewPoints without sites, or for a site without points, and as
+ * `Mesh.distance` does.
  *
  * @example
  * ```ts

@@ -3,9 +3,12 @@ import { Path } from '../path.js';
 import { Region } from '../region.js';
 import type { NearestPieces } from './nearest_pieces.js';
 
-/** A line on which two sites are equally near and all others farther. */
+/** A line on which two sites are equally near and all others are farther away. */
 export interface VoronoiBorder {
-  /** The numbers of the two sites, the lower one first. Its cell lies to the left of the path. */
+  /**
+   * The numbers of the two sites, the lower one first. The cell of the lower one lies to the left
+   * of the path.
+   */
   between: [number, number];
   /** The line, from triangle to triangle. */
   path: Path;
@@ -126,7 +129,7 @@ function joined(pieces: NearestPieces, sides: readonly Side[]): Path[] {
     let corner = start.from;
     for (let side: Side | undefined = start; side; ) {
       left.delete(side);
-      // Triangles of a file may be oriented one against the other: then a side is followed backwards.
+      // Triangles of a file may have opposite orientations. A side is then followed backwards.
       corner = side.from === corner ? side.to : side.from;
       points.push({ face: side.face, corner });
       const next: Side[] = at.get(corner)!.filter((other) => left.has(other));

@@ -14,8 +14,9 @@ import { liftMaterial } from './fat_line.js';
 import type { SurfaceCurve } from './surface_curve.js';
 
 /**
- * The part of the way to the camera by which a control point is drawn nearer, and by which the surface may lie in
- * front of a point that is seen: more than a line's, since a square hides more of a slope.
+ * The part of the distance to the camera by which a control point is drawn nearer, and by which the
+ * surface may lie in front of a visible point. It is larger than a line's, since a square hides
+ * more of a slope.
  */
 const nearer = 0.01;
 
@@ -25,21 +26,27 @@ function handleMaterial(): PointsMaterial {
   return material;
 }
 
-/** How control points are taken hold of. */
+/** The options for dragging control points. */
 export interface CurveDragOptions {
-  /** How near to a control point, in pixels, a press takes hold of it; 12 by default. */
+  /**
+   * The distance from a control point, in pixels, within which a press takes hold of it; 12 by
+   * default.
+   */
   reach?: number;
 }
 
 /**
- * Lets the control points of a curve be dragged over its surface: draws them, and hears the pointer on an
- * element. Points behind the surface are neither drawn nor taken hold of. A press that takes hold of a point is heard by nobody else there, so that controls of the camera
- * leave the view alone.
+ * Lets the control points of a curve be dragged over its surface: draws them, and listens to the
+ * pointer on an element. Points behind the surface are neither drawn nor taken hold of. Nobody else
+ * there hears a press that takes hold of a point, so that camera controls leave the view alone.
  */
 export class CurveDrag {
-  /** Called with what an edit threw, as where the pointer is over another component. */
+  /**
+   * A function that is called with the error of an edit, such as that of a pointer over another
+   * component.
+   */
   onError: ((error: unknown) => void) | undefined;
-  /** The number of the control point that is dragged; -1 if none is. */
+  /** The number of the control point that is dragged, or -1. */
   dragged = -1;
   readonly #curve: SurfaceCurve;
   readonly #object: Object3D;
@@ -63,7 +70,7 @@ export class CurveDrag {
     this.#camera = camera;
     this.#element = element;
     this.#reach = reach;
-    // A finger would scroll the page as well.
+    // Otherwise a finger would also scroll the page.
     this.#touchAction = element.style.touchAction;
     element.style.touchAction = 'none';
     curve.add(this.#handles);
@@ -75,7 +82,7 @@ export class CurveDrag {
     element.addEventListener('pointercancel', this.#release);
   }
 
-  /** Hears the pointer no more; the curve stays. */
+  /** Stops listening to the pointer; the curve stays. */
   dispose(): void {
     const element = this.#element;
     element.style.touchAction = this.#touchAction;
@@ -139,7 +146,7 @@ export class CurveDrag {
     return new Vector2((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height);
   }
 
-  /** The control point nearest to the pointer, of those within reach that are seen. */
+  /** The control point nearest to the pointer, among the visible ones within reach. */
   #at(event: PointerEvent): number {
     const { width, height } = this.#element.getBoundingClientRect();
     const pointer = this.#pointer(event);

@@ -9,7 +9,7 @@ import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import type { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 
-/** How a line looks. */
+/** The look of a line. */
 export interface LineLook {
   /** The width in pixels; the default is 3. */
   width?: number | undefined;
@@ -17,24 +17,30 @@ export interface LineLook {
   color?: ColorRepresentation | undefined;
 }
 
-/** The part of the way to the camera by which a line is drawn nearer, so that its surface does not cut it. */
+/**
+ * The part of the distance to the camera by which a line is drawn nearer, so that its surface does
+ * not cut it.
+ */
 const nearer = 0.003;
 
 /**
- * Gives what a material draws the depth of a place nearer to the camera by a part of the way; `after` is the
- * shader's line behind which its place is known.
+ * Makes a material's depth nearer to the camera by a part of the distance. `after` is the line of
+ * the shader after which the place is known.
  */
 export function liftMaterial(material: Material, after: string, part: number): void {
   material.onBeforeCompile = (shader) => {
-    // A place taken along its ray stays where it is seen: only the depth changes. In perspective the last entry
-    // of the projection's third row is all that it depends on.
+    // A place moved along its ray stays at the same pixel: only the depth changes. In perspective
+    // the depth depends only on the last entry of the projection's third row.
     const lift = `projectionMatrix[3][3] == 0.0 ? projectionMatrix[3][2] * ${part / (1 - part)} : ${-part}`;
     shader.vertexShader = shader.vertexShader.replace(after, `${after} gl_Position.z += ${lift};`);
   };
   material.customProgramCacheKey = () => `karcher ${part}`;
 }
 
-/** A material for lines of so many pixels, whose depth is that of a line a little nearer to the camera. */
+/**
+ * A material for lines of this width in pixels, whose depth is that of a line slightly nearer to
+ * the camera.
+ */
 export function lineMaterial({ width = 3, color = 0xd03a1e }: LineLook): LineMaterial {
   const material = new LineMaterial({ color, linewidth: width });
   liftMaterial(material, 'gl_Position = clip;', nearer);
@@ -42,8 +48,8 @@ export function lineMaterial({ width = 3, color = 0xd03a1e }: LineLook): LineMat
 }
 
 /**
- * A geometry of segments without an index: with one, software rendering in Chromium 156 draws the first instance
- * alone.
+ * A geometry of segments without an index. With one, software rendering in Chromium 156 draws only
+ * the first instance.
  */
 function segmentGeometry(): LineSegmentsGeometry {
   const geometry = new LineSegmentsGeometry();
@@ -52,7 +58,10 @@ function segmentGeometry(): LineSegmentsGeometry {
   return geometry.setAttribute('position', position!).setAttribute('uv', uv!).setIndex(null);
 }
 
-/** Draws a polyline as a fat line. Its buffers are kept and only grow, so that a drag makes none. */
+/**
+ * Draws a polyline as a fat line. Its buffers are kept and only grow, so that a drag allocates
+ * none.
+ */
 export function drawLine(line: LineSegments2, polyline: ArrayLike<number>): void {
   const count = Math.max(0, polyline.length / 3 - 1);
   let ends = bufferOf(line);
@@ -69,7 +78,7 @@ export function drawLine(line: LineSegments2, polyline: ArrayLike<number>): void
   for (let i = 0; i < count; i++) {
     for (let k = 0; k < 6; k++) places[6 * i + k] = polyline[3 * i + k]!;
   }
-  // The rest of the array repeats the end, since bounds are computed of the whole array.
+  // The rest of the array repeats the end, since bounds are computed from the whole array.
   for (let i = 6 * count; i < places.length; i++) places[i] = places[i - 3]!;
   ends.needsUpdate = true;
   line.geometry.instanceCount = count;

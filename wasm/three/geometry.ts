@@ -4,7 +4,7 @@ import { KarcherError } from '../errors.js';
 import type { Path } from '../path.js';
 import type { AnyMesh, Surface } from './surface.js';
 
-/** A range of a geometry's index that a material of its own draws. */
+/** A range of a geometry's index that has its own material. */
 export interface GeometryGroup {
   /** The first place in the index. */
   start: number;
@@ -15,9 +15,10 @@ export interface GeometryGroup {
 }
 
 /**
- * The geometry of a surface: positions in 32 bits, an index of 32 bits in the order of the mesh's faces,
- * and normals. Vertices keep their numbers; of those at one place the index names the first, so that
- * normals are smooth across seams. `groups` are taken over, as those of the geometry it was made of.
+ * The geometry of a surface: positions in 32 bits, an index of 32 bits in the order of the mesh's
+ * faces, and normals. Vertices keep their numbers. Of several at one place the index names the
+ * first, so that normals are smooth across seams. `groups` are kept, such as those of the original
+ * geometry.
  */
 export function geometryOf(
   surface: Surface<AnyMesh>,
@@ -37,15 +38,16 @@ export function geometryOf(
 
 /** The shape of a tube. */
 export interface TubeOptions {
-  /** 0.004 of the surface's diagonal by default. */
+  /** The radius; 0.004 of the surface's diagonal by default. */
   radius?: number;
-  /** Sides of a cross section, 3 to 64; 8 by default. */
+  /** The number of sides of a cross section, 3 to 64; 8 by default. */
   sides?: number;
 }
 
 /**
- * A tube along a path on the surface: a ring at each of its points, upright on the surface. It needs no
- * frames of its own, and so does not twist. Closed paths give closed tubes, others are open at their ends.
+ * A tube along a path on the surface: a ring at each of its points, upright on the surface. It
+ * needs no frames of its own, and so does not twist. Closed paths give closed tubes; others are
+ * open at their ends.
  */
 export function tubeGeometry(
   surface: Surface<AnyMesh>,
@@ -95,7 +97,7 @@ export function tubeGeometry(
   return geometry;
 }
 
-/** The points of a path that lie apart, with the normals of their faces. */
+/** The points of a path that are separate, with the normals of their faces. */
 function distinctPoints(surface: Surface<AnyMesh>, path: Path, apart: number) {
   const polyline = path.polyline({ bits: 64 });
   const places: Vector3[] = [];
@@ -113,17 +115,20 @@ function distinctPoints(surface: Surface<AnyMesh>, path: Path, apart: number) {
   return { places, normals };
 }
 
-/** The colors of numbers. */
+/** The options for colors of numbers. */
 export interface ColorOptions {
-  /** The color of a part of the largest distance, 0 to 1. By default from yellow to blue. */
+  /**
+   * A function that sets the color of a fraction, 0 to 1, of the largest distance. By default from
+   * yellow to blue.
+   */
   ramp?: (part: number, color: Color) => void;
-  /** What gets the last color; the largest distance by default. */
+  /** The number that gets the last color; the largest distance by default. */
   most?: number;
 }
 
 /**
- * Distances, or other numbers of at least 0, a vertex, as an attribute `color` for a material with
- * `vertexColors`. Vertices of none (NaN) are gray.
+ * Distances, or other numbers of at least 0, one for each vertex, as an attribute `color` for a
+ * material with `vertexColors`. Vertices without a number (NaN) are gray.
  */
 export function vertexColors(
   numbers: ArrayLike<number>,
@@ -150,10 +155,10 @@ const [yellow, blue] = [new Color(0xffe08a), new Color(0x21409a)];
 const yellowToBlue = (part: number, color: Color) => color.lerpColors(yellow, blue, part);
 
 /**
- * Log vectors of the vertices as an attribute `uv`, which lays a picture round the point that they are seen
- * from: a picture of twice `radius` across, upright along the y axis of `frame`, that of the point
- * (`Surface.frame`), turned as it may be. Beyond the picture uv leaves 0 to 1; vertices of no vector (NaN)
- * lie far outside.
+ * Log vectors of the vertices as an attribute `uv`, which lays a picture round the point where the
+ * vectors start. The picture is twice `radius` wide, upright along the y axis of `frame`, the frame
+ * of the point (`Surface.frame`), which may be turned. Beyond the picture uv leaves 0 to 1;
+ * vertices without a vector (NaN) lie far outside.
  */
 export function logMapUvs(
   vectors: ArrayLike<number>,
@@ -176,20 +181,22 @@ export function logMapUvs(
   return new BufferAttribute(uvs, 2);
 }
 
-/** How far a decal's picture may be stretched. */
+/** The options for decals. */
 export interface DecalOptions {
   /**
-   * A triangle is left out where a side of its picture is more than so many times as long as on the surface. The
-   * default is 4: on a sphere a picture is stretched so at four fifths of the way to the point opposite.
+   * The largest stretch: a triangle is left out if a side of its picture is more than this many
+   * times as long as on the surface. The default is 4, which a picture on a sphere reaches at four
+   * fifths of the way to the opposite point.
    */
   stretch?: number | undefined;
 }
 
 /**
- * The part of a surface that a picture round a point covers, as a geometry of its own with normals and `uv` as of
- * `logMapUvs`: lay it over the surface with a transparent material. It has the triangles that the picture reaches,
- * without those where shortest paths to the corners part, which would show the picture as a streak. Triangles at its
- * edge are whole: there the texture repeats its outermost pixels, which should be transparent.
+ * The part of a surface that a picture round a point covers, as a separate geometry with normals
+ * and the `uv` of `logMapUvs`. Lay it over the surface with a transparent material. It has the
+ * triangles that the picture reaches, except those whose corners have shortest paths on different
+ * sides, which would show the picture as a streak. Triangles at its edge are whole. There the
+ * texture repeats its outermost pixels, which should be transparent.
  */
 export function decalGeometry(
   surface: Surface<AnyMesh>,
@@ -209,7 +216,7 @@ export function decalGeometry(
     );
   for (let at = 0; at < corners.length; at += 3) {
     const face = [corners[at]!, corners[at + 1]!, corners[at + 2]!];
-    // Some corner lies on each side that would keep the whole triangle out of the picture.
+    // Some corner lies within each bound that would exclude the whole triangle from the picture.
     const isReached = [0, 1].every((k) => {
       const places = face.map((v) => uvs.getComponent(v, k));
       return Math.max(...places) > 0 && Math.min(...places) < 1;

@@ -14,12 +14,13 @@ import type { MeshOptions, PointLike, SurfacePoint } from '../types.js';
 import type { RemoteKarcher, RemoteMesh } from '../worker/index.js';
 import { Triangles } from './triangles.js';
 
-/** A mesh of the engine in the page, or of one in a worker. */
+/** A mesh of the engine in the page or in a worker. */
 export type AnyMesh = Mesh | RemoteMesh;
 
 /**
- * What a raycast found: an `Intersection` of three.js, or what `MeshBVH` returns. Without an object the
- * point is in the geometry's own coordinates, and the corners are numbers of the surface's vertices.
+ * The result of a raycast: an `Intersection` of three.js, or the result of `MeshBVH`. Without an
+ * object the point is in the geometry's own coordinates, and the corners are numbers of the
+ * surface's vertices.
  */
 export interface SurfaceHit {
   /** The place that was hit. */
@@ -36,38 +37,38 @@ export interface SurfaceHit {
   batchId?: number | undefined;
 }
 
-/** A hit's point lies no farther from the surface point that it becomes, as a part of the diagonal. */
+/** The largest distance between a hit's point and its surface point, relative to the diagonal. */
 const farthest = 1e-6;
 
 /**
- * A mesh of Karcher's and the geometry that it was made of. All places are in the geometry's own
- * coordinates, which are those of the objects that draw it.
+ * A mesh of Karcher and its original geometry. All places are in the geometry's own coordinates,
+ * which are those of the objects that draw it.
  */
 export class Surface<OfMesh extends AnyMesh = AnyMesh> {
-  /** The mesh, for all that is asked of the surface. */
+  /** The mesh, for all queries about the surface. */
   readonly mesh: OfMesh;
-  /** @internal The triangles as they were when the mesh was made, in their order then. */
+  /** @internal The original triangles of the mesh, in their original order. */
   readonly triangles: Triangles;
 
-  /** @internal `surfaceFromGeometry` and `surfaceFromMesh` make one. */
+  /** @internal `surfaceFromGeometry` and `surfaceFromMesh` create one. */
   constructor(mesh: OfMesh, triangles: Triangles) {
     this.mesh = mesh;
     this.triangles = triangles;
   }
 
-  /** Length of the bounding box's diagonal. */
+  /** The length of the bounding box's diagonal. */
   get diagonal(): number {
     return this.triangles.diagonal;
   }
 
   /**
-   * The surface point where a raycast met an object that draws this surface. The triangle is found by the
-   * places of its corners, so that it does not matter what has become of the order of the triangles, as by
-   * a `MeshBVH` made before the surface or after it, or of the numbers of vertices.
+   * The surface point at which a raycast hit an object that draws this surface. The triangle is
+   * found by the places of its corners. So the numbers of vertices and the order of the triangles
+   * do not matter; a `MeshBVH` may have changed it before or after the surface was created.
    *
-   * Throws `KarcherError` badPoint where the hit is of another surface, or of this one in another shape
-   * (skinned, morphed, edited since): the place of the point is checked to be the hit's within 1e-6 of the
-   * diagonal.
+   * Throws `KarcherError` badPoint if the hit is on another surface, or on this one in another
+   * shape (skinned, morphed, or edited since). The place of the point is checked to be the hit's
+   * within 1e-6 of the diagonal.
    */
   pointAt(hit: SurfaceHit): SurfacePoint {
     const place = placeOf(hit);
@@ -92,7 +93,10 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
     return target;
   }
 
-  /** The unit normal of the point's face, on the side from which its corners run counterclockwise. */
+  /**
+   * The unit normal of the point's face, on the side from which its corners appear
+   * counterclockwise.
+   */
   normal(point: PointLike, target = new Vector3()): Vector3 {
     const { face } = this.#inFace(point);
     const from = this.#corner(face, 0);
@@ -133,7 +137,7 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
     return new Vector3().fromArray(positions, 3 * corners[3 * face + k]!);
   }
 
-  /** The places of the corners that were hit, nine numbers. */
+  /** The places of the corners that were hit, as nine numbers. */
   #cornersOf({ face, faceIndex, object }: SurfaceHit): Float64Array {
     const geometry = (object as { geometry?: BufferGeometry } | undefined)?.geometry;
     const numbers = face
@@ -170,7 +174,7 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
   }
 }
 
-/** Where a hit lies in the coordinates of the geometry. */
+/** The place of a hit in the coordinates of the geometry. */
 function placeOf({ point, object, instanceId, batchId }: SurfaceHit): Vector3 {
   const place = new Vector3(point.x, point.y, point.z);
   if (!object) return place;
@@ -190,12 +194,13 @@ function placeOf({ point, object, instanceId, batchId }: SurfaceHit): Vector3 {
 }
 
 /**
- * The surface of a geometry: its positions and triangles are copied, and may be reordered afterwards, as by a
- * `MeshBVH`. Vertices at one place are welded where their faces meet, as along seams of texture coordinates;
- * the geometry is left as it is, with its groups. Vertex i of the mesh is vertex i of the geometry.
+ * The surface of a geometry. Its positions and triangles are copied, and may be reordered
+ * afterwards, as by a `MeshBVH`. Vertices at one place are welded where their faces meet, as along
+ * seams of texture coordinates. The geometry, with its groups, is not changed. Vertex i of the mesh
+ * is vertex i of the geometry.
  *
- * With the engine of `loadInWorker` it is a promise. Throws `KarcherError` as `Karcher.meshFromArrays`
- * does, and badArgument for a geometry without positions.
+ * With the engine of `loadInWorker` it is a promise. Throws `KarcherError` as
+ * `Karcher.meshFromArrays` does, and badArgument for a geometry without positions.
  */
 export function surfaceFromGeometry(
   karcher: Karcher,
@@ -227,7 +232,7 @@ export function surfaceFromGeometry(
   return mesh instanceof Promise ? mesh.then(surface<RemoteMesh>) : surface<Mesh>(mesh);
 }
 
-/** The surface of a mesh that was made otherwise, to be drawn by `geometryOf`. */
+/** The surface of a mesh from another source, which `geometryOf` draws. */
 export function surfaceFromMesh(mesh: Mesh): Surface<Mesh>;
 export function surfaceFromMesh(mesh: RemoteMesh): Promise<Surface<RemoteMesh>>;
 export function surfaceFromMesh(mesh: AnyMesh): Surface<Mesh> | Promise<Surface<RemoteMesh>> {
@@ -240,6 +245,6 @@ export function surfaceFromMesh(mesh: AnyMesh): Surface<Mesh> | Promise<Surface<
   return new Surface(mesh as Mesh, trianglesOf(positions, corners));
 }
 
-/** As the graphics card has them, in 32 bits: hits are found by these places. */
+/** The triangles in 32 bits, as the graphics card has them. Hits are found by these places. */
 const trianglesOf = (positions: Float64Array, corners: Int32Array) =>
   new Triangles(Float64Array.from(positions, Math.fround), corners);

@@ -7,7 +7,7 @@ import type { CurveView } from '../view.js';
 import { drawLine, type LineLook, lineMaterial } from './fat_line.js';
 import type { AnyMesh, Surface } from './surface.js';
 
-/** What of a `Curve` or a `RemoteCurve` is used here. */
+/** The members of a `Curve` or a `RemoteCurve` that are used here. */
 interface ShownCurve {
   set(value: CurveOptions): CurveView | Promise<CurveView>;
   view(): CurveView | Promise<CurveView>;
@@ -16,7 +16,7 @@ interface ShownCurve {
 
 interface Edit {
   value: CurveOptions;
-  /** Whether points were dragged: the legs of the curve that is drawn are continued. */
+  /** Whether points were dragged, so that the legs of the drawn curve are continued. */
   isDrag: boolean;
   tell(isShown: boolean): void;
   fail(error: unknown): void;
@@ -24,26 +24,30 @@ interface Edit {
 
 /** The events that a curve on a surface sends. */
 export interface SurfaceCurveEvents extends Object3DEventMap {
-  /** What is drawn has changed. */
+  /** The drawn curve has changed. */
   change: { view: CurveView };
 }
 
 /**
- * A curve on a surface, as a line of so many pixels: make it a child of the object that draws the surface. Its
- * line is drawn a little nearer to the camera than it lies, so that the surface does not cut it.
+ * A curve on a surface, as a line with a width in pixels. Make it a child of the object that draws
+ * the surface. Its line is drawn slightly nearer to the camera, so that the surface does not cut
+ * it.
  *
- * Edits return promises, with an engine in a worker and in the page. One edit is under way; of those that
- * come meanwhile the newest alone is made.
+ * Edits return promises, whether the engine runs in a worker or in the page. One edit is executed
+ * at a time. Of the edits that arrive meanwhile, only the newest follows.
  */
 export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
   override readonly type: string = 'SurfaceCurve';
-  /** The surface that the curve lies on. */
+  /** The surface on which the curve lies. */
   readonly surface: Surface<AnyMesh>;
   /** The fat line that draws the curve. */
   readonly line: LineSegments2;
-  /** The length, samples and bridges of the curve as it is drawn; undefined until it is drawn first. */
+  /** The length, samples and bridges of the drawn curve; undefined until it is first drawn. */
   view: CurveView | undefined;
-  /** When the curve is drawn for the first time; it rejects with what `Mesh.curve` throws. */
+  /**
+   * A promise that resolves when the curve is first drawn. It rejects with the error of
+   * `Mesh.curve`.
+   */
   readonly ready: Promise<void>;
   #curve: ShownCurve | undefined;
   #value: CurveOptions;
@@ -67,7 +71,7 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
     this.#drawn = this.#value;
     this.visible = false;
     this.ready = this.#make();
-    // Who waits for it hears of its failure; nobody has to.
+    // Those who wait for it receive its failure; nobody has to wait.
     this.ready.catch(() => {});
   }
 
@@ -76,7 +80,7 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
     return this.line.material;
   }
 
-  /** The options that make the newest curve, also where it is not drawn yet. */
+  /** The options of the newest curve, even if it is not drawn yet. */
   get value(): CurveOptions {
     return this.#value;
   }
@@ -92,18 +96,18 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
   }
 
   /**
-   * Makes it another curve: true when that is drawn, false when a newer edit took its place. Rejects with
-   * what `Curve.set` throws; then the curve stays what it was.
+   * Changes the curve to another one. The promise is true when that is drawn, and false when a
+   * newer edit replaced it. Rejects with the error of `Curve.set`; the curve is then unchanged.
    */
   set(value: CurveOptions): Promise<boolean> {
     return this.#edit({ ...value, points: [...value.points] }, false);
   }
 
-  /** Gives the memory back, that of the engine and that of the graphics card; not the material's. */
+  /** Frees the memory of the engine and of the graphics card, but not that of the material. */
   override dispose(): void {
     if (this.#isDisposed) return;
     this.#isDisposed = true;
-    // Objects of older versions of three.js have none.
+    // Objects of older versions of three.js do not have this method.
     super.dispose?.();
     this.removeFromParent();
     this.line.geometry.dispose();
@@ -116,7 +120,7 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
     try {
       await this.#curve?.dispose();
     } catch {
-      // A worker that has ended has nothing left to give back.
+      // A worker that has ended has no memory left to free.
     }
   }
 
@@ -158,7 +162,7 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
       if (!this.#isDisposed) this.#draw(view);
       tell(!this.#isDisposed);
     } catch (error) {
-      // What waits is made of the curve as it was wanted, and may be none either.
+      // A waiting edit starts from the requested curve, and may fail, too.
       if (!this.#waiting) this.#value = this.#drawn;
       fail(error);
     }

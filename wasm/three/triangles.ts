@@ -6,11 +6,11 @@ export class Triangles {
   readonly corners: Int32Array;
   /** Length of the bounding box's diagonal. */
   readonly diagonal: number;
-  /** Vertices by a hash of their place; -1 where there is none. */
+  /** Vertices by a hash of their place; -1 for a free slot. */
   readonly #table: Int32Array;
-  /** For each vertex the first one at its place. */
+  /** The first vertex at the place of each vertex. */
   readonly #first: Int32Array;
-  /** Of each vertex that is the first at its place the triangles there, one vertex after the other. */
+  /** The triangles at each vertex that is the first at its place, one vertex after the other. */
   readonly #starts: Int32Array;
   readonly #around: Int32Array;
 
@@ -41,7 +41,7 @@ export class Triangles {
     return this.#first[vertex]!;
   }
 
-  /** A triangle at a vertex; -1 if there is none. */
+  /** A triangle at a vertex, or -1. */
   at(vertex: number): number {
     const first = this.#first[vertex];
     if (first === undefined || this.#starts[first] === this.#starts[first + 1]) return -1;
@@ -49,8 +49,8 @@ export class Triangles {
   }
 
   /**
-   * The triangle with corners at three places, nine numbers. Of several the one that has them in the same
-   * order, and of these the one of the number `likely`. -1 if there is none.
+   * The triangle with corners at three places, given as nine numbers, or -1. Of several, one that
+   * has them in the same order is preferred, and among these the one with the number `likely`.
    */
   find(places: ArrayLike<number>, likely: number): number {
     const [a, b, c] = [0, 3, 6].map((i) => this.#at(places[i]!, places[i + 1]!, places[i + 2]!));
@@ -68,7 +68,7 @@ export class Triangles {
     return found;
   }
 
-  /** 3 for corners in this order, 1 for the other way round, 0 for others. */
+  /** 3 for corners in this order, 1 for the opposite order, 0 for others. */
   #order(face: number, a: number, b: number, c: number): number {
     const [u, v, w] = [0, 1, 2].map((k) => this.#first[this.corners[3 * face + k]!]!);
     const is = (x: number, y: number, z: number) => x === a && y === b && z === c;
@@ -76,7 +76,7 @@ export class Triangles {
     return is(u!, w!, v!) || is(w!, v!, u!) || is(v!, u!, w!) ? 1 : 0;
   }
 
-  /** Puts a vertex into the table; returns the first one at its place. */
+  /** Puts a vertex into the table, and returns the first one at its place. */
   #keep(vertex: number): number {
     const { positions } = this;
     const i = 3 * vertex;
@@ -89,7 +89,7 @@ export class Triangles {
     return this.#table[this.#slot(x, y, z)]!;
   }
 
-  /** The place in the table of the vertex there, or a free one: the table is never more than half full. */
+  /** The slot of the vertex at a place, or a free one. The table is never more than half full. */
   #slot(x: number, y: number, z: number): number {
     const mask = this.#table.length - 1;
     let slot = hash(x, y, z) & mask;
@@ -97,7 +97,7 @@ export class Triangles {
       const vertex = this.#table[slot]!;
       if (vertex < 0) return slot;
       const [px, py, pz] = [0, 1, 2].map((k) => this.positions[3 * vertex + k]!);
-      // Positions that are no numbers are at no other vertex's place.
+      // Positions that are not numbers equal no other vertex's place.
       if (px === x && py === y && pz === z) return slot;
       slot = (slot + 1) & mask;
     }
