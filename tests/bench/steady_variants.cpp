@@ -5,7 +5,7 @@
 
 #include "bench_support.h"
 #include "curves/polygon/subdivision.h"
-#include "distance/geodesic_line.h"
+#include "distance/find_path.h"
 #include "generators/curve_shapes.h"
 #include "measures/allocations.h"
 #include "measures/corner.h"
@@ -131,7 +131,7 @@ TracedCurve subdivided(Surface& surface, const Array<SurfacePoint>& points) {
   for (const SurfacePoint& p : line.path.points)
     traced.polyline.push_back(position(surface.mesh(), p));
   for (int i = 1; i < points.count(); ++i) {
-    geodesicLine(geometry, points[i - 1], points[i], workspace.geodesics, workspace.line);
+    findPath(geometry, points[i - 1], points[i], workspace.paths, workspace.line);
     traced.legs.push_back(workspace.line.points);
   }
   return traced;

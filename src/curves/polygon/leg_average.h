@@ -1,10 +1,16 @@
 #pragma once
 
-#include "curves/polygon/knot_insertion.h"
+#include "intrinsic/strip_path.h"
 #include "intrinsic/surface_path.h"
 
 /// Averages on the legs of a control polygon, and the paths that join them.
 namespace karcher {
+
+/// A control point with its weight. The average of two is weighted, too.
+struct WeightedPoint {
+  SurfacePoint point;
+  double weight = 1;
+};
 
 /// The points of a piece and the legs between them.
 struct LeggedPolygon {

@@ -1,8 +1,5 @@
 #include "curves/polygon/subdivision.h"
 
-#include <utility>
-
-#include "intrinsic/strip_path.h"
 #include "mesh/rounding.h"
 
 namespace karcher {
@@ -10,6 +7,7 @@ namespace {
 
 /// Parts of a curve shorter than this, in mean edges, are not divided further.
 constexpr double kShortest = 0.25;
+constexpr int kMostHalvings = 6;
 
 /// The average of two points, with the sum of their weights.
 WeightedPoint merged(const Geometry& geometry, const WeightedPoint& a, const WeightedPoint& b,
@@ -38,72 +36,40 @@ WeightedPoint foldedFromEnds(const Geometry& geometry, const Array<WeightedPoint
   return merged(geometry, first, last, workspace);
 }
 
-using Polygon = std::span<const SurfacePath>;  ///< a polygon's edges
-
-double lengthOf(const Polygon& polygon) {
+double lengthOf(const Array<SurfacePath>& legs) {
   double sum = 0;
-  for (const SurfacePath& edge : polygon) sum += edge.length();
+  for (const SurfacePath& leg : legs) sum += leg.length();
   return sum;
 }
 
-/// The first edges of a list, which is enlarged if needed.
-template <class T>
-std::span<T> firstOf(Array<T>& edges, size_t count) {
-  if (edges.size() < count) edges.resize(count);
-  return {edges.data(), count};
-}
-
-/// De Casteljau's triangle at 1/2. Halves of shortest paths are shortest paths, so that the edges
-/// of both polygons are known and only those inside the triangle need a search.
-void split(const Geometry& geometry, const Polygon& polygon, SubdivisionWorkspace& workspace,
-           SubdivisionWorkspace::Parts& parts) {
-  const size_t edges = polygon.size();
-  const std::span<SurfacePath> first = firstOf(parts.first, edges);
-  const std::span<SurfacePath> second = firstOf(parts.second, edges);
-  const std::span<SurfacePath> row = firstOf(workspace.row, edges);
-  const std::span<LineHalves> halves = firstOf(workspace.halves, edges);
-  for (size_t count = edges; count > 0; --count) {
-    const Polygon level = count == edges ? polygon : row.first(count);
-    for (size_t i = 0; i < count; ++i) halve(*geometry.mesh, level[i], halves[i]);
-    for (size_t i = 1; i < count; ++i) {
-      geodesicLine(geometry, halves[i - 1].second.points[0], halves[i].second.points[0],
-                   workspace.geodesics, row[i - 1]);
-    }
-    std::swap(first[edges - count], halves[0].first);
-    std::swap(second[count - 1], halves[count - 1].second);
-  }
-}
-
-void appendPolygon(const Polygon& polygon, double t0, double t1, ParametricLine& line) {
-  const int edges = static_cast<int>(polygon.size());
-  const double step = (t1 - t0) / edges;
+void appendPolygon(const Array<SurfacePath>& legs, double t0, double t1, ParametricLine& line) {
+  const int count = legs.count();
+  const double step = (t1 - t0) / count;
   SurfacePath& path = line.path;
-  for (int i = 0; i < edges; ++i) {
-    const SurfacePath& edge = polygon[static_cast<size_t>(i)];
+  for (int i = 0; i < count; ++i) {
+    const SurfacePath& leg = legs[i];
     const double before = path.points.empty() ? 0 : path.length();
-    for (int k = path.points.empty() ? 0 : 1; k < edge.points.count(); ++k) {
-      const double part = edge.length() > 0 ? edge.lengths[k] / edge.length() : 1;
-      path.points.push_back(edge.points[k]);
-      path.lengths.push_back(before + edge.lengths[k]);
-      line.t.push_back(k + 1 == edge.points.count() && i + 1 == edges ? t1
-                                                                      : t0 + (i + part) * step);
+    for (int k = path.points.empty() ? 0 : 1; k < leg.points.count(); ++k) {
+      const double part = leg.length() > 0 ? leg.lengths[k] / leg.length() : 1;
+      path.points.push_back(leg.points[k]);
+      path.lengths.push_back(before + leg.lengths[k]);
+      line.t.push_back(k + 1 == leg.points.count() && i + 1 == count ? t1 : t0 + (i + part) * step);
     }
   }
 }
 
-void subdivide(const Geometry& geometry, const Polygon& polygon, double t0, double t1, int depth,
-               SubdivisionWorkspace& workspace, ParametricLine& line) {
-  if (depth == SubdivisionWorkspace::kDeepest || polygon.size() == 1 ||
-      lengthOf(polygon) < kShortest * geometry.meanEdge) {
-    appendPolygon(polygon, t0, t1, line);
+void subdivide(const Geometry& geometry, const LeggedPolygon& polygon, double t0, double t1,
+               int halvings, AveragingWorkspace& workspace, ParametricLine& line) {
+  if (halvings == kMostHalvings || polygon.legs.count() == 1 ||
+      lengthOf(polygon.legs) < kShortest * geometry.meanEdge) {
+    appendPolygon(polygon.legs, t0, t1, line);
     return;
   }
-  SubdivisionWorkspace::Parts& parts = workspace.parts[static_cast<size_t>(depth)];
-  split(geometry, polygon, workspace, parts);
+  BezierHalves& halves = workspace.halves[halvings];
+  halve(geometry, polygon, workspace, halves);
   const double middle = (t0 + t1) / 2;
-  subdivide(geometry, firstOf(parts.first, polygon.size()), t0, middle, depth + 1, workspace, line);
-  subdivide(geometry, firstOf(parts.second, polygon.size()), middle, t1, depth + 1, workspace,
-            line);
+  subdivide(geometry, halves.first, t0, middle, halvings + 1, workspace, line);
+  subdivide(geometry, halves.second, middle, t1, halvings + 1, workspace, line);
 }
 
 }  // namespace
@@ -114,7 +80,8 @@ SurfacePoint averageAlongGeodesic(const Geometry& geometry, const SurfacePoint& 
   const TriangleMesh& mesh = *geometry.mesh;
   if (s < 0) return averageAlongGeodesic(geometry, b, a, 1 - s, workspace);
   SurfacePath& line = workspace.line;
-  geodesicLine(geometry, a, b, workspace.geodesics, line);
+  // The points lie on one component.
+  findPath(geometry, a, b, workspace.paths, line);
   if (s <= 1) return pointAlong(mesh, line, s * line.length());
   // The path continues from b in the direction of the last piece.
   for (int i = line.points.count() - 2; i >= 0; --i) {
@@ -149,11 +116,15 @@ SurfacePoint repeatedAverage(const Geometry& geometry, const Array<SurfacePoint>
 
 void appendBezier(const Geometry& geometry, std::span<const SurfacePoint> points, double t0,
                   double t1, SubdivisionWorkspace& workspace, ParametricLine& line) {
-  const std::span<SurfacePath> polygon = firstOf(workspace.polygon, points.size() - 1);
+  LeggedPolygon& polygon = workspace.polygon;
+  polygon.points.clear();
+  for (const SurfacePoint& point : points) polygon.points.push_back({point});
+  polygon.legs.resize(points.size() - 1);
   for (size_t i = 1; i < points.size(); ++i) {
-    geodesicLine(geometry, points[i - 1], points[i], workspace.geodesics, polygon[i - 1]);
+    findPath(geometry, points[i - 1], points[i], workspace.paths, polygon.legs.data()[i - 1]);
   }
-  subdivide(geometry, polygon, t0, t1, 0, workspace, line);
+  workspace.averaging.halves.resize(static_cast<size_t>(kMostHalvings));
+  subdivide(geometry, polygon, t0, t1, 0, workspace.averaging, line);
 }
 
 }  // namespace karcher

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <array>
 #include <span>
 
-#include "curves/polygon/knot_insertion.h"
-#include "distance/geodesic_line.h"
+#include "curves/polygon/levels.h"
+#include "distance/find_path.h"
 #include "intrinsic/straightest.h"
 
 /// Curves by repeated geodesic averages of two points, which are continuous wherever their control
@@ -14,26 +13,17 @@ namespace karcher {
 
 /// Scratch memory, which can be reused.
 struct SubdivisionWorkspace {
-  static constexpr int kDeepest = 6;
-  /// The edges of the two polygons of a subdivision; the lists may be longer than needed.
-  struct Parts {
-    Array<SurfacePath> first;
-    Array<SurfacePath> second;
-  };
-
-  GeodesicWorkspace geodesics;
+  FindPathWorkspace paths;
   SurfacePath line;
   StraightestPath beyond;  ///< the continuation beyond the end of the line
   Array<WeightedPoint> positive;
   Array<WeightedPoint> negative;
-  Array<SurfacePath> polygon;
-  Array<SurfacePath> row;  ///< a row of de Casteljau's triangle
-  Array<LineHalves> halves;
-  std::array<Parts, kDeepest> parts;  ///< the parts at each depth of the subdivision
+  LeggedPolygon polygon;
+  AveragingWorkspace averaging;
 };
 
-/// The point at the part s of a geodesic from a to b. Outside [0, 1] the geodesic continues
-/// straight, up to the surface's boundary.
+/// The point at the part s of the fast path (find_path.h) from a to b. Outside [0, 1] the path
+/// continues straight, up to the surface's boundary.
 SurfacePoint averageAlongGeodesic(const Geometry& geometry, const SurfacePoint& a,
                                   const SurfacePoint& b, double s, SubdivisionWorkspace& workspace);
 
@@ -51,8 +41,8 @@ struct ParametricLine {
   Array<double> t;
 };
 
-/// Appends the Bezier curve over [t0, t1] of the control points, at least two. De Casteljau's
-/// algorithm halves it along geodesics until it has 2^6 parts or they are short, whose control
+/// Appends the Bezier curve over [t0, t1] of the control points, at least two. From fast paths
+/// between them it is halved (levels.h) until it has 2^6 parts or they are short, whose control
 /// polygons approximate the curve. The first point is not repeated if `line` already ends there.
 void appendBezier(const Geometry& geometry, std::span<const SurfacePoint> points, double t0,
                   double t1, SubdivisionWorkspace& workspace, ParametricLine& line);

@@ -4,8 +4,9 @@
 #include <string>
 
 #include "curves/query/evaluate.h"
-#include "curves/refine/along_legs.h"
+#include "curves/refine/knot_insertion.h"
 #include "curves/spec/knots.h"
+#include "distance/find_path.h"
 #include "intrinsic/straighten.h"
 #include "mesh/error.h"
 #include "mesh/rounding.h"
@@ -44,24 +45,39 @@ bool followsLegs(const Curve& curve) {
   return !curve.usedLegs().empty() && std::any_of(given.begin(), given.end(), isGiven);
 }
 
-/// All legs, if the curve follows given ones.
-Array<SurfacePath> followedLegs(const Curve& curve) {
-  return followsLegs(curve) ? curve.usedLegs() : Array<SurfacePath>();
+/// The legs on which new points lie: those that the curve uses, else the fast paths between its
+/// points.
+Array<SurfacePath> legsOf(const Curve& curve) {
+  if (!curve.usedLegs().empty()) return curve.usedLegs();
+  const int points = curve.pointCount();
+  Array<SurfacePath> legs(static_cast<size_t>(legCount(curve.shape(), points)));
+  FindPathWorkspace workspace;
+  for (int i = 0; i < legs.count(); ++i) {
+    // The points lie on one component.
+    findPath(curve.surface().geometry(), curve.point(i), curve.point((i + 1) % points), workspace,
+             legs[i]);
+  }
+  return legs;
 }
 
-PolygonWithLegs polygonOf(const Curve& curve) {
+ControlPolygon polygonOf(const Curve& curve) {
   const CurveShape& shape = curve.shape();
-  return {{weightedPoints(curve), knotsOf(shape, curve.pointCount()), shape.degree, shape.closed},
-          followedLegs(curve)};
+  return {weightedPoints(curve), legsOf(curve), knotsOf(shape, curve.pointCount()), shape.degree,
+          shape.closed};
 }
 
-CurveParts partsOf(PolygonWithLegs whole) {
-  const ControlPolygon& polygon = whole.polygon;
+CurveParts partsOf(ControlPolygon polygon) {
   CurveParts parts{{CurveKind::kBSpline, polygon.closed, polygon.degree, KnotRule::kOwn},
                    {},
-                   std::move(whole.legs)};
-  parts.shape.knots = polygon.knots;
+                   std::move(polygon.legs)};
+  parts.shape.knots = std::move(polygon.knots);
   setPoints(parts, polygon.points);
+  return parts;
+}
+
+/// The parts of a curve, whose legs are left out unless it follows given ones.
+CurveParts alike(const Curve& curve, CurveParts parts) {
+  if (!followsLegs(curve)) parts.legs.clear();
   return parts;
 }
 
@@ -79,16 +95,16 @@ double knotAtParameter(const ControlPolygon& polygon, const SegmentParameter& at
 
 /// The polygon of a Bezier curve, which ends at its first point if it is closed.
 LeggedPolygon bezierPolygon(const Curve& curve) {
-  LeggedPolygon bezier{weightedPoints(curve), followedLegs(curve)};
+  LeggedPolygon bezier{weightedPoints(curve), legsOf(curve)};
   if (curve.shape().closed) bezier.points.push_back(WeightedPoint(bezier.points[0]));
   return bezier;
 }
 
 /// The same as a clamped B-spline of one segment.
-PolygonWithLegs splineOf(LeggedPolygon bezier) {
+ControlPolygon splineOf(LeggedPolygon bezier) {
   const int points = bezier.points.count();
-  return {{std::move(bezier.points), clampedKnots(points, points - 1), points - 1, false},
-          std::move(bezier.legs)};
+  return {std::move(bezier.points), std::move(bezier.legs), clampedKnots(points, points - 1),
+          points - 1, false};
 }
 
 /// Sets betas from their logarithms. A common factor does not change the curve, so the largest is
@@ -159,6 +175,20 @@ struct CutThroughPoints {
   SurfacePath before;
   SurfacePath after;
 };
+
+/// Writes the parts of a leg before and after the part t of its length. If a near point
+/// `cut` is given, both are led to it; otherwise they meet on the leg. A part that cannot be led
+/// there has no points.
+void cutLeg(const Geometry& geometry, const SurfacePath& leg, double t, const SurfacePoint* cut,
+            SurfacePath& before, SurfacePath& after) {
+  const double at = t * leg.length();
+  takePart(*geometry.mesh, leg, 0, at, before);
+  takePart(*geometry.mesh, leg, at, leg.length(), after);
+  if (!cut) return;
+  StripWorkspace strip;
+  if (!moveEnd(geometry, *cut, before, strip)) before = {};
+  if (!moveStart(geometry, *cut, after, strip)) after = {};
+}
 
 CutThroughPoints cutThroughPoints(Curve& curve, const SegmentParameter& at) {
   CutThroughPoints cut{pointAt(curve, at).point, {}, {}};
@@ -234,10 +264,8 @@ Array<SurfacePath> joinedLegs(const Geometry& geometry, Array<SurfacePath> first
 }
 
 /// Two clamped B-splines of one degree as one. If they do not meet, a geodesic joins them.
-PolygonWithLegs joinedPolygons(const Geometry& geometry, const PolygonWithLegs& firstWhole,
-                               const PolygonWithLegs& secondWhole) {
-  const ControlPolygon& first = firstWhole.polygon;
-  const ControlPolygon& second = secondWhole.polygon;
+ControlPolygon joinedPolygons(const Geometry& geometry, const ControlPolygon& first,
+                              const ControlPolygon& second) {
   const int p = first.degree;
   ControlPolygon result = first;
   Array<WeightedPoint> points = second.points;
@@ -251,8 +279,13 @@ PolygonWithLegs joinedPolygons(const Geometry& geometry, const PolygonWithLegs& 
   double start = first.knots.back();
   const bool meet = gap <= kChainRounding * geometry.diagonal;
   if (!meet) {
+    FindPathWorkspace workspace;
+    SurfacePath between;
+    findPath(geometry, from.point, to.point, workspace, between);
     for (int k = 1; k < p; ++k) {
-      result.points.push_back(average(geometry, from, to, static_cast<double>(k) / p));
+      const double s = static_cast<double>(k) / p;
+      result.points.push_back(
+          averageOn(*geometry.mesh, between, (1 - s) * from.weight, s * to.weight).point);
     }
     // The new span has the mean length of the others.
     start += (first.knots.back() - first.knots.front()) / (first.knots.count() - 2 * p - 1);
@@ -262,9 +295,22 @@ PolygonWithLegs joinedPolygons(const Geometry& geometry, const PolygonWithLegs& 
   for (int k = p + 1; k < second.knots.count(); ++k) {
     result.knots.push_back(start + second.knots[k] - second.knots[p]);
   }
-  return {std::move(result),
-          joinedLegs(geometry, firstWhole.legs, first.points.count() - 1, secondWhole.legs,
-                     points.count() - 1, meet ? 0 : p, from.point)};
+  result.legs = joinedLegs(geometry, first.legs, first.points.count() - 1, second.legs,
+                           points.count() - 1, meet ? 0 : p, from.point);
+  return result;
+}
+
+/// Two curves as one spline: the first one's up to its end, the second one's from its start.
+CurveParts joinedSplines(const Curve& first, const Curve& second, ControlPolygon a,
+                         ControlPolygon b) {
+  const Geometry& geometry = first.surface().geometry();
+  const double end = a.knots[a.points.count()];
+  const double start = b.knots[b.degree];
+  a = partBefore(geometry, std::move(a), end);
+  b = partAfter(geometry, std::move(b), start);
+  if (!followsLegs(first)) a.legs.clear();
+  if (!followsLegs(second)) b.legs.clear();
+  return partsOf(joinedPolygons(geometry, a, b));
 }
 
 }  // namespace
@@ -275,16 +321,17 @@ RefinedCurve withPointOnCurve(Curve& curve, double parameter) {
   const Geometry& geometry = curve.surface().geometry();
   if (shape.kind == CurveKind::kOwn) refuseOwnBasis();
   if (shape.kind == CurveKind::kBSpline) {
-    PolygonWithLegs polygon = polygonOf(curve);
-    const double knot = knotAtParameter(polygon.polygon, at);
-    const int repeats = multiplicity(polygon.polygon, knot);
+    ControlPolygon polygon = polygonOf(curve);
+    const double knot = knotAtParameter(polygon, at);
+    const int repeats = multiplicity(polygon, knot);
     if (repeats >= shape.degree) {
       refuse("the curve has a knot there that is repeated " + std::to_string(repeats) +
              " times; in degree " + std::to_string(shape.degree) + " it takes no more");
     }
     const int first = insertKnot(geometry, polygon, knot);
-    const int points = polygon.polygon.points.count();
-    return {partsOf(std::move(polygon)), (first + (shape.degree - repeats - 1) / 2) % points};
+    const int points = polygon.points.count();
+    return {alike(curve, partsOf(std::move(polygon))),
+            (first + (shape.degree - repeats - 1) / 2) % points};
   }
   if (isBezier(shape.kind) || shape.kind == CurveKind::kBarycentric) {
     RefinedCurve refined;
@@ -293,7 +340,7 @@ RefinedCurve withPointOnCurve(Curve& curve, double parameter) {
       LeggedPolygon more = elevated(geometry, bezierPolygon(curve));
       refined.curve.shape = {shape.kind, shape.closed};
       setPoints(refined.curve, more.points);
-      refined.curve.legs = std::move(more.legs);
+      if (followsLegs(curve)) refined.curve.legs = std::move(more.legs);
     } else {
       refined.curve = barycentricPart(curve, 0, 1, points);
       refined.curve.shape.closed = shape.closed;
@@ -334,27 +381,20 @@ Array<CurveParts> splitAt(Curve& curve, double parameter) {
            ", its end; it runs from 0 to " + std::to_string(curve.segmentCount()));
   }
   if (shape.kind == CurveKind::kBSpline) {
-    const PolygonWithLegs polygon = polygonOf(curve);
-    const double knot = knotAtParameter(polygon.polygon, at);
-    if (shape.closed) return {partsOf(cutOpen(geometry, polygon, knot))};
-    return {partsOf(partBefore(geometry, polygon, knot)),
-            partsOf(partAfter(geometry, polygon, knot))};
+    const ControlPolygon polygon = polygonOf(curve);
+    const double knot = knotAtParameter(polygon, at);
+    if (shape.closed) return {alike(curve, partsOf(cutOpen(geometry, polygon, knot)))};
+    return {alike(curve, partsOf(partBefore(geometry, polygon, knot))),
+            alike(curve, partsOf(partAfter(geometry, polygon, knot)))};
   }
   if (isBezier(shape.kind)) {
-    const LeggedPolygon bezier = bezierPolygon(curve);
+    const ControlPolygon bezier = splineOf(bezierPolygon(curve));
     Array<CurveParts> parts(2, {{shape.kind}, {}});
-    if (bezier.legs.empty()) {
-      const BezierParts halves = divided(geometry, bezier.points, at.t);
-      setPoints(parts[0], halves.before);
-      setPoints(parts[1], halves.after);
-      return parts;
-    }
-    // De Casteljau's algorithm inserts a knot until the curve passes a point there.
-    PolygonWithLegs halves[] = {partBefore(geometry, splineOf(bezier), at.t),
-                                partAfter(geometry, splineOf(bezier), at.t)};
+    ControlPolygon halves[] = {partBefore(geometry, bezier, at.t),
+                               partAfter(geometry, bezier, at.t)};
     for (int k = 0; k < 2; ++k) {
-      setPoints(parts[k], halves[k].polygon.points);
-      parts[k].legs = std::move(halves[k].legs);
+      setPoints(parts[k], halves[k].points);
+      if (followsLegs(curve)) parts[k].legs = std::move(halves[k].legs);
     }
     return parts;
   }
@@ -380,12 +420,7 @@ CurveParts joined(const Curve& first, const Curve& second) {
       refuse("B-splines of different degrees cannot be joined: " + std::to_string(shape.degree) +
              " and " + std::to_string(second.shape().degree));
     }
-    const PolygonWithLegs a = polygonOf(first);
-    const PolygonWithLegs b = polygonOf(second);
-    const double end = a.polygon.knots[a.polygon.points.count()];
-    const double start = b.polygon.knots[b.polygon.degree];
-    return partsOf(
-        joinedPolygons(geometry, partBefore(geometry, a, end), partAfter(geometry, b, start)));
+    return joinedSplines(first, second, polygonOf(first), polygonOf(second));
   }
   if (isBezier(shape.kind)) {
     LeggedPolygon ends[2] = {bezierPolygon(first), bezierPolygon(second)};
@@ -397,7 +432,7 @@ CurveParts joined(const Curve& first, const Curve& second) {
     for (LeggedPolygon& bezier : ends) {
       while (bezier.points.count() < points) bezier = elevated(geometry, bezier);
     }
-    return partsOf(joinedPolygons(geometry, splineOf(ends[0]), splineOf(ends[1])));
+    return joinedSplines(first, second, splineOf(ends[0]), splineOf(ends[1]));
   }
   CurveParts parts{shape, first.points()};
   const Array<SurfacePoint>& more = second.points();

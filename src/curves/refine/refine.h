@@ -7,7 +7,7 @@
 namespace karcher {
 
 /// A curve's shape, control points and legs (curve_value.h). If the original curve follows given
-/// legs, the new ones lie along those (along_legs.h).
+/// legs, the new ones lie along those (knot_insertion.h).
 struct CurveParts {
   CurveShape shape;
   Array<SurfacePoint> points;

@@ -146,7 +146,7 @@ class BridgeBuilder {
     if (from != nullptr) polygon.front() = *from;
     if (to != nullptr) polygon.back() = *to;
     SurfacePath& chord = workspace_.chord;
-    geodesicLine(geometry_, polygon.front(), polygon.back(), averaging_.geodesics, chord);
+    findPath(geometry_, polygon.front(), polygon.back(), averaging_.paths, chord);
     const double kept = length / (length + pull);
     const int last = polygon.count() - 1;
     for (int i = 1; i < last; ++i) {
@@ -156,7 +156,7 @@ class BridgeBuilder {
   }
 
   double distance(const SurfacePoint& a, const SurfacePoint& b) {
-    geodesicLine(geometry_, a, b, averaging_.geodesics, averaging_.line);
+    findPath(geometry_, a, b, averaging_.paths, averaging_.line);
     return averaging_.line.length();
   }
 

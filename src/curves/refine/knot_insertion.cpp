@@ -1,8 +1,10 @@
-#include "curves/polygon/knot_insertion.h"
+#include "curves/refine/knot_insertion.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "curves/spec/knots.h"
+#include "intrinsic/straighten.h"
 
 namespace karcher {
 namespace {
@@ -25,6 +27,24 @@ KnotPlace placeOf(const ControlPolygon& polygon, double u) {
   return {place, place - 1 - (polygon.closed ? 0 : polygon.degree)};
 }
 
+/// The legs from the start of a run of legs to its end, through an average on each leg. They are
+/// one more than the run has.
+Array<SurfacePath> legsOver(const Geometry& geometry, const Array<SurfacePath>& run,
+                            const Array<LegAverage>& averages) {
+  const TriangleMesh& mesh = *geometry.mesh;
+  StripWorkspace strip;
+  Array<SurfacePath> legs(run.size() + 1);
+  takePart(mesh, run.front(), 0, averages.front().at, legs.front());
+  for (int i = 0; i + 1 < run.count(); ++i) {
+    Chain chain(mesh, legs[i + 1]);
+    chain.append(run[i], averages[i].at, run[i].length());
+    chain.append(run[i + 1], 0, averages[i + 1].at);
+    straighten(geometry, legs[i + 1], strip);
+  }
+  takePart(mesh, run.back(), averages.back().at, run.back().length(), legs.back());
+  return legs;
+}
+
 /// `insertKnot` for a closed curve of fewer than p points. New points extend more than once around,
 /// so that the knots of several turns affect each of them. The curve is unrolled over these turns.
 int insertAround(const Geometry& geometry, ControlPolygon& polygon, double u) {
@@ -38,13 +58,18 @@ int insertAround(const Geometry& geometry, ControlPolygon& polygon, double u) {
   const int turns = turn + 2;
   ControlPolygon open;
   open.degree = p;
-  for (int i = 0; i < turns * n + p; ++i) open.points.push_back(polygon.points[i % n]);
+  for (int i = 0; i < turns * n + p; ++i) {
+    if (i > 0) open.legs.push_back(polygon.legs[(i - 1) % n]);
+    open.points.push_back(polygon.points[i % n]);
+  }
   for (int j = -p; j <= turns * n + p; ++j) {
     open.knots.push_back(knotOfSpan(polygon.knots, p, true, j));
   }
   for (int k = 0; k < turns; ++k) insertKnot(geometry, open, u + k * period);
-  const auto first = open.points.begin() + turn * (n + 1);
-  polygon.points.assign(first, first + n + 1);
+  const int first = turn * (n + 1);
+  const int end = first + n + 1;
+  polygon.points.assign(open.points.begin() + first, open.points.begin() + end);
+  polygon.legs.assign(open.legs.begin() + first, open.legs.begin() + end);
   polygon.knots.insert(polygon.knots.begin() + place, u);
   return (span + 1) % (n + 1);
 }
@@ -55,12 +80,6 @@ void insertFully(const Geometry& geometry, ControlPolygon& polygon, double u) {
 }
 
 }  // namespace
-
-WeightedPoint average(const Geometry& geometry, const WeightedPoint& a, const WeightedPoint& b,
-                      double s) {
-  const double weight = (1 - s) * a.weight + s * b.weight;
-  return {averageOf(geometry, a.point, b.point, s * b.weight / weight), weight};
-}
 
 int multiplicity(const ControlPolygon& polygon, double knot) {
   const Array<double>& knots = polygon.knots;
@@ -76,60 +95,58 @@ int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u) {
   const int n = countOf(polygon);
   if (polygon.closed && n < p) return insertAround(geometry, polygon, u);
   const int repeats = multiplicity(polygon, u);
-  const Array<double>& knots = polygon.knots;
   const auto [place, span] = placeOf(polygon, u);
 
-  // Control point i depends on the knots of the spans i - p to i + 1.
-  const auto knot = [&](int j) { return knotOfSpan(knots, p, polygon.closed, j); };
-  const auto old = [&](int i) -> const WeightedPoint& {
-    return polygon.points[polygon.closed ? ((i % n) + n) % n : i];
-  };
-  const auto renewed = [&](int i) {
-    const double start = knot(i - p);
-    return average(geometry, old(i - 1), old(i), (u - start) / (knot(i) - start));
-  };
+  // Control point i depends on the knots of the spans i - p to i + 1. The new points, from `first`
+  // to `end`, lie on the legs before them, one on each.
+  const auto knot = [&](int j) { return knotOfSpan(polygon.knots, p, polygon.closed, j); };
   const int first = span + 1;
-  const int end = span + p - repeats;  // the number of the last new point
+  const int end = span + p - repeats;
+  Array<SurfacePath> run;
+  Array<LegAverage> averages;
+  for (int i = first; i <= end; ++i) {
+    const double s = (u - knot(i - p)) / (knot(i) - knot(i - p));
+    run.push_back(polygon.legs[(i - 1) % n]);
+    averages.push_back(averageOn(*geometry.mesh, run.back(),
+                                 (1 - s) * polygon.points[(i - 1) % n].weight,
+                                 s * polygon.points[i % n].weight));
+  }
+  Array<SurfacePath> renewed = legsOver(geometry, run, averages);
   Array<WeightedPoint> points(static_cast<size_t>(n) + 1);
-  if (polygon.closed) {
-    for (int i = first; i <= span + n + 1; ++i) {
-      points[i % (n + 1)] = i <= end ? renewed(i) : old(i - 1);
-    }
-  } else {
-    for (int i = 0; i <= n; ++i) {
-      points[i] = i < first ? old(i) : i <= end ? renewed(i) : old(i - 1);
-    }
+  Array<SurfacePath> legs(polygon.legs.size() + 1);
+  // Those of a closed curve are numbered from the new ones on.
+  const int begin = polygon.closed ? first : 0;
+  for (int i = begin; i < begin + n + 1; ++i) {
+    points[i % (n + 1)] = i < first  ? polygon.points[i]
+                          : i <= end ? averages[i - first].point
+                                     : polygon.points[(i - 1) % n];
+  }
+  for (int i = polygon.closed ? first - 1 : 0, k = 0; k < legs.count(); ++i, ++k) {
+    legs[i % (n + 1)] = i < first - 1 ? polygon.legs[i]
+                        : i <= end    ? std::move(renewed[i - (first - 1)])
+                                      : polygon.legs[(i - 1) % n];
   }
   polygon.points = std::move(points);
+  polygon.legs = std::move(legs);
   polygon.knots.insert(polygon.knots.begin() + place, u);
   return first % (n + 1);
 }
 
-Array<WeightedPoint> elevated(const Geometry& geometry, const Array<WeightedPoint>& bezier) {
-  const int n = bezier.count();
-  Array<WeightedPoint> points{bezier[0]};
+LeggedPolygon elevated(const Geometry& geometry, const LeggedPolygon& bezier) {
+  const int n = bezier.points.count();
+  Array<LegAverage> averages;
+  LeggedPolygon result;
+  result.points.push_back(bezier.points.front());
   for (int i = 1; i < n; ++i) {
-    points.push_back(average(geometry, bezier[i], bezier[i - 1], static_cast<double>(i) / n));
+    const double share = static_cast<double>(i) / n;
+    averages.push_back(averageOn(*geometry.mesh, bezier.legs[i - 1],
+                                 share * bezier.points[i - 1].weight,
+                                 (1 - share) * bezier.points[i].weight));
+    result.points.push_back(averages.back().point);
   }
-  points.push_back(bezier[n - 1]);
-  return points;
-}
-
-BezierParts divided(const Geometry& geometry, const Array<WeightedPoint>& bezier, double t) {
-  Array<WeightedPoint> level = bezier;
-  BezierParts parts;
-  parts.before.push_back(level.front());
-  parts.after.push_back(level.back());
-  while (level.count() > 1) {
-    for (int i = 0; i + 1 < level.count(); ++i) {
-      level[i] = average(geometry, level[i], level[i + 1], t);
-    }
-    level.pop_back();
-    parts.before.push_back(level.front());
-    parts.after.push_back(level.back());
-  }
-  std::reverse(parts.after.begin(), parts.after.end());
-  return parts;
+  result.points.push_back(bezier.points.back());
+  result.legs = legsOver(geometry, bezier.legs, averages);
+  return result;
 }
 
 ControlPolygon partBefore(const Geometry& geometry, ControlPolygon open, double u) {
@@ -137,6 +154,7 @@ ControlPolygon partBefore(const Geometry& geometry, ControlPolygon open, double 
   const auto first = std::lower_bound(open.knots.begin(), open.knots.end(), u);
   const int points = static_cast<int>(first - open.knots.begin());
   open.points.resize(static_cast<size_t>(points));
+  open.legs.resize(static_cast<size_t>(points) - 1);
   open.knots.resize(static_cast<size_t>(points));
   open.knots.insert(open.knots.end(), static_cast<size_t>(open.degree) + 1, u);
   return open;
@@ -151,6 +169,7 @@ ControlPolygon partAfter(const Geometry& geometry, ControlPolygon open, double u
   knots.insert(knots.end(), beyond, open.knots.end());
   open.knots = std::move(knots);
   open.points.erase(open.points.begin(), open.points.begin() + point);
+  open.legs.erase(open.legs.begin(), open.legs.begin() + point);
   return open;
 }
 
@@ -166,6 +185,7 @@ ControlPolygon cutOpen(const Geometry& geometry, ControlPolygon closed, double u
   ControlPolygon open;
   open.degree = p;
   for (int i = span; i <= span + n; ++i) open.points.push_back(closed.points[i % n]);
+  for (int i = span; i < span + n; ++i) open.legs.push_back(closed.legs[i % n]);
   open.knots.assign(static_cast<size_t>(p) + 1, start);
   for (int j = span + 1; j <= span + n - p; ++j) {
     open.knots.push_back(knotOfSpan(closed.knots, p, true, j));

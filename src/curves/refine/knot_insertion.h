@@ -1,0 +1,43 @@
+#pragma once
+
+#include "curves/polygon/leg_average.h"
+
+/// The classical refinements of B-splines and Bezier curves, with averages of two points along the
+/// legs of the control polygon. New legs are parts of old ones; between points on two legs, the
+/// parts are pulled tight. On the plane they do not change the curve. On a curved surface they
+/// change it by an amount that vanishes with the curvature, since averages of averages depend on
+/// their order there.
+namespace karcher {
+
+/// The control points, legs and knots of a B-spline (knots.h).
+struct ControlPolygon {
+  Array<WeightedPoint> points;
+  /// A leg from each point to the next, and for a closed curve also from the last to the first.
+  Array<SurfacePath> legs;
+  Array<double> knots;
+  int degree = 3;
+  bool closed = false;
+};
+
+/// The multiplicity of a knot. Knots of a closed curve are equal if they differ by the period.
+int multiplicity(const ControlPolygon& polygon, double knot);
+
+/// Inserts a knot u between the first and the last of the spans (W. Boehm, "Inserting new knots
+/// into B-spline curves", 1980). For degree p, new points, p minus the knot's multiplicity in
+/// number, replace the inner ones. Returns the number of the first of them. The multiplicity must
+/// be less than p.
+int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u);
+
+/// The same Bezier curve of a degree higher by one, with one more point.
+LeggedPolygon elevated(const Geometry& geometry, const LeggedPolygon& bezier);
+
+/// The parts of an open B-spline before and after knot u, clamped there. At an end of the spans,
+/// one of them is the whole curve, clamped. A Bezier curve is a B-spline of one span, which this
+/// divides as de Casteljau's algorithm does.
+ControlPolygon partBefore(const Geometry& geometry, ControlPolygon open, double u);
+ControlPolygon partAfter(const Geometry& geometry, ControlPolygon open, double u);
+
+/// A closed B-spline cut at knot u: an open, clamped curve from u once around.
+ControlPolygon cutOpen(const Geometry& geometry, ControlPolygon closed, double u);
+
+}  // namespace karcher
