@@ -1,12 +1,9 @@
 #include "distance/window_distance.h"
 
 #include <algorithm>
-#include <functional>
-#include <queue>
 #include <string>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "distance/joined_windows.h"
 #include "intrinsic/angles.h"
@@ -421,47 +418,6 @@ void WindowDistance::arrive(int vertex, VertexRecord& record, const Arrival& arr
   if (bucket < record.bucket) {
     record.bucket = bucket;
     queue_.push(~vertex, bucket);
-  }
-}
-
-/// Continues along edges, from the vertices that were reached to all others (E. Dijkstra's
-/// algorithm).
-void WindowDistance::reachAlongEdges() {
-  using Item = std::pair<double, int>;
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> waiting;
-  const auto leave = [&](int v) {
-    const double distance = vertices_.touch(v).arrival.distance;
-    const auto reach = [&](int w, double edge, int via, double crossing) {
-      VertexRecord& record = vertices_.touch(w);
-      if (!(distance + edge < record.arrival.distance)) return;
-      reachedCount_ += record.arrival.distance == kInfinity;
-      record.arrival = {distance + edge, distance, v};
-      record.via = via;
-      record.crossing = crossing;
-      waiting.emplace(distance + edge, w);
-    };
-    for (const int h : outgoingHalfedges(mesh_, v)) {
-      const int via = previous(h);
-      reach(mesh_.head(h), geometry_.edgeLength[h], via, geometry_.edgeLength[via]);
-      reach(mesh_.opposite(h), geometry_.edgeLength[via], h, 0);
-    }
-  };
-  // Windows come first: this reaches only vertices without one.
-  Array<int> reached;
-  vertices_.forEach([&](int v) {
-    if (vertices_.touch(v).arrival.distance == kInfinity) return;
-    for (const int h : outgoingHalfedges(mesh_, v)) {
-      if (distance(mesh_.head(h)) != kInfinity && distance(mesh_.opposite(h)) != kInfinity)
-        continue;
-      reached.push_back(v);
-      return;
-    }
-  });
-  for (const int v : reached) leave(v);
-  while (!waiting.empty()) {
-    const auto [distance, v] = waiting.top();
-    waiting.pop();
-    if (distance == vertices_.touch(v).arrival.distance) leave(v);
   }
 }
 
