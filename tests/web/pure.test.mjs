@@ -19,6 +19,42 @@ describe('traced results', () => {
   });
 });
 
+describe('patterns of fills', () => {
+  const object = { pattern: 'hatched', spacing: 0.1 };
+
+  test('that fail are messages, leave no fill solid, and are asked for again of another engine', async () => {
+    const { Patterns } = await load('editor/engine/patterns.ts');
+    const messages = [];
+    const patterns = new Patterns(({ message }) => messages.push(message));
+    const one = { object, region: {} };
+    let asked = 0;
+    const failing = {
+      closed: false,
+      pattern: () => Promise.reject(new Error(`no distance ${++asked}`)),
+    };
+    assert.equal(await patterns.make(failing, [one]), true);
+    assert.equal(patterns.of(one), undefined);
+    assert.equal(await patterns.make(failing, [one]), false, 'the same engine is not asked again');
+    assert.deepEqual(messages, ['no distance 1']);
+    const made = { values: [1] };
+    const other = { closed: false, pattern: () => Promise.resolve(made) };
+    assert.equal(await patterns.make(other, [one]), true);
+    assert.equal(patterns.of(one), made);
+    const fine = { object: { ...object, spacing: 1e-9 }, region: one.region };
+    await patterns.make({ closed: false, pattern: () => Promise.resolve(null) }, [fine]);
+    assert.equal(patterns.of(fine), null, 'what is too fine is solid');
+  });
+
+  test('of an engine that was closed in the meantime say nothing', async () => {
+    const { Patterns } = await load('editor/engine/patterns.ts');
+    const messages = [];
+    const patterns = new Patterns((error) => messages.push(error));
+    const closed = { closed: true, pattern: () => Promise.reject(new Error('gone')) };
+    assert.equal(await patterns.make(closed, [{ object, region: {} }]), false);
+    assert.deepEqual(messages, []);
+  });
+});
+
 describe('a figure', () => {
   test('has all of its places moved, and nothing else', async () => {
     const { withPlaces } = await load('model/figure.ts');

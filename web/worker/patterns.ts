@@ -1,5 +1,5 @@
 /** Regions as triangles with distances for lines and bands. */
-import { KarcherError, type Mesh, type SurfacePoint } from 'karcher';
+import type { Mesh, SurfacePoint } from 'karcher';
 import type { FillPattern } from '../model/drawing';
 import { isTooFine, type Pattern, type Region } from '../model/traced';
 
@@ -43,21 +43,16 @@ export function patternOf(
   }
   const lines = kind === 'striped' ? region.boundary : middleLine(mesh, pieces);
   if (lines.length === 0) return null;
-  try {
-    const { face, bary, number } = pieces;
-    const distances = mesh.distanceFromPaths(lines, {
-      face: Int32Array.from(face),
-      bary: Float64Array.from(bary),
-    });
-    return {
-      faces: Int32Array.from(pieces.faces),
-      corners: Float64Array.from(pieces.corners),
-      values: Float32Array.from(number, (of) => distances[of]!),
-    };
-  } catch (error) {
-    if (error instanceof KarcherError && error.code === 'badArgument') return null;
-    throw error;
-  }
+  const { face, bary, number } = pieces;
+  const distances = mesh.distanceFromPaths(lines, {
+    face: Int32Array.from(face),
+    bary: Float64Array.from(bary),
+  });
+  return {
+    faces: Int32Array.from(pieces.faces),
+    corners: Float64Array.from(pieces.corners),
+    values: Float32Array.from(number, (of) => distances[of]!),
+  };
 }
 
 /** Triangles, bisected along their longest sides until these are short. */

@@ -12,6 +12,11 @@ const keyOf = ({ pattern, spacing }: DrawnObject) => `${pattern} ${spacing}`;
 
 export class Patterns {
   readonly #made = new WeakMap<Region, Map<string, Pattern | null>>();
+  /** What could not be computed, and the engine that said so: it is not asked again. */
+  readonly #failed = new WeakMap<Region, { key: string; client: EngineClient }>();
+
+  /** `failed` is called with an error, after which the pattern stays missing. */
+  constructor(private readonly failed: (error: unknown) => void) {}
 
   /** The pattern; undefined if it is not computed yet, null if the fill stays solid. */
   of({ object, region }: Patterned): Pattern | null | undefined {
@@ -20,17 +25,29 @@ export class Patterns {
 
   /** Computes a missing pattern; false if none is missing. */
   async make(client: EngineClient, all: readonly Patterned[]): Promise<boolean> {
-    const missing = all.find((one) => this.of(one) === undefined);
+    const missing = all.find((one) => this.of(one) === undefined && !this.#hasFailed(client, one));
     if (!missing) return false;
     const { object, region } = missing;
     const { pattern, spacing } = object;
-    const made =
-      pattern === 'solid' || spacing === null
-        ? null
-        : await client.pattern(region, pattern, spacing).catch(() => null);
+    let made: Pattern | null = null;
+    try {
+      if (pattern !== 'solid' && spacing !== null) {
+        made = await client.pattern(region, pattern, spacing);
+      }
+    } catch (error) {
+      if (client.closed) return false;
+      this.#failed.set(region, { key: keyOf(object), client });
+      this.failed(error);
+      return true;
+    }
     if (client.closed) return false;
     const known = this.#made.get(region) ?? new Map<string, Pattern | null>();
     this.#made.set(region, known.set(keyOf(object), made));
     return true;
+  }
+
+  #hasFailed(client: EngineClient, { object, region }: Patterned): boolean {
+    const failed = this.#failed.get(region);
+    return failed?.client === client && failed.key === keyOf(object);
   }
 }

@@ -76,7 +76,7 @@ export class Session {
   #legsRest = 0;
   #legsUnseen = false;
   readonly #others = new BesideObjects(() => this.#newest.wake());
-  readonly #patterns = new Patterns();
+  readonly #patterns = new Patterns((error) => this.onFailure(error));
   readonly #refinement = new Refinement<Shown>();
   readonly #newest = new Newest<State>(
     (state) => this.#trace(state),
