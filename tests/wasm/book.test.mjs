@@ -1,5 +1,5 @@
-// What the book says: programs that run, calls that the types allow, an entry for each error, and a sentence
-// for each public name.
+// The book's code: its programs run, and the types allow its calls; each error has an entry, and
+// each public name a sentence.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -7,7 +7,7 @@ import { basename } from 'node:path';
 import { before, describe, test } from 'node:test';
 import { filesBelow, inRoot, root } from '../../.tools/shell.mjs';
 
-// Within the project, as what imports the package by its name must be.
+// The folder lies within the project, as code that imports the package by its name must.
 const folder = inRoot('build/book/code');
 const pages = [...filesBelow('docs', /\.md$/), inRoot('README.md')];
 
@@ -17,7 +17,7 @@ const piecesOf = (path, language) => {
   return [...readFileSync(path, 'utf8').matchAll(pattern)].map(([, code]) => code);
 };
 
-/** Names that pieces of TypeScript use and leave to their reader. */
+/** Names that pieces of TypeScript use without a declaration. */
 const left = `
 import type { CenterOfMass, Karcher, Mesh as Surface, SurfacePoint, PointLike, Region } from 'karcher';
 import type { BufferGeometry, WebGLRenderer, PerspectiveCamera, Mesh as Drawn, Raycaster } from 'three';
@@ -58,7 +58,7 @@ describe('the book', () => {
     mkdirSync(folder, { recursive: true });
   });
 
-  // The pieces of a page go on from each other.
+  // The pieces of a page continue each other.
   for (const page of pages.filter((path) => piecesOf(path, 'js').length > 0)) {
     test(`${basename(page)}: its program runs`, () => {
       const file = `${folder}/${basename(page, '.md')}.mjs`;
@@ -69,7 +69,7 @@ describe('the book', () => {
     });
   }
 
-  test('the types allow its TypeScript, also of components', () => {
+  test('the types allow its TypeScript, even of components', () => {
     let pieces = 0;
     for (const page of pages) {
       for (const code of piecesOf(page, 'ts')) {

@@ -4,10 +4,10 @@ import { load } from 'karcher';
 
 const karcher = await load();
 
-test('a curve round the torus is bridged where it has no center, and says where', () => {
+test('a curve round the torus has bridges where it has no center, and says where', () => {
   const mesh = karcher.shape('torus', 2000);
   const { triangles } = mesh.info;
-  // Faces all over the torus.
+  // Faces spread over the torus.
   const points = Array.from({ length: 7 }, (_, i) => ({
     face: (i * 801 + 5) % triangles,
     bary: [0.2, 0.3, 0.5],

@@ -1,5 +1,5 @@
-// Any calls of the facade in any order, with arguments that are right and wrong, after dispose and from
-// within a basis: every failure is a KarcherError, and what was there before works on.
+// Calls of the facade in any order, with right and wrong arguments, after dispose and from within a
+// basis: every failure is a KarcherError, and earlier objects still work.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import fc from 'fast-check';
@@ -74,7 +74,7 @@ const argument = fc.oneof(
   wrong,
   fc.array(number, { maxLength: 6 }),
 );
-/** Samples of adaptive curves and large numbers of anything take long, and are no question here. */
+/** Adaptive curves with many samples and large numbers take long, and are not tested here. */
 const tooLong = ({ samples, tolerance }) =>
   (typeof samples === 'number' && samples > 200) ||
   (samples === 'adaptive' && tolerance !== undefined);
@@ -85,7 +85,7 @@ const call = (names) =>
     args: fc.array(argument, { maxLength: 4 }),
   });
 
-/** A curve that can be made, as a value. */
+/** The value of a valid curve. */
 const good = {
   kind: 'bspline',
   points: [{ vertex: 0 }, { vertex: 5 }, { vertex: 14 }, { vertex: 20 }],
@@ -96,7 +96,7 @@ const isHuge = (args) =>
   args.some((arg) => typeof arg === 'number' && arg > 1e6) ||
   args.some((arg) => typeof arg === 'object' && arg !== null && tooLong(arg));
 
-/** Calls, and takes a failure that was meant. */
+/** Calls, and catches an expected failure. */
 function tried(work) {
   try {
     return work();
@@ -111,7 +111,7 @@ const meshMethods = methodsOf(Mesh.prototype).filter(
 );
 const curveMethods = methodsOf(Curve.prototype);
 
-test('calls in any order, also after dispose', () => {
+test('calls in any order, even after dispose', () => {
   let ended = 0;
   fc.assert(
     fc.property(
@@ -127,12 +127,12 @@ test('calls in any order, also after dispose', () => {
           const object = which === 'mesh' ? mesh : curve;
           if (name === 'dispose') ended++;
           const made = tried(() => object[name](...args));
-          // Promises of `prepare` were taken out; what is made is the caller's.
+          // Promises of `prepare` were removed; the caller owns the results.
           if (made instanceof Curve) made.dispose();
         }
         mesh.dispose();
         assert.throws(() => curve.polyline(), { code: 'disposed' });
-        // The engine is as before.
+        // The engine still works as before.
         const fresh = karcher.meshFromObj(tube(6, 5));
         assert.equal(fresh.curve(good).samples().count, 5);
         fresh.dispose();
@@ -143,7 +143,7 @@ test('calls in any order, also after dispose', () => {
   assert.ok(ended > 0, 'objects were disposed of on the way');
 });
 
-test('what cannot be made changes nothing, and a curve edited at random is that of its value', () => {
+test('an invalid value changes nothing, and a randomly edited curve equals the curve of its value', () => {
   fc.assert(
     fc.property(fc.array(call(curveMethods), { maxLength: 8 }), (calls) => {
       const mesh = karcher.meshFromObj(tube(6, 5));
@@ -160,7 +160,7 @@ test('what cannot be made changes nothing, and a curve edited at random is that 
       }
       const { samples } = curve.value();
       if (samples === 'adaptive' || samples > 500) return;
-      // On a mesh of its own: curves of one mesh share fields.
+      // The other mesh is separate: curves of one mesh share fields.
       const other = karcher.meshFromObj(tube(6, 5));
       const anew = other.curve(curve.value());
       const [edited, made] = [curve.polyline({ bits: 64 }), anew.polyline({ bits: 64 })];
@@ -173,7 +173,7 @@ test('what cannot be made changes nothing, and a curve edited at random is that 
   );
 });
 
-test('from within a basis nothing is changed, and the engine goes on', () => {
+test('a basis cannot change anything, and the engine still works', () => {
   let asked = 0;
   let busy = 0;
   fc.assert(
@@ -200,7 +200,7 @@ test('from within a basis nothing is changed, and the engine goes on', () => {
       };
       tried(() => mesh.curve({ ...good, kind: 'custom', basis }));
       for (const error of failures) checkMeant(error);
-      // What asks nothing of the engine, or is refused before it is asked, is not busy.
+      // A call is not busy if it needs no engine, or is refused before it reaches the engine.
       if (failures.some(({ code }) => code === 'busy')) busy++;
       assert.deepEqual([curve.value(), curve.polyline({ bits: 64 })], before);
       mesh.dispose();
@@ -210,7 +210,7 @@ test('from within a basis nothing is changed, and the engine goes on', () => {
   assert.ok(asked > 100 && busy > 50, `asked ${asked} times, busy ${busy}`);
 });
 
-test('calls into a worker, with anything: every failure is a KarcherError', async () => {
+test('calls into a worker with any arguments: every failure is a KarcherError', async () => {
   await fc.assert(
     fc.asyncProperty(fc.array(call(meshMethods), { maxLength: 6 }), async (calls) => {
       const mesh = await remote.meshFromObj(tube(6, 5));

@@ -50,7 +50,7 @@ test('on a plane the center of mass is the weighted mean', () => {
   for (const [field, weights] of exactFields.flatMap((f) => lists.map((list) => [f, list]))) {
     const expected = weightedSum(mesh, inner, weights);
     const center = mesh.centerOfMass(inner, weights, field);
-    // A point that has all the weight is its own center, without any search.
+    // A point with all the weight is its own center, without any search.
     const single = weights.filter((weight) => weight !== 0).length === 1;
     const known = single ? ['certain', []] : ['notLooked', 'notLooked'];
     assert.deepEqual([center.uniqueness, center.otherMinima], known);
@@ -66,20 +66,20 @@ test('on a plane the center of mass is the weighted mean', () => {
   }
 });
 
-test('tells whether it is the only one where that is asked', () => {
+test('says on request whether it is the only one', () => {
   const plane = karcher.meshFromObj(grid(cells));
   const only = plane.centerOfMass(inner, [0.1, 0.2, 0.3, 0.4], { uniqueness: true });
   assert.deepEqual([only.uniqueness, only.otherMinima], ['certain', []]);
 
   const sphere = karcher.shape('sphere', 2000);
-  // Around the equator, a little north of it: each pole is a minimum.
+  // Points a little north of the equator: each pole is a minimum.
   const north = [0, 1, 2, 3].map((k) => {
     const way = [Math.cos((k * Math.PI) / 2), Math.sin((k * Math.PI) / 2), 0];
     const pole = { vertex: extreme(sphere, 2) };
     return sphere.straightest(pole, way, 1.45).end;
   });
   const weights = [0.25, 0.25, 0.25, 0.25];
-  // Nobody looked at the other pole.
+  // No search looked for the other pole.
   assert.equal(sphere.centerOfMass(north, weights).otherMinima, 'notLooked');
   const center = sphere.centerOfMass(north, weights, { uniqueness: true });
   assert.equal(center.uniqueness, 'notUnique');
@@ -108,8 +108,8 @@ test('a certificate measures the center by exact shortest paths, whatever the me
   for (const field of [...exactFields, { solver: 'graph', rings: 2 }]) {
     const options = { ...field, certificate: true };
     const { certificate, position } = plane.centerOfMass(inner, weights, options);
-    // On a plane the energy is the least one and the squared distance from the mean, the residual is that
-    // distance.
+    // On a plane the energy is the minimum plus the squared distance from the mean, and the
+    // residual is that distance.
     const away = Math.hypot(...position.map((value, k) => value - expected[k]));
     assert.ok(Math.abs(certificate.energy - least - away ** 2) < 1e-9, `${certificate.energy}`);
     assert.ok(Math.abs(certificate.residual - away) < 1e-9, `${certificate.residual}`);
@@ -124,7 +124,7 @@ test('a certificate measures the center by exact shortest paths, whatever the me
     const lengths = points.map((point) => torus.shortestPath(center.point, point).length);
     const energy = lengths.reduce((sum, length, i) => sum + weights[i] * length ** 2, 0);
     assert.ok(Math.abs(center.certificate.energy - energy) < 1e-9 * energy);
-    // The paths of the log map are seldom others than the shortest.
+    // The paths of the log map are mostly the shortest ones.
     const { vectors } = torus.logMap(center.point, points);
     const sum = [0, 1, 2].map((k) =>
       weights.reduce((total, weight, i) => total + weight * vectors[3 * i + k], 0),
@@ -134,7 +134,7 @@ test('a certificate measures the center by exact shortest paths, whatever the me
   assert.throws(() => plane.centerOfMass(inner, weights, { certificate: 1 }), /certificate/);
 });
 
-test('does not depend on the centers that were asked for before', () => {
+test('does not depend on earlier centers', () => {
   const mesh = karcher.shape('torus', 2000);
   const points = [3, 90, 400, 720].map((face) => ({ face, bary: [0.2, 0.3, 0.5] }));
   const weights = [1, 2, 3, 4];
@@ -155,7 +155,7 @@ test('does not depend on the centers that were asked for before', () => {
       assert.deepEqual(mesh.centerOfMass(places, masses, options), expected);
       afresh.dispose();
     }
-    // What fails leaves nothing behind.
+    // A failure leaves no trace.
     assert.throws(() => mesh.centerOfMass(points, [1], field), { code: 'badWeights' });
   }
 });
@@ -202,7 +202,7 @@ test('weights: their sum must be 1, or they are normalised', () => {
   }
 });
 
-test('the paper’s method takes Eq. 3 as printed, too; others have no star', () => {
+test('the paper’s method accepts Eq. 3 as printed; other methods have no star', () => {
   const torus = karcher.shape('torus', 2000);
   const points = [3, 5, 9, 12].map((face) => ({ face, bary: [0.2, 0.3, 0.5] }));
   const weights = [0.1, 0.2, 0.3, 0.4];
@@ -230,14 +230,14 @@ test('points on several components have no center of mass', () => {
   });
 });
 
-test("a caller's own distances serve as well", () => {
+test('a caller’s own distances can be used', () => {
   const mesh = karcher.meshFromObj(
     `v 9 9 9\n${grid(cells).replace(/\d+/g, (n) => n)}`.replace(
       /^f (\d+) (\d+) (\d+)$/gm,
       (_, a, b, c) => `f ${+a + 1} ${+b + 1} ${+c + 1}`,
     ),
   );
-  // All vertices are one further on, after one that no face uses.
+  // All vertices have an index higher by one, after a vertex without a face.
   const points = inner.map((point) => ('vertex' in point ? { vertex: point.vertex + 1 } : point));
   const weights = [0.1, 0.2, 0.3, 0.4];
   const distances = points.map((point) => mesh.distance(point, { solver: 'exact' }));
@@ -281,7 +281,7 @@ test('weights of a point carry it to other control points', () => {
   const back = mesh.centerOfMass(corners, weights, { normalize: true });
   assert.ok(back.position.every((value, axis) => Math.abs(value - place[axis]) < 1e-9));
 
-  // Given weights stay where they serve, and stay above 0 where that is asked for.
+  // Given weights are kept if they are valid, and stay positive on request.
   const given = mesh.weightsOf(at(70), corners, { weights: weights.map((one) => 3 * one) });
   assert.ok(given.weights.every((weight, i) => Math.abs(weight - weights[i]) < 1e-12));
   const sound = mesh.weightsOf(at(18), [...corners, at(30)], { nonNegative: true });

@@ -28,7 +28,8 @@ test('edges and angles of a tetrahedron with right angles', async () => {
 });
 
 test('needles and caps are found by their angles, and by their numbers', async () => {
-  // A fan at vertex 0: angles of 1 degree (a needle), 90, and one whose largest is 172 degrees.
+  // A fan at vertex 0: angles of 1 degree (a needle) and 90 degrees, and a triangle with an angle
+  // of 172 degrees.
   const at = (angle, radius) => [
     radius * Math.cos((angle * Math.PI) / 180),
     radius * Math.sin((angle * Math.PI) / 180),
@@ -44,7 +45,7 @@ test('needles and caps are found by their angles, and by their numbers', async (
   assert.ok(found.expected.some((sentence) => sentence.includes('thin triangles')));
 });
 
-test('the boundary edges are those of one face', async () => {
+test('the boundary edges are those of a single face', async () => {
   const sheet = await checkUp(karcher.meshFromObj(grid(5)));
   assert.equal(sheet.boundary.length / 6, 20);
   let length = 0;
@@ -59,7 +60,7 @@ test('the boundary edges are those of one face', async () => {
   assert.match(open.expected.join(), /keep to the boundary/);
 });
 
-test('what the file has twice, or without area, is passed over', async () => {
+test('repeated and degenerate faces of a file are skipped', async () => {
   const twice = `${tetrahedron}f 1 1 2\n`;
   const mesh = karcher.meshFromObj(twice);
   const found = await checkUp(mesh);
@@ -67,7 +68,7 @@ test('what the file has twice, or without area, is passed over', async () => {
   near(found.shortestEdge, 1);
 });
 
-test('the boundary is that of the faces that stayed', async () => {
+test('the boundary is that of the remaining faces', async () => {
   // A square of two triangles.
   const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n';
   const edges = async (text) => {
@@ -82,21 +83,21 @@ test('the boundary is that of the faces that stayed', async () => {
   assert.equal(sides.length, 4);
   for (const twice of ['f 1 2 3', 'f 3 1 2\nf 2 3 1', 'f 1 3 2', 'f 1 3 2\nf 3 2 1\nf 1 3 4'])
     assert.deepEqual(await edges(`${square}${twice}\n`), sides, twice);
-  // A fin has two sides of its own, and the one where it stood.
+  // A fin has two boundary edges of its own, and one where it was attached.
   const fin = await edges(`${square}v .5 .5 1\nf 1 3 5\n`);
   assert.deepEqual(
     fin.filter((edge) => !sides.includes(edge)),
     ['0,0,0-0.5,0.5,1', '0,0,0-1,1,0', '0.5,0.5,1-1,1,0'],
   );
   assert.equal(fin.length, 7);
-  // Two triangles on each other alone are closed.
+  // Two triangles with the same corners form a closed surface if they are alone.
   const pillow = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n';
   assert.deepEqual(await edges(pillow), []);
   const beside = await edges(`${pillow}v 5 0 0\nv 6 0 0\nv 5 1 0\nf 4 5 6\nf 4 5 6\n`);
   assert.equal(beside.length, 3);
 });
 
-test('boundaries that lie on each other: how many vertices, and the weld that joins them', async () => {
+test('coinciding boundaries: the number of their vertices, and the weld that joins them', async () => {
   const gap = 3.3e-4;
   const right = grid(4)
     .split('\n')
@@ -140,7 +141,7 @@ function slit(gap, inner, count = 8) {
   return [positions, triangles];
 }
 
-test('a weld is promised only where the engine makes it', async () => {
+test('a weld is offered only if the engine makes it', async () => {
   for (const [gap, inner] of [
     [3e-4, 6e-4],
     [3e-4, 8e-4],
@@ -157,7 +158,7 @@ test('a weld is promised only where the engine makes it', async () => {
   }
 });
 
-test('seams that were not welded are boundaries that lie on each other', async () => {
+test('seams that were not welded are coinciding boundaries', async () => {
   const [positions, triangles] = slit(0, 1);
   const apart = karcher.meshFromArrays(positions, triangles, { weld: 0 });
   assert.equal(apart.info.components, 2);
@@ -168,17 +169,17 @@ test('seams that were not welded are boundaries that lie on each other', async (
     karcher.meshFromArrays(positions, triangles, { weld: near.weld }).info.components,
     1,
   );
-  // Welded, they are none.
+  // After welding there are none.
   const whole = await checkUp(karcher.meshFromArrays(positions, triangles));
   assert.deepEqual([whole.nearBoundaries, whole.boundary.length / 6], [null, 2 * 8 + 4]);
-  // Corners that only touch are not welded, and nothing is promised.
+  // Corners that only touch are not welded, and no weld is offered.
   const touching = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, -1, 0];
   const mesh = karcher.meshFromArrays(touching, [0, 1, 2, 3, 4, 5]);
   assert.equal((await checkUp(mesh)).nearBoundaries, null);
 });
 
-test('triangles on a line are no caps: the engine flips them away', async () => {
-  // Vertex 3 lies on the edge from 0 to 1, but for rounding.
+test('degenerate triangles are no caps: the engine flips them away', async () => {
+  // Vertex 3 lies on the edge from 0 to 1, up to rounding.
   const positions = [0, 0, 0, 3, 1, 0, 1, 2, 0, 0.9, 0.3, 0, 2, -2, 0];
   const triangles = [0, 3, 1, 0, 1, 2, 0, 4, 3, 3, 4, 1];
   const mesh = karcher.meshFromArrays(positions, triangles);
@@ -187,8 +188,8 @@ test('triangles on a line are no caps: the engine flips them away', async () => 
   assert.deepEqual([caps.length, largestAngle < 170], [0, true]);
 });
 
-test('many boundary vertices near each other are looked over in slices', async () => {
-  // Strips beside each other, far less apart than the diagonal tells near, too far to be welded.
+test('many boundary vertices near each other are examined in slices', async () => {
+  // Parallel strips: near each other compared with the diagonal, but too far to be welded.
   const [positions, triangles] = [[], []];
   for (let k = 0; k < 4000; k++) {
     const [x, y] = [1e-6 * (k % 60), 1e-6 * Math.floor(k / 60)];
@@ -207,7 +208,7 @@ test('many boundary vertices near each other are looked over in slices', async (
   assert.equal(found.boundary.length / 6, 3 * 4001);
 });
 
-test('in slices, with progress and an end; of a mesh in a worker, too', async (t) => {
+test('works in slices, with progress and cancellation, even in a worker', async (t) => {
   const mesh = karcher.shape('openSheet', 200_000);
   const told = [];
   await checkUp(mesh, { progress: (done, stage) => told.push([done, stage]) });

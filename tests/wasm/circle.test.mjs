@@ -24,7 +24,8 @@ test('on a plane a geodesic circle is a circle', () => {
       const [x, y, z] = samples.position.slice(3 * i, 3 * i + 3);
       assert.ok(Math.abs(Math.hypot(x - 8, y - 8) - radius) < 1e-9 && z === 0);
     }
-    // The chords of n equal angles fall short by a part of (pi / n)^2 / 6; these are less equal.
+    // The chords of n equal angles fall short by a part of (pi / n)^2 / 6; these angles are less
+    // equal.
     const perimeter = 2 * Math.PI * radius;
     const { path } = circle;
     assert.ok(path.length < perimeter && path.length > 0.999 * perimeter);
@@ -41,7 +42,7 @@ test('on a plane circles and ellipses are the same at every level', () => {
   for (const levels of [0, 3, 'auto', 'limit']) {
     const round = mesh.circle(center, { radius: 4.5, levels });
     const long = mesh.ellipse(center, { ...ellipse, levels });
-    // Nothing is curved.
+    // On a plane no level is needed.
     const expected = levels === 'auto' ? 0 : levels;
     if (levels !== 'limit') assert.deepEqual([round.levels, long.levels], [expected, expected]);
     else assert.ok(round.levels > 0 && long.levels > 0);
@@ -83,7 +84,7 @@ test('on a sphere a circle keeps its distance, and says how far it is off', () =
   assert.equal(mesh.circle(around, { radius: 0.7, samples: 2, arcs: 3 }).samples.count, 6);
 });
 
-test('circles that cannot be', () => {
+test('impossible circles are refused', () => {
   const mesh = karcher.meshFromObj(grid(cells));
   const good = { radius: 3, ...paper };
   const shown = () => {
@@ -123,7 +124,7 @@ test('circles that cannot be', () => {
 });
 
 test('an arc beyond the cut locus is marked', () => {
-  // On a torus, around its tube: the geodesics round the hole meet behind it.
+  // A torus, with the center on its tube: geodesics round the hole meet behind it.
   const mesh = karcher.shape('torus', 6000);
   const circle = mesh.circle({ vertex: 0 }, { radius: 1.6, ...paper });
   assert.ok(circle.notShortest.length > 0);

@@ -60,11 +60,11 @@ test('help, of the program and of each command', async () => {
   }
 });
 
-test('help of a command that there is not', async () => {
+test('help for an unknown command', async () => {
   assert.match(await failure('help', 'fly'), /^karcher has no command 'fly'; it has info, /);
 });
 
-test('a dash is standard input, once', async () => {
+test('a dash is standard input, only once', async () => {
   const pathOf = ['--from', 'v:0', '--to', 'v:2'];
   const named = await karcher('path', squareFile, ...pathOf);
   assert.deepEqual(await karcherReading(square, 'path', '-', ...pathOf), named);
@@ -84,7 +84,7 @@ test('a dash is standard input, once', async () => {
   assert.match(twice.stderr, /standard input can be read once, and '-' is given twice/);
 });
 
-test('a result goes to the file of --out, or nothing is written', async () => {
+test('a result goes to the file of --out, or no file is written', async () => {
   const pathOf = ['path', squareFile, '--from', 'v:0', '--to', 'v:2'];
   const { stdout } = await karcher(...pathOf);
   const out = join(folder.path, 'path.json');
@@ -102,12 +102,12 @@ test('a result goes to the file of --out, or nothing is written', async () => {
   );
 });
 
-test('a result is what the name of its file says, and no other', async () => {
+test('a result has the format of its file name, and no other', async () => {
   const isolines = ['isolines', squareFile, '--center', 'v:0', '--radius', '0.3'];
   const out = join(folder.path, 'lines.OBJ');
   assert.equal((await karcher(...isolines, '--out', out)).status, 0);
   assert.match(readFileSync(out, 'utf8'), /^v [\s\S]*\nl /);
-  // What is asked for goes before the name.
+  // An explicit format has priority over the name.
   assert.equal((await karcher(...isolines, '--format', 'json', '--out', out)).status, 0);
   assert.ok(JSON.parse(readFileSync(out, 'utf8')).isolines);
   assert.match(
@@ -199,7 +199,7 @@ test('files that are no mesh: a sentence and status 1', async () => {
   }
 });
 
-test('info tells what a mesh consists of', async () => {
+test('info describes a mesh', async () => {
   const { meanEdge, diagonal, repairs, checkUp, ...counts } = await printed('info', squareFile);
   assert.deepEqual(counts, {
     vertices: 4,
@@ -226,7 +226,7 @@ test('info tells what a mesh consists of', async () => {
   );
 });
 
-test('every format is read, with the parts that are asked for', async () => {
+test('every format is read, with the requested parts', async () => {
   for (const [name, bytes] of Object.entries(everyFile(cutBox))) {
     const { file, triangles, genus } = await printed('info', folder.write(name, bytes));
     assert.deepEqual([triangles, genus], [12, 0], name);
@@ -236,7 +236,7 @@ test('every format is read, with the parts that are asked for', async () => {
   assert.equal((await printed('info', halves, '--parts', '1')).triangles, 6);
   assert.match(await failure('info', halves, '--parts', '2'), /no part 2: the file has 2/);
   assert.match(await failure('info', folder.write('x.ply', 'ply\n')), /header does not end/);
-  // Text with its buffer beside it.
+  // A text file with its buffer beside it.
   const { json, buffer } = gltfParts(cutBox);
   json.buffers[0].uri = 'body.bin';
   const scene = folder.write('scene.gltf', JSON.stringify(json));
@@ -251,7 +251,7 @@ test('two parts, Windows line ends, a handle', async () => {
   const counts = await printed('info', folder.write('both.obj', both));
   assert.equal(counts.components, 2);
   assert.equal(counts.boundaryLoops, 2);
-  // Three by three squares with opposite sides joined: a torus.
+  // Three by three squares with opposite sides identified: a torus.
   const torus = [];
   const corner = (i, j) => (i % 3) + 3 * (j % 3) + 1;
   for (let k = 0; k < 9; k++) {
@@ -272,7 +272,7 @@ test('two parts, Windows line ends, a handle', async () => {
   );
 });
 
-test('in a process of its own, a command ends with what it says here', async () => {
+test('in a process of its own, a command ends with the same output', async () => {
   for (const args of [
     ['--help'],
     ['distance', squareFile, '--from', 'v:0'],
@@ -286,7 +286,7 @@ test('in a process of its own, a command ends with what it says here', async () 
   }
 });
 
-test('a long result goes whole through a pipe that is read late', async () => {
+test('a long result passes completely through a pipe that is read late', async () => {
   const long = folder.write('long.obj', grid(200));
   const args = ['distance', long, '--from', 'v:0'];
   const { status, stdout, stderr } = await karcherProcess(args, (child) => {
@@ -298,7 +298,7 @@ test('a long result goes whole through a pipe that is read late', async () => {
   assert.equal(JSON.parse(stdout).distance.length, 201 ** 2);
 });
 
-test('a signal ends it', async () => {
+test('a signal ends a command', async () => {
   const gridFile = folder.write('plain.obj', grid(4));
   const points = folder.write('points.txt', '0 0 0\n3 0 0\n9 0 0\n20 0 0\n');
   const { status, signal } = await karcherProcess(
@@ -308,7 +308,7 @@ test('a signal ends it', async () => {
   assert.deepEqual([status, signal], [null, 'SIGTERM']);
 });
 
-test('a reader that goes away is reported', async () => {
+test('a reader that closes early is reported', async () => {
   const gridFile = folder.write('grid.obj', grid(4));
   const { status, stderr } = await karcherProcess(['info', gridFile], (child) =>
     child.stdout.destroy(),

@@ -26,7 +26,7 @@ const weights = '0.1,0.2,0.3,0.4,0';
 
 const mesh = (await load()).meshFromObj(grid(cells));
 
-test('distance prints what the API gives', async () => {
+test('distance prints the numbers of the API', async () => {
   for (const [point, from] of [
     ['v:40', { vertex: 40 }],
     ['57:0.25,0.5', { face: 57, bary: [0.25, 0.25, 0.5] }],
@@ -44,7 +44,7 @@ test('distance prints what the API gives', async () => {
 });
 
 test('distance follows the vertices of the file', async () => {
-  // A vertex of no face, then the square, then a triangle apart.
+  // A vertex without a face, then the square, then a separate triangle.
   const text = `v 9 9 9\n${square.replace('f 1 2 3 4', 'f 2 3 4 5')}v 5 0 0\nv 6 0 0\nv 5 1 0\nf 6 7 8\n`;
   const file = folder.write('parts.obj', text);
   const { distance } = await printed('distance', file, '--from', 'v:1', '--solver', 'exact');
@@ -91,7 +91,7 @@ test('mean prints the center of mass', async () => {
   assert.deepEqual(certified, mesh.centerOfMass(points, masses, { certificate: true }));
 });
 
-test('mean of many rows of weights, from a start, and of equal weights', async () => {
+test('mean of many rows of weights, from a start, and with equal weights', async () => {
   const args = ['mean', gridFile, '--points', pointsFile];
   const rows = [
     [0.1, 0.2, 0.3, 0.4, 0],
@@ -127,7 +127,7 @@ test('distance from the nearest of several points', async () => {
   assert.deepEqual(distance, Array.from(mesh.distance(sources)));
 });
 
-test('weights prints those that make a point the center of mass', async () => {
+test('weights prints weights that make a point the center of mass', async () => {
   const [{ face, bary }] = points;
   const at = `${face}:${bary[1]},${bary[2]}`;
   const args = ['weights', gridFile, '--points', pointsFile, '--point', at];
@@ -238,7 +238,7 @@ test('trace knows every kind of curve', async () => {
   assert.ok(byDefault.samples.length > adaptive.samples.length);
 });
 
-test('what trace prints, read back as points, is where it was', async () => {
+test('points printed by trace are read back at the same place', async () => {
   const { samples } = await printed('trace', gridFile, '--points', pointsFile, '--samples', '5');
   const text = samples.map(({ face, bary }) => `${face} ${bary[1]} ${bary[2]}\n`).join('');
   const file = folder.write('again.txt', text);
@@ -264,7 +264,7 @@ test('trace draws a curve as an OBJ file', async () => {
   );
 });
 
-test('circle prints samples at the radius', async () => {
+test('circle prints samples at its radius', async () => {
   const { polyline, samples, length, notShortest } = await printed(
     ...['circle', gridFile, '--center', 'v:84', '--radius', '3', '--arcs', '5'],
   );
@@ -421,7 +421,7 @@ test('compare prints each method with its measures or its reason', async () => {
     assert.equal(method.samples, method.ok ? 10 : null, name);
     assert.equal(method.reason === null, method.ok, name);
   }
-  // The plane is where log vectors are exact with both solvers.
+  // On the plane, log vectors of both solvers are exact.
   assert.ok(methods.karcher.deviation.max < 1e-8);
   assert.match(methods.descent.reason, /two points/);
   const two = folder.write('two.txt', '3 0 0\n200 0.1 0.2\n');
@@ -436,7 +436,7 @@ test('compare prints each method with its measures or its reason', async () => {
     '40',
   );
   assert.equal(pair.methods.descent.ok, true);
-  // From the exact path, which is straight here; our own is on it.
+  // The deviation is from the exact path, which is straight here; our path lies on it.
   assert.ok(pair.methods.karcher.deviation.max < 1e-8);
   assert.ok(pair.methods.descent.deviation.max > 0);
   const delaunay = (await printed(...args, '--delaunay', '--budget', '60')).methods;

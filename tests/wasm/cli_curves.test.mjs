@@ -27,10 +27,10 @@ const fileOf = (value) => folder.write(`curve${files++}.json`, JSON.stringify(va
 const edited = (...args) => printed('edit', meshFile, ...args);
 const traced = (...args) => printed('trace', meshFile, '--samples', '9', ...args);
 
-/** JSON knows no -0. */
+/** JSON has no -0. */
 const asJson = (value) => JSON.parse(JSON.stringify(value));
 
-/** Both run along the same places. */
+/** Checks that both curves pass through the same places. */
 function expectSame({ samples }, curve) {
   assert.equal(samples.length, curve.samples().count);
   samples.forEach(({ position }, i) => {
@@ -52,7 +52,7 @@ test('trace --at, --nearest and --equally-spaced measure the curve', async () =>
     const length = curve.lengthAt(parameter);
     assert.deepEqual(at[i], asJson({ ...point, tangent: { inFace, inSpace }, length }));
   });
-  // The sum of the same lengths, in another order.
+  // The lengths are the same, summed in another order.
   assert.ok(Math.abs(at[3].length - curve.length) < 1e-12 * curve.length);
   assert.deepEqual(nearest, asJson(curve.nearest([6, 5, 1])));
   const { parameter, face, bary, position } = curve.equallySpaced(4);
@@ -104,15 +104,15 @@ test('edit prints a curve that trace reads', async () => {
     assert.equal(result.point, point);
     assert.equal(result.curves[0].kind, curve.kind);
     expectSame(await traced('--curve', fileOf(result)), curve);
-    // One curve of it is as good.
+    // A single curve of the output is also accepted.
     expectSame(await traced('--curve', fileOf(result.curves[0])), curve);
   }
 });
 
-test('legs are read from a curve, and printed with it', async () => {
+test('legs are read with a curve, and printed with it', async () => {
   const [a, b, c, ...rest] = points;
   const through = mesh.curve({ kind: 'polyline', points: [a, b, c], samples: 9 });
-  // On a plane every way is pulled tight to the same line: none is told.
+  // On a plane every path straightens to the same line, so that no leg is stored.
   const file = fileOf({ kind: 'polyline', points: [a, b, c], legs: [[rest[0]], null] });
   expectSame(await traced('--curve', file), through);
   assert.equal((await edited('--curve', file, '--reverse')).curves[0].legs, undefined);
@@ -134,7 +134,7 @@ test('legs are read from a curve, and printed with it', async () => {
   assert.ok(Math.abs(back.length - long.length) < 1e-9);
 });
 
-test('every kind comes back, with all that it has', async () => {
+test('every kind is restored with all of its properties', async () => {
   const kinds = [
     [{ kind: 'bezier' }, []],
     [{ kind: 'rational', weights: [1, 2, 3, 2, 1] }, ['--weights', '1,2,3,2,1']],
@@ -162,7 +162,7 @@ test('every kind comes back, with all that it has', async () => {
   assert.deepEqual(beta.curves[0].betas, [1, 4, 1, 1, 1]);
 });
 
-test('curves split and joined again', async () => {
+test('curves are split and joined again', async () => {
   const curve = mesh.curve({ kind: 'bspline', points, samples: 9 });
   const parts = await edited(...curveArgs, '--split', '1.5');
   assert.equal(parts.curves.length, 2);
@@ -184,7 +184,7 @@ test('curves split and joined again', async () => {
   expectSame(await traced('--curve', fileOf(both)), expected);
 });
 
-test('curves and edits that cannot be: a sentence and status 1', async () => {
+test('invalid curves and edits: a sentence and status 1', async () => {
   const edit = (...args) => ['edit', meshFile, ...curveArgs, ...args];
   const trace = (...args) => ['trace', meshFile, ...args];
   const two = fileOf(await edited(...curveArgs, '--split', '1'));

@@ -31,7 +31,10 @@ const [first, second] = [
   [0.8, 0.7, 0.1],
 ];
 
-/** A closed curve about a place of the sphere, at angles in turn: it goes round it `turns` times. */
+/**
+ * A closed curve about a place of the sphere, at increasing angles: it winds around the place
+ * `turns` times.
+ */
 function loop(center, next, turns = 1) {
   const points = Array.from({ length: 8 }, (_, i) => {
     const angle = (turns * i * Math.PI) / 4;
@@ -50,7 +53,7 @@ const curves = folder.write(
 );
 const args = ['cut', meshName, '--curve', curves, '--samples', '12'];
 
-/** Edges of one triangle only, by their places. */
+/** The boundary edges, as the places of their ends. */
 function rim({ positions, triangles }) {
   const place = (v) => positions.slice(3 * v, 3 * v + 3).join(' ');
   const edges = new Set();
@@ -70,7 +73,7 @@ async function fileRead(name, repair = 'none') {
 }
 
 for (const format of writtenFormats) {
-  test(`parts as ${format} files fit each other and read without a repair`, async () => {
+  test(`parts as ${format} files fit together and are read without a repair`, async () => {
     const isSingle = format === 'stl' || format === 'glb';
     const out = join(folder.path, `part.${format}`);
     const { parts } = await printed(...args, '--out', out);
@@ -91,15 +94,15 @@ for (const format of writtenFormats) {
       }
     }
     near(sum, solidOf({ positions: sphere.positions(), triangles: sphere.triangles() }).area);
-    // The sphere has no boundary: every rim is another part's, to the last bit.
+    // The sphere has no boundary: every rim is the rim of another part, to the last bit.
     for (const [side, count] of sides) {
       assert.equal(sides.get(side.split('/').reverse().join('/')), count, side);
     }
   });
 }
 
-test('a part that touches itself at a point is read as it is', async () => {
-  // An eight: what lies outside comes to the crossing from two sides.
+test('a part that touches itself at a point is read unchanged', async () => {
+  // A figure eight: its outside reaches the crossing from two sides.
   const points = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => {
     const angle = ((i + 0.4) * Math.PI) / 4;
     return sphere.nearestPoint([1, 0.6 * Math.sin(angle), 0.4 * Math.sin(2 * angle)]).point;
@@ -123,9 +126,9 @@ test('a part that touches itself at a point is read as it is', async () => {
   }
 });
 
-test('colors and parts of the file stay on the parts of a cut, and colors on shells', async () => {
+test('parts of a cut keep the colors and parts of the file, and shells keep colors', async () => {
   const [positions, triangles] = [sphere.positions(), sphere.triangles()];
-  // Colors that change evenly, so that between corners they are known.
+  // Colors that change linearly, so that they are known between corners.
   const colorAt = (place) => Array.from(place, (x) => Math.round(127.5 + 100 * x));
   const colors = Uint8Array.from(positions, (x) => Math.round(127.5 + 100 * x));
   const names = [{ name: 'upper' }, { name: 'lower' }];
@@ -148,7 +151,7 @@ test('colors and parts of the file stay on the parts of a cut, and colors on she
   const seen = new Set();
   for (const { file } of parts) {
     const { mesh, file: said } = await read(file);
-    // Rounded twice: in the file that was cut, and here.
+    // Colors are rounded twice: in the original file and here.
     assert.ok(farthest(mesh, said.colors) <= 1, `${farthest(mesh, said.colors)}`);
     said.parts.forEach(({ name, triangles: count }) => {
       if (count > 0) seen.add(name);
@@ -165,7 +168,7 @@ test('colors and parts of the file stay on the parts of a cut, and colors on she
   }
 });
 
-test('parts in the order of their areas; without --out no file is written', async () => {
+test('parts are ordered by area; without --out no file is written', async () => {
   const { parts } = await printed(...args);
   for (const [i, part] of parts.entries()) {
     assert.equal('file' in part, false);
@@ -173,12 +176,12 @@ test('parts in the order of their areas; without --out no file is written', asyn
   }
 });
 
-test('a curve that ends inside leaves a slit, and what is closed has a volume', async () => {
+test('a curve that ends inside leaves a slit, and closed parts have a volume', async () => {
   const points = folder.write('points.txt', '3 0.2 0.2\n90 0.3 0.3\n');
   const { parts } = await printed('cut', meshName, '--points', points, '--kind', 'polyline');
   assert.equal(parts.length, 1);
   const [part] = parts;
-  // Both sides of the slit have vertices of their own.
+  // Each side of the slit has its own vertices.
   assert.deepEqual([part.closed, part.volume], [false, null]);
   const { area, volume, closed } = solidOf({
     positions: sphere.positions(),
@@ -186,7 +189,7 @@ test('a curve that ends inside leaves a slit, and what is closed has a volume', 
   });
   assert.ok(closed && volume > 0);
   near(part.area, area);
-  // Of bodies of one area the ball holds most.
+  // Of all bodies with this area the ball has the largest volume.
   assert.ok(36 * Math.PI * volume ** 2 < area ** 3);
   assert.ok(36 * Math.PI * volume ** 2 > 0.98 * area ** 3);
 });
@@ -215,7 +218,7 @@ test('a box of 2 by 3 by 4, far from the origin', () => {
   assert.deepEqual([oriented, closed], [false, false]);
 });
 
-test('the loaders of three.js read what is written', async () => {
+test('the loaders of three.js read the written files', async () => {
   const triangles = sphere.triangles();
   const content = { positions: sphere.positions(), triangles };
   const bytes = (format) => meshFile(content, format).buffer;
@@ -231,7 +234,7 @@ test('the loaders of three.js read what is written', async () => {
   near(geometry.boundingSphere.center.length(), 0, 1e-3);
 });
 
-test('triangles that single precision makes none of are left out of STL and GLB', async () => {
+test('triangles that degenerate in single precision are left out of STL and GLB', async () => {
   // Two triangles, and a needle between them whose short side vanishes.
   const positions = [1, 0, 0, 2, 0, 0, 1, 1, 0, 1 + 1e-12, 0, 0, 0, 0, 0];
   const triangles = [3, 1, 2, 0, 3, 2, 4, 0, 2];
@@ -242,7 +245,7 @@ test('triangles that single precision makes none of are left out of STL and GLB'
   }
 });
 
-test('what cannot be written is said', async () => {
+test('impossible formats and parts are reported', async () => {
   assert.match(await failure(...args, '--out', 'part.off'), /^--out of cut must end in \.stl, /);
   assert.match(await failure(...args, '--out', 'stl'), /as leg\.stl, not 'stl'$/);
   const nowhere = join(folder.path, 'none', 'part.stl');

@@ -1,4 +1,4 @@
-// Maps, isolines and files of meshes by the command line: also in pipes of a shell.
+// Maps, isolines and mesh files on the command line, including pipes of a shell.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
@@ -27,7 +27,7 @@ const near = (a, b, tolerance = 1e-9) =>
     `${a} is not ${b}`,
   );
 
-/** Runs a line of a shell in which `karcher` is the program. */
+/** Runs a shell command line in which `karcher` is the program. */
 function shell(line) {
   const quoted = `karcher() { "${process.execPath}" "${program}" "$@"; }; ${line}`;
   const { status, stdout, stderr } = spawnSync('bash', ['-o', 'pipefail', '-c', quoted], {
@@ -36,7 +36,7 @@ function shell(line) {
   return { status, stdout, stderr: stderr.toString() };
 }
 
-test('log and exp are inverse, with a pipe between them', async () => {
+test('log and exp are inverse to each other through a pipe', async () => {
   const from = ['--from', at(3, 2)];
   const points = folder.write('points.txt', `${at(5, 2)}\n40:0.25,0.5 # short\n7 0.1 0.2\n`);
   const { vectors } = await printed('log', plane, ...from, '--points', points);
@@ -104,7 +104,7 @@ test('isolines of several radii', async () => {
   assert.equal(drawn.stdout.match(/^l /gm).length, 2);
 });
 
-test('points as JSON that commands print', async () => {
+test('points are read from the JSON that commands print', async () => {
   const end = await printed(
     'straightest',
     plane,
@@ -172,7 +172,7 @@ test('points as JSON that commands print', async () => {
   }
 });
 
-/** A drawing as the page saves it. */
+/** A drawing in the form in which the page saves it. */
 function drawing(...figures) {
   const settings = {
     closed: false,
@@ -189,7 +189,7 @@ function drawing(...figures) {
   });
 }
 
-test('drawings of the page are curves and points', async () => {
+test('drawings of the page are read as curves and points', async () => {
   const points = [
     { face: 0, bary: [0.2, 0.3, 0.5] },
     { face: 60, bary: [0.2, 0.3, 0.5], weight: 3 },
@@ -218,7 +218,9 @@ test('drawings of the page are curves and points', async () => {
   );
 });
 
-/** A bow tie, an edge of three faces, a seam that is not welded, a face twice and a loose vertex. */
+/**
+ * A bow tie, an edge of three faces, a seam that is not welded, a repeated face and a loose vertex.
+ */
 const broken = `${[
   ...['0 0 0', '1 0 0', '1 1 0', '-1 0 0', '-1 -1 0', '5 0 0', '6 0 0', '5 1 0', '6 0 0'],
   ...['6 1 0', '5 1 0', '9 9 9', '5 -1 0', '5 0 1'],
@@ -226,7 +228,7 @@ const broken = `${[
   .map((place) => `v ${place}\n`)
   .join('')}f 1 2 3\nf 1 4 5\nf 6 7 8\nf 9 10 11\nf 6 7 13\nf 6 7 14\nf 1 2 3\n`;
 
-test('repair writes the surface as it is mended, and what was', async () => {
+test('repair writes the repaired surface, and reports the repairs', async () => {
   const mesh = folder.write('broken.obj', broken);
   const file = join(folder.path, 'mended.ply');
   const told = await printed('repair', mesh, '--out', file);
@@ -236,7 +238,7 @@ test('repair writes the surface as it is mended, and what was', async () => {
   const engine = await load();
   const again = await meshFromFile(engine, readFileSync(file), { name: file });
   assert.equal(again.mesh.info.triangles, 6);
-  // In the file's order, each at its place.
+  // Points keep the file's order and their places.
   const before = engine.meshFromObj(broken);
   const places = (of) => {
     const [positions, corners] = [of.positions(), of.triangles()];
@@ -269,7 +271,7 @@ test('convert writes every format to a file and to a pipe', async () => {
   );
 });
 
-test('several meshes are a line each, and one that fails does not stop the others', async () => {
+test('each of several meshes has a line, and a failing one does not stop the others', async () => {
   const other = folder.write('other.glb', '');
   const { writeFileSync } = await import('node:fs');
   const square = {
@@ -301,7 +303,7 @@ test('several meshes are a line each, and one that fails does not stop the other
   assert.match(await failure('convert', plane, other, '--out', 'a.stl'), /needs a '\*'/);
   const drawn = ['--from', 'v:0', '--to', 'v:2', '--format', 'obj'];
   assert.match(await failure('path', plane, other, ...drawn), /takes one mesh with --format obj/);
-  // Standard input is read once for all of them.
+  // Standard input is read once for all meshes.
   const points = await karcherReading(
     'v:0\n',
     'log',
@@ -315,7 +317,7 @@ test('several meshes are a line each, and one that fails does not stop the other
   assert.equal(points.stdout.trim().split('\n').length, 2);
 });
 
-test('on a terminal a line says how far a mesh is read, and goes', async () => {
+test('on a terminal a line shows the progress of reading, and disappears', async () => {
   const run = async (isTTY) => {
     const pieces = [];
     const stderr = Object.assign(

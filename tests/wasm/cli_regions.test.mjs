@@ -1,4 +1,4 @@
-// What curves enclose, on the command line.
+// Regions that curves enclose, on the command line.
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { grid } from './meshes.mjs';
@@ -13,7 +13,7 @@ const near = (actual, expected, tolerance = 1e-9) =>
 const cells = 10;
 const gridFile = folder.write('grid.obj', grid(cells));
 
-/** The grid's point at (x, y), in the square to its upper right. */
+/** The grid's point at (x, y), in the square on its upper right. */
 function at([x, y]) {
   const [i, j] = [Math.floor(x), Math.floor(y)];
   const [u, v] = [x - i, y - j];
@@ -40,14 +40,14 @@ const twoFile = folder.write('two.json', JSON.stringify({ curves }));
 const hole = [corners, rectangle(2.25, 2.25, 3.25, 3.5)].map(polygonOf);
 const holeFile = folder.write('hole.json', JSON.stringify({ curves: hole }));
 
-// An octahedron whose corners are 1 from its middle: a sphere's shape, with faces of sqrt(3) / 2.
+// An octahedron whose corners have distance 1 from its middle; each face has the area sqrt(3) / 2.
 const octahedron = folder.write(
   'octahedron.obj',
   'v 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n' +
     [1, 2, 3, 4].map((a) => `f ${a} ${(a % 4) + 1} 5\nf ${(a % 4) + 1} ${a} 6\n`).join(''),
 );
 const upper = [0, 2, 4, 6];
-/** Round the octahedron at a height, as sides of a square. */
+/** A line around the octahedron at a height: the sides of a square. */
 const parallel = folder.write(
   'parallel.txt',
   linesOf(upper.map((face) => ({ face, bary: [0.75, 0, 0.25] }))),
@@ -64,7 +64,7 @@ test('regions of a rectangle on a plane', async () => {
   near(boundary[0].length, perimeter);
   const { polyline } = boundary[0];
   assert.deepEqual(polyline[0], polyline.at(-1));
-  // Counterclockwise: the region lies to the left.
+  // The line runs counterclockwise: the region lies on its left.
   const turned = polyline.slice(1).map(([x, y], i) => polyline[i][0] * y - x * polyline[i][1]);
   near(turned.reduce((sum, value) => sum + value) / 2, area);
 });
@@ -106,16 +106,16 @@ test('a region with a hole', async () => {
   assert.match(await failure(...args, '--inside', 'v:0', '--combine', 'union'), /--combine has no/);
 });
 
-test('both sides of a parallel circle are the sphere', async () => {
+test('both sides of a parallel circle make up the sphere', async () => {
   const side = async (inside) =>
     (await printed('regions', octahedron, ...parallelCircle, '--inside', inside)).regions[0];
   const [cap, rest] = [await side('v:4'), await side('v:5')];
-  // A pyramid's cap, 3/4 as large as the upper half.
+  // A pyramid's cap, with 3/4 of the edges of the upper half.
   near(cap.area, 2 * Math.sqrt(3) * 0.75 ** 2);
   near(cap.area + rest.area, 4 * Math.sqrt(3));
   near(cap.perimeter, 4 * 0.75 * Math.SQRT2);
   near(rest.perimeter, cap.perimeter);
-  // The smaller side, unless a point says otherwise.
+  // The region is the smaller side, unless a point selects the other one.
   near((await printed('regions', octahedron, ...parallelCircle)).regions[0].area, cap.area);
 });
 
@@ -136,7 +136,7 @@ test('a side of each curve is inside', async () => {
   assert.match(await failure(...args, '--side', 'left', '--inside', 'v:0'), /--side has no/);
 });
 
-test('regions as an OBJ file are their boundaries', async () => {
+test('regions as an OBJ file are written as their boundaries', async () => {
   const { status, stdout } = await karcher('regions', gridFile, ...square, '--format', 'obj');
   assert.equal(status, 0);
   const { regions } = await printed('regions', gridFile, ...square);
@@ -145,7 +145,7 @@ test('regions as an OBJ file are their boundaries', async () => {
   assert.match(stdout, /^l( \d+)+$/m);
 });
 
-test('curves that enclose nothing, and arguments that do not fit', async () => {
+test('curves that enclose no region, and invalid arguments, are refused', async () => {
   const open = ['regions', gridFile, '--points', pointsFile, '--kind', 'polyline'];
   assert.match(await failure(...open), /^the curve does not bound a region: /);
   assert.match(await failure('regions', gridFile), /^regions needs --points FILE or --curve FILE$/);

@@ -1,4 +1,5 @@
-// A comparison of methods: how far each is from the reference, how it follows a hand, why it failed.
+// Comparisons of methods: their distances from the reference, their behaviour in a drag, and the
+// reasons for failures.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { measureDrag, runMethod, standardOptions, traceReference } from 'karcher/peers';
@@ -21,7 +22,8 @@ describe('a drag', () => {
       await curve.trace();
       const { steps, leaps, most } = await measureDrag(curve, plane, plan, 10);
       assert.deepEqual([steps, leaps], [10, 0], name);
-      // 2/3 at a knot; averages are taken in an embedding that is not quite the plane.
+      // The weight is 2/3 at a knot; averages are taken in an embedding that differs slightly from
+      // the plane.
       const tolerance = name === 'weightedAverages' ? 0.05 : 1e-6;
       assert.ok(Math.abs(most - 2 / 3) < tolerance, `${name}: ${most}`);
       method.dispose();
@@ -31,9 +33,12 @@ describe('a drag', () => {
   test('counts the steps in which a sample leaps', async () => {
     const plan = peers.plan(points, 2);
     const start = plane.position(points[2]);
-    // Along a cell's diagonal to the next control point, which is nearer than two edges.
+    // The drag follows a cell's diagonal to the next control point, which is nearer than two edges.
     const hand = Math.SQRT2 / 10;
-    /** A curve of two samples: one follows the hand but for a leap forth and back, the other is lost. */
+    /**
+     * A curve of two samples: one follows the pointer but leaps once forth and back, the other is
+     * lost.
+     */
     const curve = (leap) => {
       let moves = 0;
       let place = start;
@@ -74,7 +79,7 @@ describe('a comparison', () => {
     for (const key of ['prepareMs', 'traceMs', 'dragMs']) assert.ok(run[key] >= 0, key);
   });
 
-  test('gives a reason for what fails, and no number that was not measured', async () => {
+  test('gives a reason for a failure, and no number without a measurement', async () => {
     const plan = peers.plan(points, 5);
     const descent = await runMethod(peers, plane, plan, standardOptions('descent', plan), null);
     const { ok, reason, traceMs, dragMs, samples, deviation, curve } = descent;
@@ -90,8 +95,9 @@ describe('a comparison', () => {
     assert.equal(late.traceMs, null);
   });
 
-  test('a path is measured from the exact one', async () => {
-    // Over the edge of a roof: there the shortest path bends, unlike what joins its ends in space.
+  test('measures a path from the exact one', async () => {
+    // The path crosses the ridge of a roof: there the shortest path bends, unlike the segment in
+    // space.
     const text = grid(side).replace(
       /v (\d+) (\d+) 0/g,
       (_, x, y) => `v ${x} ${y} ${Math.abs(x - 6)}`,
@@ -109,8 +115,8 @@ describe('a comparison', () => {
     assert.ok(run.deviation.max < 1e-6, `${run.deviation.max}`);
   });
 
-  test('what lost most of its samples is no curve', async () => {
-    // Around a sphere there is no center of mass of points so far apart.
+  test('counts a result that lost most of its samples as failed', async () => {
+    // Around a sphere, points so far apart have no center of mass.
     const sphere = peers.karcher.shape('sphere', 2000);
     const [top, bottom] = [
       [0, 0, 1],
@@ -124,7 +130,7 @@ describe('a comparison', () => {
     assert.match(run.reason, /of 17 samples did not converge/);
   });
 
-  test('ends when it is told to', async () => {
+  test('ends when it is aborted', async () => {
     const plan = peers.plan(points, 5);
     const signal = AbortSignal.abort(new Error('enough'));
     const run = runMethod(peers, plane, plan, { method: 'karcher' }, null, { signal });

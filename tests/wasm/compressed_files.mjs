@@ -3,7 +3,7 @@ import draco3d from 'draco3d';
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import { glbOf, gltfParts } from './mesh_files.mjs';
 
-/** The parts of a glTF file with other bytes, whose accessors are in no view. */
+/** The parts of a glTF file with other bytes, whose accessors have no view. */
 function compressedParts(mesh, name, buffer) {
   const parts = gltfParts(mesh, {
     extensionsUsed: [name],
@@ -14,8 +14,8 @@ function compressedParts(mesh, name, buffer) {
 }
 
 /**
- * Compressed by Draco: `bits` of a coordinate, or all of it. The order of triangles may become another. `colors`
- * are four bytes a vertex.
+ * A file compressed by Draco: a coordinate has `bits` bits, or all of them. The order of triangles
+ * may change. `colors` are four bytes a vertex.
  */
 export async function dracoParts(mesh, { bits = 0, colors } = {}) {
   const encoderModule = await draco3d.createEncoderModule();
@@ -33,7 +33,7 @@ export async function dracoParts(mesh, { bits = 0, colors } = {}) {
     colors &&
     builder.AddUInt8Attribute(made, encoderModule.COLOR, vertices, 4, Uint8Array.from(colors));
   if (bits > 0) encoder.SetAttributeQuantization(encoderModule.POSITION, bits);
-  // As it is, vertices keep their order.
+  // Sequential encoding keeps the order of vertices.
   else encoder.SetEncodingMethod(encoderModule.MESH_SEQUENTIAL_ENCODING);
   const length = encoder.EncodeMeshToDracoBuffer(made, bytes);
   const buffer = Uint8Array.from({ length }, (_, i) => bytes.GetValue(i));
@@ -54,7 +54,7 @@ export async function dracoParts(mesh, { bits = 0, colors } = {}) {
 
 export const dracoFile = async (mesh, options) => glbOf(await dracoParts(mesh, options));
 
-/** Compressed by meshoptimizer, under either name of the extension. */
+/** A file compressed by meshoptimizer, under either name of the extension. */
 export async function meshoptParts(mesh, { name = 'EXT_meshopt_compression' } = {}) {
   await MeshoptEncoder.ready;
   const corners = Uint32Array.from(mesh.faces.flat());

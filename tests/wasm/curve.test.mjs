@@ -40,7 +40,7 @@ function planePoint(mesh, points, weights) {
   return [0, 1, 2].map((k) => places.reduce((sum, place, i) => sum + weights[i] * place[k], 0));
 }
 
-/** Everything that a curve shows but its timings. */
+/** The visible properties of a curve, without its timings. */
 const shown = (curve) => ({
   points: curve.points(),
   samples: curve.samples(),
@@ -121,12 +121,12 @@ test('the polyline joins the samples on the surface', () => {
 
 for (const field of fields) {
   const name = Object.values(field).join(' ') || 'defaults';
-  test(`after edits a curve is the one that its points give anew: ${name}`, () => edit(field));
+  test(`after edits a curve equals a new curve of its points: ${name}`, () => edit(field));
 }
 
 function edit(field) {
   const mesh = karcher.shape('sphere', 2000);
-  // Curves of one mesh share their fields: what is made anew is made of another.
+  // Curves of one mesh share their fields, so the new curve is on another mesh.
   const otherMesh = karcher.shape('sphere', 2000);
   const points = [10, 40, 70, 100, 130].map((face) => ({ face, bary: [0.5, 0.25, 0.25] }));
   const edited = mesh.curve({ kind: 'bspline', points, samples: 16, ...field });
@@ -167,7 +167,7 @@ function edit(field) {
   for (const value of Object.values(edited.times())) assert.ok(value >= 0);
 }
 
-/** Some face and weights of a vertex. */
+/** A face of a vertex and weights for it there. */
 function pointOf(mesh, number) {
   const corner = mesh.triangles().indexOf(number);
   const bary = [0, 0, 0];
@@ -175,7 +175,7 @@ function pointOf(mesh, number) {
   return [Math.floor(corner / 3), bary];
 }
 
-test('a change that cannot be leaves the curve as it was', () => {
+test('an impossible change leaves the curve unchanged', () => {
   const apart = square.replace(/^v (.)/gm, 'v 5$1');
   const count = (cells + 1) ** 2;
   const face = [1, 2, 3, 4].map((i) => count + i).join(' ');
@@ -202,7 +202,7 @@ test('a change that cannot be leaves the curve as it was', () => {
   }
 });
 
-test('curves that cannot be', () => {
+test('invalid curves are refused', () => {
   const mesh = karcher.meshFromObj(grid(cells));
   const good = { kind: 'bspline', points: inner, samples: 5, ...paper };
   const expected = shown(mesh.curve(good));
@@ -237,7 +237,7 @@ test('curves that cannot be', () => {
   assert.deepEqual(shown(mesh.curve(good)), expected);
 });
 
-test('curves go with their mesh', () => {
+test('curves are disposed of with their mesh', () => {
   const mesh = karcher.meshFromObj(grid(cells));
   const options = { kind: 'bspline', points: inner, samples: 5, ...paper };
   const [one, two] = [mesh.curve(options), mesh.curve(options)];
@@ -262,7 +262,7 @@ test('curves go with their mesh', () => {
   two.dispose();
 });
 
-test('the same calls give the same numbers, also in another engine', async () => {
+test('the same calls return the same numbers, even in another engine', async () => {
   const engines = [karcher, karcher, await load()];
   const results = engines.map((engine) => {
     const mesh = engine.shape('torus', 3000);

@@ -21,7 +21,7 @@ const places = [
 ];
 const points = places.map(([i, j]) => vertex(i, j));
 const exact = { solver: 'exact', samples: 9 };
-// A field for each control point.
+// Options with a field for each control point.
 const unrefined = { ...exact, levels: 0 };
 
 const near = (actual, expected, tolerance, what) =>
@@ -69,7 +69,7 @@ const cubic = (t) => [
   t ** 3 / 6,
 ];
 
-/** Weights for consecutive points, from number `first` on, around the five. */
+/** Weights for consecutive ones of the five points, from index `first` on, cyclically. */
 const around = (first, weights) => {
   const all = [0, 0, 0, 0, 0];
   weights.forEach((weight, k) => {
@@ -109,8 +109,8 @@ test('every kind on a plane is the affine average of its points', () => {
   expectPlane({ kind: 'custom', basis: bernstein }, (_, t) => bernstein(t));
 });
 
-test('what a curve is can be read and changed', () => {
-  // Of a mesh of its own: curves of one mesh share their fields.
+test('the properties of a curve can be read and changed', () => {
+  // The mesh is separate: curves of one mesh share their fields.
   const curve = karcher.meshFromObj(grid(cells)).curve({ kind: 'bspline', points, ...unrefined });
   assert.deepEqual(Array.from(curve.knots()), [-3, -2, -1, 0, 1, 2, 3, 4, 5]);
   assert.deepEqual(Array.from(curve.weights()), [1, 1, 1, 1, 1]);
@@ -135,7 +135,7 @@ test('what a curve is can be read and changed', () => {
   assert.equal(curve.fieldsComputed, 5);
 });
 
-test('all points, weights or betas at once are as one after the other', () => {
+test('setting all points, weights or betas at once equals setting them one by one', () => {
   const [one, all] = [1, 2].map(() =>
     karcher.meshFromObj(grid(cells)).curve({ kind: 'bspline', points, ...unrefined }),
   );
@@ -171,7 +171,7 @@ test('all points, weights or betas at once are as one after the other', () => {
   }
 });
 
-test('options are copied when they are taken', () => {
+test('a curve copies its options', () => {
   const own = points.map((point) => ({ ...point }));
   const options = { kind: 'bspline', points: own, weights: [1, 2, 1, 2, 1], ...exact };
   const curve = mesh.curve(options);
@@ -187,7 +187,7 @@ test('options are copied when they are taken', () => {
   assert.deepEqual(curve.split(0.5)[0].samples(), part);
 });
 
-test('curves that cannot be say why', () => {
+test('invalid curves say why', () => {
   const good = { points, ...exact };
   const wrong = [
     [{ kind: 'bspline', degree: 6 }, 'badArgument', /degree 1 to 5, not 6/],
@@ -290,7 +290,7 @@ test('adaptive samples keep their tolerance', () => {
   }
 });
 
-test('with exact geometry the polyline bends on the curve alone, however few the samples', () => {
+test('with exact geometry the polyline bends only on the curve, even with few samples', () => {
   const away = ([x, y]) => {
     const distance = (t) => {
       const [cx, cy] = blended(bernstein(t));
@@ -323,7 +323,7 @@ test('with exact geometry the polyline bends on the curve alone, however few the
   });
 });
 
-test('a curve at a parameter, by length, and next to a place', () => {
+test('a curve at a parameter, by length, and near a place', () => {
   const curve = mesh.curve({ kind: 'bezier', points, solver: 'exact' });
   const at = curve.pointAt(0.3);
   near(at.position, blended(bernstein(0.3)), 1e-9, 'the point');
@@ -346,7 +346,7 @@ test('a curve at a parameter, by length, and next to a place', () => {
   }
   const closed = mesh.curve({ kind: 'bspline', closed: true, points, solver: 'exact' });
   for (const whole of [curve, closed]) {
-    // The sum of the same lengths, in another order.
+    // The lengths are the same, summed in another order.
     const off = whole.lengthAt(whole.segmentCount) - whole.length;
     assert.ok(Math.abs(off) < 1e-12 * whole.length);
   }
@@ -363,7 +363,7 @@ test('a curve at a parameter, by length, and next to a place', () => {
   for (const [use, code, message] of wrong) assert.throws(use, { code, message });
 });
 
-test('points put in on a curve, curves split and joined', () => {
+test('points are inserted in a curve, curves are split and joined', () => {
   const options = { kind: 'bspline', points, solver: 'exact', samples: 9 };
   const curve = mesh.curve(options);
   const whole = [0, 0.3, 1, 1.5, 2].map((at) => curve.pointAt(at).position);

@@ -1,4 +1,4 @@
-// What must hold of every mesh that is cut apart, and of the files of its parts.
+// Properties that every cut mesh and the files of its parts must have.
 import { solidOf } from 'karcher/checkup';
 import { meshFile, meshFromFile, writtenFormats } from 'karcher/formats';
 
@@ -9,7 +9,7 @@ const cross = (u, v) =>
 
 const placeOf = ({ positions }, vertex) => positions.slice(3 * vertex, 3 * vertex + 3);
 
-/** The edges that one triangle alone has, as the places of their ends. */
+/** The edges that belong to a single triangle, as the places of their ends. */
 export function rimOf(part) {
   const { triangles } = part;
   const next = (i) => triangles[i - (i % 3) + ((i + 1) % 3)];
@@ -22,8 +22,8 @@ export function rimOf(part) {
 }
 
 /**
- * The rims of parts that no other rim runs along the other way, from place to place: once each part's borders fit to
- * the last bit, the surface's own boundary.
+ * The rims of parts that do not match another rim in the opposite direction, place by place: where
+ * all parts fit to the last bit, these are the surface's own boundary.
  */
 function openEdges(parts) {
   const sides = new Map();
@@ -50,11 +50,13 @@ function openEdges(parts) {
 const openLength = (parts) =>
   openEdges(parts).reduce((sum, { count, length }) => sum + count * length, 0);
 
-/** Whether it lies on both sides of a stretch of its border: readers of files close that. */
+/**
+ * Whether a part lies on both sides of a stretch of its border: readers of files close such a slit.
+ */
 const hasSlit = (part) =>
   openEdges([part]).reduce((sum, { count }) => sum + count, 0) < rimOf(part).length;
 
-/** Vertices whose triangles are not one fan. */
+/** The vertices whose triangles do not form a single fan. */
 export function splitVertices({ positions, triangles }) {
   const parent = Int32Array.from(triangles, (_, i) => i);
   const find = (i) => {
@@ -92,7 +94,7 @@ export function leastHeight(part) {
   return least;
 }
 
-/** Whether two of its vertices lie at one place: there it is kept apart where it is read. */
+/** Whether two of its vertices lie at one place: readers keep such vertices apart. */
 const touchesItself = ({ positions }) => {
   const places = new Set();
   for (let i = 0; i < positions.length; i += 3) places.add(positions.slice(i, i + 3).join(' '));
@@ -100,8 +102,8 @@ const touchesItself = ({ positions }) => {
 };
 
 /**
- * What the surface is that is cut: `mesh.cut([])` as `whole`, its area and the length of its boundary, and whether it
- * touches itself along edges, which had more than two faces in its file.
+ * The surface under the cut: `mesh.cut([])` as `whole`, its area and the length of its boundary,
+ * and whether it touches itself along edges that had more than two faces in its file.
  */
 export function surfaceOf(mesh) {
   const whole = mesh.cut([]);
@@ -111,8 +113,8 @@ export function surfaceOf(mesh) {
 }
 
 /**
- * The faults of parts as sentences, and what was measured: `areaError` as a part of the surface's, `height` as one
- * of its diagonal.
+ * The faults of parts as sentences, and the measurements: `areaError` as a part of the surface's
+ * area, `height` as one of its diagonal.
  */
 export function checkedParts(parts, surface) {
   const faults = [];
@@ -135,8 +137,8 @@ export function checkedParts(parts, surface) {
 }
 
 /**
- * The faults of files of parts, which are read again without a repair, but for what the part itself is: one that
- * touches itself, or has a slit.
+ * The faults of files of parts. Each must be read without a repair, unless the part touches itself
+ * or has a slit.
  */
 export async function checkedFiles(karcher, parts, surface) {
   const faults = [];

@@ -13,7 +13,7 @@ const cells = 6;
 const planeDistance = (x, y, v) =>
   Math.hypot((v % (cells + 1)) - x, Math.floor(v / (cells + 1)) - y);
 
-test('on a plane exact and fast distances are those of the plane', () => {
+test('on a plane, exact and fast distances are those of the plane', () => {
   const mesh = karcher.meshFromObj(grid(cells));
   const from = { face: 20, bary: [0.5, 0.2, 0.3] };
   const [x, y] = mesh.position(from);
@@ -36,14 +36,14 @@ test('graph distances are at least the exact ones, and exact where vertices see 
     assert.ok(distance >= planeDistance(0, 0, v) - 1e-12);
     assert.ok(coarse[v] >= distance - 1e-12);
   });
-  // Along an edge, and across it.
+  // The first vertex lies along an edge, the other one across it.
   assert.ok(Math.abs(graph[1] - 1) < 1e-12);
   assert.ok(Math.abs(graph[cells + 3] - Math.sqrt(5)) < 1e-12);
 });
 
 test('welded vertices repeat their distance; dropped and unreachable ones have none', () => {
-  // Two squares joined along an edge whose vertices are doubled, a vertex of no face, and a square
-  // apart.
+  // Two squares joined along an edge with doubled vertices, a vertex without a face, and a separate
+  // square.
   const apart = square.replace(/^v (.)/gm, 'v 5$1').replace('f 1 2 3 4', 'f 10 11 12 13');
   const mesh = karcher.meshFromObj(
     `${square}v 7 8 9\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nf 6 7 8 9\n${apart}`,
@@ -77,7 +77,7 @@ test('the shortest path on a plane is a straight line', () => {
   assert.ok(Math.abs(walked - direct) < 1e-12);
 });
 
-test('a path has points of the surface, with lengths from its start, and copies for the caller', () => {
+test('a path has points of the surface, with lengths from its start, and returns copies', () => {
   const mesh = karcher.meshFromObj(grid(cells));
   const path = mesh.shortestPath({ vertex: 0 }, { face: 40, bary: [0.5, 0.25, 0.25] });
   const before = partsOf(path);
@@ -98,7 +98,7 @@ test('a path has points of the surface, with lengths from its start, and copies 
   assert.deepEqual(partsOf(path), before);
   assert.throws(() => path.polyline({ bits: 16 }), { code: 'badArgument', message: /32, 64/ });
   assert.throws(() => path.polyline({ bit: 64 }), { code: 'badArgument', message: /'bit'/ });
-  // What a path leads through can be asked for again.
+  // The points of a path are valid for further calls.
   assert.ok(mesh.shortestPath(points[0], points.at(-1)).length - path.length < 1e-12);
 });
 
@@ -117,7 +117,7 @@ test('no path leads to another component', () => {
   assert.ok(mesh.shortestPath({ vertex: 0 }, { vertex: 2 }).length > 1.4);
 });
 
-test('wrong options', () => {
+test('wrong options are refused', () => {
   const mesh = karcher.meshFromObj(square);
   const wrong = [
     [{ solver: 'slow' }, /the solver must be one of/],
@@ -147,7 +147,7 @@ test('the graph can be prepared in slices, with progress', async () => {
   assert.ok(parts.length > 1);
   assert.deepEqual(parts.at(-1), [1, 'graph']);
   for (let i = 1; i < parts.length; i++) assert.ok(parts[i][0] >= parts[i - 1][0]);
-  // Now it is there.
+  // Now the graph exists.
   const again = [];
   await mesh.prepare(
     { method: 'paper', solver: 'graph' },
@@ -163,8 +163,8 @@ test('the graph can be prepared in slices, with progress', async () => {
   other.dispose();
 });
 
-test('preparing can be stopped, and gives its memory back', async () => {
-  // Of an engine of its own: what other tests forgot is given back at any time.
+test('preparing can be stopped, and frees its memory', async () => {
+  // The engine is separate: objects that other tests forgot may be freed at any time.
   const own = await load();
   const mesh = own.shape('sphere', 20_000);
   const bytes = own.allocatedBytes();

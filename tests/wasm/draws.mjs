@@ -1,7 +1,7 @@
-// How many cases a test draws with fast-check, and from which seed.
+// The number of cases that a test draws with fast-check, and their seed.
 import { long, seed } from '../web/part.mjs';
 
-/** A long run draws many times as many. */
+/** A long run draws many times as many cases. */
 export const draws = (count) => ({
   ...{ seed, numRuns: long ? 30 * count : count, endOnFailure: true },
   includeErrorInReport: true,
@@ -14,8 +14,7 @@ const codes = new Set([
 ]);
 
 /**
- * Throws unless a failure is one that was meant: a KarcherError with a code and a sentence, without
- * words that tell nobody anything.
+ * Throws unless a failure is an intended one: a KarcherError with a code and a helpful sentence.
  */
 export function checkMeant(error, unsaid = /abort\(|Aborted|internal|memory access/) {
   const meant = error?.name === 'KarcherError' && codes.has(error.code);

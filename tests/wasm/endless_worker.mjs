@@ -1,4 +1,4 @@
-// An engine in a worker that also has a call without an end.
+// An engine in a worker with an additional endless call.
 import { load } from 'karcher';
 import { serve } from 'karcher/own-worker';
 

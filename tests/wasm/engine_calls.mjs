@@ -1,8 +1,8 @@
-// The calls into the module, as a mesh and its curves make them.
+// Records the calls into the module that a mesh and its curves make.
 
 /**
- * What `work` returns, or resolves to, and the calls that meshes and curves of the mesh's module make
- * meanwhile: the name of each, and what it returned.
+ * The result of `work`, and the calls that meshes and curves of the mesh's module make meanwhile:
+ * the name and the result of each.
  */
 export function noted(mesh, work) {
   const calls = [];
@@ -24,7 +24,7 @@ export function noted(mesh, work) {
   return value.then((result) => ({ value: result, calls })).finally(restore);
 }
 
-/** Of the module's own meshes and curves. */
+/** The prototypes of the module's own meshes and curves. */
 function prototypesOf(mesh) {
   const engineMesh = mesh.handle.call((target) => target);
   const { curve: make } = engineMesh;
@@ -38,7 +38,7 @@ function prototypesOf(mesh) {
   return [engineMesh, engineCurve].map(Object.getPrototypeOf);
 }
 
-/** Notes the calls of a prototype's methods, until what is returned is called. */
+/** Records the calls of a prototype's methods, until the returned function is called. */
 function note(prototype, calls) {
   const kept = Object.entries(prototype).filter(
     ([name, method]) => typeof method === 'function' && name !== 'constructor',

@@ -1,4 +1,4 @@
-// The examples: those for Node run, those for a page are bundled; each is short and in the list.
+// The examples: those for Node run, those for a page are bundled; each is short and listed.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
@@ -24,7 +24,7 @@ test('the first dragged curve takes at most 15 lines', () => {
   assert.ok(lines.trim().split('\n').length <= 15);
 });
 
-test('and with React at most 20, beside imports', () => {
+test('with React it takes at most 20 lines, besides imports', () => {
   const lines = textOf('drag_with_react.tsx')
     .split('\n')
     .filter((line) => line.trim() !== '' && !/^(import|\/\/)/.test(line));

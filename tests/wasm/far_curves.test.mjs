@@ -1,4 +1,4 @@
-// What far curves of the default hold together.
+// Curves of distant points stay connected with the default method.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from 'karcher';

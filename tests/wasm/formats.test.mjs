@@ -1,4 +1,4 @@
-// Files of meshes: each format gives the mesh that was written.
+// Files of meshes: a reader of each format returns the mesh that was written.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { load } from 'karcher';
@@ -29,7 +29,7 @@ function placesOf(mesh) {
 const written = ({ positions, faces }) =>
   faces.flat().map((vertex) => positions.slice(3 * vertex, 3 * vertex + 3));
 
-test('every format gives the mesh that was written, corner by corner', async () => {
+test('every format restores the written mesh, corner by corner', async () => {
   for (const [name, bytes] of Object.entries(files.everyFile(cutBox))) {
     const { mesh, file } = await open(bytes, { name });
     assert.deepEqual(placesOf(mesh), written(cutBox), name);
@@ -42,7 +42,7 @@ test('every format gives the mesh that was written, corner by corner', async () 
   }
 });
 
-test('the content tells the format, and the name where it does not', () => {
+test('the content identifies the format, and the name if the content does not', () => {
   for (const [name, bytes] of Object.entries(files.everyFile(cutBox))) {
     const format = name.split('.')[1].replace('glb', 'gltf');
     assert.equal(formatOf(bytes), format, name);
@@ -65,7 +65,7 @@ test('polygons are cut as those of an OBJ file', async () => {
     assert.deepEqual(mesh.info.repairs, wanted.mesh.info.repairs);
     assert.equal(file.parts[0].triangles, 12);
   }
-  // A star, drawn in one line, and a triangle.
+  // A star with crossing sides, and a triangle.
   const crossed = {
     positions: [0, 3, 0, 2, -3, 0, -3, 1, 0, 3, 1, 0, -2, -3, 0],
     faces: [[0, 1, 2, 3, 4]],
@@ -82,20 +82,20 @@ test('polygons are cut as those of an OBJ file', async () => {
   }
 });
 
-test('numbers of a text are the nearest doubles, however they are written', async () => {
+test('numbers in a text are the nearest doubles, in every notation', async () => {
   const numbers = [
     ...['0.1', '1e22', '-1.7976931348623157e10', '123456789012345678', '+.5', '5.', '1E-5'],
     ...['0.30000000000000004', '-0', '9007199254740993', '2.2250738585072014e-10', '1e-7'],
   ];
   const vertices = numbers.map((number, i) => `${number} ${i} ${i * i}`);
   const text = `OFF\n${numbers.length} 1 0\n${vertices.join('\n')}\n3 0 8 5\n`;
-  // Vertices of no face are left out of the surface, and keep their place.
+  // Vertices without a face are no part of the surface, but keep their place.
   const { mesh } = await open(encode(text));
   const xs = Array.from(mesh.positions()).filter((_, i) => i % 3 === 0);
   assert.deepEqual(xs, numbers.map(Number));
 });
 
-test('what three.js writes is read, and what it reads is the same', async () => {
+test('files by three.js are read, and three.js reads the same', async () => {
   const torus = new TorusGeometry(1, 0.4, 12, 30);
   const place = (i) =>
     [0, 1, 2].map((axis) => Math.fround(torus.attributes.position.array[3 * i + axis]));
@@ -175,7 +175,7 @@ test('glTF: strips, fans, no indices, normalized and sparse numbers', async () =
   assert.deepEqual(placesOf(mesh), written(cutBox));
   assert.deepEqual([mesh.info.vertices, mesh.info.boundaryLoops], [8, 0], 'welded');
 
-  // Three rows of bytes, of which row 2 is another: 0 0 0, 255 0 0, and 0 255 51 instead of 0 0 0.
+  // Three rows of bytes; row 2 is changed from 0 0 0 to 0 255 51, the others are 0 0 0 and 255 0 0.
   const bytes = [0, 0, 0, 0, 255, 0, 0, 0, 0, 0, 0, 0, 2, 0, 255, 51];
   const quantized = {
     asset: { version: '2.0' },
@@ -208,7 +208,7 @@ test('glTF: strips, fans, no indices, normalized and sparse numbers', async () =
   ]);
 });
 
-test('glTF whose buffer lies beside it', async () => {
+test('glTF with a separate buffer', async () => {
   const { json, buffer } = files.gltfParts(cutBox);
   json.buffers[0].uri = 'a%20body.bin';
   const text = encode(JSON.stringify(json));
@@ -223,7 +223,7 @@ test('glTF whose buffer lies beside it', async () => {
   }
 });
 
-test('parts are listed, and those that are asked for are read', async () => {
+test('parts are listed, and the requested ones are read', async () => {
   const obj = encode(
     'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 6 1 0\no left\nf 1 2 3\no right\ng top\nf -4 -3 \\\n-2\nf 5 7 6\no left\nf 3 2 1\n',
   );
@@ -268,7 +268,7 @@ test('parts are listed, and those that are asked for are read', async () => {
   await assert.rejects(open(glb, { parts: [] }), { code: 'badArgument' });
 });
 
-test('what is read tells its progress, and stops when it is asked to', async () => {
+test('reading reports its progress, and stops on request', async () => {
   const sphere = new SphereGeometry(1, 300, 300);
   const mesh = {
     positions: Array.from(sphere.attributes.position.array),
@@ -297,7 +297,7 @@ test('what is read tells its progress, and stops when it is asked to', async () 
   assert.ok(told.at(-1)[0] < 0.5, 'it did not go on');
 });
 
-test('in a worker: a file with its progress, its parts, and an end to it', async () => {
+test('in a worker: a file with its progress, its parts, and cancellation', async () => {
   const remote = await loadInWorker();
   after(() => remote.dispose());
   const stages = new Set();
@@ -335,13 +335,13 @@ test('wrong arguments are refused', async () => {
   }
 });
 
-test('which way is up: a sole, a rim that is open below, or what is usual', () => {
+test('the upward axis: from a base, from a rim that is open below, or by default', () => {
   const turned = ({ positions, faces }, order) => ({
     positions: positions.map((_, i) => positions[3 * Math.floor(i / 3) + order[i % 3]]),
     faces,
   });
   const guess = ({ positions, faces }, format = 'obj') => guessUp(positions, faces.flat(), format);
-  // A cone on z = 0, with its sole and without.
+  // A cone on z = 0, with and without its base.
   const ring = Array.from({ length: 40 }, (_, i) => (Math.PI * i) / 20);
   const side = ring.map((_, i) => [i, (i + 1) % 40, 40]);
   const positions = [...ring.flatMap((t) => [Math.cos(t), Math.sin(t), 0]), 0, 0, 3, 0, 0, 0];
@@ -352,8 +352,8 @@ test('which way is up: a sole, a rim that is open below, or what is usual', () =
     assert.equal(guess(turned(shape, [1, 2, 0])), 'y');
     assert.equal(guess(shape, 'gltf'), 'y');
   }
-  // The guess depends neither on the place of the shape nor on how far its sole reaches around a hole, since chains of edges
-  // enclose nothing.
+  // The guess does not depend on the place of the shape, nor on how far its base reaches around a
+  // hole, since chains of edges enclose nothing.
   const raised = (shape, by) => ({
     ...shape,
     positions: shape.positions.map((x, i) => x + (i % 3 === 0 ? by : 0)),
@@ -384,7 +384,10 @@ test('which way is up: a sole, a rim that is open below, or what is usual', () =
   );
 });
 
-/** Two triangles with a red, a green, a blue and a half gray vertex, the third at the place of the fourth. */
+/**
+ * Two triangles with a red, a green, a blue and a half gray vertex; the third is at the place of
+ * the fourth.
+ */
 const colored = {
   positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 1, 1, 0],
   colors: [
@@ -400,7 +403,7 @@ const colored = {
   ],
 };
 
-/** With colors of four floats, which glTF has as light. */
+/** A file with four floats for each color; in glTF these are linear light. */
 function coloredGlb(light, accessor = {}) {
   const { json, buffer } = files.gltfParts(colored);
   const bytes = new Uint8Array(buffer.length + 4 * light.length);
@@ -435,7 +438,7 @@ function coloredPly(type, toNumber, names) {
   );
 }
 
-/** Of what a vertex has after its place. */
+/** An OFF file with `rest` after the place of each vertex. */
 function coloredOff(keyword, rest) {
   const places = colored.colors.map((color, i) =>
     [...colored.positions.slice(3 * i, 3 * i + 3), ...rest(color)].join(' '),
@@ -444,7 +447,7 @@ function coloredOff(keyword, rest) {
   return encode([keyword, '5 2 0', ...places, ...faces, ''].join('\n'));
 }
 
-test('colors are those of the file’s vertices, in whatever numbers, welded or not', async () => {
+test('colors are those of the file’s vertices, in every type of number, welded or not', async () => {
   const obj = encode(
     `${colored.colors
       .map((color, i) =>
@@ -479,7 +482,7 @@ test('colors are those of the file’s vertices, in whatever numbers, welded or 
   assert.deepEqual(Array.from(glb.file.materialOf), [0, 0]);
   assert.equal((await open(files.objFile(box))).file.colors, null);
   assert.equal((await open(files.glbFile(cutBox))).file.colors, null);
-  // No surface is refused for its colors.
+  // Invalid colors do not make a surface fail.
   const { file } = await open(coloredGlb(light, { type: 'VEC2' }));
   assert.equal(file.colors, null);
 });

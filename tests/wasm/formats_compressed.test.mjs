@@ -1,5 +1,5 @@
-// glTF files that Draco or meshoptimizer compressed: what was written is read, in this thread and in a
-// worker, and what is damaged is told.
+// glTF files compressed by Draco or meshoptimizer: written meshes are restored, in this thread and
+// in a worker, and damage is reported.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { load } from 'karcher';
@@ -30,7 +30,7 @@ function torus(n) {
   return { positions, faces };
 }
 
-/** Triangles by their corners' places, each from its least corner on, in an order of their own. */
+/** Triangles by the places of their corners, each starting with its least corner, sorted. */
 function trianglesOf(positions, corners) {
   const told = (vertex) => Array.from(positions.slice(3 * vertex, 3 * vertex + 3)).join(' ');
   return Array.from({ length: corners.length / 3 }, (_, i) => {
@@ -44,7 +44,7 @@ const meshTriangles = (mesh) => trianglesOf(mesh.positions(), mesh.triangles());
 const shape = torus(40);
 const written = trianglesOf(Float32Array.from(shape.positions), shape.faces.flat());
 
-test('each compression gives the mesh that was written', async () => {
+test('each compression restores the written mesh', async () => {
   const plain = glbFile(shape).length;
   for (const [name, bytes] of Object.entries({
     draco: await dracoFile(shape),
@@ -59,12 +59,13 @@ test('each compression gives the mesh that was written', async () => {
   }
 });
 
-test('places that Draco rounded are as near as it promises', async () => {
+test('places rounded by Draco are as near as it promises', async () => {
   const bits = 12;
   const { mesh } = await meshFromFile(karcher, await dracoFile(shape, { bits }));
   assert.equal(mesh.info.vertices, shape.positions.length / 3);
   assert.equal(mesh.info.triangles, shape.faces.length);
-  // A step of the finest grid over the longest side, by half in each coordinate; then floats.
+  // Half a step of the finest grid over the longest side, in each coordinate, and the rounding to
+  // floats.
   const most = (0.51 * 5.4) / (2 ** bits - 1);
   const positions = mesh.positions();
   for (let i = 0; i < positions.length; i += 3) {
@@ -84,7 +85,7 @@ test('in a worker', async () => {
   }
 });
 
-test('a buffer that only stands in for what is compressed is not asked for', async () => {
+test('a buffer that only replaces compressed data is not requested', async () => {
   const { json } = await meshoptParts(shape);
   json.buffers[0].uri = 'compressed.bin';
   json.buffers[1].uri = 'fallback.bin';
@@ -92,7 +93,7 @@ test('a buffer that only stands in for what is compressed is not asked for', asy
   assert.deepEqual(namesBeside(text, 'mesh.gltf'), ['compressed.bin']);
 });
 
-test('what is damaged is refused with what it is', async () => {
+test('damaged data is refused with its name', async () => {
   const changed = async (parts, change) => {
     const { json, buffer } = await parts;
     const copy = { json: structuredClone(json), buffer: buffer.slice() };
@@ -139,7 +140,7 @@ test('what is damaged is refused with what it is', async () => {
   }
 });
 
-test('triangles that Draco compressed and no accessor tells of are read', async () => {
+test('triangles compressed by Draco are read without an accessor', async () => {
   const { json, buffer } = await dracoParts(shape);
   const [primitive] = json.meshes[0].primitives;
   const numbers = json.accessors.splice(primitive.indices, 1);
@@ -155,7 +156,7 @@ test('triangles that Draco compressed and no accessor tells of are read', async 
   });
 });
 
-test('colors that Draco compressed are read; wrong ones refuse no surface', async () => {
+test('colors compressed by Draco are read; wrong ones do not make a surface fail', async () => {
   const vertices = shape.positions.length / 3;
   // Light of 0 and 1 is the same in sRGB.
   const colors = Array.from({ length: 4 * vertices }, (_, i) =>

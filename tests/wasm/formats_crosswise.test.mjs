@@ -1,5 +1,5 @@
-// One table for all formats of text: a mark of byte order, line ends, comments, spellings of what is no
-// number, and whether that is used. Whatever one format's reader does with them, all do.
+// One table for all text formats: byte order marks, line ends, comments, spellings of invalid
+// numbers, and whether these are used. All readers behave alike.
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { load } from 'karcher';
@@ -18,8 +18,8 @@ const header = (vertex) =>
   `ply\nformat ascii 1.0\nelement vertex 4\n${vertex.map((name) => `property float ${name}\n`).join('')}element face 1\nproperty list uchar int vertex_indices\nend_header\n`;
 
 /**
- * Texts of a triangle and of a vertex that it does not use, with `used` as a coordinate of the triangle,
- * `unused` as numbers that make no surface, and `comment` wherever a format has one.
+ * Texts of a triangle and of an unused vertex: `used` is a coordinate of the triangle, `unused` are
+ * numbers outside the surface, and `comment` stands wherever a format allows one.
  */
 const texts = {
   obj: ({ used, unused, comment }) =>
@@ -36,7 +36,7 @@ const texts = {
 
 const notNumbers = ['nan', '-NaN', 'inf', '-Infinity', '-nan(ind)', '1.#QNAN', '-1.#IND', '1.#INF'];
 
-test('marks, line ends, comments and spellings, crosswise', async () => {
+test('byte order marks, line ends, comments and spellings in all combinations', async () => {
   for (const [format, text] of Object.entries(texts)) {
     for (const mark of ['', '\ufeff']) {
       for (const end of ['\n', '\r\n', '\r']) {
@@ -73,7 +73,7 @@ test('marks, line ends, comments and spellings, crosswise', async () => {
 
 const ply = (rows, vertex = ['x', 'y', 'z', 'nx', 'ny', 'nz']) => encode(header(vertex) + rows);
 
-test('rows over several lines are read, and what is beyond a row of one line is left out', async () => {
+test('rows over several lines are read, and extra values in a row of one line are ignored', async () => {
   const split = ply('0 0 0\n0 0 1\n1 0 0 0 0 1\n0 1\n\n0 0\n0 # more\n1\n1 1 0 0 0 1\n3\n0\n1 2\n');
   const { mesh, file } = await open(split);
   assert.deepEqual([...mesh.positions()].slice(0, 9), [0, 0, 0, 1, 0, 0, 0, 1, 0]);
@@ -84,14 +84,14 @@ test('rows over several lines are read, and what is beyond a row of one line is 
     longer.file.notRead[0],
     /^Numbers beyond those of the header were left out, in 2 rows\.$/,
   );
-  // Both in one row: a number is missing.
+  // Both values in one row: a number is missing.
   await assert.rejects(open(ply('0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n', ['x', 'y', 'z'])), {
     code: 'badFile',
     message: 'line 10 ends where there must be a coordinate',
   });
 });
 
-test('OFF: glued counts, colors that the keyword does not tell of, and numbers on any lines', async () => {
+test('OFF: joined counts, colors that the keyword does not announce, and numbers on any lines', async () => {
   const rows = '0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n';
   const colored = '0 0 0 255 0 0 255\n1 0 0 0 0 0 9\n0 1 0 1 1 1 1\n3 0 1 2 0.5 0.5 0.5\n';
   for (const [text, notRead] of [
@@ -108,7 +108,7 @@ test('OFF: glued counts, colors that the keyword does not tell of, and numbers o
   }
 });
 
-/** A binary OFF: its keyword, then numbers, whole ones as such. */
+/** A binary OFF file: its keyword, then numbers, with whole ones as integers. */
 function binaryOff(keyword, numbers) {
   const start = encode(`${keyword} BINARY\n`);
   const bytes = new Uint8Array(start.length + 4 * numbers.length);
@@ -122,7 +122,7 @@ function binaryOff(keyword, numbers) {
   return bytes;
 }
 
-test('a binary OFF, whatever its vertices and faces have beside', async () => {
+test('a binary OFF with any additional data of vertices and faces', async () => {
   for (const [keyword, more] of [
     ['OFF', []],
     ['NOFF', [0, 0, Number.NaN]],
@@ -145,7 +145,7 @@ test('a binary OFF, whatever its vertices and faces have beside', async () => {
   }
 });
 
-test('a binary STL with bytes after each triangle, as its last two tell', async () => {
+test('a binary STL with bytes after each triangle, whose length is in the last two', async () => {
   const plain = files.stlFile(files.cutBox);
   const rows = Array.from({ length: 12 }, (_, i) => plain.slice(84 + 50 * i, 134 + 50 * i));
   const longer = rows.map((row, i) => {
@@ -160,13 +160,13 @@ test('a binary STL with bytes after each triangle, as its last two tell', async 
   assert.deepEqual(mesh.triangles(), wanted.triangles());
   assert.deepEqual(mesh.positions(), wanted.positions());
   assert.match(file.notRead[0], /bytes after the triangles/);
-  // Two bytes that are a color lead nowhere: the length of the file tells.
+  // Two bytes that are a color do not fit the length of the file.
   const colored = plain.slice();
   for (let i = 0; i < 12; i++) new DataView(colored.buffer).setUint16(132 + 50 * i, 31 * i, true);
   assert.deepEqual((await open(colored)).mesh.triangles(), wanted.triangles());
 });
 
-test('a text STL of facets alone', async () => {
+test('a text STL of facets only', async () => {
   const text = new TextDecoder().decode(files.stlFile(files.cutBox, { text: true }));
   const facets = text.replace(/(end)?solid.*\n/g, '');
   assert.equal((await open(encode(facets))).mesh.info.triangles, 12);

@@ -1,4 +1,4 @@
-// Files of meshes that are damaged: each is refused with what is wrong, and where.
+// Damaged files of meshes: each is refused with the fault and its place.
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { load } from 'karcher';
@@ -152,7 +152,7 @@ const damaged = {
   ],
 };
 
-test('damaged files are refused with what is wrong and where', async () => {
+test('damaged files are refused with the fault and its place', async () => {
   for (const [what, [bytes, code, message, name]] of Object.entries(damaged)) {
     await assert.rejects(
       open(bytes, name ? { name } : {}),

@@ -1,4 +1,4 @@
-// Files that are odd though good, and files that are made to take time or memory.
+// Unusual but valid files, and files designed to consume time or memory.
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { KarcherError, load } from 'karcher';
@@ -14,7 +14,7 @@ before(async () => {
 const open = (bytes, options) => meshFromFile(karcher, bytes, options);
 const decode = (bytes) => new TextDecoder().decode(bytes);
 
-test('what is no number is one place, however often it comes', async () => {
+test('a coordinate that is not a number marks one place, however often it appears', async () => {
   const { Places } = await import(new URL('./places.js', import.meta.resolve('karcher')).href);
   const places = new Places();
   const draw = (i) => [i % 50, i % 70, i % 3 === 0 ? Number.NaN : -0];
@@ -48,7 +48,7 @@ test('a line ends by either sign or both, in every format of text', async () => 
       obj: withEnds(files.objFile(box)),
       off: withEnds(encode(decode(files.offFile(box)).replace('OFF', 'OFF # a box'))),
       ply: files.plyFile(box, { eol }),
-      // A row whose first byte is that of a line's end.
+      // The first byte of the row is that of a line end.
       little: files.plyFile(
         { ...box, positions: [1e-323 * 5, ...box.positions.slice(1)] },
         { encoding: 'little', eol },
@@ -70,7 +70,7 @@ test('a line ends by either sign or both, in every format of text', async () => 
   }
 });
 
-test('a mark of byte order changes nothing', async () => {
+test('a byte order mark changes nothing', async () => {
   const wanted = (await open(files.objFile(box))).mesh;
   const all = {
     obj: files.objFile(box),
@@ -91,7 +91,7 @@ test('a mark of byte order changes nothing', async () => {
   wanted.dispose();
 });
 
-test('1.#QNAN and the like are no numbers, in no format', async () => {
+test('1.#QNAN and similar spellings are no numbers, in any format', async () => {
   for (const word of ['1.#QNAN', '-1.#IND', '1.#INF']) {
     const all = {
       obj: `v ${word} 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n`,
@@ -109,7 +109,7 @@ test('1.#QNAN and the like are no numbers, in no format', async () => {
   }
 });
 
-test('a Git LFS pointer and UTF-16 text are told, whatever the ending', async () => {
+test('a Git LFS pointer and UTF-16 text are recognized, whatever the ending', async () => {
   const pointer = encode('version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 12345\n');
   const text = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n';
   const little = new Uint8Array([0xff, 0xfe, ...[...text].flatMap((c) => [c.charCodeAt(0), 0])]);
@@ -122,8 +122,8 @@ test('a Git LFS pointer and UTF-16 text are told, whatever the ending', async ()
   }
 });
 
-test('parts of an OBJ file: comments, continued lines and line numbers stay as the engine has them', async () => {
-  // The first face's comment ends in a backslash, which continues nothing.
+test('parts of an OBJ file: comments, continued lines and line numbers are as in the engine', async () => {
+  // The first face's comment ends in a backslash, which continues no line.
   const text = [
     'v 0 0 0',
     'v 1 0 0',
@@ -151,16 +151,16 @@ test('parts of an OBJ file: comments, continued lines and line numbers stay as t
   const { mesh } = await open(encode(text), { parts: [1] });
   assert.deepEqual(Array.from(mesh.triangles()), [0, 1, 3, 0, 1, 4]);
   assert.deepEqual(Array.from(mesh.positions().slice(9, 12)), [9, 9, 9]);
-  // A line that is wrong after one that was left out has the number that the file gives it.
+  // A wrong line after a removed one has its line number in the file.
   const bad = encode(`${text}o b#1\nf 1 2 x\n`);
   await assert.rejects(open(bad, { parts: [1] }), { message: /^line 18: / });
-  // Lines without end, and one that goes on fifty thousand times.
+  // Lines without end, and one that is continued fifty thousand times.
   const long = `v 0 0 0\nv 1 0 0\nv 0 1 0\no a\nf 1 2 3\no b\nf 1 2 ${'\\\n'.repeat(50_000)}3`;
   assert.equal((await open(encode(long), { parts: [0] })).mesh.info.triangles, 1);
   assert.equal((await open(encode(long), { parts: [1] })).mesh.info.triangles, 1);
 });
 
-test('faces of fewer than three corners are left out, and told', async () => {
+test('faces of fewer than three corners are left out, and reported', async () => {
   const some = { ...box, faces: [[0, 1], ...box.faces, [3], []] };
   for (const bytes of [
     files.plyFile(some),
@@ -175,10 +175,10 @@ test('faces of fewer than three corners are left out, and told', async () => {
   assert.equal(mesh.info.triangles, 1);
 });
 
-/** Words that every object has. */
+/** Property names that every object has. */
 const inherited = ['constructor', '__proto__', 'toString', 'hasOwnProperty', 'valueOf'];
 
-test('words that every object of the language has are words like others', async () => {
+test('names of every object’s properties are ordinary words', async () => {
   const gltf = (changes) => encode(JSON.stringify({ ...files.gltfParts(cutBox).json, ...changes }));
   const ply = decode(files.plyFile(box));
   for (const word of inherited) {
@@ -229,11 +229,11 @@ test('glTF: vertices are numbered by whole numbers from 0', async () => {
     },
   });
   await assert.rejects(open(withIndex(sparse(5126))), { message: /sparse part .* cannot count/ });
-  // 0 1 2 0 …, of which the fourth is not after the third.
+  // The indices are 0 1 2 0 …: the fourth is not greater than the third.
   await assert.rejects(open(withIndex(sparse(5125, 4))), { message: /row \d+ after row \d+/ });
 });
 
-test('glTF: a mesh that many nodes place is read once, and what does not fit is refused before it is made', async () => {
+test('glTF: a mesh that many nodes place is read once, and one that is too large is refused before it is made', async () => {
   const many = { positions: box.positions, faces: Array.from({ length: 20_000 }, () => [0, 1, 2]) };
   const nodes = Array.from({ length: 2501 }, () => ({ mesh: 0 }));
   const scenes = [{ nodes: [...nodes.keys()] }];
@@ -250,13 +250,13 @@ test('glTF: a mesh that many nodes place is read once, and what does not fit is 
   const positions = Array.from({ length: 120_000 }, (_, i) => i % 17);
   const vertices = files.glbFile({ positions, faces: [[0, 1, 3]] }, { nodes, scenes });
   await assert.rejects(open(vertices), { code: 'outOfMemory', message: /of 100,040,000 vertices/ });
-  // As many as the engine's memory holds twice, but not what is made of them beside.
+  // The vertices would fit twice into the engine's memory, but not with everything made from them.
   const fewer = { nodes: nodes.slice(0, 2000), scenes: [{ nodes: [...Array(2000).keys()] }] };
   await assert.rejects(open(files.glbFile({ positions, faces: [[0, 1, 3]] }, fewer)), {
     code: 'outOfMemory',
     message: /of 80,000,000 vertices, which take at least 5\.3\d GB/,
   });
-  // A thousand nodes of a mesh of a thousand primitives, in some kilobytes.
+  // A thousand nodes of a mesh of a thousand primitives, in a few kilobytes.
   const { json, buffer } = files.gltfParts(cutBox);
   const primitives = Array.from({ length: 1000 }, () => json.meshes[0].primitives[0]);
   const places = files.glbOf({
@@ -300,7 +300,7 @@ function triangleWith(change, rows = []) {
 
 const rounded = (mesh) => [...mesh.positions()].map((x) => Math.round(1e6 * x) / 1e6 + 0);
 
-test('glTF: a mesh with a skin is not where its node is', async () => {
+test('glTF: the place of a skinned mesh is not that of its node', async () => {
   const nodes = [
     { mesh: 0, skin: 0, scale: [100, 100, 100], translation: [5, 5, 5], children: [1] },
     { mesh: 0 },
@@ -316,7 +316,7 @@ test('glTF: a mesh with a skin is not where its node is', async () => {
   );
 });
 
-test('glTF: instances of a mesh, each with its place, and counted before they are made', async () => {
+test('glTF: instances of a mesh have their places, and are counted before they are made', async () => {
   const instanced =
     (count = 3) =>
     (all, view) => ({
@@ -366,7 +366,7 @@ test('glTF: instances of a mesh, each with its place, and counted before they ar
     code: 'badFile',
     message: /lists of 2 and 3 and 3 rows/,
   });
-  // A sparse list of zeros takes no bytes: there could be any number of instances.
+  // A sparse list of zeros takes no bytes: it could have any number of instances.
   const many = triangleWith((all, view) => {
     const change = instanced()(all, view);
     for (const accessor of change.accessors.slice(-3)) {
@@ -383,7 +383,7 @@ test('glTF: instances of a mesh, each with its place, and counted before they ar
   await assert.rejects(open(many), { code: 'badFile', message: /more than 250,000 parts/ });
 });
 
-test('glTF: sparse places without a view are zeros but for those that are told', async () => {
+test('glTF: sparse places without a view are zeros, except the given ones', async () => {
   const bytes = triangleWith(
     (all, view) => ({
       bufferViews: [...all.bufferViews, { buffer: 0, byteOffset: 0, byteLength: 0 }],

@@ -1,5 +1,5 @@
-// Files of random bytes, and files that were good before bytes of them changed: each makes a mesh with
-// finite places, or is refused with a KarcherError, soon and without much memory.
+// Files of random bytes, and good files with changed bytes: each makes a mesh with finite places,
+// or is refused with a KarcherError, soon and with little memory.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import fc from 'fast-check';
@@ -27,10 +27,10 @@ before(async () => {
 });
 
 const encode = (text) => new TextEncoder().encode(text);
-/** What this process may take, for small files only. */
+/** The largest memory of this process, for small files only. */
 const mostMemory = 1.5e9;
 
-/** Opens a file, or sees it refused; true where it was opened. */
+/** Opens a file, or expects a refusal; true if it was opened. */
 async function opens(bytes, options) {
   watch(bytes);
   try {
@@ -56,8 +56,9 @@ async function opens(bytes, options) {
 
 const name = fc.constantFrom('x', 'x.obj', 'x.ply', 'x.stl', 'x.off', 'x.glb', 'x.gltf');
 
-test('random bytes, also after the beginning of a format', async () => {
-  // After the beginning of an OBJ file random bytes may be faces of its three vertices, so some files are read.
+test('random bytes, alone and after the beginning of a format', async () => {
+  // After the beginning of an OBJ file random bytes may be faces of its three vertices, so some
+  // files are read.
   let refused = 0;
   const start = fc.constantFrom(
     ...['', 'ply\nformat ascii 1.0\n', 'ply\nformat binary_big_endian 1.0\nelement vertex 3\n'],
@@ -99,7 +100,7 @@ const goodFiles = [
   ...[stlFile(cutBox, { text: true, solids: 2 }), gltf({})],
 ];
 
-/** Bytes set, put in, taken out, or repeated, at a place that is a part of the whole. */
+/** Bytes are set, inserted, removed, or repeated, at a fraction of the file. */
 const change = fc.record({
   at: fc.double({ min: 0, max: 1, noNaN: true }),
   kind: fc.constantFrom('set', 'set', 'set', 'set', 'put', 'take', 'repeat', 'end'),
@@ -121,7 +122,7 @@ function changed(bytes, changes) {
   }, bytes);
 }
 
-test('files that were good before some bytes changed', async () => {
+test('good files with some changed bytes', async () => {
   let opened = 0;
   await fc.assert(
     fc.asyncProperty(
@@ -186,7 +187,7 @@ test('text files with other numbers, words and counts', async () => {
   assert.ok(opened > 20, 'some words matter little');
 });
 
-/** Every place in a JSON value, as the keys that lead there. */
+/** Every place in a JSON value, as the list of keys that leads to it. */
 function placesIn(value, path = []) {
   const below =
     typeof value === 'object' && value !== null
@@ -230,7 +231,7 @@ for (const [name, count, parts] of [
   ['glTF that Draco compressed', 60, () => dracoParts(cutBox)],
   ['glTF that meshoptimizer compressed', 600, () => meshoptParts(cutBox)],
 ]) {
-  test(`${name} whose JSON has something else in any place`, async () => {
+  test(`${name} whose JSON has another value anywhere`, async () => {
     const { json, buffer } = await parts();
     let opened = 0;
     const path = fc.constantFrom(...placesIn(json));
@@ -247,7 +248,7 @@ for (const [name, count, parts] of [
   });
 }
 
-/** Numbers that say too much, or nothing, in bytes as files have them. */
+/** Extreme numbers in bytes, as in files. */
 const extremes = [
   ...[0, 1, 0x7f, 0x80, 0xff].map((byte) => [byte]),
   ...[0x7fff, 0x8000, 0xffff].map((number) => [...new Uint8Array(Uint16Array.of(number).buffer)]),
@@ -258,14 +259,14 @@ const extremes = [
     ...new Uint8Array(Float32Array.of(number).buffer),
   ]),
   ...[Number.NaN, 1e308].map((number) => [...new Uint8Array(Float64Array.of(number).buffer)]),
-  // Draco writes counts in parts of seven bits.
+  // Draco writes counts in groups of seven bits.
   ...[
     [0xff, 0xff, 0xff, 0xff, 0x0f],
     [0x80, 0x80, 0x80, 0x01],
   ],
 ];
 
-/** A bit turned, a number that is extreme, a part of another file, or an end too early. */
+/** A flipped bit, an extreme number, a part of another file, or an early end. */
 const damage = fc.record({
   at: fc.double({ min: 0, max: 1, maxExcluded: true, noNaN: true }),
   from: fc.double({ min: 0, max: 1, noNaN: true }),
@@ -289,7 +290,7 @@ function damaged(bytes, other, damages) {
   }, bytes);
 }
 
-test('files with turned bits, extreme numbers, parts of others, and ends too early', async () => {
+test('files with flipped bits, extreme numbers, parts of others, and early ends', async () => {
   let opened = 0;
   const good = fc.constantFrom(...goodFiles);
   await fc.assert(
@@ -308,7 +309,7 @@ for (const [name, count, parts] of [
   ['Draco', 60, () => [dracoParts(cutBox), dracoParts(cutBox, { bits: 11 })]],
   ['meshoptimizer', 1000, () => [meshoptParts(cutBox)]],
 ]) {
-  test(`what ${name} compressed, with the same damages`, async () => {
+  test(`data compressed by ${name}, with the same damages`, async () => {
     let opened = 0;
     const good = fc.constantFrom(...(await Promise.all(parts())));
     await fc.assert(

@@ -16,7 +16,7 @@ const outline = new THREE.Shape(profile([0, 0], [2, 0], [2, 1], [1, 1.5], [0, 1]
 const pierced = outline.clone();
 pierced.holes.push(new THREE.Path(profile([0.5, 0.3], [0.5, 0.7], [1.5, 0.7], [1.5, 0.3])));
 
-/** Each geometry with the boundary loops and the genus of its surface. */
+/** Each geometry with the number of boundary loops and the genus of its surface. */
 export const geometries = {
   box: [new THREE.BoxGeometry(1, 2, 3, 2, 3, 4), 0, 0],
   capsule: [new THREE.CapsuleGeometry(1, 2, 8, 24, 3), 0, 0],

@@ -1,4 +1,4 @@
-// Calls that the worker is at are interrupted, and nothing is lost by that.
+// An interrupted call of a worker loses nothing else.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Worker } from 'node:worker_threads';
@@ -10,7 +10,7 @@ const endless = () => new Worker(new URL('./endless_worker.mjs', import.meta.url
 const minutes = { timeout: 600_000 };
 const reason = new Error('not wanted');
 
-/** Aborts a call once the worker is at it; resolves once another worker has taken its place. */
+/** Aborts a call while the worker runs it; resolves once another worker has replaced it. */
 async function interrupt(karcher, begin) {
   const controller = new AbortController();
   const restarted = new Promise((resolve) => {
@@ -29,70 +29,66 @@ async function interrupt(karcher, begin) {
 
 const spin = (karcher) => (work) => karcher.client.call('spin', [], undefined, work);
 
-test(
-  'a call without an end is interrupted, and all that was there is as it was',
-  minutes,
-  async (t) => {
-    const karcher = await loadForTest(t, { worker: endless });
-    const text = grid(12);
-    const places = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2] };
-    const coordinates = Float64Array.from(places.positions);
-    const meshes = [
-      await karcher.meshFromObj(text),
-      await karcher.meshFromObj(new TextEncoder().encode(text)),
-      await karcher.meshFromArrays(coordinates, places.triangles),
-      await karcher.shape('torus', 2000),
-    ];
-    // What the caller changes, or disposes of, later is no part of them.
-    coordinates.fill(7);
-    const coarse = await karcher.shape('sphere', 500);
-    meshes.push(await coarse.subdivide(2));
-    await coarse.dispose();
-    const [mesh] = meshes;
-    const random = randoms(seed);
-    const vertex = () => ({ vertex: Math.floor(random.next().value * 100) });
-    const first = await mesh.curve({ kind: 'bspline', points: Array.from({ length: 5 }, vertex) });
-    await first.movePoint(1, vertex());
-    await first.dragPoint(2, vertex());
-    await first.setWeights([1, 2, 3, 4, 5]);
-    await first.insertOnCurve(0.7);
-    const second = await mesh.curve({
-      ...{ kind: 'catmullrom', points: Array.from({ length: 4 }, vertex), levels: 2, samples: 9 },
-      ...{ solver: 'exact', closed: true },
-    });
-    await second.set({ ...(await second.value()), closed: false });
-    const parts = await second.split(0.5);
-    const gone = await mesh.curve({ kind: 'polyline', points: [vertex(), vertex()] });
-    await gone.dispose();
-    const curves = [first, second, ...parts];
-    const all = async () => ({
-      positions: await Promise.all(meshes.map((one) => one.positions())),
-      triangles: await Promise.all(meshes.map((one) => one.triangles())),
-      values: await Promise.all(curves.map((one) => one.value())),
-      lines: await Promise.all(curves.map((one) => one.polyline({ bits: 64 }))),
-      distance: await mesh.distance({ vertex: 3 }),
-    });
-    const before = await all();
-    for (let times = 0; times < 2; times++) {
-      await interrupt(karcher, spin(karcher));
-      assert.deepEqual(await all(), before);
-      await assert.rejects(coarse.positions(), { code: 'disposed' });
-      await assert.rejects(gone.points(), { code: 'disposed' });
-      await gone.dispose();
-    }
-    // They go on being what they are: on a mesh of its own the same edit makes the same curve.
-    await first.movePoint(0, { vertex: 40 });
-    const other = await karcher.meshFromObj(text);
-    const anew = await other.curve(await first.value());
-    assert.deepEqual(await first.polyline({ bits: 64 }), await anew.polyline({ bits: 64 }));
-    await mesh.dispose();
+test('an endless call is interrupted, and all objects are unchanged', minutes, async (t) => {
+  const karcher = await loadForTest(t, { worker: endless });
+  const text = grid(12);
+  const places = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2] };
+  const coordinates = Float64Array.from(places.positions);
+  const meshes = [
+    await karcher.meshFromObj(text),
+    await karcher.meshFromObj(new TextEncoder().encode(text)),
+    await karcher.meshFromArrays(coordinates, places.triangles),
+    await karcher.shape('torus', 2000),
+  ];
+  // Later changes by the caller, or disposals, do not affect them.
+  coordinates.fill(7);
+  const coarse = await karcher.shape('sphere', 500);
+  meshes.push(await coarse.subdivide(2));
+  await coarse.dispose();
+  const [mesh] = meshes;
+  const random = randoms(seed);
+  const vertex = () => ({ vertex: Math.floor(random.next().value * 100) });
+  const first = await mesh.curve({ kind: 'bspline', points: Array.from({ length: 5 }, vertex) });
+  await first.movePoint(1, vertex());
+  await first.dragPoint(2, vertex());
+  await first.setWeights([1, 2, 3, 4, 5]);
+  await first.insertOnCurve(0.7);
+  const second = await mesh.curve({
+    ...{ kind: 'catmullrom', points: Array.from({ length: 4 }, vertex), levels: 2, samples: 9 },
+    ...{ solver: 'exact', closed: true },
+  });
+  await second.set({ ...(await second.value()), closed: false });
+  const parts = await second.split(0.5);
+  const gone = await mesh.curve({ kind: 'polyline', points: [vertex(), vertex()] });
+  await gone.dispose();
+  const curves = [first, second, ...parts];
+  const all = async () => ({
+    positions: await Promise.all(meshes.map((one) => one.positions())),
+    triangles: await Promise.all(meshes.map((one) => one.triangles())),
+    values: await Promise.all(curves.map((one) => one.value())),
+    lines: await Promise.all(curves.map((one) => one.polyline({ bits: 64 }))),
+    distance: await mesh.distance({ vertex: 3 }),
+  });
+  const before = await all();
+  for (let times = 0; times < 2; times++) {
     await interrupt(karcher, spin(karcher));
-    await assert.rejects(first.points(), { code: 'disposed' });
-    assert.deepEqual(await meshes[3].positions(), before.positions[3]);
-  },
-);
+    assert.deepEqual(await all(), before);
+    await assert.rejects(coarse.positions(), { code: 'disposed' });
+    await assert.rejects(gone.points(), { code: 'disposed' });
+    await gone.dispose();
+  }
+  // They stay as they are: on a separate mesh the same edit makes the same curve.
+  await first.movePoint(0, { vertex: 40 });
+  const other = await karcher.meshFromObj(text);
+  const anew = await other.curve(await first.value());
+  assert.deepEqual(await first.polyline({ bits: 64 }), await anew.polyline({ bits: 64 }));
+  await mesh.dispose();
+  await interrupt(karcher, spin(karcher));
+  await assert.rejects(first.points(), { code: 'disposed' });
+  assert.deepEqual(await meshes[3].positions(), before.positions[3]);
+});
 
-test('calls that wait behind one that is interrupted are made, each once', minutes, async (t) => {
+test('calls that wait behind an interrupted one are made once each', minutes, async (t) => {
   const karcher = await loadForTest(t, { worker: endless });
   const mesh = await karcher.meshFromObj(grid(12));
   const curve = await mesh.curve({ kind: 'polyline', points: [{ vertex: 0 }, { vertex: 9 }] });
@@ -113,7 +109,7 @@ test('calls that wait behind one that is interrupted are made, each once', minut
   await assert.rejects(end, { code: 'disposed' });
 });
 
-test('a curve is what its value says, of whatever kind it was before', minutes, async (t) => {
+test('a curve equals its value, whatever its kind was before', minutes, async (t) => {
   const karcher = await loadForTest(t, { worker: endless });
   const mesh = await karcher.meshFromObj(grid(12));
   const points = [3, 40, 70, 99, 120].map((vertex) => ({ vertex }));
@@ -126,7 +122,7 @@ test('a curve is what its value says, of whatever kind it was before', minutes, 
   await curve.setKind('bspline');
   const { degree, weights } = await curve.value();
   assert.deepEqual([degree, weights], [3, undefined]);
-  // A value says all that there is.
+  // A value describes the whole curve.
   await curve.set({ kind: 'polyline', points });
   await interrupt(karcher, spin(karcher));
   await curve.setKind('bspline');
@@ -134,13 +130,13 @@ test('a curve is what its value says, of whatever kind it was before', minutes, 
   assert.deepEqual([plain, none], [3, undefined]);
 });
 
-test('a curve that is being dragged goes on as it was, its legs too', minutes, async (t) => {
+test('a dragged curve continues, including its legs', minutes, async (t) => {
   const karcher = await loadForTest(t, { worker: endless });
   const mesh = await karcher.shape('torus', 2000);
   const points = [0, 40, 90].map((vertex) => ({ vertex }));
   const curve = await mesh.curve({ kind: 'polyline', points });
   const seen = async () => [await curve.value(), await curve.polyline({ bits: 64 })];
-  // Around the tube.
+  // Steps around the tube.
   const steps = [];
   for (let i = 1; i <= 45; i++) {
     steps.push((await mesh.straightest(points[1], [0, 0, 1], 0.05 * i)).end);
@@ -168,7 +164,7 @@ test('a curve that is being dragged goes on as it was, its legs too', minutes, a
   assert.deepEqual(await seen(), shortest);
 });
 
-test('what a caller changes after a call is no part of it', minutes, async (t) => {
+test('a call is independent of the caller’s later changes', minutes, async (t) => {
   const karcher = await loadForTest(t, { worker: endless });
   const mesh = await karcher.meshFromObj(grid(12));
   class Weights {
@@ -187,7 +183,7 @@ test('what a caller changes after a call is no part of it', minutes, async (t) =
   assert.deepEqual(await curve.polyline(), before);
 });
 
-test('a worker that hears in time that a call is cancelled goes on', minutes, async (t) => {
+test('a worker that receives a cancellation in time continues', minutes, async (t) => {
   const karcher = await loadForTest(t);
   let restarts = 0;
   karcher.client.onRestart = () => restarts++;
@@ -210,7 +206,7 @@ test('a worker that hears in time that a call is cancelled goes on', minutes, as
 });
 
 test(
-  'long calls on a large mesh are interrupted, and surfaces and curves go on as they were',
+  'long calls on a large mesh are interrupted, and surfaces and curves are unchanged',
   minutes,
   async (t) => {
     const triangles = long ? 1_000_000 : 50_000;
@@ -225,7 +221,7 @@ test(
       path: (await mesh.shortestPath({ vertex: 0 }, { vertex: 300 })).length,
     });
     const before = await all();
-    // So many that the worker is at it for longer than it takes to make another one.
+    // There are so many points that the call takes longer than starting another worker.
     const many = Array.from({ length: 400 }, (_, i) => ({ vertex: 7 * i }));
     const weights = many.map(() => 1 / many.length);
     const calls = [
@@ -244,10 +240,10 @@ test(
 );
 
 test(
-  'all is given up at once; what is being disposed of is made anew for what waits alone',
+  'all calls are cancelled at once; objects under disposal are made again only for waiting calls',
   minutes,
   async (t) => {
-    /** What each worker was asked for, in that order. */
+    /** The requests to each worker, in order. */
     const asked = [];
     const karcher = await loadForTest(t, {
       worker() {
@@ -295,7 +291,7 @@ test(
       karcher.client.onRestart = resolve;
     });
     const calls = [];
-    // A worker that hears of it before it begins goes on.
+    // A worker that receives the cancellation before it begins continues.
     await new Promise((begun) => calls.push(spin(karcher)({ progress: begun })));
     calls.push(kept.points(), mesh.positions());
     const gone = kept.dispose();

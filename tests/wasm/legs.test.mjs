@@ -1,4 +1,4 @@
-// The legs of a control polygon stay as they are seen, whatever is done to the curve.
+// The legs of a control polygon stay as they look, whatever edits the curve.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import bunny from 'bunny';
@@ -14,14 +14,14 @@ function isNear(actual, expected, part, what = '') {
   assert.ok(Math.abs(actual - expected) < part * expected, `${what} ${actual}, not ${expected}`);
 }
 
-/** A curve of four points whose last one was dragged so far round the tube that its leg is long. */
+/** A curve of four points; its last one was dragged so far round the tube that its leg is long. */
 function drawnOut(options) {
   const curve = torus.curve({ points: [...far, start, start], samples: 17, ...options });
   for (let step = 1; step <= 50; step++) curve.dragPoint(3, along(step * 0.05));
   return curve;
 }
 
-/** The same with two points: `length` once round the tube and more. */
+/** The same with two points; `length` exceeds one turn round the tube. */
 function around(length) {
   const line = torus.curve({ kind: 'polyline', points: [start, start], samples: 9 });
   for (let step = 1; step <= 50; step++) line.dragPoint(1, along((step * length) / 50));
@@ -32,8 +32,8 @@ const lengthOf = (curves) => curves.reduce((sum, curve) => sum + curve.length, 0
 const sameAnew = (curve) =>
   isNear(torus.curve(curve.value()).length, curve.length, 2e-4, 'traced anew');
 
-test('a point put in on a curve leaves its legs where they lie', () => {
-  // How far curves of levels may move: their points are averages of other averages then.
+test('a point inserted in a curve leaves its legs in place', () => {
+  // The tolerance of curves with levels: afterwards their points are averages of other averages.
   for (const [options, part] of [
     [{ kind: 'polyline' }, 1e-4],
     [{ kind: 'bezier', levels: 3 }, 3e-3],
@@ -75,7 +75,7 @@ test('joined curves have the legs of both', () => {
   isNear(line.join(on).length, 2.5 + gap, 1e-4);
 });
 
-test('points that stay keep their legs', () => {
+test('unchanged points keep their legs', () => {
   const line = around(2.5);
   line.setPoints(line.points());
   isNear(line.length, 2.5, 1e-6);
@@ -89,7 +89,7 @@ test('points that stay keep their legs', () => {
   isNear(line.length, shortest, 1e-6, 'points that are elsewhere in between:');
 });
 
-test('a leg stays that of its two points', () => {
+test('a leg belongs to its two points', () => {
   const [a, b] = [start, along(1)];
   const through = [0.25, 0.5, 0.75].map((part) => along(part * 2.4995));
   const end = along(2.4995);
@@ -114,7 +114,7 @@ test('a leg stays that of its two points', () => {
   isAs(turned, there.toReversed());
   turned.reverse();
   isAs(turned, there);
-  // Closed: the leg to the first point comes and goes with it.
+  // In a closed curve the leg to the first point is added and removed with it.
   const ring = torus.curve({
     kind: 'polyline',
     closed: true,
@@ -132,7 +132,7 @@ test('a leg stays that of its two points', () => {
   assert.ok(ring.length > last);
 });
 
-test('what was drawn is what is saved, where few points do not find it again', () => {
+test('a drawn leg is saved as it is, if few points do not suffice to find it', () => {
   const mesh = karcher.meshFromArrays(bunny.positions.flat(), bunny.cells.flat());
   const a = { face: 2339, bary: [0.5204387754201899, 0.06321221590042114, 0.41634900867938995] };
   const b = { face: 557, bary: [0.4276285022497177, 0.07726478576660156, 0.4951067119836807] };
@@ -143,7 +143,7 @@ test('what was drawn is what is saved, where few points do not find it again', (
   }
   const again = mesh.curve(JSON.parse(JSON.stringify(line.value())));
   isNear(again.length, line.length, 2e-4);
-  // As a link tells points: by two of their weights.
+  // A link stores points in short: by two of their weights.
   const inShort = ({ face, bary: [, b, c] }) => ({ face, bary: [1 - b - c, b, c] });
   const value = line.value();
   const linked = mesh.curve({ ...value, legs: value.legs.map((leg) => leg.map(inShort)) });

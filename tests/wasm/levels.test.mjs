@@ -5,14 +5,14 @@ import { load } from 'karcher';
 const karcher = await load();
 const badArgument = { name: 'KarcherError', code: 'badArgument' };
 
-/** Faces all over a torus: so far apart that means of all of them break. */
+/** Faces spread over a torus: so far apart that means of all of them break. */
 function farPoints(mesh) {
   const { triangles } = mesh.info;
   const bary = [0.2, 0.3, 0.5];
   return Array.from({ length: 7 }, (_, i) => ({ face: (i * 801 + 5) % triangles, bary }));
 }
 
-test('a curve of far points holds together by as many levels as it needs', () => {
+test('a curve of distant points stays connected with as many levels as it needs', () => {
   const mesh = karcher.shape('torus', 2000);
   const points = farPoints(mesh);
   const spline = (levels) => mesh.curve({ kind: 'bspline', points, samples: 64, levels });
@@ -39,7 +39,7 @@ test('a curve of near points on a smooth surface is a mean of all of them', () =
   mesh.dispose();
 });
 
-test('levels are 0 to 8, auto or limit, and none for the paper and for means of all points', () => {
+test('levels are 0 to 8, auto or limit; the paper and means of all points have none', () => {
   const mesh = karcher.shape('torus', 2000);
   const points = farPoints(mesh);
   for (const levels of [-1, 9, 1.5, 'all', null]) {
@@ -52,14 +52,14 @@ test('levels are 0 to 8, auto or limit, and none for the paper and for means of 
   mesh.dispose();
 });
 
-test('automatic levels are at least as many as are asked for', () => {
+test('automatic levels are at least as many as requested', () => {
   const mesh = karcher.shape('sphere', 5000);
   const points = [0, 1, 2, 3].map((i) => ({ face: i, bary: [0.4, 0.3, 0.3] }));
   const bezier = { kind: 'bezier', points, samples: 9 };
   const curve = mesh.curve({ ...bezier, leastLevels: 2 });
   assert.equal(curve.levels, 2);
   assert.equal(curve.value().leastLevels, 2);
-  // It goes with every edit, until another value is set.
+  // The bound stays through every edit, until another value is set.
   curve.movePoint(1, { face: 5, bary: [0.4, 0.3, 0.3] });
   assert.equal(curve.levels, 2);
   curve.set({ ...curve.value(), leastLevels: 0 });
@@ -74,9 +74,9 @@ test('automatic levels are at least as many as are asked for', () => {
   mesh.dispose();
 });
 
-test('levels stay within a tolerance of the curve that has none, and tell by how much they move it', () => {
+test('levels stay within a tolerance of the curve without levels, and report their deviation', () => {
   const mesh = karcher.shape('sphere', 20_000);
-  // Legs of some .3: far points.
+  // Legs of about 0.3: distant points.
   const points = [0, 1, 2, 3].map((i) => {
     const at = [Math.cos(0.4 * i), Math.sin(0.4 * i), 0.3 * (i % 2)];
     return mesh.nearestPoint(at).point;
@@ -99,7 +99,7 @@ test('levels stay within a tolerance of the curve that has none, and tell by how
   assert.ok(draft.levels > 1);
   assert.ok(from(draft) < draft.deviation && draft.deviation < 3 * edge, `${draft.deviation}`);
   assert.ok(from(draft) > 0.02 * edge);
-  // As much as it moves the curve is as much as is asked for.
+  // The curve may move as far as requested.
   assert.equal(asked({ tolerance: (1.01 * draft.deviation) / edge }).levels, draft.levels);
   assert.equal(asked({ tolerance: (0.99 * draft.deviation) / edge }).levels, 0);
   for (const tolerance of [-1, '1', null, undefined]) {
@@ -111,8 +111,8 @@ test('levels stay within a tolerance of the curve that has none, and tell by how
   mesh.dispose();
 });
 
-test('a dragged point takes its legs along, a moved one has the shortest', () => {
-  // Half around the tube there are two ways; the hand goes on around it.
+test('a dragged point keeps its continued legs, a moved one has the shortest', () => {
+  // Half around the tube two paths are shortest; the drag continues around it.
   const mesh = karcher.shape('torus', 2000);
   const start = mesh.surfacePoint(5, [0.2, 0.3, 0.5]);
   const line = mesh.curve({ kind: 'polyline', points: [start, start], samples: 2 });
@@ -136,8 +136,8 @@ test('a dragged point takes its legs along, a moved one has the shortest', () =>
   mesh.dispose();
 });
 
-test('several points that are dragged together take their legs along', () => {
-  // An anchor of the pen with its handles, halfway around the tube and on.
+test('several points dragged together keep their continued legs', () => {
+  // An anchor of the pen with its handles, halfway around the tube and beyond.
   const mesh = karcher.shape('torus', 2000);
   const start = mesh.surfacePoint(5, [0.2, 0.3, 0.5]);
   const along = (length) =>
@@ -185,14 +185,14 @@ function drawnOut(mesh, options) {
   return curve;
 }
 
-test('legs are part of the value: a few points tell them', () => {
+test('legs are part of the value, as a few points', () => {
   const mesh = karcher.shape('torus', 2000);
   for (const options of [{ kind: 'polyline' }, { kind: 'bezier', levels: 3 }]) {
     const curve = drawnOut(mesh, options);
     const { legs } = curve.value();
     assert.deepEqual(legs.slice(0, 2), [null, null]);
     assert.ok(legs[2].length >= 1 && legs[2].length <= 7, `${legs[2].length} points`);
-    // Written down and read again.
+    // The value is written and read again.
     const again = mesh.curve(JSON.parse(JSON.stringify(curve.value())));
     assert.ok(Math.abs(again.length - curve.length) < 1e-6 * curve.length);
     const twice = mesh.curve(again.value());
@@ -207,7 +207,7 @@ test('legs are part of the value: a few points tell them', () => {
     const straight = mesh.curve({ ...again.value(), legs: undefined });
     assert.ok(straight.length < 0.95 * again.length);
     assert.equal(straight.value().legs, undefined);
-    // Backwards the legs come along.
+    // Reversing the curve keeps the legs.
     again.reverse();
     assert.deepEqual(again.value().legs.slice(1), [null, null]);
     assert.ok(Math.abs(again.length - curve.length) < 1e-6 * curve.length);
@@ -215,7 +215,7 @@ test('legs are part of the value: a few points tell them', () => {
   mesh.dispose();
 });
 
-test('legs that cannot be: a sentence, and the curve stays', () => {
+test('invalid legs: a sentence, and the curve is unchanged', () => {
   const mesh = karcher.shape('torus', 2000);
   const points = farPoints(mesh).slice(0, 4);
   const curve = mesh.curve({ kind: 'bezier', points, samples: 9 });
@@ -225,7 +225,7 @@ test('legs that cannot be: a sentence, and the curve stays', () => {
   for (const legs of [[null], [[place], null, null, null], 5, [5, null, null], [[5], null, null]]) {
     assert.throws(() => curve.set({ ...value, legs }), badArgument, JSON.stringify(legs));
   }
-  // As many legs as there are, whether or not some are to be continued.
+  // The number of legs must match, whether or not some are to be continued.
   for (const count of [1, 2, 4, 5]) {
     const legs = Array(count).fill(null);
     const message = `the control polygon has 3 legs, not ${count}`;

@@ -1,4 +1,4 @@
-// Where the engine's WebAssembly comes from, and what is told where it does not come.
+// The sources of the engine's WebAssembly, and the errors if it is missing.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
@@ -34,7 +34,7 @@ before(async () => {
 });
 after(() => server.close());
 
-/** The bytes in shared memory, behind `before` others. */
+/** The bytes in shared memory, after `before` others. */
 function shared(before) {
   const copy = new Uint8Array(new SharedArrayBuffer(before + bytes.length));
   copy.set(bytes, before);
@@ -93,7 +93,7 @@ test('a worker takes the same sources', async () => {
   });
 });
 
-test('what is none is told, with its address', async () => {
+test('an invalid source is reported, with its address', async () => {
   const notLoaded = (message) => (error) => {
     assert.ok(error instanceof KarcherError);
     assert.equal(error.code, 'notLoaded');

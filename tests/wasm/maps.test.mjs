@@ -26,9 +26,10 @@ const somewhere = (mesh, random) => {
 };
 
 /**
- * How far rounding may turn the direction in which a path of the plane grid leaves a point: the ends of its
- * first piece are off by a few roundings of coordinates up to 12, and the piece may be as short as the
- * point is near to an edge of its face, whose least height is the root of a half.
+ * The largest turn, by rounding, of the direction in which a path of the plane grid leaves a point.
+ * The ends of its first piece are off by a few roundings of coordinates up to 12, and the piece may
+ * be as short as the point's distance from an edge of its face, whose least height is the root of a
+ * half.
  */
 const turnAt = ({ bary }) => (8 * Number.EPSILON * 12) / (Math.min(...bary) * Math.SQRT1_2);
 
@@ -41,7 +42,7 @@ test('on a plane the maps are differences and sums, and nothing turns', () => {
   const to = somewhere(mesh, random);
   const log = mesh.logMap(from, points, directions);
   const here = mesh.position(from);
-  // What the sum of a path's pieces rounds, some 30 of them.
+  // The rounding of the sum of a path's pieces, some 30 of them.
   const sums = 1e-13;
   const off = triples(log.vectors).map((vector) => sums + turnAt(from) * norm(vector));
   const turned = points.map((point) => sums + turnAt(from) + turnAt(point));
@@ -82,12 +83,13 @@ test('on a tube the log map of all vertices has the directions of its unrolled s
   const tube = karcher.meshFromArrays(positions, triangles);
   const row = 20;
   const vectors = triples(tube.logMap({ vertex: row * sides }).vectors);
-  // No more than 12 of 40 strips away the way round the other side is longer.
+  // No more than 12 of 40 strips away, the path round the other side is longer.
   for (let there = 2; there < rings - 2; there++) {
     for (let i = -12; i <= 12; i++) {
       const up = (height * (there - row)) / rings;
       const [x, y, z] = vectors[there * sides + ((i + sides) % sides)];
-      // Across the edge at the source the plane of the vectors is that of one strip, or of the other unfolded.
+      // Across the edge at the source the plane of the vectors is that of one strip, or of the
+      // other unfolded.
       const across = Math.sign(i) * Math.hypot(x, y);
       assert.ok(Math.hypot(z - up, across - side * i) < 1e-12, `${i}, ${there}`);
     }
@@ -95,7 +97,7 @@ test('on a tube the log map of all vertices has the directions of its unrolled s
   tube.dispose();
 });
 
-test('vectors are numbers in a row, triples, or what has x, y and z', () => {
+test('vectors are a flat array, triples, or objects with x, y and z', () => {
   const mesh = karcher.shape('torus', 500);
   const [from, to, third] = [3, 40, 77].map((vertex) => ({ vertex }));
   const flat = [0.1, 0.2, 0.3, -0.2, 0.1, 0];
@@ -135,7 +137,7 @@ test('vectors are numbers in a row, triples, or what has x, y and z', () => {
   assert.throws(() => mesh.expMap(from, infinite), { code: 'notFinite', message: /entry 1/ });
 });
 
-test('where a geodesic meets the boundary the rest of its length is told', () => {
+test('a geodesic that meets the boundary reports its remaining length', () => {
   const mesh = karcher.meshFromObj(grid(4));
   const from = { face: 0, bary: [0.5, 0.25, 0.25] };
   const { points, remaining } = mesh.expMap(from, [-2, 0, 0, 0, 1, 0]);
@@ -143,7 +145,7 @@ test('where a geodesic meets the boundary the rest of its length is told', () =>
   assert.ok(Math.abs(mesh.position(points[0])[0]) < 1e-12);
 });
 
-/** A move of points from p to q: log map, transport, exp map. */
+/** Moves points along from p to q: log map, transport, exp map. */
 function moved(mesh, points, directions, p, q) {
   const log = mesh.logMap(p, points, directions);
   return mesh.expMap(q, mesh.transport(p, q, log.vectors), mesh.transport(p, q, log.directions));
@@ -153,7 +155,7 @@ for (const [shape, triangles] of [
   ['sphere', 20000],
   ['torus', 20000],
 ]) {
-  test(`two moves there and back on a ${shape} restore what the maps are one-to-one for`, () => {
+  test(`two opposite moves on a ${shape} restore points where the maps are one-to-one`, () => {
     const random = drawn(shape);
     const mesh = karcher.shape(shape, triangles);
     const { diagonal } = mesh.info;
@@ -165,7 +167,7 @@ for (const [shape, triangles] of [
       const p = somewhere(mesh, random);
       const around = (radius) => {
         const angle = 2 * Math.PI * random();
-        // Any two directions that are not parallel to the face's normal alone will do.
+        // Any two directions suffice if they are not both parallel to the normal of the face.
         return [Math.cos(angle), Math.sin(angle), 0.3].map((value) => value * radius);
       };
       const spots = Array.from({ length: 12 }, () => around(0.12 * diagonal * random()));
@@ -174,7 +176,7 @@ for (const [shape, triangles] of [
       const q = mesh.expMap(p, around(0.15 * diagonal)).points[0];
       const there = moved(mesh, points, ways, p, q);
       const back = moved(mesh, there.points, there.directions, q, p);
-      // One-to-one: the path that is found to where a point went is the geodesic that it went.
+      // The map is one-to-one there if the path to the new place is the geodesic that led there.
       const wanted = triples(mesh.transport(p, q, mesh.logMap(p, points).vectors));
       const found = triples(mesh.logMap(q, there.points).vectors);
       for (const [j, point] of points.entries()) {
@@ -186,7 +188,7 @@ for (const [shape, triangles] of [
         const isRestored = away < 1e-9 && turned < 1e-7;
         if (isRestored) restored++;
         if (norm(minus(wanted[j], found[j])) > 1e-9 * diagonal) continue;
-        // And there: the path that was found at first is the one that the way back ends on.
+        // The same for the return: the first path found is the one that the return ends on.
         const again = mesh.expMap(p, mesh.logMap(p, [point]).vectors).points[0];
         if (norm(minus(mesh.position(again), mesh.position(point))) > 1e-10 * diagonal) continue;
         oneToOne++;
@@ -203,7 +205,7 @@ for (const [shape, triangles] of [
 
 test('a vector carried round an octant of a sphere turns by a right angle', () => {
   const mesh = karcher.shape('sphere', 20000);
-  // A face of the icosahedron would do; here three points a quarter of a great circle apart.
+  // Three points a quarter of a great circle apart.
   const positions = mesh.positions();
   const nearest = (target) => {
     let best = 0;
@@ -229,11 +231,12 @@ test('a vector carried round an octant of a sphere turns by a right angle', () =
   for (const i of [0, 1, 2]) vector = mesh.transport(corners[i], corners[(i + 1) % 3], vector);
   assert.ok(Math.abs(norm([...vector]) - norm([...start])) < 1e-12);
   const cosine = dot([...vector], [...start]) / dot([...start], [...start]);
-  // The corners are off the octant's by an edge, and the curvature is in the vertices.
+  // The corners differ from the octant's by up to an edge, and the curvature is concentrated in the
+  // vertices.
   assert.ok(Math.abs(cosine) < 0.03, `${cosine}`);
 });
 
-test('on a plane the mirror image is the reflection, and twice it is what it was', () => {
+test('on a plane the mirror image is the reflection, and mirroring twice restores a point', () => {
   const random = drawn('mirrors');
   const mesh = karcher.meshFromObj(grid(12));
   const path = mesh.shortestPath({ vertex: 0 }, { vertex: 168 });
@@ -255,7 +258,7 @@ test('on a plane the mirror image is the reflection, and twice it is what it was
   }
 });
 
-test('on a sphere the mirror image lies as far from the line, on the other side', () => {
+test('on a sphere the mirror image lies equally far from the line, on the other side', () => {
   const random = drawn('mirrors on a sphere');
   const mesh = karcher.shape('sphere', 20000);
   const p = somewhere(mesh, random);
@@ -265,7 +268,7 @@ test('on a sphere the mirror image lies as far from the line, on the other side'
   const points = [...line[0].points().toReversed(), ...line[1].points().slice(1)];
   const spots = mesh.expMap(p, [0.1, 0.2, 0.1, -0.2, 0.3, -0.1, 0.3, -0.2, 0.2]).points;
   const { points: images } = mesh.mirror(points, spots);
-  // The line is nearly a great circle: a plane through the middle.
+  // The line is nearly a great circle, in a plane through the middle.
   const [a, b] = [mesh.position(p), mesh.position(line[0].points().at(-1))];
   const normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
   const length = norm(normal);
@@ -277,7 +280,7 @@ test('on a sphere the mirror image lies as far from the line, on the other side'
   }
 });
 
-test('what is no line, direction or vector is told', () => {
+test('invalid lines, directions and vectors are reported', () => {
   const mesh = karcher.meshFromObj(grid(12));
   const [p, q] = [{ vertex: 0 }, { vertex: 50 }];
   const bad = { code: 'badArgument' };

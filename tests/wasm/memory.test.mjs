@@ -5,7 +5,7 @@ import { runInNewContext } from 'node:vm';
 import { load } from 'karcher';
 import { badFiles, distancesOf, fields, grid } from './meshes.mjs';
 
-/** Bytes in use after the first 10 and after all of `times` rounds of `work`. */
+/** The bytes in use after the first 10 and after all of `times` rounds of `work`. */
 function bytesAround(karcher, times, work) {
   let early = 0;
   for (let i = 0; i < times; i++) {
@@ -15,7 +15,7 @@ function bytesAround(karcher, times, work) {
   return [early, karcher.allocatedBytes()];
 }
 
-test('a mesh that is disposed of gives all its memory back', async () => {
+test('a disposed mesh frees all its memory', async () => {
   const karcher = await load();
   const text = grid(6);
   const [early, late] = bytesAround(karcher, 1000, () => {
@@ -26,7 +26,7 @@ test('a mesh that is disposed of gives all its memory back', async () => {
   assert.equal(late, early);
 });
 
-test('meshes, curves and what is asked of them give all their memory back', async () => {
+test('meshes, curves and their results free all their memory', async () => {
   const karcher = await load();
   const text = grid(6);
   const points = [16, 18, 31, 32].map((vertex) => ({ vertex }));
@@ -59,18 +59,18 @@ test('errors leave no memory behind', async () => {
   assert.equal(late, early);
 });
 
-test('more than the memory can hold is an error, and the program goes on', async () => {
+test('running out of memory is an error, and the program continues', async () => {
   const karcher = await load();
   const mesh = karcher.meshFromObj(grid(2));
   const bytes = karcher.allocatedBytes();
-  // All zeros, which the system does not store.
+  // All bytes are zeros, which the system does not store.
   const tooMuch = new Uint8Array(2 ** 32 - 1);
   assert.throws(() => karcher.meshFromObj(tooMuch), { code: 'outOfMemory' });
   assert.equal(karcher.allocatedBytes(), bytes);
   assert.equal(mesh.info.triangles, 8);
 });
 
-test('memory is filled to the last, and the program goes on', async () => {
+test('memory is filled completely, and the program continues', async () => {
   const karcher = await load();
   const mesh = karcher.shape('torus', 6000);
   const points = [0, 100, 300, 500].map((vertex) => ({ vertex }));
@@ -91,7 +91,7 @@ test('memory is filled to the last, and the program goes on', async () => {
   ];
   const right = calls.map((call) => call());
   const held = [];
-  /** Meshes of a triangle and many corners that nothing uses, until there is no room for one more. */
+  /** Meshes of a triangle and many unused vertices, until no further one fits. */
   const fill = (vertices) => {
     const positions = new Float64Array(3 * vertices);
     positions.set([0, 0, 0, 1, 0, 0, 0, 1, 0]);
@@ -108,7 +108,7 @@ test('memory is filled to the last, and the program goes on', async () => {
   for (const vertices of [4_000_000, 300_000, 20_000]) fill(vertices);
   const full = karcher.allocatedBytes();
   assert.ok(full > 4e9, `${full} bytes are in use`);
-  // Each call gives what it gave, or has no room; each round leaves it a little more.
+  // Each call returns its usual result, or has no room; each round leaves it a little more.
   let refused = 0;
   for (let round = 0; round < 6; round++) {
     for (const [i, call] of calls.entries()) {
@@ -132,7 +132,7 @@ test('memory is filled to the last, and the program goes on', async () => {
   );
 });
 
-test('what cannot fit is refused before it is tried, with the number', async () => {
+test('a request that cannot fit is refused with its size before it is tried', async () => {
   const karcher = await load();
   const mesh = karcher.shape('sphere', 20_000);
   const refuse = () => {
@@ -143,14 +143,14 @@ test('what cannot fit is refused before it is tried, with the number', async () 
     });
     assert.throws(() => mesh.subdivide(7), { code: 'badArgument' });
   };
-  // The allocator rounds by what is free beside a block: once, not each time.
+  // The allocator rounds by the free space beside a block: once, not each time.
   refuse();
   const bytes = karcher.allocatedBytes();
   for (let i = 0; i < 100; i++) refuse();
   assert.equal(karcher.allocatedBytes(), bytes);
   const finer = mesh.subdivide(2);
   assert.equal(finer.info.triangles, 16 * mesh.info.triangles);
-  // What no test has the memory for, by the rooms that are left.
+  // Requests for which no test has the memory, computed from the free space.
   const room = await import(new URL('./room.js', import.meta.resolve('karcher')));
   const full = () => 4e9;
   const told = { code: 'outOfMemory', message: /at least [\d.]+ [GM]B of memory, and .* left$/ };
@@ -165,7 +165,7 @@ test('what cannot fit is refused before it is tried, with the number', async () 
   }
 });
 
-test('what nobody can reach any more is given back, whatever is gone first', async () => {
+test('unreachable objects are freed, in any order', async () => {
   setFlagsFromString('--expose-gc');
   const collect = runInNewContext('gc');
   const karcher = await load();
@@ -178,7 +178,7 @@ test('what nobody can reach any more is given back, whatever is gone first', asy
       const mesh = karcher.meshFromObj(text);
       for (let k = 0; k < 3; k++) mesh.curve({ kind: 'bspline', points, samples: 8 });
       if (i % 3 === 0) mesh.dispose();
-      // Of a mesh that stays, only the curve goes.
+      // Only the curve is freed, since its mesh stays.
       kept.curve({ kind: 'bspline', points, samples: 8 });
     }
   };
@@ -190,11 +190,11 @@ test('what nobody can reach any more is given back, whatever is gone first', asy
   }
   const left = karcher.allocatedBytes() - before;
   assert.ok(held > 1e5 && left < held / 20, `${left} of ${held} bytes are left`);
-  // The mesh that stayed is whole.
+  // The remaining mesh is intact.
   assert.ok(kept.curve({ kind: 'bspline', points, samples: 8 }).length > 0);
 });
 
-test('using gives the memory back at the end of a block', { skip: !Symbol.dispose }, async () => {
+test('using frees the memory at the end of a block', { skip: !Symbol.dispose }, async () => {
   const karcher = await load();
   const mesh = karcher.shape('sphere', 500);
   const points = [0, 10, 20, 30].map((vertex) => ({ vertex }));

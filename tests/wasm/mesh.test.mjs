@@ -27,7 +27,7 @@ test('a tetrahedron: a closed surface of genus 0', () => {
   assert.ok(Math.abs(info.diagonal - Math.sqrt(3)) < 1e-15);
 });
 
-test('text, bytes and arrays give the same mesh', () => {
+test('text, bytes and arrays make the same mesh', () => {
   const text = grid(3);
   const meshes = [
     karcher.meshFromObj(text),
@@ -62,8 +62,7 @@ test('vertices and faces keep the order of the file', () => {
 });
 
 test('polygons are cut, welded vertices repeat, dropped vertices keep their place', () => {
-  // The square twice, the right one with vertices of its own along the common edge; vertex 4 is
-  // not used.
+  // Two squares; the right one has its own vertices along the common edge, and vertex 4 is unused.
   const mesh = karcher.meshFromObj(
     `${square}v 7 8 9\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nf 6 7 8 9\n`,
   );
@@ -91,8 +90,8 @@ test('polygons are cut, welded vertices repeat, dropped vertices keep their plac
   assert.equal(used.size, 6);
 });
 
-test('a file and arrays of the same numbers give the same positions, to 10 units in the last place', () => {
-  // In every notation that JavaScript and others print.
+test('a file and arrays of the same numbers make the same positions, to 10 units in the last place', () => {
+  // Numbers in all notations of JavaScript and other languages.
   const notations = [
     (x) => `${x}`,
     (x) => x.toPrecision(17),
@@ -134,7 +133,7 @@ test('one place in two notations is one vertex', () => {
   );
 });
 
-test('parts that touch at a vertex stay apart, and it is told', () => {
+test('parts that touch at a vertex stay separate, and the repair is reported', () => {
   const mesh = karcher.meshFromObj(
     'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 0 0 0\nv -1 0 0\nv 0 -1 0\nf 4 5 6\n',
   );
@@ -145,7 +144,7 @@ test('parts that touch at a vertex stay apart, and it is told', () => {
   );
 });
 
-test('coordinates beyond the limits of size', () => {
+test('coordinates beyond the limits of size are refused', () => {
   const at = (size) => [
     () => karcher.meshFromArrays([0, 0, 0, size, 0, 0, 0, size, 0], [0, 1, 2]),
     () => karcher.meshFromObj(`v 0 0 0\nv ${size} 0 0\nv ${size} 1 0\nv 0 ${size} 0\nf 1 2 3 4`),
@@ -158,7 +157,7 @@ test('coordinates beyond the limits of size', () => {
   assert.throws(infinite, { code: 'notFinite', message: /vertex 1/ });
 });
 
-test('a point is checked, and cleaned of rounding', () => {
+test('a point is checked, and its rounding errors are removed', () => {
   const mesh = karcher.meshFromObj(square);
   assert.deepEqual(mesh.surfacePoint(1, [0.25, 0.25, 0.5]), { face: 1, bary: [0.25, 0.25, 0.5] });
   const barycoord = { x: 0.25, y: 0.25, z: 0.5 };
@@ -190,8 +189,8 @@ test('a point is checked, and cleaned of rounding', () => {
   }
 });
 
-test('a point is the same in whichever face is first in memory', () => {
-  // Errors and answers name the caller's faces though the engine sorts them.
+test('a point does not depend on the order of faces in memory', () => {
+  // Errors and results use the caller's faces although the engine sorts them.
   const mesh = karcher.meshFromObj(grid(8));
   for (let face = 0; face < 128; face++) {
     assert.equal(mesh.surfacePoint(face, [0.2, 0.3, 0.5]).face, face);
@@ -201,7 +200,7 @@ test('a point is the same in whichever face is first in memory', () => {
   }
 });
 
-test('files that are no mesh: an error each, and the program goes on', () => {
+test('files without a mesh: an error each, and the program continues', () => {
   const mesh = karcher.meshFromObj(square);
   for (const { what, text, code, says } of badFiles) {
     assert.throws(
@@ -219,7 +218,7 @@ test('files that are no mesh: an error each, and the program goes on', () => {
   }
 });
 
-test('arrays that are no mesh', () => {
+test('arrays without a mesh are refused', () => {
   const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0];
   const wrong = [
     [positions, [0, 1], 'badArgument', /multiple/],
@@ -265,7 +264,7 @@ test('a straightest geodesic on a plane is a straight line', () => {
   assert.deepEqual(Array.from(polyline.slice(-3)), end);
   const named = mesh.straightest(from, { x: 0, y: 3, z: 4 }, 2);
   assert.deepEqual(named.path.polyline({ bits: 64 }), polyline);
-  // From (0.5, 0.25) it is half a unit to the left side.
+  // From (0.5, 0.25) the left side is half a unit away.
   const stopped = mesh.straightest(from, [-2, 0, 0], 3);
   assert.ok(Math.abs(stopped.remaining - 2.5) < 1e-14);
   assert.equal(stopped.stop, 'boundary');
@@ -280,7 +279,7 @@ test('a straightest geodesic on a plane is a straight line', () => {
   assert.throws(() => mesh.straightest(from, [0, 1, 0], Number.NaN), { code: 'notFinite' });
 });
 
-test('a straightest geodesic that is too long for its bound says so', () => {
+test('a straightest geodesic that exceeds its bound says so', () => {
   const { stop, remaining } = karcher
     .shape('sphere', 2000)
     .straightest({ vertex: 12 }, [1, 0, 0], 1e7);
@@ -288,7 +287,7 @@ test('a straightest geodesic that is too long for its bound says so', () => {
   assert.ok(remaining > 9e6 && remaining < 1e7);
 });
 
-test('an option of another name is refused', () => {
+test('an unknown option is refused', () => {
   const mesh = karcher.meshFromObj(grid(4));
   const points = [6, 8, 16, 18].map((vertex) => ({ vertex }));
   const wrong = [
@@ -314,14 +313,14 @@ test('an option of another name is refused', () => {
   return assert.rejects(mesh.prepare({ solvr: 'graph' }), { code: 'badArgument' });
 });
 
-test('a number out of range is told with the range', () => {
+test('a number out of range is refused with the range', () => {
   assert.throws(() => karcher.shape('sphere', 1e12), {
     code: 'badArgument',
     message: /from -2147483647 to 2147483647, not 1000000000000/,
   });
 });
 
-test('a mesh cannot be used after it was disposed of', () => {
+test('a disposed mesh cannot be used', () => {
   const mesh = karcher.meshFromObj(square);
   mesh.dispose();
   mesh.dispose();

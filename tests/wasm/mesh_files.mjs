@@ -1,13 +1,13 @@
-// Writers of mesh files, for tests of their readers: each takes {positions, faces} (x, y, z a vertex; lists
-// of vertex numbers) and gives bytes.
+// Writers of mesh files, for tests of their readers: each takes {positions, faces} (x, y, z a
+// vertex; lists of vertex indices) and returns bytes.
 
-/** A text's bytes. */
+/** The bytes of a text. */
 export const encode = (text) => new TextEncoder().encode(text);
 
 const triples = ({ positions }) =>
   Array.from({ length: positions.length / 3 }, (_, i) => positions.slice(3 * i, 3 * i + 3));
 
-/** A box of two by three by four, standing on z = 0, of six faces with four corners each. */
+/** A box of two by three by four on z = 0, with six faces of four corners. */
 export const box = {
   positions: [0, 0, 0, 2, 0, 0, 2, 3, 0, 0, 3, 0, 0, 0, 4, 2, 0, 4, 2, 3, 4, 0, 3, 4],
   faces: [
@@ -20,7 +20,7 @@ export const box = {
   ],
 };
 
-/** The same of triangles. */
+/** The same box of triangles. */
 export const cutBox = {
   positions: box.positions,
   faces: box.faces.flatMap(([a, b, c, d]) => [
@@ -54,7 +54,7 @@ const setters = {
   double: 'setFloat64',
 };
 
-/** Other properties stand beside those that are read. */
+/** Additional properties stand beside those that readers use. */
 export function plyFile(
   mesh,
   { encoding = 'ascii', real = 'double', length = 'uchar', index = 'int', eol = '\n' } = {},
@@ -171,7 +171,7 @@ export function gltfParts({ positions, faces }, changes = {}) {
   return { json, buffer };
 }
 
-/** Chunks of a GLB file are filled up to four bytes. */
+/** Chunks of a GLB file are padded to multiples of four bytes. */
 export function glbOf({ json, buffer }) {
   const text = encode(JSON.stringify(json));
   const fill = (length) => 4 * Math.ceil(length / 4);
@@ -193,7 +193,7 @@ export function glbOf({ json, buffer }) {
 
 export const glbFile = (mesh, changes) => glbOf(gltfParts(mesh, changes));
 
-/** Every kind of file of a mesh of triangles, by a name that it could have. */
+/** A file of a triangle mesh in every format, by a possible name. */
 export const everyFile = (mesh) => ({
   'mesh.obj': objFile(mesh),
   'text.ply': plyFile(mesh),

@@ -11,8 +11,10 @@ export const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n';
 export const tetrahedron =
   'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n';
 
-/** A flat grid of `cells` by `cells` unit squares, each cut along the diagonal from its lower left:
- * vertex i + (cells + 1) j lies at (i, j, 0), triangles 2 k and 2 k + 1 make square k. */
+/**
+ * A flat grid of `cells` by `cells` unit squares, each cut along the diagonal from its lower left:
+ * vertex i + (cells + 1) j lies at (i, j, 0), triangles 2 k and 2 k + 1 make square k.
+ */
 export function grid(cells) {
   const lines = [];
   for (let j = 0; j <= cells; j++) {
@@ -28,8 +30,10 @@ export function grid(cells) {
   return `${lines.join('\n')}\n`;
 }
 
-/** A tube of radius 1 and height 1 of so many flat sides and rows: faces
- * 2 k and 2 k + 1 are side k of the lowest row. */
+/**
+ * A tube of radius 1 and height 1 with this many flat sides and rows: faces 2 k and 2 k + 1 are
+ * side k of the lowest row.
+ */
 export function tube(sides, rows) {
   const lines = [];
   for (let j = 0; j <= rows; j++) {
@@ -48,7 +52,7 @@ export function tube(sides, rows) {
   return `${lines.join('\n')}\n`;
 }
 
-/** Every way to make fields; the first is the default. */
+/** All options for fields; the first is the default. */
 export const fields = [
   {},
   { method: 'karcher', solver: 'fast' },
@@ -58,13 +62,13 @@ export const fields = [
   { method: 'paper', solver: 'graph', rings: 3 },
 ];
 
-/** How a way to make fields finds distances. */
+/** The options for the distances of a field. */
 export const distancesOf = ({ method: _, ...distances }) => distances;
 
-/** Those whose distances are exact on a plane. */
+/** The options with exact distances on a plane. */
 export const exactFields = fields.filter(({ solver }) => solver !== 'graph');
 
-/** Files that are no mesh: what is wrong with them, the code of the error, and a word of it. */
+/** Files without a mesh: the fault, the code of the error, and a word of it. */
 export const badFiles = [
   { what: 'an empty file', text: '', code: 'badFile', says: /no faces/ },
   { what: 'a file without faces', text: 'v 0 0 0\nv 1 0 0\n', code: 'badFile', says: /no faces/ },
@@ -101,7 +105,7 @@ export const badFiles = [
   },
 ];
 
-/** All that a path is, to be compared. */
+/** All properties of a path, for comparison. */
 export const partsOf = (path) => ({
   length: path.length,
   closed: path.closed,
@@ -111,7 +115,7 @@ export const partsOf = (path) => ({
   polyline: path.polyline({ bits: 64 }),
 });
 
-/** The number of the vertex of a mesh that is nearest to a place. */
+/** The index of the mesh's vertex that is nearest to a place. */
 export function nearestVertex(mesh, place) {
   const positions = mesh.positions();
   let nearest = 0;
@@ -124,9 +128,11 @@ export function distance(a, b) {
   return Math.hypot(...a.map((x, i) => x - b[i]));
 }
 
-/** Draws on the mesh of a grid: the points of the closed path through places (x, y). */
+/**
+ * Draws on the mesh of a grid: the returned function makes the closed path through places (x, y).
+ */
 export function drawingOn(mesh, cells) {
-  /** The point at (x, y): squares are cut from their lower left. */
+  /** The point at (x, y); squares are cut from their lower left. */
   function at([x, y]) {
     const [i, j] = [x, y].map((value) => Math.min(Math.floor(value), cells - 1));
     const [u, v] = [x - i, y - j];

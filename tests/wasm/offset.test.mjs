@@ -50,19 +50,19 @@ test('inwards, outwards and both of a rectangle', () => {
   near(outer.length, around + 2 * Math.PI * 0.6, 2e-3);
   assert.equal(mesh.offset([square], { distance: 0.6 }).length, 2);
   assert.deepEqual(mesh.offset([square], { distance: 3, side: 'left' }), []);
-  // Lines run as the path does: both have their inside to their left.
+  // Offset lines keep the direction of the path: both have their inside on the left.
   const [ring, hole] = mesh.regions([outer, inner]);
   near(ring.area - hole.area, around * 2 * 0.6 - 4 * 0.6 ** 2 + Math.PI * 0.6 ** 2, 0.01);
 });
 
-test('of the boundary of a region the inside is left', () => {
+test('of a region’s boundary have the inside on the left', () => {
   const [region] = mesh.regions([square.toReversed()]);
   const [line] = mesh.offset(region.boundary(), { distance: 0.6, side: 'left' });
   const [smaller] = mesh.regions([line]);
   near(smaller.area, (5.1 - 1.2) * (4.3 - 1.2), 5e-3);
 });
 
-test('what has no offset is said', () => {
+test('report paths without an offset', () => {
   const bad = { name: 'KarcherError', code: 'badArgument' };
   assert.throws(() => mesh.offset([square], { distance: 0 }), { ...bad, message: /positive/ });
   assert.throws(() => mesh.offset([square], { distance: 1, side: 'up' }), bad);

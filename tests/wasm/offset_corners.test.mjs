@@ -1,4 +1,4 @@
-// Mitred and bevelled offsets on a plane beside the unions of rectangles and tips that they are.
+// Mitred and bevelled offsets on a plane against the equivalent unions of rectangles and tips.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from 'karcher';
@@ -8,7 +8,7 @@ import { drawingOn, grid } from './meshes.mjs';
 const karcher = await load();
 const cells = 10;
 const mesh = karcher.meshFromObj(grid(cells));
-/** Of the plane's extent squared. */
+/** The tolerance of areas, relative to the plane's extent squared. */
 const tolerance = 1e-9 * cells ** 2;
 const outlineOf = drawingOn(mesh, cells);
 const drawings = long ? 1000 : 24;
@@ -39,7 +39,10 @@ const turns = (corners) => {
   });
 };
 
-/** What lies within a distance of a closed polygon, with corners of a kind: polygons of which it is the union. */
+/**
+ * The set within a distance of a closed polygon, with corners of a kind: polygons whose union it
+ * is.
+ */
 function strips(corners, distance, kind, limit) {
   const count = corners.length;
   const way = ways(corners);
@@ -64,8 +67,8 @@ function strips(corners, distance, kind, limit) {
 }
 
 /**
- * The area of the union of convex polygons: between neighboring ends and crossings of sides it is linear in x. A
- * planar library refuses one in some hundred of these.
+ * The area of a union of convex polygons. Between neighboring ends and crossings of sides it is
+ * linear in x. A planar library fails for one in about a hundred of these.
  */
 function unionArea(polygons) {
   const sides = polygons.flatMap((ring) =>
@@ -117,7 +120,7 @@ test('mitred and bevelled offsets have the areas of their unions', () => {
       const radius = 0.4 + 1.6 * next();
       return [5 + radius * Math.cos(angle), 5 + radius * Math.sin(angle)];
     });
-    // Smaller turns are round.
+    // Smaller turns are rounded.
     if (turns(corners).some((turn) => Math.abs(turn) < 0.064)) continue;
     const distance = 0.05 + 0.6 * next();
     const limit = 1 + 3 * next();

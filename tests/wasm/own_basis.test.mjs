@@ -7,7 +7,7 @@ const karcher = await load();
 const mesh = karcher.shape('sphere', 2000);
 const points = [0, 50, 100, 150].map((vertex) => ({ vertex }));
 
-/** Bernstein's basis, which counts its calls and throws from call `failsFrom` on. */
+/** A Bernstein basis that counts its calls and throws from call `failsFrom` on. */
 function countedBasis() {
   const counted = {
     calls: 0,
@@ -79,7 +79,7 @@ for (const settings of [{ samples: 9 }, { samples: 'adaptive', tolerance: 1e-3 }
   }
 }
 
-test('a basis that calls the engine, or disposes of what it reads, is refused', async () => {
+test('a basis that calls the engine, or disposes of its mesh, is refused', async () => {
   const engine = await load();
   const own = engine.shape('sphere', 2000);
   let act = () => {};

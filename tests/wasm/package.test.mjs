@@ -7,15 +7,19 @@ import { gzipSync } from 'node:zlib';
 
 const dist = fileURLToPath(new URL('.', import.meta.resolve('karcher')));
 /**
- * Gzipped, of the module and of the JavaScript around it that `karcher` loads: other entries and what they load
- * when it is needed, as readers of files and decoders, a user of `karcher` alone does not download. Of the module
- * 45,000 are streams of C++, by which tinyobjloader reads OBJ.
+ * The largest sizes, gzipped, of the module and of the JavaScript that `karcher` loads. A user of
+ * `karcher` alone does not download other entries and the files that they load on demand, such as
+ * readers of files and decoders. In the module 45,000 bytes are streams of C++, with which
+ * tinyobjloader reads OBJ.
  */
 const mostBytes = { wasm: 470_000, js: 30_000 };
-/** What CI compiles the module with. The bounds are of its output: others' libraries and code differ in size. */
+/**
+ * The compiler version of CI. The bounds apply to its output: other versions differ in libraries
+ * and code size.
+ */
 const boundCompiler = '3.1.6';
 
-/** The files that `karcher` imports, and what those import, now or when it is needed. */
+/** The files that `karcher` imports, and their imports, static or on demand. */
 function filesOfEntry() {
   const files = new Set(['index.js']);
   for (const file of files) {

@@ -1,5 +1,5 @@
-// The packed file in a fresh folder, as a new user has it: what needs no other package. `npm run check:packages`
-// tries bundlers, too.
+// The packed file in a fresh folder, as a new user installs it: tests without other packages. `npm
+// run check:packages` also tries bundlers.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -20,7 +20,7 @@ test('the packed file works for a new user, and has no page and no book in it', 
     files.filter((file) => !allowed.test(file) || /\.html$|\.(png|jpg)$/.test(file)),
     [],
   );
-  // What it names, it has.
+  // Every file that it names exists.
   const read = (file) => readFileSync(join(packageFolder, file), 'utf8');
   for (const file of files.filter((one) => one.endsWith('.md'))) {
     for (const [, link] of read(file).matchAll(/\]\((?!https?:)([^)#]*)/g)) {
@@ -31,7 +31,7 @@ test('the packed file works for a new user, and has no page and no book in it', 
   assert.doesNotMatch(read('README.md'), /\{(book|editor)\}/);
   const own = JSON.parse(read('package.json'));
   assert.equal(own.private ?? own.scripts ?? own.devDependencies ?? own.workspaces, undefined);
-  // A peer that no file imports would only stand in the way of an installation.
+  // A peer dependency that no file imports would only hinder an installation.
   const imported = new Set();
   for (const file of files.filter((one) => one.endsWith('.js'))) {
     for (const [, , name] of read(file).matchAll(/(from|import) '((?:@[\w-]+\/)?[a-z][\w-]*)/g)) {

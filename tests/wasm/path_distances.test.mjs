@@ -18,7 +18,7 @@ function at([x, y]) {
   return { face, bary: u >= v ? [1 - u, u - v, v] : [1 - v, u, v - u] };
 }
 
-test('in the plane are those from line segments, near and far, at vertices and within faces', async () => {
+test('in the plane are distances from line segments, near and far, at vertices and within faces', async () => {
   const random = randomFrom(seed);
   const within = () => [cells * random(), cells * random()];
   const remote = await loadInWorker();
@@ -52,7 +52,7 @@ test('in the plane are those from line segments, near and far, at vertices and w
   remote.dispose();
 });
 
-test('are NaN where no path leads, and refused of what is no path', () => {
+test('are NaN if no path leads there, and refuse invalid paths', () => {
   const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n';
   const both = karcher.meshFromObj(
     `${square}${square

@@ -41,7 +41,7 @@ test("ours and the paper's are the curves of the engine, sample by sample", asyn
 describe('every method', () => {
   const curved = comparedMethods.filter((name) => !['descent', 'bSurf', 'leveled'].includes(name));
 
-  test('gives a control point that has all the weight', async () => {
+  test('returns a control point with all the weight', async () => {
     for (const name of curved) {
       const method = await prepared(name);
       const { position, status } = method.centerOfMass(points, [0, 0, 1, 0, 0]);
@@ -51,9 +51,9 @@ describe('every method', () => {
     }
   });
 
-  test('averages points of the plane, as far as its error allows', async () => {
-    // In edges. Affine heat is exact but for the heat that the boundary reflects; the embedding of
-    // 40 landmarks is no isometry; vector heat is not linearly precise.
+  test('averages points of the plane, up to its error', async () => {
+    // The largest error in edges. Affine heat is exact except for the heat that the boundary
+    // reflects; the embedding of 40 landmarks is no isometry; vector heat is not linearly precise.
     const most = {
       affineHeat: 0.01,
       weightedAverages: 0.2,
@@ -89,7 +89,7 @@ describe('every method', () => {
         assert.equal(status[i], 'converged', `${name}, sample ${i}`);
         const expected = from.map((x, c) => x + (i / 4) * (to[c] - x));
         const error = distance(Array.from(position.slice(3 * i, 3 * i + 3)), expected);
-        // Constant gradients of exact distances point up to 2 edges past a source so near.
+        // Constant gradients of exact distances point up to 2 edges past a source this near.
         assert.ok(
           error < (name === 'descent' ? 2 : 0.6),
           `${name}, sample ${i}: ${error} edges away`,
@@ -106,7 +106,7 @@ describe('every method', () => {
     assert.equal(mesh.info.components, 2);
     const pair = [{ vertex: 30 }, { vertex: 107 }];
     for (const name of comparedMethods) {
-      if (name === 'weightedAverages') continue; // it embeds the whole mesh
+      if (name === 'weightedAverages') continue; // It embeds the whole mesh.
       const method = await prepared(name, mesh);
       const curve = method.curve(peers.plan(pair, 5));
       curve.finish();
@@ -115,7 +115,7 @@ describe('every method', () => {
     }
   });
 
-  test('starts where it is told to', async () => {
+  test('starts at a given point', async () => {
     for (const name of curved) {
       const method = await prepared(name);
       const there = method.centerOfMass(points, [0.2, 0.2, 0.2, 0.2, 0.2], {
@@ -155,7 +155,7 @@ describe('the paper’s authors', () => {
     assert.ok(Math.max(...heaviest) > 1e-3, `${heaviest}`);
   });
 
-  test('find the same centers where there is only one, and go on through all segments', async () => {
+  test('find the same centers if they are unique, and continue through all segments', async () => {
     const plan = peers.plan(points, 9);
     const [one, other] = [
       await traced(plane, plan, authors),
@@ -165,7 +165,8 @@ describe('the paper’s authors', () => {
     for (let i = 0; i < 3 * one.count; i++) {
       assert.ok(Math.abs(one.position[i] - other.position[i]) < 1e-9);
     }
-    // A lost sample is where the next search starts, so that none is found again from a control point.
+    // The next search starts at a lost sample, so that no later one is found again from a control
+    // point.
     const torus = peers.karcher.shape('torus', 2000);
     const around = [565, 684, 85, 922].map((vertex) => ({ vertex }));
     const far = peers.plan(around, 33);
@@ -175,7 +176,7 @@ describe('the paper’s authors', () => {
     assert.ok(theirs >= ours && theirs > 0, `${theirs} and ${ours}`);
   });
 
-  test('average more faces than Eq. 3 prints: elsewhere than on a regular grid it differs', async () => {
+  test('average more faces than Eq. 3 prints: outside of regular grids the result differs', async () => {
     const mesh = peers.karcher.shape('genus3', 1000);
     const inside = [0, 40, 90, 130].map((face) => ({ face, bary: [0.2, 0.5, 0.3] }));
     const plan = peers.plan(inside, 5);
@@ -197,7 +198,7 @@ for (const [name, levels] of [
   ['leveled', 'auto'],
 ])
   describe(`the engine’s curve as the method ${name}`, () => {
-    test(`is that of levels ${levels}, and is dragged`, async () => {
+    test(`equals that of levels ${levels}, and can be dragged`, async () => {
       const method = await peers.prepare(plane, { method: name });
       const curve = method.curve(peers.plan(points, 9));
       assert.ok((await curve.trace()) >= 0);
@@ -211,7 +212,7 @@ for (const [name, levels] of [
       method.dispose();
     });
 
-    test('is gone once it is disposed of, and checks what it is given', async () => {
+    test('can be disposed of, and checks its arguments', async () => {
       const method = await peers.prepare(plane, { method: name });
       const curve = method.curve(peers.plan(points, 9));
       for (const number of [-1, points.length, 99]) {
@@ -233,7 +234,7 @@ for (const [name, levels] of [
       assert.equal(peers.karcher.allocatedBytes(), bytes, 'nothing was made');
     });
 
-    test('makes no curves of other kinds, and no centers', async () => {
+    test('does not make curves of other kinds, or centers', async () => {
       const method = await peers.prepare(plane, { method: name });
       const table = peers.barycentric([1, 2, 1], 5);
       const badArgument = { name: 'KarcherError', code: 'badArgument' };
@@ -245,7 +246,7 @@ for (const [name, levels] of [
     });
   });
 
-test('options are for the methods that have a use for them', async () => {
+test('options are accepted only by methods that use them', async () => {
   for (const options of [
     { method: 'vectorHeat', seeds: 'authors' },
     { method: 'bSurf', seeds: 'heaviest' },
@@ -274,15 +275,16 @@ test('a leap is counted, a bend is not', () => {
   const breaks = (line) => meter.measure(line, line).breaks;
   assert.equal(breaks(row([0, 1, 2, 3, 4, 5])), 0);
   assert.equal(breaks(row([0, 0.1, 0.2, 8, 8.1, 8.2])), 1);
-  // Ever faster, and slower again.
+  // The curve accelerates and slows down again.
   assert.equal(breaks(row([0, 0.5, 1.5, 4, 9, 11.5, 12.5])), 0);
   const lost = ['converged', 'converged', 'noProgress', 'converged', 'converged', 'converged'];
   assert.equal(breaks(row([0, 0.1, 9, 0.3, 0.4, 0.5], lost)), 0);
-  // A step between lost samples is measured against none, and one beside them against the other.
+  // A step between lost samples has no neighbour to compare with, and one beside them only one.
   const around = lost.with(5, 'noProgress');
   assert.equal(breaks(row([0, 0.1, 9, 3, 8, 20], around)), 0);
   assert.equal(breaks(row([0, 0.1, 9, 3, 3.1, 8], lost)), 1);
-  // Where the affine averages are as fast, as at the ends of a rational curve, nothing leaps.
+  // The affine averages are equally fast, as at the ends of a rational curve, so that nothing
+  // leaps.
   const fast = row([0, 8, 9, 9.2, 9.3, 9.4]);
   assert.equal(breaks(fast), 1);
   assert.equal(meter.measure(fast, fast, row([0, 16, 18, 18.3, 18.5, 18.7])).breaks, 0);
@@ -316,7 +318,7 @@ describe('errors', () => {
     assert.throws(() => method.curve(plan), code('disposed'));
   });
 
-  test('points on several parts', async () => {
+  test('points on several components', async () => {
     const text = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 1 2 3\nf 4 5 6\n';
     const mesh = peers.karcher.meshFromObj(text);
     for (const name of ['vectorHeat', 'affineHeat', 'descent', 'karcher']) {
@@ -358,7 +360,7 @@ describe('errors', () => {
     method.dispose();
   });
 
-  test('a mesh of another engine, an unknown method, a mesh that is gone', async () => {
+  test('a mesh of another engine, an unknown method, a disposed mesh', async () => {
     const other = (await load()).meshFromObj(grid(2));
     await assert.rejects(peers.prepare(other, { method: 'karcher' }), code('badArgument'));
     await assert.rejects(prepared('heat'), code('badArgument'));
@@ -371,7 +373,7 @@ describe('errors', () => {
   });
 });
 
-test('methods and curves give all their memory back', async () => {
+test('methods and curves free all their memory', async () => {
   let early = 0;
   for (let i = 0; i < 30; i++) {
     if (i === 10) early = peers.karcher.allocatedBytes();

@@ -1,10 +1,10 @@
 import { loadPeers } from 'karcher/peers';
 import { grid } from './meshes.mjs';
 
-/** In squares. */
+/** The number of squares on each side. */
 export const side = 12;
 
-/** The module of the peers with a plane of squares, and five points there that a curve blends. */
+/** The module of the peers with a plane of squares, and five control points on it. */
 export async function peersOnPlane() {
   const peers = await loadPeers();
   const plane = peers.karcher.meshFromObj(grid(side));

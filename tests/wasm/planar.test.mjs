@@ -1,4 +1,4 @@
-// Cells and booleans on a plane beside a planar library, which knows nothing of triangles.
+// Cells and booleans on a plane against a planar library, which does not know triangles.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from 'karcher';
@@ -9,21 +9,22 @@ import { drawingOn, grid } from './meshes.mjs';
 const karcher = await load();
 const cells = 10;
 const mesh = karcher.meshFromObj(grid(cells));
-/** Of the plane's extent squared. */
+/** The tolerance of areas, relative to the plane's extent squared. */
 const tolerance = 1e-9 * cells ** 2;
 const outlineOf = drawingOn(mesh, cells);
 const drawings = long ? 10_000 : 200;
 
 const areaOf = (polygons) =>
   polygons.flat().reduce((sum, ring) => {
-    // Holes run the other way.
+    // Holes have the opposite orientation.
     const pieces = ring.slice(1).map(([x, y], i) => ring[i][0] * y - x * ring[i][1]);
     return sum + pieces.reduce((total, piece) => total + piece, 0) / 2;
   }, 0);
 
 /**
- * Corners within a window of less than half of the plane, some of them vertices of the grid, or on its lines: outlines
- * share points and stretches, and run along edges. Every third outline crosses itself.
+ * Corners within a window of less than half of the plane. Some are vertices of the grid or lie on
+ * its lines, so that outlines share points and stretches, and follow edges. Every third outline
+ * crosses itself.
  */
 function corners(next, kind) {
   const [left, low] = [4 * next(), 4 * next()];

@@ -1,4 +1,4 @@
-// Random curves along which surfaces are cut.
+// Random curves for cuts of surfaces.
 import { randomFrom } from '../web/part.mjs';
 
 /** The vertices of a mesh's boundary. */
@@ -13,7 +13,7 @@ export function rimVertices(mesh) {
 
 const closedKinds = ['polyline', 'bspline', 'catmullrom', 'bezier'];
 
-/** One to three curves: closed ones round random places, and ones from rim to rim. */
+/** One to three curves: closed ones around random places, and ones from rim to rim. */
 export function randomCut(mesh, rim, seed) {
   const random = randomFrom(seed);
   const index = (count) => Math.floor(random() * count);
@@ -48,7 +48,7 @@ export function randomCut(mesh, rim, seed) {
       curve.dispose();
       if (path.length > 0) paths.push(path);
     } catch (error) {
-      // Points of two components, and one point twice.
+      // Points of two components, and repeated points, have no path.
       if (error.name !== 'KarcherError') throw error;
     }
   }

@@ -1,4 +1,5 @@
-// Random cuts of surfaces with and without rims, as `npm run study -- cuts` makes them of files.
+// Random cuts of surfaces with and without rims, similar to those that `npm run study -- cuts`
+// makes of files.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from 'karcher';
@@ -14,7 +15,7 @@ const meshes = {
   torus: karcher.shape('torus', 1000),
   knot: karcher.shape('knot', 1000),
   plane: karcher.meshFromObj(grid(8)),
-  // Needles, and two rims.
+  // A tube with needles and two rims.
   tube: karcher.meshFromObj(tube(60, 2)),
 };
 
@@ -34,7 +35,7 @@ for (const [name, mesh] of Object.entries(meshes)) {
   });
 }
 
-test('parts that do not fit are found', async () => {
+test('parts that do not fit are detected', async () => {
   const [mesh, surface] = [meshes.sphere, surfaceOf(meshes.sphere)];
   const parts = mesh.cut(randomCut(mesh, [], 3));
   const told = (spoil) => {
@@ -62,7 +63,7 @@ test('parts that do not fit are found', async () => {
   assert.match(missing, /areas are off/);
 });
 
-/** The edges that one triangle alone has, as vertices. */
+/** The boundary edges, as vertices. */
 function openRim({ triangles }) {
   const next = (i) => triangles[i - (i % 3) + ((i + 1) % 3)];
   const edges = new Set(Array.from(triangles, (tail, i) => `${tail} ${next(i)}`));

@@ -1,4 +1,4 @@
-// Regions: what outlines enclose, and booleans.
+// Regions: the insides of outlines, and booleans.
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { load, Path, Region } from 'karcher';
@@ -13,7 +13,7 @@ after(() => remote.dispose());
 const near = (actual, expected, tolerance = 1e-9) =>
   assert.ok(Math.abs(actual - expected) < tolerance, `${actual} is not ${expected}`);
 
-/** The point of a grid at (x, y): squares are cut from their lower left. */
+/** The point of a grid at (x, y); squares are cut from their lower left. */
 function at(cells, [x, y]) {
   const [i, j] = [x, y].map((value) => Math.min(Math.floor(value), cells - 1));
   const [u, v] = [x - i, y - j];
@@ -41,7 +41,7 @@ const mesh = karcher.meshFromObj(grid(cells));
 const one = polygon(mesh, cells, rectangle(1.3, 1.2, 4.8, 4.1));
 const other = polygon(mesh, cells, rectangle(3.1, 2.2, 7.3, 6.4));
 
-test('a side of an outline that is inside stays so, however large it is', async () => {
+test('the chosen inside of an outline stays, however large it is', async () => {
   const loops = [1.2, 4.7, 8.3].map((size) =>
     polygon(mesh, cells, rectangle(0.3, 0.4, 0.3 + size, 9.1)),
   );
@@ -84,13 +84,13 @@ test('squares on a plane, and their booleans', () => {
     );
     for (const loop of loops) {
       assert.ok(loop instanceof Path && loop.closed);
-      // A boundary is an outline again.
+      // A boundary is a valid outline.
       assert.ok(mesh.regions([loop])[0].area > 0);
     }
   }
 });
 
-test('a region holds the points that lie in it', () => {
+test('a region contains the points that lie in it', () => {
   console.log(`drawn with KARCHER_SEED=${seed}`);
   const random = randoms(seed);
   const [region] = mesh.regions([one, other], { combine: 'exclusion' });
@@ -115,13 +115,13 @@ test('rules, holes, and the side of a point', () => {
   near(mesh.regions([{ outlines: [large], inside: at(cells, [5, 5]) }])[0].area, 81);
 });
 
-test('circles, which are paths', () => {
+test('circles are valid outlines, since they are paths', () => {
   const circle = mesh.circle(at(cells, [4.3, 5.1]), { radius: 2.2 });
   const [region] = mesh.regions([circle.path]);
   near(region.area, Math.PI * 2.2 ** 2, 0.01);
 });
 
-test('on a face that was turned over or cut, points keep their place', () => {
+test('on a face that was reversed or cut, points keep their place', () => {
   const lines = grid(cells).split('\n');
   const faces = lines.findIndex((line) => line.startsWith('f'));
   for (let k = faces; k < lines.length - 1; k += 7) {
@@ -129,7 +129,7 @@ test('on a face that was turned over or cut, points keep their place', () => {
     lines[k] = `f ${a} ${c} ${b}`;
   }
   const turned = karcher.meshFromObj(lines.join('\n'));
-  // Corners 1 and 2 of every seventh triangle changed places.
+  // Every seventh triangle has its corners 1 and 2 swapped.
   const placed = (point) => {
     const { face, bary } = at(cells, point);
     return { face, bary: face % 7 === 0 ? [bary[0], bary[2], bary[1]] : bary };
@@ -148,7 +148,7 @@ test('on a face that was turned over or cut, points keep their place', () => {
   }
 });
 
-test('what does not bound, and what is no outline, is said', () => {
+test('paths without a region, and invalid outlines, are reported', () => {
   const bad = { name: 'KarcherError', code: 'badArgument' };
   const open = mesh.shortestPath(at(cells, [1.2, 1.3]), at(cells, [5.2, 3.1]));
   assert.throws(() => mesh.regions([open]), { ...bad, message: /does not bound/ });
@@ -166,7 +166,7 @@ test('what does not bound, and what is no outline, is said', () => {
   assert.throws(() => mesh.regions([[{ vertex: 4000 }, { vertex: 0 }]]), { code: 'badIndex' });
 });
 
-test('a mesh that is cut has all of its parts', () => {
+test('a cut mesh keeps all of its area in its parts', () => {
   const parts = mesh.cut([one, other]);
   const areas = parts.map((part) => {
     assert.equal(part.faces.length, part.triangles.length / 3);

@@ -22,7 +22,9 @@ function torus() {
   return arrays;
 }
 
-/** What each defect is mended by: the arrays become defective, and the count is returned. */
+/**
+ * Each repair with its defect: the function damages the arrays and returns the number of defects.
+ */
 const defects = {
   repeatedCorner({ triangles }) {
     triangles.push(3, 4, 3, 5, 5, 5);
@@ -40,7 +42,8 @@ const defects = {
     return 3;
   },
   noArea({ positions, triangles }) {
-    // Face 40's first edge gets a vertex on its other side, and a triangle on a line fills the gap.
+    // Face 40's first edge gets a vertex on its other side, and a degenerate triangle fills the
+    // gap.
     const [a, b] = triangles.slice(120, 122);
     const middle = positions.length / 3;
     for (let k = 0; k < 3; k++) positions.push((positions[3 * a + k] + positions[3 * b + k]) / 2);
@@ -71,7 +74,7 @@ const defects = {
 };
 
 for (const [kind, damage] of Object.entries(defects)) {
-  test(`${kind}: mended and counted, refused on demand, and points keep their place`, () => {
+  test(`${kind}: repaired and counted, refused on request, and points keep their place`, () => {
     const arrays = torus();
     const count = damage(arrays);
     const { positions, triangles } = arrays;
@@ -82,7 +85,7 @@ for (const [kind, damage] of Object.entries(defects)) {
         name: 'KarcherError',
       });
     }
-    // The caller's faces and vertices, each with its own numbers.
+    // The caller's faces and vertices keep their own indices.
     assert.deepEqual(Array.from(mesh.triangles()), triangles);
     assert.deepEqual(Array.from(mesh.positions()), positions);
     for (let face = 0; face < triangles.length / 3; face++) {
@@ -94,7 +97,7 @@ for (const [kind, damage] of Object.entries(defects)) {
       assert.ok(near(mesh.position({ face, bary })), `face ${face}`);
       assert.ok(near(mesh.position(mesh.surfacePoint(face, bary))), `face ${face}`);
     }
-    // What is asked of the mesh comes in the caller's numbers, too.
+    // Results use the caller's indices, too.
     const { face } = mesh.surfacePoint(0, [1, 0, 0]);
     const path = mesh.shortestPath({ face, bary: [0.2, 0.2, 0.6] }, { vertex: 900 });
     for (const [i, point] of path.points().entries()) {
@@ -106,7 +109,7 @@ for (const [kind, damage] of Object.entries(defects)) {
   });
 }
 
-test('a curve over a face that was turned over, and one that was cut, is that of the sound mesh', () => {
+test('a curve over a reversed or cut face equals the one on the sound mesh', () => {
   const arrays = torus();
   const sound = karcher.meshFromArrays(arrays.positions, arrays.triangles);
   const turned = { ...arrays, triangles: [...arrays.triangles] };
@@ -120,7 +123,7 @@ test('a curve over a face that was turned over, and one that was cut, is that of
   for (const [i, x] of after.polyline({ bits: 64 }).entries()) {
     assert.ok(Math.abs(x - polyline[i]) < 1e-9);
   }
-  // Samples are in the numbers and corners of their mesh.
+  // Samples have the indices and corners of their mesh.
   const { face, bary, position, count } = after.samples();
   for (let i = 0; i < count; i++) {
     const place = mended.position({
@@ -131,7 +134,7 @@ test('a curve over a face that was turned over, and one that was cut, is that of
   }
 });
 
-test('files with comments, repeated corners and numbers that no face uses are opened', () => {
+test('files with comments, repeated corners and unused indices are opened', () => {
   const mesh = karcher.meshFromObj(
     'v 0 0 0\nv 1 0 0 # right\nv nan nan nan\nv 1 1 0\nv 0 1 0\nf 1 2 4 # half\nf 1 4 4 5\nf 1 1 2\n',
   );
@@ -140,7 +143,7 @@ test('files with comments, repeated corners and numbers that no face uses are op
   assert.deepEqual(mesh.position({ face: 1, bary: [0, 0, 1] }), [0, 1, 0]);
 });
 
-test('each file that is no mesh is opened with a report, or refused as before', () => {
+test('each file without a mesh is opened with a report, or refused as before', () => {
   for (const { what, text, code } of badFiles) {
     if (code.startsWith('nonManifold')) {
       assert.ok(karcher.meshFromObj(text).info.repairs.length > 0, what);
@@ -150,7 +153,7 @@ test('each file that is no mesh is opened with a report, or refused as before', 
   }
 });
 
-test('boundaries that lie near each other are welded within the tolerance that is asked for', () => {
+test('boundaries that lie near each other are welded within a given tolerance', () => {
   const apart = (gap) =>
     `v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 0 ${1 + gap} 0\nv ${1 + gap} 0 0\nv 1 1 0\nf 4 5 6\n`;
   const partsOf = (gap, options) => karcher.meshFromObj(apart(gap), options).info.components;
@@ -162,7 +165,7 @@ test('boundaries that lie near each other are welded within the tolerance that i
   assert.equal(partsOf(0, { repair: 'none' }), 1);
 });
 
-test('options that are wrong are refused', () => {
+test('wrong options are refused', () => {
   const wrong = [
     [{ repair: 'all' }, /repair must be one of safe, none/],
     [{ weld: -1 }, /at least 0/],
@@ -175,7 +178,7 @@ test('options that are wrong are refused', () => {
   }
 });
 
-test('a surface with one side is refused with the reason', () => {
+test('a one-sided surface is refused with the reason', () => {
   const strip = [0, 1, 2, 1, 2, 3, 2, 3, 4, 3, 4, 0, 4, 0, 1];
   assert.throws(
     () => karcher.meshFromArrays([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1], strip),
@@ -186,7 +189,7 @@ test('a surface with one side is refused with the reason', () => {
   );
 });
 
-test('what is told of a mesh cannot be changed, in a worker as here', async (t) => {
+test('the properties of a mesh are read-only, in a worker too', async (t) => {
   const { positions, triangles } = torus();
   defects.duplicate({ positions, triangles });
   const remote = await loadForTest(t);

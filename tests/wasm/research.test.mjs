@@ -14,14 +14,14 @@ before(async () => {
 const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
 const difference = (a, b) => a.map((x, i) => x - b[i]);
 const placeIn = (array, i) => [...array.slice(3 * i, 3 * i + 3)];
-/** Weights of a triangle, evenly drawn. */
+/** Uniform random weights in a triangle. */
 function weightsFrom(random) {
   const [u, v] = [random(), random()];
   return u + v > 1 ? [u + v - 1, 1 - u, 1 - v] : [1 - u - v, u, v];
 }
 
 describe('the nearest point', () => {
-  test('of places beside a surface is the one that all faces tell', (t) => {
+  test('to places beside a surface agrees with a search through all faces', (t) => {
     t.diagnostic(`seed ${seed}`);
     const random = randomFrom(seed);
     const mesh = karcher.shape('knot', 600);
@@ -32,7 +32,7 @@ describe('the nearest point', () => {
       const { point, position, distance } = mesh.nearestPoint(place);
       assert.deepEqual(position, mesh.position(point));
       assert.ok(Math.abs(Math.hypot(...difference(position, place)) - distance) < 1e-12);
-      // No vertex and no drawn point of the surface is nearer.
+      // No vertex and no random point of the surface is nearer.
       for (let v = 0; 3 * v < positions.length; v++) {
         assert.ok(Math.hypot(...difference(placeIn(positions, v), place)) >= distance - 1e-12);
       }
@@ -42,7 +42,7 @@ describe('the nearest point', () => {
     }
   });
 
-  test('of a place on the surface is there, and takes objects with x, y and z', () => {
+  test('to a place on the surface is that place, and takes objects with x, y and z', () => {
     const mesh = karcher.shape('torus', 2000);
     const point = { face: 77, bary: [0.2, 0.3, 0.5] };
     const [x, y, z] = mesh.position(point);
@@ -54,7 +54,7 @@ describe('the nearest point', () => {
   });
 });
 
-test('a normal stands upright on its face, on the outside', () => {
+test('a normal is orthogonal to its face, on the outside', () => {
   const mesh = karcher.shape('sphere', 2000);
   const triangles = mesh.triangles();
   for (const face of [0, 500, 1999]) {
@@ -67,14 +67,14 @@ test('a normal stands upright on its face, on the outside', () => {
     assert.ok(dot(normal, mesh.position(point)) > 0);
   }
   const upright = karcher.meshFromObj(square).normal({ vertex: 0 });
-  // Without the signs of zeros.
+  // The comparison ignores the signs of zeros.
   assert.deepEqual(
     upright.map((x) => x + 0),
     [0, 0, 1],
   );
 });
 
-test('places of a list and of flat arrays are those of single points', () => {
+test('a list of places and a flat array return the results of single points', () => {
   const mesh = karcher.shape('torus', 600);
   const points = [{ vertex: 3 }, { face: 5, bary: [0.2, 0.3, 0.5] }];
   const expected = points.flatMap((point) => mesh.position(point));
@@ -88,7 +88,7 @@ test('places of a list and of flat arrays are those of single points', () => {
   assert.throws(() => mesh.positionsOf({}), { code: 'badArgument' });
 });
 
-test('distances from several points are those from the nearest', () => {
+test('distances from several points are the minimum over these points', () => {
   const mesh = karcher.shape('torus', 600);
   const sources = [{ vertex: 3 }, { vertex: 200 }, { face: 100, bary: [0.2, 0.3, 0.5] }];
   for (const options of [{}, { solver: 'fast' }]) {
@@ -114,7 +114,8 @@ describe('the log map of all vertices', () => {
       const positions = mesh.positions();
       const { vectors } = mesh.logMap(from);
       assert.equal(vectors.length, positions.length);
-      // At the boundary the tangent plane is rescaled: lengths and the order of directions are kept.
+      // At the boundary the tangent plane is rescaled: lengths and the order of directions are
+      // kept.
       const isRescaled = where.startsWith('on the') || where.startsWith('at a corner');
       for (let v = 0; 3 * v < positions.length; v++) {
         const expected = difference(placeIn(positions, v), origin);
@@ -125,7 +126,7 @@ describe('the log map of all vertices', () => {
     });
   }
 
-  test('is that of single vertices near the point, on curved surfaces', () => {
+  test('agrees with those of single vertices near the point, on curved surfaces', () => {
     for (const from of [{ face: 100, bary: [0.2, 0.3, 0.5] }, { vertex: 1200 }]) {
       const mesh = karcher.shape('torus', 5000);
       const distances = mesh.distance(from);
@@ -138,7 +139,7 @@ describe('the log map of all vertices', () => {
       const { vectors } = mesh.logMap(from);
       for (const [i, { vertex }] of near.entries()) {
         const away = Math.hypot(...difference(placeIn(vectors, vertex), placeIn(single, i)));
-        // Directions are interpolated, and half an edge apart at the most.
+        // Directions are interpolated, and at most half an edge apart.
         assert.ok(away < 0.25 * mesh.info.meanEdge, `${vertex}: ${away / mesh.info.meanEdge}`);
       }
     }
@@ -185,7 +186,7 @@ describe('centers of mass of rows of weights', () => {
     assert.deepEqual(mesh.positionsOf(centers), centers.position);
   });
 
-  test('are with the check those of single calls, and without it their zeros', () => {
+  test('with the check equal those of single calls, and without it their zeros', () => {
     const mesh = karcher.shape('torus', 2000);
     const rows = rowsFrom(randomFrom(seed + 1), 20);
     const checked = mesh.centersOfMass(points, rows, { check: true });
@@ -210,7 +211,7 @@ describe('centers of mass of rows of weights', () => {
     }
   });
 
-  test('are refused with the number of the row', () => {
+  test('are refused with the index of the row', () => {
     const mesh = karcher.shape('torus', 2000);
     const good = [0.2, 0.2, 0.2, 0.2, 0.2];
     const refused = (rows, code, message) =>

@@ -9,7 +9,7 @@ const { main } = await import(new URL('./cli/main.js', import.meta.resolve('karc
 
 const program = fileURLToPath(new URL('./cli.js', import.meta.resolve('karcher')));
 
-/** A stream that keeps what is written to it; `text()` gives it. */
+/** A stream that keeps the written text; `text()` returns it. */
 function written() {
   const pieces = [];
   const stream = new Writable({
@@ -21,7 +21,7 @@ function written() {
   return { stream, text: () => Buffer.concat(pieces).toString('utf8') };
 }
 
-/** Runs `karcher` in this process, as a shell would in one of its own: {status, stdout, stderr}. */
+/** Runs `karcher` in this process, as a shell would in its own: {status, stdout, stderr}. */
 export const karcher = (...args) => karcherReading('', ...args);
 
 /** Runs it with a text as standard input. */
@@ -32,7 +32,7 @@ export async function karcherReading(text, ...args) {
   return { status, stdout: stdout.text(), stderr: stderr.text() };
 }
 
-/** Runs `karcher` in a process of its own; `begun` gets it once it has started. */
+/** Runs `karcher` in a process of its own; `begun` receives the process once it has started. */
 export async function karcherProcess(args, begun = () => {}) {
   const child = spawn(process.execPath, [program, ...args], { stdio: ['ignore', 'pipe', 'pipe'] });
   const said = { stdout: '', stderr: '' };
@@ -49,11 +49,11 @@ export async function karcherProcess(args, begun = () => {}) {
   return { status, signal, ...said };
 }
 
-// How far a command is that has taken two seconds: on a slow machine others print it too.
+// The progress of a command after two seconds: on a slow machine other commands print it too.
 const progress = /^karcher: \w+: [^\n]+, \d+ %\n/gm;
 
 /**
- * The JSON object that a command printed. Throws if it failed or printed anything else but its
+ * The JSON object that a command printed. Throws if it failed or printed anything besides its
  * progress.
  */
 export async function printed(...args) {
@@ -63,7 +63,7 @@ export async function printed(...args) {
   return JSON.parse(stdout);
 }
 
-/** The sentence with which a command failed: alone on standard error, with exit status 1. */
+/** The sentence of a failed command: alone on standard error, with exit status 1. */
 export async function failure(...args) {
   const { status, stdout, stderr } = await karcher(...args);
   if (status !== 1 || stdout !== '' || !/^karcher: [^\n]+\n$/.test(stderr)) {
@@ -72,7 +72,7 @@ export async function failure(...args) {
   return stderr.slice('karcher: '.length, -1);
 }
 
-/** A folder of files for a test file: `folder.write(name, text)` gives the path. */
+/** A folder of files for a test file: `folder.write(name, text)` returns the path. */
 export function temporaryFolder() {
   const path = mkdtempSync(join(tmpdir(), 'karcher-'));
   return {

@@ -1,4 +1,4 @@
-// A curve becomes another by its one edit, which keeps what holds.
+// `set` changes a curve into another one, and keeps its unaffected parts.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from 'karcher';
@@ -7,11 +7,11 @@ import { fields, partsOf } from './meshes.mjs';
 
 const karcher = await load();
 const mesh = karcher.shape('torus', 4000);
-// Curves of one mesh share their fields: what is made anew is made of another.
+// Curves of one mesh share their fields, so new curves are on another mesh.
 const otherMesh = karcher.shape('torus', 4000);
 const points = [0, 1, 2, 3, 4].map((i) => ({ face: 300 + 2 * i, bary: [0.2, 0.3, 0.5] }));
 const added = { face: 305, bary: [0.5, 0.25, 0.25] };
-// Without levels, so that fields are those of the control points.
+// The curve has no levels, so that its fields are those of the control points.
 const plain = { kind: 'bspline', points, samples: 9, levels: 0 };
 
 const shown = (curve) => ({
@@ -26,7 +26,7 @@ const shown = (curve) => ({
   told: [curve.kind, curve.closed, curve.degree, curve.length, curve.segmentCount],
 });
 
-/** What a value is changed to, and how many fields this may cost. */
+/** The new values, and the number of fields that each may cost. */
 const changes = {
   nothing: [{}, {}, 0],
   'a point that moves': [{}, { points: points.with(2, added) }, 1],
@@ -64,14 +64,14 @@ const changes = {
 };
 
 for (const [name, [from, to, cost]] of Object.entries(changes)) {
-  test(`a curve that is set to ${name} is the one made anew, with what holds kept`, () => {
+  test(`a curve that is set to ${name} equals a new one, and keeps unaffected parts`, () => {
     const curve = mesh.curve({ ...plain, ...from });
     const made = curve.fieldsComputed;
     curve.set({ ...plain, ...to });
     assert.ok(curve.fieldsComputed - made <= cost, `${curve.fieldsComputed - made} fields`);
     const anew = otherMesh.curve({ ...plain, ...to });
     assert.deepEqual(shown(curve), shown(anew));
-    // And what it then is makes it again.
+    // Its value makes the same curve again.
     const again = otherMesh.curve(curve.value());
     assert.deepEqual(shown(again), shown(anew));
     const before = curve.fieldsComputed;
@@ -81,7 +81,7 @@ for (const [name, [from, to, cost]] of Object.entries(changes)) {
   });
 }
 
-test('other fields make it anew, and are the ones of its parts', () => {
+test('other fields make it anew, and its parts use them', () => {
   const curve = mesh.curve(plain);
   for (const field of fields) {
     curve.set({ ...plain, ...field });
@@ -92,7 +92,7 @@ test('other fields make it anew, and are the ones of its parts', () => {
   }
 });
 
-test('what cannot be set changes nothing', () => {
+test('an invalid value changes nothing', () => {
   const basis = (t) => [1 - t, t, 0, 0, 0];
   for (const start of [plain, { ...plain, kind: 'custom', basis }]) {
     const curve = mesh.curve(start);
@@ -122,7 +122,7 @@ test('what cannot be set changes nothing', () => {
   }
 });
 
-test('a view is all that is seen of a curve, in one buffer', () => {
+test('a view has all visible parts of a curve, in one buffer', () => {
   const curve = mesh.curve({ ...plain, closed: true });
   for (const bits of [32, 64]) {
     const view = curve.view({ bits });

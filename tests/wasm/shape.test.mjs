@@ -10,7 +10,7 @@ before(async () => {
 
 const shapes = { sphere: [0, 0], torus: [1, 0], knot: [1, 0], genus3: [3, 0], openSheet: [0, 1] };
 
-test('built-in shapes have their topology and about the triangles asked for', () => {
+test('built-in shapes have their topology and about the requested triangles', () => {
   for (const [name, [genus, boundaryLoops]] of Object.entries(shapes)) {
     const mesh = karcher.shape(name, 5000);
     const { info } = mesh;
@@ -24,14 +24,14 @@ test('built-in shapes have their topology and about the triangles asked for', ()
   }
 });
 
-test('shapes that are not there', () => {
+test('unknown shapes are refused', () => {
   assert.throws(() => karcher.shape('cube'), { code: 'badArgument', message: /sphere, torus/ });
   for (const triangles of [0, -1, 1e9, 0.5, '20', Number.NaN]) {
     assert.throws(() => karcher.shape('sphere', triangles), { code: 'badArgument' });
   }
 });
 
-test('Loop subdivision: four triangles for each, a mesh of its own', () => {
+test('Loop subdivision: four triangles for each, as a separate mesh', () => {
   const mesh = karcher.meshFromObj(tetrahedron);
   const [once, twice] = [mesh.subdivide(), mesh.subdivide(2)];
   mesh.dispose();
@@ -39,7 +39,7 @@ test('Loop subdivision: four triangles for each, a mesh of its own', () => {
   assert.equal(once.info.vertices, 10);
   assert.equal(twice.info.triangles, 64);
   assert.equal(twice.info.genus, 0);
-  // Twice once is once twice.
+  // Two levels at once equal one level twice.
   const sorted = (positions) => Array.from(positions, (x) => x.toFixed(12)).sort();
   assert.deepEqual(sorted(once.subdivide().positions()), sorted(twice.positions()));
   const flat = karcher.meshFromObj(grid(2)).subdivide();

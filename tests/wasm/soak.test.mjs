@@ -1,4 +1,4 @@
-// Edits by the thousand through a worker, and workers that are killed, slow, or answer out of order.
+// Thousands of edits through a worker, and workers that are killed, slow, or answer out of order.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { setFlagsFromString } from 'node:v8';
@@ -14,7 +14,7 @@ const threadUrl = new URL('./worker/thread.js', import.meta.resolve('karcher'));
 setFlagsFromString('--expose-gc');
 const collect = runInNewContext('gc');
 
-/** Bytes of JavaScript that are held, once nothing more can be collected. */
+/** The bytes of JavaScript that remain after garbage collection. */
 async function heldBytes() {
   for (let i = 0; i < 3; i++) {
     collect();
@@ -23,7 +23,7 @@ async function heldBytes() {
   return process.memoryUsage().heapUsed;
 }
 
-test(`edits through a worker leave no memory behind, and the curve is that of its value`, async (t) => {
+test(`edits through a worker leave no memory behind, and the curve equals that of its value`, async (t) => {
   const edits = long ? 100_000 : 3000;
   const karcher = await loadForTest(t);
   const mesh = await karcher.meshFromObj(grid(8));
@@ -58,7 +58,7 @@ test(`edits through a worker leave no memory behind, and the curve is that of it
   };
   const bytes = [];
   for (let i = 0; i < edits; i++) {
-    // Each tenth is not waited for: several are under way.
+    // Every tenth edit is not awaited: several are under way.
     if (i % 10 === 9) await Promise.all([edit(), curve.view(), edit(), curve.polyline()]);
     else await edit();
     if (i % (edits / 10) === edits / 10 - 1) {
@@ -67,20 +67,20 @@ test(`edits through a worker leave no memory behind, and the curve is that of it
       bytes.push({ engine: await karcher.allocatedBytes(), held: await heldBytes() });
     }
   }
-  // The same curve is there at each of these; its spare fields are those of the edits before, and
-  // differ: up to 230 KB between any two, where a kilobyte an edit would be 1.5 MB.
+  // Each measurement has the same curve; its spare fields are those of earlier edits, and differ:
+  // up to 230 KB between any two, while a leak of a kilobyte an edit would be 1.5 MB.
   const most = (part) => Math.max(...part.map(({ engine }) => engine));
   const grown = most(bytes.slice(5)) - most(bytes.slice(0, 5));
   assert.ok(grown < 300e3, JSON.stringify(bytes));
   assert.ok(bytes.at(-1).held - bytes[1].held < 2e6, JSON.stringify(bytes));
   await curve.movePoint(2, { vertex: 33 });
-  // On a mesh of its own: curves of one mesh share fields.
+  // The mesh is separate: curves of one mesh share fields.
   const other = await karcher.meshFromObj(grid(8));
   const anew = await other.curve(await curve.value());
   assert.deepEqual(await curve.polyline({ bits: 64 }), await anew.polyline({ bits: 64 }));
 });
 
-test('a worker that is killed rejects what is under way, and all after', {
+test('a killed worker rejects all calls, under way or later', {
   timeout: 600_000,
 }, async (t) => {
   const worker = new Worker(threadUrl);
@@ -101,12 +101,12 @@ test('a worker that is killed rejects what is under way, and all after', {
   await assert.rejects(waiting, { code: 'internal' });
   await assert.rejects(mesh.positions(), { code: 'internal' });
   assert.equal(told.code, 'internal');
-  // Another one takes its place.
+  // Another worker replaces it.
   const next = await loadForTest(t);
   assert.equal((await next.shape('sphere', 1000)).info.genus, 0);
 });
 
-test('a call that waits and is cancelled is not begun; one that is under way is dropped', async (t) => {
+test('a cancelled call that waits is not begun; one under way is dropped', async (t) => {
   const karcher = await loadForTest(t);
   const mesh = await karcher.shape('torus', 20_000);
   const curve = await mesh.curve({ kind: 'polyline', points: [{ vertex: 0 }, { vertex: 9 }] });
@@ -126,14 +126,14 @@ test('a call that waits and is cancelled is not begun; one that is under way is 
   await assert.rejects(moved, reason);
   assert.deepEqual(await after, before, 'the move was never made');
   assert.ok(!began.some((line) => line.startsWith('move')), began.join());
-  // And without an end to it, it tells when it is begun and done.
+  // A call that runs to its end reports its beginning and its end.
   await mesh.distance({ vertex: 1 }, { progress: (...told) => began.push(told.join(' ')) });
   assert.deepEqual(began.slice(-2), ['0 begun', '1 done']);
   await assert.rejects(mesh.positions({ signal: AbortSignal.abort(reason) }), reason);
   await assert.rejects(mesh.positions({ signal: 1 }), { code: 'badArgument' });
 });
 
-/** A worker that answers as it is told to. */
+/** A worker with scripted answers. */
 class Scripted extends EventTarget {
   asked = [];
   ended = false;
@@ -148,7 +148,7 @@ class Scripted extends EventTarget {
   }
 }
 
-test('answers out of order, twice, and to nobody reach whom they belong to', async () => {
+test('answers out of order, repeated, or without a request reach only their callers', async () => {
   const worker = new Scripted();
   const client = new WorkerClient(worker);
   const calls = Array.from({ length: 50 }, (_, i) => client.call('square', [i]));
@@ -164,7 +164,7 @@ test('answers out of order, twice, and to nobody reach whom they belong to', asy
     await Promise.all(calls),
     Array.from({ length: 50 }, (_, i) => i * i),
   );
-  // One that never answers keeps nobody from the next, and ends with the client.
+  // A call without an answer does not delay the next one, and ends with the client.
   const slow = client.call('sleep', []);
   const quick = client.call('square', [3]);
   worker.answer({ id: worker.asked.at(-1).id, result: 9 });

@@ -47,7 +47,7 @@ for (const [where, loadEngine] of Object.entries({
       ];
       const { position, converged, value } = await median(mesh, await all(places));
       assert.ok(converged);
-      // The corners are seen from it at angles of 120 degrees.
+      // Seen from it, the corners are 120 degrees apart.
       const units = places.map(([x, y]) => {
         const [dx, dy] = [x - position[0], y - position[1]];
         return [dx / Math.hypot(dx, dy), dy / Math.hypot(dx, dy)];
@@ -64,7 +64,7 @@ for (const [where, loadEngine] of Object.entries({
       assert.ok(Math.abs(value - sum) < 1e-9);
     });
 
-    test('a point that is heavy enough, or where the angle is wide, is the median itself', async () => {
+    test('the median is a point itself if the point is heavy enough, or its angle is wide', async () => {
       const wide = [
         [1.2, 2.1],
         [5.1, 2.9],
@@ -77,12 +77,12 @@ for (const [where, loadEngine] of Object.entries({
         [4.2, 7.7],
       ];
       near((await median(mesh, await all(heavy), [2.5, 1, 1])).position, [1.3, 1.2, 0], 1e-9);
-      // From there, too, where it is not.
+      // A search from another start finds it, too.
       const from = await median(mesh, await all(heavy), [1, 1, 1], { start: await at(1.3, 1.2) });
       near(from.position, (await median(mesh, await all(heavy))).position, 1e-3);
     });
 
-    test('Huber’s mean is the closed form on a line, and a mean where the threshold is wide', async () => {
+    test('Huber’s mean has its closed form on a line, and is a mean for a large threshold', async () => {
       const line = await all([
         [0.4, 5],
         [0.9, 5],
@@ -104,7 +104,7 @@ for (const [where, loadEngine] of Object.entries({
       near(wide.position, [...mean, 0], 1e-6);
     });
 
-    test('energy, Hessian and the center’s derivatives by weights are the plane’s', async () => {
+    test('energy, Hessian and the center’s derivatives by weights are those of the plane', async () => {
       const places = [
         [1.3, 1.2],
         [8.1, 2.3],
@@ -136,7 +136,7 @@ for (const [where, loadEngine] of Object.entries({
       }
     });
 
-    test('what is wrong is said', async () => {
+    test('wrong arguments are reported', async () => {
       const points = await all([
         [1.3, 1.2],
         [8.1, 2.3],
@@ -156,7 +156,7 @@ for (const [where, loadEngine] of Object.entries({
   });
 }
 
-test('on a torus derivatives are differences, and medians have no gradient', async (t) => {
+test('on a torus derivatives equal difference quotients, and medians have no gradient', async (t) => {
   t.diagnostic(`seed ${seed}`);
   const random = randomFrom(seed);
   const karcher = await load();
@@ -170,7 +170,8 @@ test('on a torus derivatives are differences, and medians have no gradient', asy
   const derivatives = await weightDerivatives(mesh, points, weights, point);
   for (const i of points.keys()) {
     const size = Math.hypot(...derivatives[i]);
-    // Where a derivative leads, the gradient with that weight is what it was, on the polyhedron itself.
+    // After a step along the derivative, the gradient with the new weight is the same, on the
+    // polyhedron itself.
     const short = (1e-5 * mesh.info.diagonal) / size;
     const gradientAt = async (change) => {
       const place = position.map((x, k) => x + change * derivatives[i][k]);
@@ -190,7 +191,7 @@ test('on a torus derivatives are differences, and medians have no gradient', asy
       exact,
     );
     const change = minus(moved.position, position).map((x) => x / step);
-    // Derivatives are those of the polyhedron, centers of fields that are smoothed.
+    // Derivatives are those of the polyhedron, centers those of smoothed fields.
     near(change, derivatives[i], 0.2 * size);
   }
   const { point: center, converged } = await median(mesh, points);
@@ -220,7 +221,7 @@ describe('the centroid of a region', async () => {
         .slice(i === 0 ? 0 : 1);
     });
 
-  test('on a plane is that of the polygon and its hole, to rounding', async () => {
+  test('on a plane is that of the polygon and its hole, up to rounding', async () => {
     const mesh = engine.meshFromObj(grid(cells));
     const whole = outline(mesh, [
       [1.3, 1.2],
@@ -263,7 +264,7 @@ describe('the centroid of a region', async () => {
     near(all.position, place, 1e-4);
   });
 
-  test('asks for samples and an area', async () => {
+  test('requires samples and an area', async () => {
     const mesh = engine.meshFromObj(grid(cells));
     const corners = [
       [1.3, 1.2],

@@ -1,4 +1,5 @@
-// Shells round parts of surfaces: closed, of the volume that a plane, a sphere and a torus say, and no thicker than fits.
+// Shells around parts of surfaces: closed, with the volumes known for a plane, a sphere and a
+// torus, and no thicker than fits.
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { load } from 'karcher';
@@ -16,7 +17,7 @@ const near = (value, wanted, part, what) =>
     `${what}: ${value}, not ${wanted}`,
   );
 
-/** Points of two parameters from 0 to 1 as triangles; what is closed in one has its end at its start. */
+/** Triangles of a surface with two parameters from 0 to 1; a closed parameter ends at its start. */
 function grid(across, along, place, [closedAcross, closedAlong] = [false, false]) {
   const [columns, rows] = [across + !closedAcross, along + !closedAlong];
   const positions = [];
@@ -34,7 +35,7 @@ function grid(across, along, place, [closedAcross, closedAlong] = [false, false]
   return { positions, triangles };
 }
 
-/** A closed and oriented shell, whose volume is positive. */
+/** A closed and oriented shell with positive volume. */
 function shellOf(part, thickness) {
   const shell = thickened(part, thickness);
   const { closed, oriented, volume } = solidOf(shell);
@@ -53,7 +54,7 @@ test('a rectangle becomes a plate, outwards and inwards', () => {
   }
 });
 
-test('a sphere becomes a ball with a hollow; inwards no thicker than its radius', () => {
+test('a sphere becomes a hollow ball; inwards no thicker than its radius', () => {
   const sphere = engine.shape('sphere', 20_000);
   const part = { positions: sphere.positions(), triangles: sphere.triangles() };
   const wanted = (from, to) => (4 / 3) * Math.PI * (to ** 3 - from ** 3);
@@ -82,7 +83,7 @@ test('a torus becomes a pipe with walls; inwards no thicker than the pipe, outwa
   near(thickened(torus, 2).most, large - small, 0.02, 'outwards, through the hole');
 });
 
-test('two plates that face each other allow half of their gap', () => {
+test('two opposite plates allow half of their gap', () => {
   const [lower, upper] = [grid(4, 4, (u, v) => [u, v, 0]), grid(4, 4, (u, v) => [v, u, 0.3])];
   const count = lower.positions.length / 3;
   const both = {

@@ -26,7 +26,7 @@ before(async () => {
 
 const vector = (random) => new THREE.Vector3().set(...[0, 0, 0].map(() => 2 * random() - 1));
 
-/** An object somewhere, turned and scaled unevenly. */
+/** An object at a random place, turned and scaled unevenly. */
 function somewhere(geometry, random) {
   const object = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
   object.position.copy(vector(random)).multiplyScalar(5);
@@ -37,7 +37,7 @@ function somewhere(geometry, random) {
   return object;
 }
 
-/** Hits of rays between random places about an object, at least so many. */
+/** Hits of rays between random places around an object, at least `least` of them. */
 function* hitsOf(object, random, least) {
   object.geometry.computeBoundingSphere();
   const { center, radius } = object.geometry.boundingSphere;
@@ -56,7 +56,7 @@ function* hitsOf(object, random, least) {
   }
 }
 
-/** What may have become of a geometry before a mesh is made of it, or after. */
+/** Changes of a geometry before or after a mesh is made of it. */
 const trees = {
   'no tree': () => {},
   'a tree': (geometry) => {
@@ -78,7 +78,7 @@ describe('a hit', () => {
   const most = Math.ceil((long ? 10_000 : 320) / (2 * orders.length));
 
   for (const name of names) {
-    test(`is the surface point at its place: ${name}, whatever trees were made when`, (t) => {
+    test(`is the surface point at its place: ${name}, whenever trees were made`, (t) => {
       t.diagnostic(`seed ${seed}`);
       const random = randomFrom(seed);
       let hits = 0;
@@ -109,7 +109,7 @@ describe('a hit', () => {
     });
   }
 
-  test('is refused where the object is another one, or not as it was', () => {
+  test('is refused if the object is another one, or has changed', () => {
     const random = randomFrom(seed);
     const geometry = new THREE.TorusGeometry(1, 0.4, 16, 48);
     const surface = surfaceFromGeometry(karcher, geometry);
@@ -119,7 +119,7 @@ describe('a hit', () => {
       'other triangles of the same vertices': geometry.clone(),
     };
     const { index } = changed['other triangles of the same vertices'];
-    // A quadrilateral's diagonal the other way: a, b, d and b, c, d.
+    // The other diagonal of a quadrilateral: a, b, d and b, c, d.
     for (let i = 0; i < index.count; i += 6) {
       const [a, b, d, , c] = index.array.slice(i, i + 5);
       index.array.set([a, b, c, a, c, d], i);
@@ -153,7 +153,7 @@ describe('a hit', () => {
     assert.throws(() => surface.pointAt(hit), { code: 'badPoint', message: /nothing/ });
   });
 
-  test('of an instance lies in the coordinates of the geometry', () => {
+  test('of an instance is in the coordinates of the geometry', () => {
     const geometry = new THREE.SphereGeometry(1, 24, 12);
     const surface = surfaceFromGeometry(karcher, geometry);
     const object = new THREE.InstancedMesh(geometry, new THREE.MeshBasicMaterial(), 2);
@@ -165,7 +165,7 @@ describe('a hit', () => {
     assert.ok(place.distanceTo(hit.point.clone().sub({ x: 3, y: 0, z: 0 })) < 1e-6);
   });
 
-  test('of a tree alone lies in the coordinates of the geometry', () => {
+  test('of a tree alone is in the coordinates of the geometry', () => {
     const geometry = new THREE.TorusGeometry(1, 0.4, 16, 48);
     const surface = surfaceFromGeometry(karcher, geometry);
     const tree = new MeshBVH(geometry);
@@ -202,7 +202,7 @@ describe('a surface', () => {
       surface.mesh.position(point).map(Math.fround),
     );
     const normal = surface.normal(point);
-    // Out of the box, whose sides are those of the axes.
+    // The normal points out of the box, whose sides are orthogonal to the axes.
     assert.ok(normal.dot(place) > 0);
     assert.equal(Math.max(...normal.toArray().map(Math.abs)), 1);
     const frame = surface.frame(point);
@@ -222,7 +222,7 @@ describe('a surface', () => {
     assert.throws(() => surfaceFromGeometry(karcher, none), { code: 'badArgument' });
   });
 
-  test('reads positions that are interleaved, or integers', () => {
+  test('reads interleaved positions and integers', () => {
     const plain = new THREE.IcosahedronGeometry(1, 2);
     const { position } = plain.attributes;
     const numbers = Int16Array.from(position.array, (x) => Math.round(32767 * x));
@@ -233,7 +233,7 @@ describe('a surface', () => {
     assert.ok(Math.abs(surface.diagonal - 2 * Math.sqrt(3)) < 0.5);
   });
 
-  test('becomes a geometry that is welded, has the groups, and whose hits are its points', () => {
+  test('becomes a welded geometry with the groups, whose hits are its points', () => {
     const random = randomFrom(seed);
     const box = new THREE.BoxGeometry(1, 2, 3, 2, 3, 4);
     const surface = surfaceFromGeometry(karcher, box);
@@ -264,7 +264,7 @@ describe('a surface', () => {
     assert.equal(vertexColors(surface.mesh.distance(center)).count, 81);
     const vertices = Array.from({ length: 81 }, (_, vertex) => ({ vertex }));
     const { vectors } = surface.mesh.logMap(center, vertices);
-    // On a plane the texture coordinates are the plane's, up to a motion: lengths are kept.
+    // On a plane the texture coordinates equal the plane's up to a motion: lengths are kept.
     const uvs = logMapUvs(vectors, surface.frame(center), 1);
     assert.deepEqual([uvs.getX(40), uvs.getY(40)], [0.5, 0.5]);
     for (let v = 0; v < 81; v++) {
@@ -275,8 +275,8 @@ describe('a surface', () => {
     assert.ok(logMapUvs([Number.NaN, 0, 0], surface.frame(center), 1).getX(0) < -1);
   });
 
-  test('lays decals, but for triangles where shortest paths part', () => {
-    // A cylinder with an odd number of sides: opposite to a vertex no other lies.
+  test('makes decals, without triangles across the cut locus', () => {
+    // A cylinder with an odd number of sides: no vertex is opposite to another.
     const [sides, rings] = [33, 9];
     const positions = [];
     const triangles = [];
@@ -308,7 +308,7 @@ describe('a surface', () => {
     assert.equal(all.length, (sides - 1) * 2 * (rings - 1));
     assert.equal(all.filter(isOpposite).length, 0);
     assert.equal(facesOf(10, { stretch: 1e3 }).length, 2 * sides * (rings - 1));
-    // A small picture has the triangles that it reaches alone.
+    // A small picture covers only the triangles that it reaches.
     const near = facesOf(0.3);
     assert.ok(near.length > 0 && near.length < all.length / 4, `${near.length}`);
     for (const face of near) {
@@ -323,7 +323,7 @@ describe('a surface', () => {
     const { path } = surface.mesh.circle({ face: 100, bary: [0.2, 0.3, 0.5] }, { radius: 0.3 });
     const radius = 0.02;
     const tube = tubeGeometry(surface, path, { radius, sides: 6 });
-    // Closed and of the genus of a torus, inside in.
+    // The tube is closed, has the genus of a torus, and faces outwards.
     const { info } = surfaceFromGeometry(karcher, tube).mesh;
     assert.deepEqual([info.boundaryLoops, info.genus, info.repairs.length], [0, 1, 0]);
     const places = tube.attributes.position;
@@ -359,7 +359,7 @@ for (const [where, loadEngine] of Object.entries(engines)) {
       ]);
       return [...array.slice(0, 3), ...ends.flat()];
     };
-    /** The same by the facade, and after a step of a drag. */
+    /** The same curve by the facade, before and after a step of a drag. */
     const expected = (value, moved) => {
       const { mesh } = surfaceFromGeometry(karcher, new THREE.TorusGeometry(1, 0.4, 16, 48));
       const curve = mesh.curve(value);
@@ -368,7 +368,7 @@ for (const [where, loadEngine] of Object.entries(engines)) {
       return [...curve.set({ ...value, points: moved, legs: view.drawnLegs }).polyline];
     };
 
-    test('is drawn, and what it was moved to', async () => {
+    test('is drawn, and drawn again after a move', async () => {
       const curve = new SurfaceCurve(surface, { kind: 'bspline', points });
       await curve.ready;
       assert.deepEqual(drawn(curve), expected({ kind: 'bspline', points }));
@@ -379,7 +379,7 @@ for (const [where, loadEngine] of Object.entries(engines)) {
       curve.dispose();
     });
 
-    test('makes the newest of many edits, and says of the others that it does not', async () => {
+    test('makes the newest of many edits, and reports the dropped ones', async () => {
       const curve = new SurfaceCurve(surface, { kind: 'bspline', points });
       const edits = [];
       for (let vertex = 200; vertex < 240; vertex++) edits.push(curve.movePoint(1, { vertex }));
@@ -391,7 +391,7 @@ for (const [where, loadEngine] of Object.entries(engines)) {
       await assert.rejects(curve.movePoint(0, { vertex: 1 }), { code: 'disposed' });
     });
 
-    test('stays what it was where an edit makes none', async () => {
+    test('does not change for an invalid edit', async () => {
       const curve = new SurfaceCurve(surface, { kind: 'bspline', points });
       await curve.ready;
       const before = drawn(curve);
@@ -444,7 +444,7 @@ for (const [where, loadEngine] of Object.entries(engines)) {
       curve.dispose();
     });
 
-    test('is dragged by points that are seen, not by those behind the surface', async () => {
+    test('is dragged by visible points, not by those behind the surface', async () => {
       const object = new THREE.Mesh(new THREE.TorusGeometry(1, 0.4, 16, 48));
       const own = surfaceFromGeometry(karcher, object.geometry);
       const at = (x, z) => own.mesh.nearestPoint([x, 0, z]).point;

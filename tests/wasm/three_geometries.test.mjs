@@ -1,4 +1,4 @@
-// Standard geometries of three.js, whose seams are open in the file and closed in the mesh.
+// Standard geometries of three.js, whose seams are open in the buffers and closed in the mesh.
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { load } from 'karcher';
@@ -28,7 +28,7 @@ for (const [name, [geometry, boundaryLoops, genus]] of Object.entries(geometries
     [name, geometry],
     [`${name}, without an index`, geometry.index ? geometry.toNonIndexed() : geometry],
   ]) {
-    test(`${form}: closed where it is`, () => {
+    test(`${form}: is closed as expected`, () => {
       const { info } = meshOf(own);
       assert.deepEqual(
         [info.components, info.boundaryLoops, info.genus],
@@ -65,13 +65,13 @@ for (const [name, [geometry, boundaryLoops, genus]] of Object.entries(geometries
     });
   }
 
-  test(`${name}: distances are those of the form without an index`, () => {
+  test(`${name}: distances equal those of the form without an index`, () => {
     const [mesh, other] = [
       meshOf(geometry),
       meshOf(geometry.index ? geometry.toNonIndexed() : geometry),
     ];
     const places = mesh.positions();
-    // The forms number their faces alike.
+    // Both forms have the same order of faces.
     const start = {
       face: Math.floor(arraysOf(geometry).triangles.length / 6),
       bary: [0.2, 0.3, 0.5],
@@ -81,13 +81,13 @@ for (const [name, [geometry, boundaryLoops, genus]] of Object.entries(geometries
     for (const [v, distance] of distances.entries()) {
       if (Number.isNaN(distance)) continue;
       const place = key(places, v);
-      // The vertices of a seam are one.
+      // The vertices of a seam are one vertex of the mesh.
       assert.ok(!byPlace.has(place) || Math.abs(byPlace.get(place) - distance) < 1e-9, place);
       byPlace.set(place, distance);
     }
     const otherPlaces = other.positions();
     for (const [v, distance] of other.distance(start).entries()) {
-      // Vertices of triangles without area alone.
+      // Only degenerate triangles have such vertices.
       if (Number.isNaN(distance)) continue;
       const expected = byPlace.get(key(otherPlaces, v));
       assert.ok(
@@ -98,30 +98,31 @@ for (const [name, [geometry, boundaryLoops, genus]] of Object.entries(geometries
   });
 }
 
-test('paths across seams are as long as they are', () => {
-  // Two edges of a polygon of `sides` sides: beside the vertex between them it may be shorter, but not
-  // than through the inside.
+test('paths across seams have the right length', () => {
+  // Two edges of a polygon of `sides` sides: beside the vertex between them a path may be shorter,
+  // but not than the chord.
   const isOverTwoEdges = (length, radius, sides) => {
     const edges = 4 * radius * Math.sin(Math.PI / sides);
     const chord = 2 * radius * Math.sin((2 * Math.PI) / sides);
     assert.ok(length > chord && length < edges + 1e-6, `${chord} < ${length} < ${edges}`);
   };
-  // Along the outer equator of a torus, from one step before the seam to one behind it. Vertex
-  // (j, i) is j (around the tube) * row + i (around the axis).
+  // The outer equator of a torus, from one step before the seam to one after it. Vertex (j, i) is j
+  // (around the tube) * row + i (around the axis).
   const mesh = meshOf(new THREE.TorusGeometry(1, 0.4, 16, 48));
   const row = 48 + 1;
   isOverTwoEdges(mesh.shortestPath({ vertex: 47 }, { vertex: 1 }).length, 1.4, 48);
-  // Across the seam of its tube.
+  // A path across the seam of its tube.
   isOverTwoEdges(mesh.shortestPath({ vertex: 15 * row }, { vertex: row }).length, 0.4, 16);
-  // Over the pole of a sphere, from one side of the ring around it to the other.
+  // A path over the pole of a sphere, from one side of the ring around it to the other.
   const sphere = meshOf(new THREE.SphereGeometry(1, 32, 16));
   isOverTwoEdges(sphere.shortestPath({ vertex: 33 }, { vertex: 33 + 16 }).length, 1, 32);
-  // From the center of a cylinder's cap down its side.
+  // A path from the center of a cylinder's cap down its side.
   const cylinder = meshOf(new THREE.CylinderGeometry(1, 1, 2, 24, 4));
   const places = cylinder.positions();
   const vertexAt = (...place) =>
     places.findIndex((_, i) => i % 3 === 0 && place.every((x, k) => places[i + k] === x)) / 3;
   const down = cylinder.shortestPath({ vertex: vertexAt(0, 1, 0) }, { vertex: vertexAt(0, 0, 1) });
-  // Over the rim's vertex it is 2, and beside it a little less, as the rim is a polygon.
+  // Through the rim's vertex its length is 2; beside the vertex it is slightly less, as the rim is
+  // a polygon.
   assert.ok(down.length < 2 + 1e-6 && down.length > 1 + Math.cos(Math.PI / 24), `${down.length}`);
 });

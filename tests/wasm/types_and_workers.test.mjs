@@ -1,4 +1,4 @@
-// Values as JSON, options of workers, and workers that nobody calls any more.
+// Values as JSON, options of workers, and workers without calls.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -28,11 +28,11 @@ test('values survive JSON', async () => {
   }
 });
 
-test('a worker is not loaded with an option of another name', async () => {
+test('a worker with an unknown option is not loaded', async () => {
   await assert.rejects(loadInWorker({ wrker: null }), { code: 'badArgument', message: /wrker/ });
 });
 
-test('a forgotten worker does not keep Node alive, and one that is called does', () => {
+test('a forgotten worker does not keep Node alive, and a busy one does', () => {
   const script = `
     import('karcher/worker').then(async ({ loadInWorker }) => {
       const karcher = await loadInWorker();
@@ -48,7 +48,7 @@ test('a forgotten worker does not keep Node alive, and one that is called does',
   assert.ok(Number(stdout) > 1000, stdout);
 });
 
-/** What a strict user writes: options that may be undefined, and what nobody is to change. */
+/** Code of a strict user: options that may be undefined, and read-only values. */
 const userCode = `
 import { type CurveOptions, load, type SurfacePoint } from 'karcher';
 import { checkUp } from 'karcher/checkup';
@@ -69,7 +69,7 @@ export async function use(signal: AbortSignal | undefined, tolerance: number | u
 }
 `;
 
-test('types are those that a strict user needs', () => {
+test('types suit a strict user', () => {
   const folder = mkdtempSync(inRoot('build/types-'));
   try {
     writeFileSync(join(folder, 'user.ts'), userCode);

@@ -16,7 +16,7 @@ const apart = (a, b) => Math.hypot(...a.map((x, k) => x - b[k]));
 const near = (a, b, tolerance) => assert.ok(apart(a, b) < tolerance, `${a} is not ${b}`);
 const sum = (values) => values.reduce((all, value) => all + value, 0);
 
-/** The grid as a file with its triangles' own vertices, as STL files have them. */
+/** The grid as a file with separate vertices for each triangle, as in STL files. */
 function unwelded(obj) {
   const lines = obj.split('\n');
   const places = lines.filter((line) => line.startsWith('v '));
@@ -30,7 +30,10 @@ function unwelded(obj) {
   return [...corners.map((corner) => places[corner - 1]), ...faces].join('\n');
 }
 
-/** The area of the part of a square that is nearest to one of several points: the square, clipped by bisectors. */
+/**
+ * The area of the part of a square that is nearest to one of several points: the square, clipped by
+ * bisectors.
+ */
 function planarArea(size, sites, i) {
   let polygon = [
     [0, 0],
@@ -122,14 +125,15 @@ describe('a Voronoi diagram', () => {
     const { areas, borders } = await voronoi(mesh, points);
     const area = solidOf({ positions: mesh.positions(), triangles: mesh.triangles() }).area;
     near([sum(areas)], [area], 1e-9 * area);
-    // The triangles are not symmetric: distances and areas are those of the sphere to the square of the edges.
+    // The triangles are not symmetric: distances and areas equal those of the sphere up to the
+    // square of the edges.
     for (const own of areas) near([own], [area / 6], 2e-3 * area);
-    // Cube edges: arcs of acos(1/3), twelve of them.
+    // The borders are edges of a cube: twelve arcs of length acos(1/3).
     assert.equal(borders.length, 12);
     for (const { path } of borders) near([path.length], [Math.acos(1 / 3)], 2e-2);
   });
 
-  test('of sites of several points, of equal ones and of parts that are apart', async () => {
+  test('of sites of several points, of equal ones and of separate parts', async () => {
     const far = grid(4).replace(/^v (\S+)/gm, (_, x) => `v ${Number(x) + 100}`);
     const shifted = far.replace(/^f .*$/gm, (line) => line.replace(/\d+/g, (n) => Number(n) + 25));
     const mesh = engine.meshFromObj(grid(4) + shifted);
@@ -150,13 +154,13 @@ describe('a Voronoi diagram', () => {
 });
 
 describe('the centroid of a density', () => {
-  test('on a plane is its center of mass, of all and of a cell', async () => {
+  test('on a plane is its center of mass, of the whole and of a cell', async () => {
     const size = 6;
     const text = grid(size);
     for (const mesh of [engine.meshFromObj(text), await remote.meshFromObj(text)]) {
       const positions = await mesh.positions();
       const density = Array.from({ length: positions.length / 3 }, (_, v) => positions[3 * v]);
-      // The density x: its integral is 6³/2, that of x² is 6⁴/3.
+      // The density is x: its integral is 6³/2, that of x² is 6⁴/3.
       const all = await centroid(mesh, 'all', { density });
       near(all.position, [(2 / 3) * size, size / 2, 0], 1e-6);
       const sites = [];
@@ -167,7 +171,7 @@ describe('the centroid of a density', () => {
         sites.push((await mesh.nearestPoint(place)).point);
       }
       const { cell } = await voronoi(mesh, sites);
-      // Left of x = 2.5 it is 2/3 of that.
+      // To the left of x = 2.5 the centroid is at 2/3 of that.
       const left = await centroid(mesh, cell(0), { density });
       near(left.position, [(2 / 3) * 2.5, size / 2, 0], 1e-6);
       near((await centroid(mesh, cell(0))).position, [1.25, size / 2, 0], 1e-6);

@@ -1,16 +1,16 @@
-// Ends a process whose case hangs, which no timer of its own could, and prints the case first: a worker
-// watches.
+// Ends a process whose case hangs, and prints the case first: a worker watches, since no timer of
+// the process could.
 import { writeSync } from 'node:fs';
 import { Worker, workerData } from 'node:worker_threads';
 import { seed } from '../web/part.mjs';
 
-/** Long for a small case, on a busy machine. */
+/** A long time for a small case, even on a busy machine. */
 const longest = 60_000;
 const mostBytes = 2 ** 16;
 
-/** Returns a function that tells the watchdog of the bytes of a case that begins, or null after one. */
+/** Returns a function to call with the bytes of a case that begins, or with null after one. */
 export function watchdog(test) {
-  // How many times something began or ended, whether a case runs, and how long its bytes are.
+  // The number of beginnings and ends, whether a case runs, and the length of its bytes.
   const state = new Int32Array(new SharedArrayBuffer(12));
   const bytes = new Uint8Array(new SharedArrayBuffer(mostBytes));
   const worker = new Worker(new URL(import.meta.url), { workerData: { state, bytes } });

@@ -25,7 +25,7 @@ before(async () => {
 });
 after(() => remote.dispose());
 
-test('a mesh in a worker answers as one here', async () => {
+test('a mesh in a worker answers like one here', async () => {
   assert.deepEqual(mesh.info, here.info);
   assert.deepEqual(await mesh.positions(), here.positions());
   assert.deepEqual(await mesh.triangles(), here.triangles());
@@ -57,7 +57,7 @@ test('a mesh in a worker answers as one here', async () => {
   await assert.rejects(finer.positions(), { name: 'KarcherError', code: 'disposed' });
 });
 
-/** The names of what is read of an object of a class, its own and the class's. */
+/** The names of the readable properties of an object and its class. */
 function propertiesOf(object) {
   const prototype = Object.getPrototypeOf(object);
   const getters = Object.entries(Object.getOwnPropertyDescriptors(prototype)).filter(
@@ -66,12 +66,12 @@ function propertiesOf(object) {
   return [...Object.keys(object), ...getters.map(([name]) => name)];
 }
 
-test('a mesh and a curve in a worker have all that those here have', async () => {
+test('a mesh and a curve in a worker have all members of those here', async () => {
   const [curve, expected] = [
     await mesh.curve({ kind: 'bspline', points }),
     here.curve({ kind: 'bspline', points }),
   ];
-  // What is internal, or of the engine itself.
+  // Internal members, and those of the engine itself.
   const own = ['constructor', 'handle', 'edits'];
   for (const [remotely, local] of [
     [curve, expected],
@@ -90,12 +90,12 @@ test('a mesh and a curve in a worker have all that those here have', async () =>
   const other = await loadInWorker();
   const sphere = await other.shape('sphere', 500);
   other[Symbol.dispose]();
-  // What went with its worker is not told.
+  // Objects that ended with their worker can be disposed of silently.
   sphere[Symbol.dispose]();
   await assert.rejects(sphere.positions(), gone);
 });
 
-test('what a worker gives is of the classes that its entry exports', async () => {
+test('results of a worker have the classes that its entry exports', async () => {
   const curve = await mesh.curve({ kind: 'bspline', points });
   const error = await curve.pointAt(99).catch((reason) => reason);
   assert.ok(error instanceof KarcherError);
@@ -105,7 +105,7 @@ test('what a worker gives is of the classes that its entry exports', async () =>
   await curve.dispose();
 });
 
-test('a curve in a worker is edited as one here', async () => {
+test('a curve in a worker is edited like one here', async () => {
   const options = { kind: 'bspline', points, samples: 9 };
   const [curve, expected] = [await mesh.curve(options), here.curve(options)];
   const same = async () => {
@@ -114,7 +114,8 @@ test('a curve in a worker is edited as one here', async () => {
     assert.deepEqual(await curve.polyline(), expected.polyline());
     assert.deepEqual(await curve.polyline({ bits: 64 }), expected.polyline({ bits: 64 }));
     for (const name of propertiesOf(expected)) {
-      // How many fields a curve makes depends on what other curves of its mesh have left.
+      // The number of computed fields depends on the fields that other curves of the mesh have
+      // left.
       if (name !== 'fieldsComputed') assert.equal(await curve[name], expected[name], name);
     }
   };
@@ -150,7 +151,7 @@ test('a curve in a worker is edited as one here', async () => {
   await assert.rejects(curve.samples(), { code: 'disposed' });
 });
 
-test('what the engine refuses arrives as its error, and what cannot be sent is refused', async () => {
+test('errors of the engine arrive as such, and arguments that cannot be sent are refused', async () => {
   const wrong = mesh.circle(points[0], { radius: -1 });
   await assert.rejects(wrong, (error) => {
     assert.ok(error instanceof KarcherError);
@@ -168,7 +169,7 @@ test('what the engine refuses arrives as its error, and what cannot be sent is r
   await assert.rejects(remote.client.call('constructr', []), /no call 'constructr'/);
 });
 
-test('long work tells its progress, and ends when it is aborted', async () => {
+test('long work reports its progress, and ends when it is aborted', async () => {
   const large = await remote.shape('sphere', 20000);
   const told = [];
   const controller = new AbortController();
@@ -191,7 +192,7 @@ test('long work tells its progress, and ends when it is aborted', async () => {
   await large.dispose();
 });
 
-test('what nobody waits for any more leaves no memory behind', async () => {
+test('results that nobody awaits leave no memory behind', async () => {
   const before = await remote.allocatedBytes();
   const controller = new AbortController();
   const late = remote.client.call('shape', ['sphere', 2000, controller.signal]);
@@ -201,7 +202,7 @@ test('what nobody waits for any more leaves no memory behind', async () => {
   assert.equal(await remote.allocatedBytes(), before);
 });
 
-test('after dispose every call fails, also one that is under way', async () => {
+test('after dispose every call fails, even one under way', async () => {
   const other = await loadInWorker();
   const making = other.shape('sphere', 2000);
   other.dispose();
@@ -232,7 +233,7 @@ function scripted() {
   return worker;
 }
 
-test('a worker that ends, or whose engine breaks, ends every call with the reason', async () => {
+test('a worker that ends, or whose engine fails, ends every call with the reason', async () => {
   for (const end of [
     (worker) => worker.tell('error', new Error('out of memory')),
     (worker) => {
@@ -253,7 +254,7 @@ test('a worker that ends, or whose engine breaks, ends every call with the reaso
   }
 });
 
-test('a worker that does not start is told, with its address and what to do', async () => {
+test('a worker that does not start is reported, with its address and advice', async () => {
   const notLoaded =
     (...parts) =>
     (error) => {
@@ -267,13 +268,13 @@ test('a worker that does not start is told, with its address and what to do', as
     loadInWorker({ worker: missing }),
     notLoaded(/missing_worker\.mjs/, /karcher\/worker-thread/),
   );
-  // Browsers tell no reason.
+  // Browsers give no reason.
   const blocked = scripted();
   const loading = loadInWorker({ worker: () => blocked });
   blocked.tell('error', new Event('error'));
   await assert.rejects(loading, notLoaded(/does not start\. See/, /karcher\/worker-thread/));
   assert.ok(blocked.ended);
-  // One that has answered has started.
+  // A worker that has answered has started.
   const broken = scripted();
   const breaking = loadInWorker({ worker: () => broken });
   broken.tell('message', { id: 1, begun: true });
@@ -312,7 +313,7 @@ test('arguments are copied when a call is made', async () => {
   assert.equal(arrays[0].length, here.positions().length, 'and stay the caller’s');
 });
 
-test('a progress function that throws ends its call with what it threw, and no other', async () => {
+test('an error of a progress function ends only its own call, with that error', async () => {
   const worker = scripted();
   const client = new WorkerClient(worker);
   const mine = new Error('mine');
@@ -333,7 +334,7 @@ test('a progress function that throws ends its call with what it threw, and no o
   client.dispose();
 });
 
-test('a signal is listened to no longer than its call goes on', async () => {
+test('a signal has a listener only during its call', async () => {
   const worker = scripted();
   const client = new WorkerClient(worker);
   const { signal } = new AbortController();
@@ -355,7 +356,7 @@ test('a signal is listened to no longer than its call goes on', async () => {
   client.dispose();
 });
 
-/** The worker's own end in this thread: hears requests, and what it posts goes to `hear`. */
+/** The worker's end in this thread: it receives requests, and its posts go to `hear`. */
 async function servedHere(root, hear) {
   const { serve } = await import('karcher/own-worker');
   const { addEventListener, postMessage } = globalThis;
@@ -369,7 +370,7 @@ async function servedHere(root, hear) {
   return { request: (data) => served({ data }), end };
 }
 
-test('a call that is cancelled while the engine loads is not made', async () => {
+test('a call cancelled while the engine loads is not made', async () => {
   const posted = [];
   let arrive;
   const made = [];
@@ -395,7 +396,7 @@ test('a call that is cancelled while the engine loads is not made', async () => 
   assert.deepEqual(told, [2], 'it never began');
 });
 
-test('a step of a drag is one call into the module, also where calls can be interrupted', async () => {
+test('a step of a drag is one call into the module, even if calls can be interrupted', async () => {
   const heard = {};
   const root = { mesh: () => karcherHere.meshFromObj(text) };
   const post = (reply, transfer) => heard.message(structuredClone(reply, { transfer }));
@@ -411,7 +412,8 @@ test('a step of a drag is one call into the module, also where calls can be inte
     const remoteMesh = await client.call('mesh', []);
     const value = { kind: 'bspline', points };
     const curve = await remoteMesh.curve(value);
-    // The steps of a drag have their legs in the value, so that the client asks for nothing more to make the curve anew.
+    // The steps of a drag have their legs in the value, so that the client needs no further call to
+    // make the curve again.
     let { drawnLegs: legs } = await curve.view();
     const { calls } = await noted(here, async () => {
       for (let vertex = 41; vertex < 75; vertex++) {

@@ -1,7 +1,7 @@
-// Workers that end with the test that began them, also where it fails: Node waits for those that run.
+// Workers that end with the test that started them, even if it fails: Node waits for running ones.
 import { loadInWorker } from 'karcher/worker';
 
-/** `loadInWorker`, disposed of once `test` (the context that Node gives it) is over. */
+/** `loadInWorker`, disposed of at the end of `test` (the context that Node passes). */
 export async function loadForTest(test, options) {
   const karcher = await loadInWorker(options);
   test.after(() => karcher.dispose());

@@ -1,4 +1,4 @@
-// Colors and parts of a mesh in the files that are written of it.
+// Colors and parts of a mesh in written files.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -20,7 +20,7 @@ const positions = Array.from({ length: side * side }, (_, i) => [
   Math.floor(i / side),
   0,
 ]);
-/** All values of a byte, some of them more than once. */
+/** All values of a byte, some of them repeated. */
 const colors = Uint8Array.from({ length: 3 * side * side }, (_, i) => (7 * i) % 256);
 const rows = (row) => Array.from({ length: cells }, (_, x) => row * side + x);
 const quads = Array.from({ length: cells }, (_, row) => rows(row)).flat();
@@ -29,7 +29,7 @@ const parts = [{ name: 'left half' }, { name: 'ö {2}' }];
 const partOf = quads.flatMap((_, i) => Array(2).fill(i < quads.length / 2 ? 0 : 1));
 const marked = { positions: positions.flat(), triangles, colors, parts, partOf };
 
-/** Colors by place, since readers may number vertices by another order. */
+/** Colors by place, since readers may order vertices differently. */
 const byPlace = (places, bytes) =>
   Object.fromEntries(
     Array.from({ length: places.length / 3 }, (_, i) => [
@@ -64,7 +64,7 @@ test('other programs read the same colors', async () => {
   const { scene } = await new GLTFLoader().parseAsync(meshFile(marked, 'glb').buffer, '');
   assert.equal(scene.children.length, 2);
   const glb = scene.children[0].geometry.getAttribute('color');
-  // Both in linear light, of the one as bytes.
+  // Both are in linear light; one of them has bytes.
   for (let i = 0; i < glb.count; i++) {
     for (const axis of ['getX', 'getY', 'getZ']) {
       assert.ok(Math.abs(ply[axis](i) - glb[axis](i)) < 1 / 255, `${axis} of vertex ${i}`);
@@ -72,8 +72,8 @@ test('other programs read the same colors', async () => {
   }
 });
 
-test('karcher convert hands them on, also of a mesh that was mended', async () => {
-  // A corner of its own for each triangle, which is welded, and a face twice.
+test('karcher convert keeps them, even of a repaired mesh', async () => {
+  // Each triangle has its own vertices, which are welded, and one face is repeated.
   const corners = [...triangles, ...triangles.slice(0, 3)];
   const loose = {
     positions: corners.flatMap((v) => positions[v]),
@@ -93,7 +93,7 @@ test('karcher convert hands them on, also of a mesh that was mended', async () =
   }
 });
 
-test('colors and parts that are none are refused', () => {
+test('invalid colors and parts are refused', () => {
   for (const [wrong, code] of [
     [{ colors: colors.slice(1) }, 'badArgument'],
     [{ colors: Float64Array.from(colors, () => 0.5) }, 'badArgument'],

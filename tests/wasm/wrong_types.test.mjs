@@ -10,7 +10,7 @@ const points = [0, 50, 100, 150].map((vertex) => ({ vertex }));
 const quarters = [0.25, 0.25, 0.25, 0.25];
 const center = points[0];
 
-// What no argument and no option takes.
+// Values that no argument and no option accepts.
 const wrong = {
   symbol: Symbol('s'),
   bigint: 10n,
@@ -95,7 +95,7 @@ const edits = [
   ...['setPoints', 'setWeights', 'setBetas'],
 ];
 
-test('a value of a wrong type is refused with a sentence, whatever takes it', () => {
+test('a value of a wrong type is refused with a sentence, wherever it is passed', () => {
   const curve = mesh.curve({ kind: 'bspline', points, samples: 4 });
   for (const name of edits) {
     calls[`curve.${name}`] = (value) => curve[name](value, 0);
@@ -110,7 +110,7 @@ test('a value of a wrong type is refused with a sentence, whatever takes it', ()
   assert.equal(JSON.stringify([curve.points(), curve.samples()]), before);
 });
 
-test('options that are none, progress and signals', async () => {
+test('invalid options, progress functions and signals are refused', async () => {
   const badArgument = { name: 'KarcherError', code: 'badArgument' };
   for (const options of [null, 5, 'x', [], () => 0]) {
     assert.throws(() => mesh.curve(options), badArgument);
@@ -129,7 +129,7 @@ test('options that are none, progress and signals', async () => {
   }
 });
 
-test('isolines at no distance, of either type', () => {
+test('isolines at distance zero, of either type', () => {
   for (const type of ['linear', 'exact']) {
     for (const radius of [0, -1]) {
       assert.throws(() => mesh.isolines(center, { radius, type }), {
@@ -142,14 +142,14 @@ test('isolines at no distance, of either type', () => {
   assert.throws(() => mesh.ellipse(center, three), { message: /two radii/ });
 });
 
-/** An array whose buffer was transferred: it looks like an empty one. */
+/** An array whose buffer was transferred: it looks empty. */
 function gone() {
   const array = new Float64Array(9);
   structuredClone(array, { transfer: [array.buffer] });
   return array;
 }
 
-test('what was transferred, what is too long and what holds itself are no arguments', async () => {
+test('transferred, excessive and cyclic values are no arguments', async () => {
   const long = new Array(2 ** 32 - 1);
   const local = [
     () => karcher.meshFromArrays(gone(), [0, 1, 2]),
@@ -182,7 +182,7 @@ test('what was transferred, what is too long and what holds itself are no argume
   worker.dispose();
 });
 
-test('numbers whose squares are none are refused with the limit, or have their answer', () => {
+test('numbers whose squares overflow are refused with the limit, or have a result', () => {
   const sphere = karcher.shape('sphere', 500);
   const vertices = sphere.info.vertices;
   const refused = (limit) => (error) => {
@@ -203,7 +203,7 @@ test('numbers whose squares are none are refused with the limit, or have their a
       () => sphere.centerOfMassOfDistances(distances, [0.5, 0.5]),
       refused(/1e\+60 is allowed/),
     );
-    // A walk ends at a boundary, or has as many crossings as are allowed.
+    // A geodesic ends at a boundary, or after the largest number of crossings.
     for (const point of [{ vertex: 3 }, { face: 3, bary: [0.2, 0.3, 0.5] }]) {
       const { remaining } = sphere.expMap(point, [size / 4, size / 8, 0]);
       assert.ok(remaining[0] > 0 && remaining[0] < size, `${size}: ${remaining[0]}`);
@@ -213,7 +213,7 @@ test('numbers whose squares are none are refused with the limit, or have their a
   sphere.dispose();
 });
 
-test('a wrong worker or signal is refused, and no worker is left running', async () => {
+test('a wrong worker or signal is refused, and no worker keeps running', async () => {
   const { code, stdout } = await new Promise((resolve) => {
     const program = `
       import { loadInWorker } from 'karcher/worker';
