@@ -9,7 +9,7 @@ namespace karcher {
 namespace {
 
 /// The largest RMS error, in mean edges, with the fast and with the exact solver, and the largest
-/// turning noise. Of long triangles the noise varies from mesh to mesh, 1.2e-3 to 2.5e-3 at this
+/// turning noise. For long triangles the noise varies from mesh to mesh, 1.2e-3 to 2.5e-3 at this
 /// size.
 struct Asked {
   const char* family;

@@ -21,7 +21,8 @@
 namespace karcher {
 namespace {
 
-/// Bridges are where they say, their lines hold together, and bridged samples lie on them.
+/// Checks that bridges are where the curve says, that their lines are connected, and that bridged
+/// samples lie on them.
 void expectWhole(const Curve& curve, const Surface& surface) {
   const TriangleMesh& mesh = surface.mesh();
   for (int j = 0; j < curve.segmentCount(); ++j) {
@@ -143,7 +144,8 @@ TEST(Bridge, OverAPointThatTheCurveInterpolatesPassesIt) {
         if (bridge == nullptr) continue;
         ++passed;
         const Vec3 onBridge = position(mesh, pointAt(mesh, *bridge, t));
-        // A sample that a bridge starts or ends at is a center of mass: as near as fields tell.
+        // A sample at the start or end of a bridge is a center of mass, up to the accuracy of
+        // fields.
         const bool isEnd = t == bridge->t0 || t == bridge->t1;
         EXPECT_LT((onBridge - position(mesh, points[k])).norm(),
                   isEnd ? 0.05 * surface.geometry().meanEdge : 1e-9)
@@ -184,7 +186,7 @@ TEST(Bridge, EvaluationHasNoGapWithoutAMark) {
       double t1 = static_cast<double>(i + 1) / kLooks;
       CurvePoint from = at(t0);
       CurvePoint to = at(t1);
-      // Towards the larger half, down to where a step that is still long is a gap.
+      // Bisects towards the larger half; a step that stays long is a gap.
       while (converged(from) && converged(to) && t1 - t0 > 1e-10) {
         const double t = (t0 + t1) / 2;
         const CurvePoint middle = at(t);

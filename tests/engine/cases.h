@@ -6,10 +6,10 @@
 
 namespace karcher {
 
-/// Of so many like cases all, or where the sanitizers leave the longest out as many as `watched`.
+/// The number of cases: all, or `watched` where the sanitizers leave the longest tests out.
 inline int casesOf(int all, int watched) { return leavesLongestOut() ? watched : all; }
 
-/// The same of cases that are told: the first ones.
+/// The cases of a list: all, or the first ones.
 template <typename Case, int kCount>
 std::span<const Case> casesOf(const Case (&all)[kCount], int watched) {
   return {all, all + casesOf(kCount, watched)};

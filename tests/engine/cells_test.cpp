@@ -66,7 +66,8 @@ TEST(Cells, AroundAPointStartAtTheSameHalfedge) {
   }
 }
 
-/// Distances to the midpoints of edges are those to the vertices there when all faces are cut flat.
+/// If all faces are cut and stay flat, distances to the midpoints of edges are those to the
+/// vertices there.
 TEST(WindowDistance, ToTheMidpointsOfEdgesIsThatOfTheCutMesh) {
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);
@@ -115,7 +116,7 @@ TEST(WindowDistance, ToTheMidpointsOfEdgesIsThatOfTheCutMesh) {
   }
 }
 
-/// At the midpoints of edges fields do not jump from face to face, as they may elsewhere.
+/// At the midpoints of edges fields do not jump from face to face, as they may at other points.
 TEST(FieldBlend, WithMidpointsIsTheSameFromBothSidesOfAnEdge) {
   Surface surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh();

@@ -64,7 +64,7 @@ TEST_P(CenterOfMassOnThePlane, IsTheAffineAverage) {
       points.emplace_back(x, random.uniform(2, 7), 0);
     }
     const FlatCase plane(points);
-    // One weight may be negative: only their sum must be positive.
+    // One weight may be negative: only the sum must be positive.
     Array<double> weights;
     for (int k = 0; k < 3; ++k) weights.push_back(random.uniform());
     weights.push_back(random.uniform(-0.3, 0));
@@ -84,7 +84,7 @@ TEST_P(CenterOfMassOnThePlane, IsTheAffineAverage) {
     EXPECT_NEAR(blend.energy(center.point, weights), energy, 1e-11);
     ++checked;
   }
-  // The others' sums are too small, or their averages off the plane.
+  // In the other cases the sum is too small, or the average lies off the plane.
   EXPECT_GT(checked, 150);
 }
 
@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(BothSearches, CenterOfMassOnThePlane,
                          });
 
 TEST(NewtonCenter, TellsItsSteps) {
-  // On a plane with one Hessian everywhere a step leads to the zero: none is shortened or stuck.
+  // On a plane with one Hessian everywhere a step leads to the zero: no step is shortened or stuck.
   const FlatCase plane({Vec3(1, 4, 0), Vec3(5, 4.3, 0), Vec3(6.2, 1.1, 0)});
   const Array<double> weights{0.2, 0.5, 0.3};
   FieldBlend blend = plane.blend();
@@ -138,12 +138,12 @@ TEST(NewtonCenter, TellsItsSteps) {
   EXPECT_GT(steps.gradients[1], 1);
   EXPECT_EQ(steps.gradients[2], 0);
 
-  // From the zero itself there is no step.
+  // A search from the zero itself takes no step.
   newtonCenter(blend, weights, center.point, steps);
   EXPECT_EQ(steps.traced, 0);
   EXPECT_TRUE(steps.inside);
 
-  // Beyond the boundary no joint is better: the search is stuck where the surface ends.
+  // Beyond the boundary every joint is worse: the search is stuck where the surface ends.
   newtonCenter(blend, Array<double>{4.0, -3.0, 0.0}, nearestPoint(plane.mesh, Vec3(1.2, 4.4, 0)),
                steps);
   EXPECT_GT(steps.stuck, 0);
@@ -154,7 +154,7 @@ TEST(NewtonCenter, StopsAtAnEdgeWhoseFacesSendItBackToEachOther) {
   // On coarse curved meshes the field jumps at edges: each face may put the zero just behind one.
   struct Case {
     TriangleSoup soup;
-    double reach;  ///< how far apart points lie at most
+    double reach;  // the largest distance between points
   };
   const Case cases[] = {{icosphere(4), 1}, {icosphere(7), 1}, {ringTube(0.4, 8, 16), 1.2}};
   const uint64_t seed = 5;

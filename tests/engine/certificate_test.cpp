@@ -15,7 +15,7 @@
 namespace karcher {
 namespace {
 
-/// Inside of faces, on edges, at vertices and just beside edges.
+/// Places inside faces, on edges, at vertices and just beside edges.
 Array<SurfacePoint> placesOf(const TriangleMesh& mesh, Random& random) {
   Array<SurfacePoint> places;
   for (int i = 0; i < 5; ++i) {
@@ -38,7 +38,7 @@ Array<SurfacePoint> randomPoints(const TriangleMesh& mesh, Random& random, int c
   return points;
 }
 
-/// By the places that the vertices have in the plane: on a mesh that unrolls into it.
+/// The certificate from the vertices' places in the plane, for a mesh that unrolls into it.
 Certificate onPlane(const TriangleMesh& flat, const Array<SurfacePoint>& points,
                     const Array<double>& weights, const SurfacePoint& point) {
   Certificate result;
@@ -82,8 +82,8 @@ TEST(Certificate, IsTheClosedFormOnThePlaneAndOnWhatUnrollsIntoIt) {
     for (const SurfacePoint& place : placesOf(flat, random)) {
       const Certificate truth = onPlane(flat, points, weights, place);
       const Certificate found = certificateOf(mesh.geometry, points, weights, false, place);
-      // Lengths of up to 12, to a few units in the last place each; a billionth of a face beside a
-      // side the place is moved by that.
+      // Lengths up to 12 are known to a few units in the last place; a billionth of a face beside a
+      // side moves the place by that.
       EXPECT_NEAR(found.energy, truth.energy, isBeside(place) ? 1e-7 : 1e-11);
       EXPECT_NEAR(found.residual, truth.residual, isBeside(place) ? 1e-8 : 1e-11);
     }
@@ -118,14 +118,15 @@ TEST(Certificate, IsThatOfShortestPathsOnACurvedMesh) {
     }
     const Certificate found = certificateOf(mesh.geometry, points, weights, false, place);
     EXPECT_NEAR(found.energy, energy, 1e-9 * square(mesh.geometry.diagonal));
-    // Beside a side a path's first piece is 1e-10 of an edge long: that rounds its direction.
+    // Beside a side a path's first piece is 1e-10 of an edge long, so that rounding affects its
+    // direction.
     EXPECT_NEAR(found.residual, sum.norm(),
                 (isBeside(place) ? 1e-4 : 1e-8) * mesh.geometry.diagonal);
   }
 }
 
 TEST(Certificate, HasNoResidualWhereSymmetryLeavesNone) {
-  // A regular octahedron, points in the three faces beside one, each as the others turned.
+  // A regular octahedron, with points in the three faces beside one, each the others rotated.
   TriangleSoup soup;
   soup.positions = {Vec3(1, 0, 0),  Vec3(0, 1, 0),  Vec3(0, 0, 1),
                     Vec3(-1, 0, 0), Vec3(0, -1, 0), Vec3(0, 0, -1)};
@@ -172,7 +173,7 @@ TEST(Certificate, OfCentersThatConvergedOnASphereIsSmallAndNoEstimate) {
             weights[k] * square(shortestPath(surface.geometry(), points[k], mean.point).length());
       }
       EXPECT_NEAR(found.energy, energy, 1e-12);
-      // The exact solver's fields miss the mesh's own minimum by hundredths of an edge at most.
+      // The exact solver's fields miss the mesh's own minimum by at most hundredths of an edge.
       const bool isGraph = field.solver == Solver::kGraph;
       EXPECT_LT(found.residual, (isGraph ? 0.3 : 0.05) * edge);
       if (isGraph) {

@@ -62,7 +62,7 @@ TEST(Circle, OnTheSphereComesNearerToEquidistanceWithMoreArcs) {
 }
 
 TEST(Circle, OfATinyRadiusIsACircle) {
-  // On a curved surface, around centers in a face, on an edge, at a vertex and near one.
+  // Circles on a curved surface, around centers in a face, on an edge, at a vertex and near one.
   Surface surface(importMesh(makeShape(Shape::kTorus, 500)).mesh);
   const TriangleMesh& mesh = surface.mesh();
   const Geometry& geometry = surface.geometry();
@@ -92,7 +92,7 @@ TEST(Circle, OfATinyRadiusIsACircle) {
             EXPECT_NEAR(path.length() / radius, 1, tolerance) << part;
           }
         }
-        // A polygon of 217 sides, or more where they cross edges.
+        // A polygon has 217 sides, or more where they cross edges.
         EXPECT_NEAR(length / radius, turn, 2e-3 + 50 * tolerance) << part;
       }
     }
@@ -143,7 +143,7 @@ TEST(Circle, HoldsTogetherOnARoughSurface) {
 }
 
 /// The largest difference of distance and radius along a circle's joined path, as a part of the
-/// radius, each by a search of its own.
+/// radius; each distance has its own search.
 double worstAlong(Surface& surface, const SurfacePoint& center, double radius,
                   const GeodesicCircle& circle, int points) {
   double worst = 0;
@@ -178,7 +178,7 @@ TEST(Circle, OfFittingArcsKeepsItsDistance) {
       } else {
         EXPECT_GT(*seven.deviation, 3e-3);
       }
-      // Between samples chords fall short by the square of what they span of the turn.
+      // Between samples chords fall short by the square of the angle that they span.
       EXPECT_LE(worstAlong(*surface, center, radius, circle, 9), *circle.deviation + 5e-4);
       EXPECT_NEAR(worstAlong(*surface, center, radius, seven, 99), *seven.deviation, 5e-4);
       CircleOptions fine;
@@ -198,14 +198,14 @@ TEST(Circle, OfFittingArcsOnTheSphereIsTheParallel) {
   for (const Array<CurveSample>& arc : circle.samples) {
     for (const CurveSample& sample : arc) {
       const Vec3 p = position(surface.mesh(), sample.point).normalized();
-      // The polyhedron inside the sphere is a few ten-thousandths smaller.
+      // The polyhedron inside the sphere is smaller by a few ten-thousandths.
       EXPECT_NEAR(std::acos(p.dot(pole)) / radius, 1, 1e-3 + 4e-4);
     }
   }
 }
 
 TEST(Circle, SaysHowFarItIsFromItsRadius) {
-  // Rough, and beyond the cut locus: no number of arcs keeps to the radius everywhere.
+  // The circle is rough and beyond the cut locus: no number of arcs keeps to the radius everywhere.
   const TriangleMesh smooth = importMesh(makeShape(Shape::kTorus, 2000)).mesh;
   const TriangleSoup rough = roughened(smooth, 2, 3, 0.15);
   Surface surface(buildMesh(rough.positions, rough.triangles));
@@ -235,7 +235,7 @@ TEST(Circle, SaysHowFarItIsFromItsRadius) {
 }
 
 TEST(Circle, FitsAroundCusps) {
-  // A vertex with more than two turns about it takes narrower arcs than the plane.
+  // Around a vertex with more than two full turns of angle arcs must be narrower than in the plane.
   Array<Vec3> positions{Vec3::Zero()};
   Array<Triangle> triangles;
   const int count = 30;

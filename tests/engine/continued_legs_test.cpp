@@ -11,7 +11,7 @@
 namespace karcher {
 namespace {
 
-/// A curve of four points around a tube of radius 1: each is told by its angle and its height.
+/// A curve of four points around a tube of radius 1, each given by its angle and its height.
 class ContinuedLegs : public testing::Test {
  protected:
   SurfacePoint at(double angle, double height) const {
@@ -24,7 +24,7 @@ class ContinuedLegs : public testing::Test {
     return Curve(surface_, options, points);
   }
 
-  /// Makes it the curve with points elsewhere, as a hand drags them.
+  /// Moves points of the curve to other places, as a drag does.
   static void drag(Curve& curve, const Array<int>& dragged, const Array<SurfacePoint>& places) {
     CurveValue value = curve.value();
     for (int k = 0; k < dragged.count(); ++k) {
@@ -33,7 +33,7 @@ class ContinuedLegs : public testing::Test {
     curve.set(std::move(value));
   }
 
-  /// The curve whose last point went nearly once around: its last leg is the long way.
+  /// The curve whose last point moved nearly once around: its last leg is the long path.
   Curve drawnOut() {
     Curve curve = curveOf({at(0, 1.2), at(0.1, 1), at(0.2, 0.9), at(0.3, 0.9)});
     for (double angle = 0.4; angle < 5; angle += 0.1) curve.dragPoint(3, at(angle, 0.9));
@@ -46,16 +46,16 @@ class ContinuedLegs : public testing::Test {
 TEST_F(ContinuedLegs, OfWhichBothEndsMoveKeepTheirSide) {
   Curve curve = drawnOut();
   const double before = curve.legs()[2].length();
-  // On a polygon of 24 sides, a little shorter than the arc.
+  // The leg lies on a polygon of 24 sides, slightly shorter than the arc.
   EXPECT_NEAR(before, 4.75, 0.1);
   for (int step = 1; step <= 40; ++step) {
     drag(curve, {2, 3}, {at(0.2 + 0.1 * step, 0.9), at(4.95 + 0.1 * step, 0.9)});
-    // Faces are flat: an arc's length depends on where it begins by up to a side's bulge.
+    // Faces are flat: an arc's length varies with its start by up to a side's bulge.
     ASSERT_NEAR(curve.legs()[2].length(), before, 0.05) << "step " << step;
-    // Half around from where it started there is a shorter way back.
+    // Half around from its start a path back is shorter.
     ASSERT_NEAR(curve.legs()[1].length(), 0.1 + 0.1 * step, 0.1) << "step " << step;
   }
-  // They are part of the value, and stay.
+  // The legs are part of the value, and stay.
   const Curve again(surface_, curve.value());
   EXPECT_EQ(again.usedLegs()[1].length(), curve.legs()[1].length());
   EXPECT_EQ(again.usedLegs()[2].length(), curve.legs()[2].length());
@@ -93,12 +93,12 @@ TEST_F(ContinuedLegs, AreMadeOfThoseOfAValueThatEndElsewhere) {
   Curve curve = drawnOut();
   CurveValue value = curve.value();
   value.points[3] = at(5, 0.9);
-  // A curve made anew from the value is the one that the drag makes.
+  // A new curve of the value equals the dragged one.
   Curve made(surface_, value);
   curve.dragPoint(3, at(5, 0.9));
   EXPECT_EQ(made.legs()[2].length(), curve.legs()[2].length());
   EXPECT_EQ(made.value().legs[2].points.count(), curve.value().legs[2].points.count());
-  // One that leads to no place of this surface's part is the shortest.
+  // A leg to a place on another component is replaced by the shortest path.
   value = curve.value();
   std::swap(value.legs[2], value.legs[1]);
   Curve swapped(surface_, value);

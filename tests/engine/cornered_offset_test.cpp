@@ -23,7 +23,7 @@ namespace {
 constexpr OffsetCorners kMitred{CornerShape::kMiter, 4};
 constexpr OffsetCorners kBevelled{CornerShape::kBevel, 4};
 
-/// The area that closed lines enclose on a plane, with holes running the other way.
+/// The area that closed lines enclose on a plane; holes have the opposite orientation.
 double areaOf(const TriangleMesh& mesh, const Array<Isoline>& lines) {
   double twice = 0;
   for (const Isoline& line : lines) {
@@ -117,7 +117,7 @@ TEST(CorneredOffset, OfAnOctantOfTheSphereHasTheMitresOfGeodesics) {
   const Array<Isoline> lines = offset(kMitred);
   ASSERT_EQ(lines.count(), 1);
   EXPECT_TRUE(lines[0].closed);
-  // A triangle with a right angle where the side begins, and half of one at the corner.
+  // A triangle with a right angle at the start of the side, and half of one at the corner.
   const double reach = std::atan(std::tan(distance) * std::sqrt(2));
   for (int k = 0; k < 3; ++k) {
     const Vec3 outwards = -(Vec3::Ones() - Vec3::Unit(k)) / std::sqrt(2);

@@ -20,8 +20,7 @@
 namespace karcher {
 namespace {
 
-/// Of curves that are centers of mass throughout, refined by their own choice, or a fixed number of
-/// times.
+/// Levels of curves: centers of mass throughout, automatic refinement, or a fixed number of levels.
 constexpr int kLevels[] = {0, kAutomaticLevels, 3};
 
 /// 17 samples a segment.
@@ -31,7 +30,7 @@ CurveOptions optionsOf(const CurveShape& shape, Solver solver, int levels) {
   return options;
 }
 
-/// A mesh with control points, and what maps positions back to those of the first one.
+/// A mesh with control points, and the map from its positions to those of the first mesh.
 struct Scene {
   TriangleMesh mesh;
   Array<SurfacePoint> points;
@@ -82,7 +81,7 @@ Array<SurfacePoint> ring(const TriangleMesh& mesh, const Vec3& center, double ra
   return points;
 }
 
-/// Largest changes, as parts of the bounding box.
+/// The largest changes, as parts of the bounding box.
 struct Changes {
   double motion = 0;
   double scale = 0;
@@ -140,7 +139,7 @@ TEST(CurveInvariance, WithExactDistancesToRounding) {
   }
 }
 
-/// A curve's samples, where `back` takes them, and whether it has bridges.
+/// A curve's samples mapped by `back`, and whether it has bridges.
 struct Traced {
   Array<Vec3> places;
   int levels = 0;
@@ -161,7 +160,7 @@ Traced tracedOn(Surface& surface, const CurveOptions& options, const Array<Surfa
   return traced;
 }
 
-/// Of the curve of reversed points, in the order of those before.
+/// The samples of the curve of reversed points, in the original order.
 Traced tracedBackwards(Surface& surface, const CurveOptions& options, Array<SurfacePoint> points) {
   const CurveShape& shape = options.shape;
   reverseEntries(points, shape.closed);
@@ -187,7 +186,7 @@ TEST(CurveInvariance, ReversedControlPointsGiveTheSameCurve) {
     const Geometry& geometry = surface.geometry();
     Random random(seed);
     for (int polygon = 0; polygon < (longRun() ? 300 : 2); ++polygon) {
-      // From close together to a fifth of the surface.
+      // The spacing varies from close together to a fifth of the surface.
       const double spacing = geometry.diagonal * random.uniform(0.02, 0.2);
       Array<SurfacePoint> points{randomPoint(surface.mesh(), random)};
       while (points.count() < 6) {
@@ -213,13 +212,13 @@ TEST(CurveInvariance, ReversedControlPointsGiveTheSameCurve) {
   EXPECT_LE(bridgedMoved, 1 + bridged / 20);
 }
 
-/// Curves beside themselves elsewhere.
+/// Comparisons of curves with their moved copies.
 struct Comparison {
   int curves = 0;
-  int refined = 0;       ///< with levels
-  int bridged = 0;       ///< which may differ: bridges come and go by rounding
-  int bridgedMoved = 0;  ///< and of them, those that do
-  double largest = 0;    ///< change of the others, as a part of the diagonal
+  int refined = 0;       // curves with levels
+  int bridged = 0;       // curves that may differ: bridges appear and vanish by rounding
+  int bridgedMoved = 0;  // those of them that do differ
+  double largest = 0;    // the largest change of the others, as a part of the diagonal
 
   void add(const Traced& here, const Traced& there, double diagonal) {
     ++curves;
@@ -290,7 +289,7 @@ TEST(CurveInvariance, OfRefinedCurvesToRounding) {
 
 TEST(CurveInvariance, WithTheFastSolverAndTiesWithinAPartOfAnEdge) {
   SKIP_WHERE_SANITIZED();
-  // An icosphere is full of equal edges, and paths that tie.
+  // An icosphere has many equal edges and paths of equal length.
   Scene sphere{importMesh(icosphere(12)).mesh, {}};
   sphere.points = ring(sphere.mesh, Vec3(0.1, 0.05, 0.9), 0.3);
   const Geometry geometry = buildGeometry(sphere.mesh);
@@ -305,7 +304,7 @@ TEST(CurveInvariance, WithTheFastSolverAndTiesWithinAPartOfAnEdge) {
 }
 
 TEST(CurveInvariance, AtTheLargestAndSmallestSizes) {
-  // By powers of two, which round nothing: 4e28 and 3e-29.
+  // Scaling by powers of two rounds nothing: 4e28 and 3e-29.
   Scene bunny{bunnyMesh(), {}};
   bunny.points = ring(bunny.mesh, Vec3(-3, 7.5, 4), 1.1);
   for (const double scale : {0x1p95, 0x1p-95}) {

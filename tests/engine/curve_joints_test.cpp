@@ -32,7 +32,7 @@ bool isBridged(const Curve& curve) {
   return false;
 }
 
-/// What is found at the joints of curves.
+/// Measurements at the joints of curves.
 struct Joints {
   int curves = 0;
   int segments = 0;       ///< joints between segments
@@ -44,7 +44,7 @@ struct Joints {
     ++curves;
     EXPECT_FALSE(isBridged(curve));
     const CurveShape& shape = curve.shape();
-    // A closed Bezier curve has a corner where it ends.
+    // A closed Bezier curve has a corner at its end.
     const bool isBezier = shape.kind == CurveKind::kBezier || shape.kind == CurveKind::kRational;
     const int count = curve.piecesPerSegment();
     for (int i = shape.closed && !isBezier ? 0 : 1; i < count * curve.segmentCount(); ++i) {
@@ -58,8 +58,8 @@ struct Joints {
   }
 };
 
-/// Four anchors, each between two handles on a geodesic through it: cubic Bezier curves one after
-/// the other. `bend`: radians by which the second handle is turned away from that geodesic.
+/// Four anchors, each between two handles on a geodesic through it: consecutive cubic Bezier
+/// curves. The second handle is turned away from that geodesic by `bend` radians.
 Array<SurfacePoint> anchorsWithHandles(const Geometry& geometry, Random& random, double spacing,
                                        double bend) {
   const Array<SurfacePoint> anchors =
@@ -119,7 +119,7 @@ Joints jointsOn(const TriangleSoup& soup, uint64_t seed) {
   return joints;
 }
 
-/// What is left is the mesh's own, which falls with the square of its edges.
+/// The remaining angle comes from the mesh, and falls with the square of its edges.
 void expectSmoothJoints(const TriangleSoup& coarse, const TriangleSoup& fine, uint64_t seed) {
   const Joints onCoarse = jointsOn(coarse, seed);
   const Joints onFine = jointsOn(fine, seed);
@@ -140,8 +140,7 @@ TEST(CurveJoints, OfAutomaticLevelsAreSmoothOnATorus) {
 }
 
 /// Where a polygon turns by 180 degrees, the derivative of its centripetal Catmull-Rom curve is 0,
-/// whatever the lengths of the legs: the curve of the plane turns back there, and so it does on a
-/// surface.
+/// whatever the lengths of the legs: the curve turns back there, in the plane and on a surface.
 TEST(CurveJoints, OfACatmullRomCurveTurnBackWhereItsLegsDo) {
   Surface surface(planeGrid(20, 20));
   const TriangleMesh& mesh = surface.mesh();
@@ -163,7 +162,7 @@ TEST(CurveJoints, OfACatmullRomCurveTurnBackWhereItsLegsDo) {
     };
     EXPECT_LT(before(0).norm(), 1e-9);
     for (const auto& side : {before(1), after(1)}) EXPECT_LT(side.normalized().x(), -0.9);
-    // It comes to a stand: twice the time is four times the way.
+    // The curve slows down to rest: in twice the time it moves four times as far.
     EXPECT_NEAR(before(2).norm() / before(1).norm(), 4, 0.1);
     EXPECT_NEAR(after(2).norm() / after(1).norm(), 4, 0.1);
   }

@@ -25,7 +25,7 @@ Array<SurfacePoint> ring(const TriangleMesh& mesh, int count, double radius) {
   return points;
 }
 
-/// The curve that the shape and points of another give anew.
+/// A new curve with the shape and points of another.
 Curve anew(Curve& curve) {
   CurveOptions options = curve.options();
   if (!takesWeights(options.shape.kind)) options.shape.weights.clear();
@@ -118,7 +118,7 @@ TEST(CurveKinds, CurvesAndCentersOfMassShareFields) {
   const Mean alone = centerOfMass(surface, points, equal, options);
   EXPECT_EQ(mean.point.bary, alone.point.bary);
   EXPECT_EQ(mean.energy, alone.energy);
-  // What one of them moves, the others keep where it is.
+  // When one of them moves points, the others stay.
   first.movePoint(0, vertexPoint(surface.mesh(), 7));
   EXPECT_EQ(first.fieldsMade(), 7);
   expectSame(first, anew(first));

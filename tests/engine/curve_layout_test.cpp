@@ -46,7 +46,7 @@ Array<CurveShape> sixPointShapes() {
 constexpr int kPoints = 6;
 const Array<double> kGaps{1, 2, 0.5, 0, 3, 1};
 
-/// The segments with knots spaced by gaps, where there are such.
+/// The segments, with knots spaced by the gaps if there are any.
 Array<SegmentLayout> layOutSpaced(const CurveShape& shape, const Array<double>& gaps) {
   Array<SegmentLayout> segments = layOut(shape, kPoints);
   if (shape.kind == CurveKind::kCatmullRom) {
@@ -102,7 +102,7 @@ TEST(CurveLayout, HasTheSegmentsThatTheKindHas) {
   EXPECT_EQ(count({CurveKind::kCatmullRom}), 5);
   EXPECT_EQ(count({CurveKind::kCatmullRom, true}), 6);
   EXPECT_EQ(count({CurveKind::kPolyline, true}), 6);
-  // Uniform segments have one basis, so that they can share one table.
+  // Uniform segments share one basis, and thus one table.
   const Array<SegmentLayout> uniform = layOutSix(bspline(4, true));
   for (const SegmentLayout& segment : uniform) EXPECT_EQ(segment.basis, uniform[0].basis);
 }
@@ -121,18 +121,18 @@ TEST(CurveLayout, ClampedAndInterpolatingCurvesPassTheirPoints) {
   }
 }
 
-/// The largest jump of the k-th derivative with respect to the curve's own parameter between the
-/// segments of a closed curve of numbers, by one-sided differences.
+/// The largest jump of the k-th derivative with respect to the curve's own parameter between
+/// segments of a closed curve with numbers as points, by one-sided differences.
 double largestJump(const Array<SegmentLayout>& segments, const Array<double>& lengths, int k) {
   const Array<double> values{0.3, -1, 2, 0.7, 1.1, -0.4};
   constexpr double kStep = 0.01;
   const auto derivative = [&](int j, double at, double direction) {
-    // Polynomials of degree 5 and less: six values give every derivative.
+    // Polynomials of degree at most 5: six values determine every derivative.
     Array<double> differences;
     for (int i = 0; i <= 5; ++i) {
       differences.push_back(weightedSum(spread(segments[j], at + direction * i * kStep), values));
     }
-    // Forward differences give the Newton form; its derivative at the first value.
+    // Forward differences are the Newton form; its derivative is taken at the first value.
     Array<double> coefficients;
     for (int order = 0; order <= 5; ++order) {
       coefficients.push_back(differences[0]);
@@ -140,7 +140,7 @@ double largestJump(const Array<SegmentLayout>& segments, const Array<double>& le
         differences[i] = differences[i + 1] - differences[i];
       differences.pop_back();
     }
-    // Sums of D^n f with the Stirling numbers of the logarithm series.
+    // D^n f is a sum with the Stirling numbers of the logarithm series.
     const double first = coefficients[1] - coefficients[2] / 2 + coefficients[3] / 3 -
                          coefficients[4] / 4 + coefficients[5] / 5;
     const double second =
@@ -185,12 +185,12 @@ TEST(CurveLayout, ReversedCurvesRunBackwards) {
     const Array<SegmentLayout> segments = layOutSix(shape);
     Array<double> backwards = values;
     reverseEntries(backwards, shape.closed);
-    // Of closed curves the last gap leads back to the first point.
+    // In closed curves the last gap leads back to the first point.
     Array<double> gaps(kGaps.rbegin(), kGaps.rend());
     if (!shape.closed) gaps.erase(gaps.begin());
     const Array<SegmentLayout> others = layOutSpaced(reversed(shape), gaps);
     ASSERT_EQ(segments.count(), others.count());
-    // A closed B-spline's first segment is another: one of them has the value.
+    // A closed B-spline starts with another segment: one of the segments has the value.
     for (int j = 0; j < segments.count(); ++j) {
       const double value = weightedSum(spread(segments[j], 0.3), values);
       double nearest = kInfinity;
@@ -231,7 +231,7 @@ TEST(CurveLayout, KeepsOwnKnotsValidThroughEdits) {
     try {
       checkShape(changed, count);
     } catch (const Error& error) {
-      // Only what the edit asks for may be refused, and multiple knots that come to lie inside.
+      // Only the requested change may be refused, and multiple knots that become inner ones.
       EXPECT_TRUE(count < 4 || std::string(error.what()).find("occurs") != std::string::npos)
           << error.what();
       continue;

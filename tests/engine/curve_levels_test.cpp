@@ -81,7 +81,7 @@ TEST(CurveLevels, OfThePlaneAreTheSameCurve) {
         EXPECT_LE(
             (position(surface.mesh(), a.at.point) - position(surface.mesh(), b.at.point)).norm(),
             1e-12 * diagonal);
-        // Derivatives of the weights are differences (evaluate.cpp).
+        // Derivatives of the weights are difference quotients (evaluate.cpp).
         EXPECT_LE((a.inSpace - b.inSpace).norm(), 1e-6 * (1 + a.inSpace.norm()));
       }
       EXPECT_NEAR(lineOf(curve).path.lengths.back(), lineOf(center).path.lengths.back(),
@@ -93,7 +93,7 @@ TEST(CurveLevels, OfThePlaneAreTheSameCurve) {
   std::printf("largest gap between levels on the plane: %.1e of the bounding box\n", worst);
 }
 
-/// New points between knots that nearly coincide are averages as of any others.
+/// New points between knots that nearly coincide are averages like any others.
 TEST(CurveLevels, OfKnotsThatNearlyCoincideAreTheSameCurve) {
   Surface surface(meshOf(tessellatedPlane(PlaneTessellation::kRandomDelaunay, 500, 9)));
   const Array<SurfacePoint> points = pointsNear(surface.mesh(), kPlaces);
@@ -209,7 +209,7 @@ TEST(CurveLevels, RunBackwardsGiveTheSameCurve) {
 
 TEST(CurveLevels, OfClosedCurvesMeetAtTheirEnds) {
   SKIP_WHERE_SANITIZED();
-  // A field that is fitted has its zero beside its point, so both ends are to have the same field.
+  // A fitted field has its zero beside its point, so both ends must have the same field.
   Surface surface(meshOf(randomSphere(20000, 4)));
   const TriangleMesh& mesh = surface.mesh();
   Random dice(5);
@@ -298,7 +298,7 @@ Array<SurfacePoint> pointsOnCircle(const TriangleMesh& mesh, double leg) {
 }
 
 TEST(CurveLevels, OfTheirOwnAreNoneOnASmoothSurfaceWhereTheyWouldMoveTheCurve) {
-  // The sphere's far points have a level on no mesh, its near ones as many as are quick.
+  // On the sphere far points have no level on any mesh, near ones as many as stay quick.
   for (const int triangles : {8000, 32000}) {
     Surface surface(meshOf(makeShape(Shape::kSphere, triangles)));
     const double edge = surface.geometry().meanEdge;
@@ -313,14 +313,14 @@ TEST(CurveLevels, OfTheirOwnAreNoneOnASmoothSurfaceWhereTheyWouldMoveTheCurve) {
       EXPECT_LE(curve.deviation(), kLevelsTolerance * edge);
       Curve centers(surface, optionsOf({CurveKind::kBezier}, 65, 0, kFast), points);
       EXPECT_LE(largestDistance(curve, centers), 0.03 * edge);
-      // A draft of it is quick.
+      // A draft of the curve is quick.
       CurveOptions draft = options;
       draft.levelsTolerance = kInfinity;
       Curve quick(surface, draft, points);
       if (leg > 5 * edge) {
         EXPECT_GT(quick.levels(), 0);
       }
-      // What is told of its distance is true, to second order in the curvature.
+      // The reported deviation is correct to second order in the curvature.
       const double deviation = largestDistance(quick, centers);
       if (leg <= 0.3 && quick.levels() > 0 && deviation > 0.01 * edge) {
         EXPECT_LE(deviation, quick.deviation() + 0.01 * edge);
@@ -331,7 +331,7 @@ TEST(CurveLevels, OfTheirOwnAreNoneOnASmoothSurfaceWhereTheyWouldMoveTheCurve) {
 }
 
 TEST(CurveLevels, OfTheirOwnDependOnNoTrianglesWhereTheSurfaceUnrolls) {
-  // Nothing moves the curve there, and no point lies where nothing is safe.
+  // Levels do not move the curve on such a surface, and every point is safe.
   const FlatCylinder cylinder = flatCylinder(24, 3, 5);
   Surface surface(meshOf(cylinder.soup));
   Random random(2);
@@ -347,7 +347,7 @@ TEST(CurveLevels, OfTheirOwnDependOnNoTrianglesWhereTheSurfaceUnrolls) {
 
 TEST(CurveLevels, OfTheirOwnNeverRelyOnFieldsThatAreWrong) {
   SKIP_WHERE_SANITIZED();
-  // Paths on the inside of a ring tube turn round many vertices.
+  // Paths on the inside of a ring tube bend around many vertices.
   Random random(4);
   int zeros = 0;
   const int tubes = casesOf(12, 3);
@@ -395,7 +395,7 @@ Array<Vec3> positionsOf(const Curve& curve) {
 }
 
 TEST(CurveLevels, OfTheirOwnAreEnoughAroundTheRimOfAnEar) {
-  // A flat ellipsoid: legs that lie on its sides tell nothing of the rim that the curve goes over.
+  // A flat ellipsoid: legs on its sides do not see the rim that the curve crosses.
   TriangleSoup ear = icosphere(10);
   for (Vec3& p : ear.positions) p = p.cwiseProduct(Vec3(1, 0.6, 0.15));
   Surface surface(meshOf(ear));
@@ -412,7 +412,7 @@ TEST(CurveLevels, OfTheirOwnAreEnoughAroundTheRimOfAnEar) {
     const double moved = hausdorffDistance(MeasuredPolyline(positionsOf(curve)),
                                            MeasuredPolyline(positionsOf(limit)), 1e-4 * length);
     EXPECT_TRUE(curve.bridges(0).empty()) << "polygon " << i;
-    // The curve of level 0 is another one.
+    // The curve of level 0 differs.
     if (curve.levels() > 0) {
       EXPECT_LE(moved, 0.005 * length) << "polygon " << i << ", " << curve.levels() << " levels";
     }
@@ -445,7 +445,7 @@ TEST(CurveLevels, AreAtLeastAsManyAsTheyAreToBe) {
 }
 
 TEST(CurveLevels, FollowTheLegsThatTheyAreGiven) {
-  // Around a tube there are two ways.
+  // Around a tube there are two paths.
   const FlatCylinder tube = flatCylinder(24, 2, 5);
   Surface surface(meshOf(tube.soup));
   const TriangleMesh& mesh = surface.mesh();
@@ -455,14 +455,14 @@ TEST(CurveLevels, FollowTheLegsThatTheyAreGiven) {
     const CurveOptions options = optionsOf({kind}, 65, 2, kFast);
     Curve curve(surface, options, {a, b});
     const double shortest = lineOf(curve).path.lengths.back();
-    // The long way: drawn out by hand around the tube.
+    // The long path comes from a drag around the tube.
     for (int step = 1; step <= 40; ++step) {
       const double angle = 2.84 + (2 * kPi - 2.84 + 0.3) * step / 40;
       const Vec3 place(std::cos(angle), std::sin(angle), 1);
       curve.dragPoint(1, nearestPoint(mesh, place));
     }
     EXPECT_GT(lineOf(curve).path.lengths.back(), 1.5 * shortest) << curveKindName(kind);
-    // Until the point is moved, not dragged: then its leg is the shortest.
+    // When the point is moved, not dragged, its leg is the shortest.
     curve.movePoint(1, b);
     EXPECT_NEAR(lineOf(curve).path.lengths.back(), shortest, 1e-9) << curveKindName(kind);
   }
@@ -478,7 +478,7 @@ bool hasAllCenters(const Curve& curve) {
 }
 
 TEST(CurveLevels, OfACurveThroughPointsBesideTheBoundaryAreTheSameCurve) {
-  // Its handles may lie beyond the boundary, and legs along it lead straight back.
+  // The curve's handles may lie beyond the boundary, and legs along it lead straight back.
   Surface surface(planeGrid(8, 8));
   const Geometry& geometry = surface.geometry();
   Random random(23);
@@ -496,7 +496,7 @@ TEST(CurveLevels, OfACurveThroughPointsBesideTheBoundaryAreTheSameCurve) {
     for (const int levels : {1, 2, kLimitLevels}) {
       const CurveOptions options = optionsOf(shape, 9, levels, kFast);
       const Curve center(surface, optionsOf(shape, 9, 0, kFast), points);
-      // Beyond the boundary no center is.
+      // There are no centers beyond the boundary.
       if (!hasAllCenters(center)) continue;
       const Curve curve(surface, options, points);
       refined += curve.levels() > 0 ? 1 : 0;
@@ -533,7 +533,7 @@ TEST(CurveLevels, AreRefusedWhereTheyCannotBe) {
   EXPECT_EQ(codeOf([&] { make(CurveKind::kBezier, 1, kPaperExact); }), ErrorCode::kBadArgument);
   EXPECT_EQ(make(CurveKind::kBezier, kAutomaticLevels, kPaperExact), 0);
   EXPECT_EQ(make(CurveKind::kBezier, 8, kFast), 8);
-  // Kinds that are one blend of all their points stay centers of mass.
+  // Kinds that blend all their points at once remain centers of mass.
   EXPECT_EQ(make(CurveKind::kBarycentric, 3, kFast), 0);
   EXPECT_EQ(make(CurveKind::kPolyline, 3, kFast), 0);
 

@@ -57,7 +57,7 @@ TEST(CurveMeasure, PointsAndTangentsOnThePlaneAreThoseOfThePlane) {
       const Vec3 here = planePoint(curve, {at.segment, middle});
       const Vec3 expected = (after - before) / (2 * kStep) +
                             (at.t - middle) / (kStep * kStep) * (after - 2 * here + before);
-      // Differences of fourth-power size in the step.
+      // The differences have an error of fourth order in the step.
       EXPECT_LT((tangent.inSpace - expected).norm(), 1e-5 * (1 + expected.norm()));
       EXPECT_NEAR(tangent.inFace.norm(), tangent.inSpace.norm(), 1e-12);
     }
@@ -106,7 +106,7 @@ TEST(CurveMeasure, DividesCurvesEvenly) {
       EXPECT_LT((position(surface.mesh(), again.point) - position(surface.mesh(), points[i].point))
                     .norm(),
                 1e-8);
-      // What lies on the line lies within the tolerance of the curve.
+      // A point on the line lies within the tolerance of the curve.
       const CurvePoint onCurve = pointAt(curve, points[i].parameter);
       EXPECT_LT(
           (position(surface.mesh(), onCurve.point) - position(surface.mesh(), points[i].point))
@@ -143,10 +143,10 @@ TEST(CurveMeasure, FindsTheNearestPoint) {
   }
 }
 
-/// How far a curve's direction jumps, in radians.
+/// The largest jumps of a curve's direction, in radians.
 struct Jumps {
   double tangent = 0;    ///< between the two sides of a knot, by the derivatives
-  double knotSteps = 0;  ///< the same by differences of points, extrapolated to the knot
+  double knotSteps = 0;  // the same by difference quotients, extrapolated to the knot
   double edges = 0;      ///< the largest turn within 5e-4 of t anywhere: at edges of the mesh
 };
 
@@ -171,7 +171,7 @@ Jumps jumpsOf(Curve& curve) {
     CurveTangent last = tangentAt(curve, {j, 0});
     for (int i = 1; i <= 2000; ++i) {
       const CurveTangent next = tangentAt(curve, {j, i / 2000.0});
-      // Projected, so that the fold of the surface at the edge does not count.
+      // Directions are projected, so that the fold of the surface at the edge does not count.
       const Vec3 normal = (place(j, (i - 0.5) / 2000)).normalized();
       const Vec3 a = last.inSpace - last.inSpace.dot(normal) * normal;
       const Vec3 b = next.inSpace - next.inSpace.dot(normal) * normal;
@@ -202,7 +202,7 @@ TEST(CurveMeasure, TangentsAreContinuousUpToTheMesh) {
           "of 0.02; largest turn in 5e-4 of t %.1e\n",
           curveKindName(kind), surface.mesh().faceCount(), jumps.tangent, jumps.knotSteps,
           jumps.edges);
-      // Derivatives of weights by differences: 1e-10 of their size.
+      // Derivatives of weights by difference quotients are accurate to 1e-10 of their size.
       EXPECT_LT(jumps.tangent, 1e-7);
       if (frequency == frequencies.front()) coarse = jumps.knotSteps;
       if (frequency == frequencies.back()) {

@@ -14,7 +14,7 @@
 namespace karcher {
 namespace {
 
-/// quad2 on the plane, and averages along exact shortest paths.
+/// Tolerances: quad2 on the plane, and averages along exact shortest paths.
 constexpr double kPlane = 1e-9;
 
 class CurveRefine : public testing::Test {
@@ -38,7 +38,7 @@ class CurveRefine : public testing::Test {
     return position(surface.mesh(), pointAt(curve, parameter).point);
   }
 
-  /// Looks for the same point at the same part of a span between knots or of the one segment.
+  /// Compares the points at the same part of a span between knots or of the single segment.
   void expectPart(Curve& whole, double from, double to, Curve& part) const {
     for (int i = 0; i <= 12; ++i) {
       const double s = i / 12.0;
@@ -48,7 +48,7 @@ class CurveRefine : public testing::Test {
   }
 };
 
-/// The parameter of a point after its curve got a knot.
+/// The parameter of a point after a knot was inserted.
 double afterCut(const SegmentParameter& at, const SegmentParameter& cut) {
   if (cut.t == 0 || cut.t == 1 || at.segment < cut.segment) return at.segment + at.t;
   if (at.segment > cut.segment) return at.segment + 1 + at.t;
@@ -101,7 +101,7 @@ TEST_F(CurveRefine, InsertingAKnotLeavesABSplineAsItIs) {
 }
 
 TEST_F(CurveRefine, AClosedBSplineOfFewPointsTakesKnotsToo) {
-  // Fewer points than the degree: the knot's new points go more than once around.
+  // The curve has fewer points than its degree: the knot's new points go more than once around.
   for (const int degree : {4, 5}) {
     for (int count = 3; count <= degree; ++count) {
       for (const bool weighted : {false, true}) {
@@ -135,8 +135,8 @@ TEST_F(CurveRefine, AClosedBSplineOfFewPointsTakesKnotsToo) {
 }
 
 TEST_F(CurveRefine, CurvesThroughPointsTakePointsUntilTheirBetasEnd) {
-  // Each point raises the degree of what was a curve of degree 5: its betas come near binomial
-  // numbers, which beyond 35 points differ by more than 1e12.
+  // Each point raises the degree of a curve of degree 5: its betas approach binomial numbers, which
+  // beyond 35 points differ by more than 1e12.
   Surface small(planeGrid(4, 4));
   CurveParts parts{{CurveKind::kBarycentric}, {}};
   for (const Vec3& place : kPlaces) {
@@ -203,7 +203,7 @@ TEST_F(CurveRefine, TheHalvesOfABSplineRunAlongIt) {
       const Array<CurveParts> parts = splitAt(curve, parameter);
       ASSERT_EQ(parts.count(), shape.closed ? 1 : 2);
       Curve after = curveOf(parts[parts.count() - 1].shape, parts[parts.count() - 1].points);
-      // What is left of the cut segment, then the others.
+      // First the rest of the cut segment, then the other segments.
       for (int i = 0; i <= 6; ++i) {
         const double s = i / 6.0;
         EXPECT_LT((at(after, s) - at(curve, cut.segment + cut.t + s * (1 - cut.t))).norm(), kPlane);

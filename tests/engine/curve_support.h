@@ -3,7 +3,7 @@
 #include "curves/curve.h"
 #include "generators/curve_shapes.h"
 
-/// What several tests of curves share.
+/// Helpers that several tests of curves share.
 namespace karcher {
 
 inline constexpr FieldOptions kFast{Method::kKarcher, Solver::kFast, 6};
@@ -17,7 +17,7 @@ Array<SurfacePoint> pointsNear(const TriangleMesh& mesh, const Array<Vec3>& plac
 inline const Array<Vec3> kPlaces{{0.3, 0.3, 0},  {0.45, 0.68, 0}, {0.62, 0.41, 0},
                                  {0.7, 0.65, 0}, {0.52, 0.3, 0},  {0.38, 0.52, 0}};
 
-/// The average of numbers with weights.
+/// The weighted average of numbers.
 double weightedSum(const Array<double>& weights, const Array<double>& values);
 
 }  // namespace karcher

@@ -93,7 +93,7 @@ TEST(Curve, IsJoinedOnTheSurface) {
     for (int i = 1; i < path.line.points.count(); ++i) {
       const SurfacePoint& to = path.line.points[i];
       const SurfacePoint& from = path.line.points[i - 1];
-      // Either end's face may hold the piece.
+      // The piece may lie in the face of either end.
       EXPECT_NO_THROW({
         try {
           inFace(mesh, from, to.face);

@@ -30,7 +30,7 @@ struct Deviation {
   double at = 0;
 };
 
-/// How far the curve itself, looked at `count` times, goes off the line that is drawn for it.
+/// The largest deviation of the curve, at `count` parameters, from the line drawn for it.
 Deviation deviationOf(Curve& curve, int count) {
   const TriangleMesh& mesh = curve.surface().mesh();
   const double diagonal = curve.surface().geometry().diagonal;
@@ -52,7 +52,7 @@ Deviation deviationOf(Curve& curve, int count) {
   return deviation;
 }
 
-/// Points of the mesh so near to a random one, as a part of the diagonal.
+/// Points of the mesh within `reach` of a random one, as a part of the diagonal.
 Array<SurfacePoint> pointsWithin(const Surface& surface, double reach, int count, Random& random) {
   const Vec3 center = position(surface.mesh(), randomPoint(surface.mesh(), random));
   Array<SurfacePoint> points;

@@ -16,7 +16,7 @@
 #include "mesh/shapes.h"
 #include "support.h"
 
-/// Surfaces cut apart along paths.
+/// Cuts of surfaces along paths.
 namespace karcher {
 namespace {
 
@@ -28,7 +28,7 @@ double areaOf(const Array<Vec3>& positions, const Triangle& t) {
   return (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]).norm() / 2;
 }
 
-/// The sides of triangles that have none on their other side, by their places.
+/// The boundary sides of triangles, by their places.
 std::map<std::pair<Place, Place>, int> rim(const Array<Vec3>& positions,
                                            const Array<Triangle>& triangles) {
   std::set<std::pair<int, int>> sides;
@@ -42,7 +42,7 @@ std::map<std::pair<Place, Place>, int> rim(const Array<Vec3>& positions,
   return result;
 }
 
-/// What holds of everything that is cut.
+/// Properties of every cut surface.
 void expectSound(const Geometry& geometry, const Arrangement& all) {
   const TriangleMesh& mesh = *geometry.mesh;
   const CutSurface cut = cutApart(geometry, all);
@@ -63,13 +63,13 @@ void expectSound(const Geometry& geometry, const Arrangement& all) {
       EXPECT_GE(barycentric(geometry, f, inPlane).minCoeff(), -1e-9);
     }
     EXPECT_NEAR(area, all.cellArea[c], 1e-12 * surfaceArea(geometry));
-    // A manifold, but for its triangles' areas, which may be as thin as pieces are.
+    // The part is a manifold, except that its triangles may be as thin as pieces are.
     EXPECT_NO_THROW(connectMesh(part.positions, part.triangles, {}));
   }
   for (int f = 0; f < mesh.faceCount(); ++f) {
     EXPECT_NEAR(ofFace[f], doubleArea(geometry, f) / 2, 1e-12 * surfaceArea(geometry));
   }
-  // Both sides of a cut fit to the last bit; what is left is the mesh's own boundary.
+  // Both sides of a cut fit to the last bit; the remaining sides are the mesh's own boundary.
   const auto sides = rim(cut.positions, cut.triangles);
   Array<double> lone;
   for (const auto& [side, count] : sides) {

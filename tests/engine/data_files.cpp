@@ -1,4 +1,4 @@
-// The only file that knows where the checkout is: what the others compile to is the same
+// The only file that contains the path of the checkout: the other files compile to the same
 // everywhere.
 #include <stdexcept>
 

@@ -7,10 +7,10 @@
 #include "mesh/shapes.h"
 #include "mesh/triangle_soup.h"
 
-/// What the tests of distances and paths share.
+/// Helpers that tests of distances and paths share.
 namespace karcher {
 
-/// A mesh with its geometry, which points into it.
+/// A mesh with its geometry, which refers to it.
 struct MeasuredMesh {
   explicit MeasuredMesh(TriangleMesh m) : mesh(std::move(m)), geometry(buildGeometry(mesh)) {}
   explicit MeasuredMesh(const TriangleSoup& soup)

@@ -60,8 +60,8 @@ TEST(DragMemory, OfAPlacedPointAreTheLegsOfOthers) {
   EXPECT_EQ(codeOf([&] { withPointPlaced(value, 4, points[0]); }), ErrorCode::kBadIndex);
 }
 
-/// Default curves ask whether level 0 takes the paths that the legs are pulled tight to. What tells
-/// them, fields from end to end, is given back where they take levels all the same.
+/// Default curves check whether level 0 follows the paths that the legs straighten to. The fields
+/// from end to end for this check are freed if the curve takes levels anyway.
 TEST(CurveMemory, OfLevelsThatAreChosenIsThatOfGivenOnes) {
   const TriangleMesh mesh = meshOf(makeShape(Shape::kTorus, 80000));
   const auto heldBy = [&](const CurveOptions& options, const Array<SurfacePoint>& polygon,
@@ -120,7 +120,7 @@ TEST(PagedArray, GivesBackWhatNoArrayHolds) {
     for (int i = 0; i < kCount; i += step) array.touch(i) = i;
     return allocationsSoFar() - before;
   };
-  // Many pages are made in few blocks.
+  // Many pages come in few blocks.
   const int64_t made = fill(other, 1);
   EXPECT_GT(made, 0);
   EXPECT_LT(made, kCount / 16 / 4);

@@ -97,8 +97,7 @@ TEST(EdgeCrossings, DoNotDependOnTheSamples) {
       return (position(mesh, one.point) - position(mesh, other.point)).norm() <= within;
     });
   };
-  // Next to a sample within the gap between two faces' fields the sample, or its parameter, stands
-  // for the crossing.
+  // A sample within the gap between two faces' fields, or its parameter, replaces the crossing.
   const double same = 1e-9 * surface.geometry().diagonal;
   const double gap = 0.01 * surface.geometry().meanEdge;
   for (int k = 0; k < 2; ++k) {
@@ -109,7 +108,7 @@ TEST(EdgeCrossings, DoNotDependOnTheSamples) {
     }
     EXPECT_GE(equal, 0.75 * found[k].count());
   }
-  // Chords in faces fall short of the curve by the square of the samples' distance.
+  // Chords in faces are shorter than the curve by the square of the samples' distance.
   EXPECT_NEAR(lengths[0], lengths[1], 1e-3 * lengths[1]);
 }
 

@@ -35,7 +35,8 @@ TEST_P(EstimatorOnThePlane, IsExactOnAnyTessellation) {
     StencilTable table(geometry, GetParam());
     for (int v = 0; v < mesh.vertexCount(); ++v) {
       const Vec2 expected = inVertexFrame(geometry, v, 2 * (mesh.positions[v] - p));
-      // Boundary slivers of random points' Delaunay triangulations are placed with their rounding.
+      // Boundary slivers of random points' Delaunay triangulations are as inaccurate as the
+      // rounding of their vertices.
       EXPECT_LT((estimate(geometry, table, v, p) - expected).norm(), 1e-9) << "vertex " << v;
     }
   }
@@ -69,7 +70,7 @@ TEST(StencilTable, GivesTheSameStencilAgain) {
   }
 }
 
-/// The vertex's own part of an estimate from distances alone: from vectors there is no other part.
+/// The vertex's own part of an estimate from distances alone; log vectors have no other part.
 double ownShare(StencilTable& table, int vertex) {
   const Stencil stencil = table.at(vertex);
   EXPECT_EQ(stencil.ofDistances - stencil.begin, 1);
@@ -106,12 +107,12 @@ TEST(StencilTable, GivesWayToTheOwnLogVectorOnARoughSurface) {
     EXPECT_EQ(stencil.begin->vertex, v);
     EXPECT_GE(stencil.begin->x, share);
   }
-  // The rest is where all defects around a vertex happen to be of one sign.
+  // The other vertices have defects that happen to have one sign.
   EXPECT_GT(sum / inner, 0.8);
 }
 
 TEST(StencilTable, DoesNotGoThroughAHub) {
-  // A disc round one vertex: through it all the others are two edges apart.
+  // A disc around one vertex: all others are two edges apart through it.
   const TriangleSoup disc = wheel(3'000, 0, 0);
   const TriangleMesh mesh = buildMesh(disc.positions, disc.triangles);
   const Geometry geometry = buildGeometry(mesh);

@@ -28,7 +28,7 @@ TEST(ExactEnergy, IsThatOfShortestPaths) {
       const SurfacePoint center = randomPoint(mesh.mesh, random);
       const Array<SurfacePoint> places = circleAround(mesh.geometry, center, radius, 5);
       ExactEnergy energy(mesh.geometry, points, weights);
-      // A guess may be good, none, or far too long.
+      // A guess may be good, missing, or far too long.
       energy.guesses[0] = i % 3 == 0   ? 0
                           : i % 3 == 1 ? 100 * mesh.geometry.diagonal
                                        : shortestPath(mesh.geometry, points[0], center).length();
@@ -88,12 +88,12 @@ TEST(ExactMinimum, StaysAtOneAndIsFoundFromBesideIt) {
       exactMinimumNear(mesh.geometry, other, nearestPoint(mesh.mesh, Vec3(6.1, 5.4, 0)));
   EXPECT_TRUE(found.isLowest);
   EXPECT_GT(found.moves, 0);
-  // K is |x - center|^2 and a constant: what circles of .03 edges leave.
+  // K is |x - center|^2 plus a constant: circles of .03 edges leave this error.
   EXPECT_LT((position(mesh.mesh, found.point) - center).norm(), 0.03 * mesh.geometry.meanEdge);
 }
 
 TEST(ExactMinimum, IsNotClaimedWhereMovesRunOut) {
-  // The energy's slope is the same for farther than all moves lead.
+  // The slope of the energy is constant over a longer stretch than all moves together.
   const MeasuredMesh mesh(planeGrid(40, 4));
   const Array<SurfacePoint> points{nearestPoint(mesh.mesh, Vec3(1, 2, 0))};
   const Array<double> weights{1};
@@ -103,10 +103,10 @@ TEST(ExactMinimum, IsNotClaimedWhereMovesRunOut) {
   EXPECT_FALSE(result.isLowest);
 }
 
-/// What `converged` promises, by whole shortest paths at other points than the search took.
+/// `converged` promises this; the test uses whole shortest paths, at other points than the search.
 TEST(Mean, ThatConvergedIsAMinimumByShortestPaths) {
   SKIP_WHERE_SANITIZED();
-  // On these, zeros of the blended fields are no minima in some of the cases.
+  // On these meshes, some zeros of the blended fields are not minima.
   for (const char* name : {"ring tube, r = 0.1, quads 7:1", "very rough sheet", "knot"}) {
     SCOPED_TRACE(name);
     Surface surface(galleryMesh(name));

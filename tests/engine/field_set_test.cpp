@@ -21,7 +21,7 @@ Held fieldsAt(FieldSet& set, const Array<SurfacePoint>& points) {
   return fields;
 }
 
-/// The mesh's vertices, one after the other.
+/// The mesh's vertices in order.
 Array<SurfacePoint> someVertices(const TriangleMesh& mesh, int count) {
   Array<SurfacePoint> points;
   for (int vertex = 0; vertex < count; ++vertex) points.push_back(vertexPoint(mesh, 3 * vertex));
@@ -41,8 +41,8 @@ TEST(FieldSet, SparesAreMovedAndAFieldIsFoundWhereItWasMovedTo) {
   EXPECT_EQ(set.find(vertexPoint(mesh, 10)), nullptr);
 }
 
-/// Of fields beyond what a set may hold the longest unused rest, and read the same when they are
-/// woken up.
+/// If a set holds too many fields, the longest unused ones rest, and return the same values after
+/// waking up.
 TEST(FieldSet, FieldsThatAreNotInUseRestBeyondABudget) {
   for (const FieldOptions& options : {kFast, kExact, FieldOptions{.solver = Solver::kGraph}}) {
     Surface surface(bunnyMesh());
@@ -89,9 +89,9 @@ TEST(FieldSet, IsWholeAfterAFieldThatCouldNotBeMade) {
         fieldsAt(set, {vertexPoint(mesh, 10), vertexPoint(mesh, 20), vertexPoint(mesh, 30)});
   }
   set.at(vertexPoint(mesh, 40));
-  // The second place is looked at next, and the third would be after it: it is gone by then.
+  // The second place is tested next; the third would follow, but is gone by then.
   {
-    // For once the mesh is one that exact distances refuse.
+    // The mesh is temporarily one that exact distances refuse.
     double& longest = const_cast<Geometry&>(surface.geometry()).longestEdge;
     const double before = std::exchange(longest, 1e300);
     EXPECT_THROW(set.at(vertexPoint(mesh, 70)), Error);
@@ -151,7 +151,7 @@ TEST(FieldSet, ACurveThatGoesLeavesNoMoreSparesThanTheOthersHold) {
   stays.set(large);
   stays.set(small);
   expectFew();
-  // And what it had with other options.
+  // Its fields with other options are spare, too.
   Curve other(sets, large);
   CurveValue exact = small;
   exact.options.field = kExact;

@@ -27,7 +27,8 @@ void expectEnds(const SurfacePath& path, const SurfacePoint& from, const Surface
   EXPECT_EQ(path.end().bary, to.bary);
 }
 
-/// Paths between random places, both ways, against the shortest. `most` is the excess of the worst.
+/// Compares paths between random places, in both directions, with the shortest. `most` is the
+/// largest relative excess.
 void expectShort(const TriangleMesh& mesh, int pairs, uint64_t seed, double most) {
   const Geometry geometry = buildGeometry(mesh);
   Random random(seed);
@@ -83,7 +84,7 @@ TEST(FindPath, isTheSameWhereverTheSurfaceLies) {
   SurfacePath path;
   SurfacePath again;
   for (int i = 0; i < 200; ++i) {
-    // Half of them between vertices, which have the same weights.
+    // Half of the pairs join vertices, which have the same weights on both meshes.
     const auto place = [&] {
       return i % 2 == 0 ? randomPlace(bunny.mesh, random)
                         : vertexPoint(bunny.mesh, random.index(bunny.mesh.vertexCount()));
@@ -96,7 +97,7 @@ TEST(FindPath, isTheSameWhereverTheSurfaceLies) {
   }
 }
 
-// At most a fiftieth longer than the shortest is what the search is to keep.
+// The search promises paths at most a fiftieth longer than the shortest.
 TEST(FindPath, isShortOnTheBunny) { expectShort(bunnyMesh(), 100, 1, 0.02); }
 
 TEST(FindPath, isShortOnATorus) {
@@ -110,7 +111,7 @@ TEST(FindPath, isShortOnARoughSurface) {
 }
 
 TEST(FindPath, isFoundPieceByPieceBetweenFarPoints) {
-  // 250 mean edges apart: beyond what is searched thoroughly.
+  // The points are 250 mean edges apart: beyond the range of the thorough search.
   const MeasuredMesh sheet(roughened(planeGrid(60, 20), 3, 5));
   const SurfacePoint from = nearestPoint(sheet.mesh, Vec3(0.5, 1.2, 0));
   const SurfacePoint to = nearestPoint(sheet.mesh, Vec3(59.3, 17.7, 0));

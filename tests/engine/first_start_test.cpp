@@ -43,7 +43,7 @@ TEST(FirstStart, OnThePlaneIsTheMeanAndNothingIsLower) {
     const std::optional<SurfacePoint> start =
         averageOfAverages(surface.geometry(), points, weights);
     ASSERT_TRUE(start) << "run " << run << ", seed " << kSeed;
-    // Each path's end is within rounding of coordinates up to 20, divided by lengths of its first
+    // Each path's end has the rounding of coordinates up to 20, divided by the length of its first
     // piece, which may be short.
     EXPECT_LT((position(mesh, *start) - mean).norm(), 1e-9) << "run " << run;
     const LowerPlaces lower = lowerPlaces(mesh, points, weights, energy);
@@ -63,7 +63,7 @@ TEST(FirstStart, IsNoneWhereWeightsAreNegativeOrNoPathLeads) {
   EXPECT_FALSE(averageOfAverages(surface.geometry(), apart, half));
 }
 
-/// Whatever is lower than a place lies in the ball that the place's energy gives.
+/// Every lower place lies in the ball that follows from a place's energy.
 TEST(FirstStart, AllThatIsLowerLiesInItsBall) {
   Surface surface(importMesh(makeShape(Shape::kTorus, 2000)).mesh);
   const TriangleMesh& mesh = surface.mesh();
@@ -78,7 +78,7 @@ TEST(FirstStart, AllThatIsLowerLiesInItsBall) {
     for (const Minimum& other : mean.otherMinima) {
       const LowerPlaces lower = lowerPlaces(mesh, points, weights, other.energy);
       const double apart = (position(mesh, mean.point) - lower.middle).norm();
-      // Energies are those of fields, whose distances are off by less than a hundredth.
+      // Energies come from fields, whose distances have an error below a hundredth.
       EXPECT_LE(apart, 1.02 * lower.radius) << "run " << run << ", seed " << kSeed;
     }
   }

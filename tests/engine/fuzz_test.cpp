@@ -6,7 +6,7 @@
 namespace karcher {
 namespace {
 
-/// What must hold of every case of the fuzzers holds of those that they start from.
+/// The fuzzers' checks also hold for the seeds of the fuzzers.
 void expectNoFinding(void (*check)(Bytes), const Array<Seed>& seeds) {
   for (int i = 0; i < seeds.count(); ++i) {
     EXPECT_NO_THROW(check(seeds[i])) << "seed " << i;
@@ -19,7 +19,7 @@ TEST(Fuzz, TrianglesAreMendedOrRefused) { expectNoFinding(fuzzRepairs, repairsSe
 
 TEST(Fuzz, EditedCurvesAreThoseTracedAnew) { expectNoFinding(fuzzCurve, curveSeeds()); }
 
-/// A check that could not fail would find nothing.
+/// A check that cannot fail would detect nothing.
 TEST(Fuzz, ChecksFail) {
   EXPECT_THROW(expect(false, "so"), FuzzFinding);
   EXPECT_THROW(expectSentence(Error(ErrorCode::kBadFile, "")), FuzzFinding);

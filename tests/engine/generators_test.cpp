@@ -117,7 +117,7 @@ TEST(Spheres, AreClosedOnTheSphereAndFaceOutwards) {
     for (const Triangle& t : soup.triangles) {
       volume += soup.positions[t[0]].cross(soup.positions[t[1]]).dot(soup.positions[t[2]]) / 6;
     }
-    // A hull lies inside; with 2000 triangles by about a per cent.
+    // The hull lies inside the sphere; with 2000 triangles its volume is about a per cent smaller.
     EXPECT_LT(volume, 4 * kPi / 3);
     EXPECT_GT(volume, 0.98 * 4 * kPi / 3);
     for (const Vec3& p : soup.positions) EXPECT_NEAR(p.norm(), 1, 1e-14);
@@ -177,12 +177,13 @@ TEST(Tori, AreClosedOnTheTorus) {
     expectClosed(meshOf(soup), 1);
     EXPECT_EQ(soup.triangles.size(), 4000u);
     for (const Vec3& p : soup.positions) EXPECT_NEAR((closestOnTorus(p) - p).norm(), 0, 1e-14);
-    // The stretched one's triangles are chords of longer arcs.
+    // The triangles of the stretched one are chords of longer arcs.
     EXPECT_NEAR(totalArea(soup), 4 * kPi * kPi * kTorusMajor * kTorusMinor, stretch > 1 ? 1 : 0.1);
   }
 }
 
-/// Root mean square of the edges' extents along the circle of centers over that across it.
+/// The root mean square of the edges' extents along the circle of centers, divided by that across
+/// it.
 double meanStretch(const TriangleSoup& soup) {
   double along = 0;
   double across = 0;
@@ -199,7 +200,7 @@ double meanStretch(const TriangleSoup& soup) {
 }
 
 TEST(Tori, AreStretchedAsAsked) {
-  // Random directions of 12,000 edges leave about a per cent.
+  // The random directions of 12,000 edges cause an error of about a per cent.
   EXPECT_NEAR(meanStretch(irregularTorus(8000, 1, 1)), 1, 0.03);
   EXPECT_NEAR(meanStretch(irregularTorus(8000, 8, 1)), 8, 0.24);
 }

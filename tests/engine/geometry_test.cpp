@@ -76,8 +76,8 @@ TEST(Geometry, CumulatesAnglesCounterclockwise) {
   }
 }
 
-/// On the plane a constant field is parallel: turned from any vertex, on the boundary too, into any
-/// of its faces it is the same vector in space.
+/// On the plane a constant field is parallel: transported from any vertex, even on the boundary,
+/// into any of its faces it is the same vector in space.
 TEST(Connection, KeepsAConstantFieldConstantOnThePlane) {
   for (const PlaneTessellation tessellation : kPlaneTessellations) {
     const TriangleMesh mesh = meshOf(tessellatedPlane(tessellation, 400, 1));
@@ -112,7 +112,7 @@ TEST(Connection, AgreesOnTheDirectionToTheCentroid) {
   }
 }
 
-/// Carried around a vertex through its faces, a vector turns by the vertex's angle deficit.
+/// Transported around a vertex through its faces, a vector turns by the vertex's angle deficit.
 TEST(AcrossEdge, TurnsAroundAVertexByItsCurvature) {
   for (const TriangleMesh& mesh :
        {meshOf(randomSphere(300, 1)), meshOf(makeShape(Shape::kGenus3, 500)),

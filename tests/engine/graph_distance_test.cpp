@@ -29,8 +29,8 @@ TEST(RingGraph, OfThePlaneJoinsTheWholeRingByStraightLines) {
       EXPECT_NEAR(graph.length[arc], step.norm(), 1e-12);
     }
   }
-  // Edges run along x, y and the diagonal x = y: the 3-ring of an inner vertex has 36 vertices, of
-  // which those along the three directions hide none that is not reached through them.
+  // Edges run along x, y and the diagonal x = y: the 3-ring of an inner vertex has 36 vertices.
+  // Along the three directions each hides only vertices that are reached through it.
   const int middle = 7 + 15 * 7;
   EXPECT_EQ(graph.start[middle + 1] - graph.start[middle], 36);
 }
@@ -81,7 +81,7 @@ TEST(RingGraph, ArcsMakeUpExactDistancesInsideTheRing) {
     byArcs.grow(kInfinity);
     exact.setSource(vertexPoint(mesh, v));
     exact.grow(kInfinity);
-    // Nearer than everything outside a smaller ring, paths stay inside this one.
+    // Paths nearer than everything outside a smaller ring stay inside this one.
     Array<uint8_t> inside(mesh.positions.size(), 0);
     inside[v] = 1;
     for (int ring = 0; ring < kSmallerRing; ++ring) {
@@ -107,7 +107,7 @@ TEST(RingGraph, ArcsMakeUpExactDistancesInsideTheRing) {
 }
 
 TEST(RingGraph, GrowsWithTheMeshAtAVertexOfManyEdgesToo) {
-  // Through the middle all vertices lie in each other's rings: 1e8 arcs.
+  // All vertices lie in each other's rings through the middle: 1e8 arcs.
   const TriangleMesh mesh = galleryMesh("disk, valence 10000");
   const Geometry geometry = buildGeometry(mesh);
   const RingGraph graph = buildRingGraph(geometry, 6);
@@ -118,7 +118,7 @@ TEST(RingGraph, GrowsWithTheMeshAtAVertexOfManyEdgesToo) {
   for (int v = 0; v < mesh.vertexCount(); ++v) {
     const double straight = (mesh.positions[v] - mesh.positions[77]).norm();
     EXPECT_GE(solver.distance(v), straight * (1 - 1e-9));
-    // Round the rim or over the middle.
+    // The path goes around the rim or across the middle.
     EXPECT_LE(solver.distance(v), straight * 1.25);
   }
 }
@@ -142,8 +142,8 @@ TEST(GraphDistance, OnThePlaneIsNeverBelowTheTruthAndLittleAbove) {
     for (int v = 0; v < mesh.vertexCount(); ++v) {
       const double truth = (mesh.positions[v] - p).norm();
       EXPECT_GE(solver.distance(v), truth - 1e-12);
-      // Paths that leave a source inside a face turn at the second vertex round it, a detour of up
-      // to a quarter of an edge.
+      // Paths from a source inside a face turn at the second vertex around it, a detour of up to a
+      // quarter of an edge.
       EXPECT_LE(solver.distance(v), 1.03 * truth + (atVertex ? 1e-12 : 0.25));
     }
   }

@@ -18,13 +18,13 @@
 namespace karcher {
 namespace {
 
-/// Lines whose points share faces one by one, closed where they say so.
+/// Checks lines: consecutive points share a face, and closed lines are closed.
 void expectSound(const TriangleMesh& mesh, const Array<Isoline>& lines, double meanEdge) {
   for (const Isoline& line : lines) {
     double length = 0;
     for (int i = 1; i < line.points.count(); ++i) {
       const Vec3 step = position(mesh, line.points[i]) - position(mesh, line.points[i - 1]);
-      // Where two arcs meet their ends differ by rounding and may lie in faces apart.
+      // Where two arcs meet their ends differ by rounding and may lie in different faces.
       if (step.norm() > 1e-6 * meanEdge) {
         EXPECT_TRUE(haveCommonFace(mesh, line.points[i - 1], line.points[i]));
       }
@@ -49,7 +49,7 @@ TEST(Isoline, OnThePlaneTheExactOneIsTheCircle) {
       EXPECT_TRUE(lines[0].closed);
       EXPECT_NEAR(lines[0].length, 2 * kPi * radius, 1e-7);
       for (const SurfacePoint& point : lines[0].points) {
-        // Rounding of images across at most a hundred edges.
+        // The tolerance is the rounding of images across at most a hundred edges.
         EXPECT_NEAR((position(mesh, point) - center).norm(), radius, 1e-12);
       }
       expectSound(mesh, lines, geometry.meanEdge);
@@ -58,7 +58,7 @@ TEST(Isoline, OnThePlaneTheExactOneIsTheCircle) {
 }
 
 TEST(Isoline, EndsAtTheBoundaryAndTurnsRoundItsCorners) {
-  // Behind the inner corner the circle goes on about the corner.
+  // Behind the inner corner the circle continues around the corner.
   const TriangleMesh mesh = gridWithCorner();
   const Geometry geometry = buildGeometry(mesh);
   const Vec3 center(2, 10, 0);
@@ -70,7 +70,7 @@ TEST(Isoline, EndsAtTheBoundaryAndTurnsRoundItsCorners) {
   int bent = 0;
   for (const SurfacePoint& point : lines[0].points) {
     const Vec3 x = position(mesh, point);
-    // Behind the line from the center through the corner (4, 4).
+    // These points lie behind the line from the center through the corner (4, 4).
     const bool behind = cross(Vec2(2, -6), Vec2(x.x() - 2, x.y() - 10)) > 0;
     bent += behind;
     const double way = behind ? toCorner + (x - Vec3(4, 4, 0)).norm() : (x - center).norm();
@@ -104,8 +104,8 @@ TEST(Isoline, ExactOnesLieAtTheirDistanceOnEveryShape) {
 }
 
 TEST(Isoline, PathsToPointsBesideExactOnesAreAsLong) {
-  // Of this source many paths pass a vertex so closely that only rounding tells whether they turn
-  // there.
+  // From this source many paths pass a vertex so closely that only rounding decides whether they
+  // turn there.
   const TriangleMesh mesh = importMesh(makeShape(Shape::kTorus, 2000)).mesh;
   const Geometry geometry = buildGeometry(mesh);
   const SurfacePoint source =
@@ -158,7 +158,7 @@ TEST(Isoline, FarExactOnesAreClosedOnAClosedSurface) {
 }
 
 TEST(Isoline, RoundTheTipOfANeedleIsAsLongAsItsAngle) {
-  // Every face is narrower than the ends of arcs are known to where they graze an edge.
+  // Every face is narrower than the accuracy of arcs' ends where they graze an edge.
   const double height = 1e4;
   const TriangleSoup needle = wheel(5'000, 0, height);
   const TriangleMesh mesh = buildMesh(needle.positions, needle.triangles);
@@ -171,7 +171,8 @@ TEST(Isoline, RoundTheTipOfANeedleIsAsLongAsItsAngle) {
 }
 
 TEST(Isoline, ExactOnesLeaveNoScraps) {
-  // Around saddle vertices, where paths bend and faces may lie nearer as a whole by one corner.
+  // The surface has saddle vertices, where paths bend and one corner may be nearest for whole
+  // faces.
   const TriangleMesh mesh = importMesh(makeShape(Shape::kGenus3, 1000)).mesh;
   const Geometry geometry = buildGeometry(mesh);
   for (int i = 0; i < 40; ++i) {

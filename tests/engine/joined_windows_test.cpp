@@ -16,7 +16,8 @@
 namespace karcher {
 namespace {
 
-/// Holds distances of merged windows to exact ones: each within 1 %, in the mean .1 %.
+/// Compares distances of merged windows with exact ones: each is within 1 %, and the mean error is
+/// below .1 %.
 void expectNearExact(const TriangleMesh& mesh, const SurfacePoint& source) {
   const Geometry geometry = buildGeometry(mesh);
   WindowDistance merged(geometry, kFastTolerance);
@@ -36,8 +37,8 @@ void expectNearExact(const TriangleMesh& mesh, const SurfacePoint& source) {
   EXPECT_LE(sum / mesh.vertexCount(), 0.001);
 }
 
-/// A rectangle of cells, their inner vertices moved at random and each cut by a random diagonal;
-/// then stretched and sheared along x. Its outline stays convex.
+/// A rectangle of cells with randomly moved inner vertices, each cut by a random diagonal, then
+/// stretched and sheared along x. Its outline stays convex.
 TriangleMesh randomCells(int side, double stretch, double shear, Random& random) {
   Array<Vec3> positions;
   for (int j = 0; j <= side; ++j) {
@@ -68,7 +69,7 @@ TriangleMesh randomCells(int side, double stretch, double shear, Random& random)
   return buildMesh(positions, faces);
 }
 
-/// Straight distances to all vertices of a convex piece of the plane.
+/// Compares distances to all vertices of a convex piece of the plane with straight lines.
 void expectStraightDistances(const TriangleMesh& mesh, WindowDistance& distance, int source) {
   distance.setSource(vertexPoint(mesh, source));
   distance.grow(kInfinity);
@@ -156,7 +157,7 @@ TEST(JoinedWindows, AreStraightOnStretchedAndShearedPlanes) {
         const TriangleMesh cells = randomCells(kSide, stretch, shear, random);
         const Geometry geometry = buildGeometry(cells);
         WindowDistance distance(geometry, kFastTolerance);
-        // A corner, a vertex of the boundary, and two anywhere.
+        // The sources are a corner, a vertex of the boundary, and two arbitrary vertices.
         const int count = cells.vertexCount();
         for (const int source : {0, 7, random.index(count), random.index(count)}) {
           expectStraightDistances(cells, distance, source);
@@ -167,7 +168,7 @@ TEST(JoinedWindows, AreStraightOnStretchedAndShearedPlanes) {
 }
 
 TEST(JoinedWindows, AreStraightAcrossVerticesOfManyEdges) {
-  // A disk: rings of 100 vertices, equally far apart, around one.
+  // A disk: rings of 100 vertices, evenly spaced, around one vertex.
   constexpr int kRound = 100;
   Array<Vec3> positions{Vec3::Zero()};
   for (const int radius : {1, 2, 3}) {
@@ -271,8 +272,8 @@ TEST(JoinedWindows, GrownToAVertexAreTheSame) {
 }
 
 TEST(JoinedWindows, ChooseBetweenPathsOfOneLengthByNumbers) {
-  // On a regular cone two paths of one length lead to the vertices across the tip. A turned one is
-  // the same but for rounding.
+  // On a regular cone two paths of equal length lead to the vertices across the tip. A rotated cone
+  // differs only by rounding.
   const TriangleMesh cone = galleryMesh("cone of 36 degrees");
   Array<Vec3> positions = cone.positions;
   const Eigen::AngleAxisd turn(1.234, Vec3(1, -2, 0.7).normalized());

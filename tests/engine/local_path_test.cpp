@@ -70,8 +70,8 @@ TEST(LocalPath, followsAStraightestGeodesicThatIsShort) {
     const Path path = joined(surface, p, straight.path.end());
     ASSERT_TRUE(path.found);
     expectJoined(surface, path);
-    // There may be another geodesic round the other side of a vertex; as the vertices' curvature
-    // is small its length is nearly the same.
+    // Another geodesic may pass on the other side of a vertex; as the vertices' curvature is small
+    // its length is nearly the same.
     EXPECT_NEAR(path.length(), walked, 0.01 * walked);
     if (std::abs(path.length() - walked) < 1e-9) ++same;
   }

@@ -75,7 +75,7 @@ TEST_P(LogFields, LeaveAnEditedCurveAsTracedAnew) {
   }
 }
 
-/// On 3,674 triangles, so that the points' neighbourhoods bend: 8 curves of 4 segments.
+/// The mesh has 3,674 triangles, so that the points' neighbourhoods bend: 8 curves of 4 segments.
 TEST_P(LogFields, LoseNoSampleOnTheBunny) {
   Surface surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh();
@@ -103,7 +103,7 @@ TEST_P(LogFields, LoseNoSampleOnTheBunny) {
   }
 }
 
-/// A field with the values of another, which counts the vertices that are read.
+/// A field with the values of another, which counts the vertices that are read from it.
 ControlField countingField(ControlField& field, int& count) {
   ControlField::EvaluateMidpoint midpoint;
   if (field.hasMidpoints()) {
@@ -223,8 +223,8 @@ TEST(NearFields, HaveExactDistancesWhereTheseAreAskedFor) {
   }
 }
 
-/// Beside a hub of sharp folds, where paths lead over ridges or by the hub, none is longer than the
-/// shortest, from whichever end values are read.
+/// Beside a hub of sharp folds, where paths cross ridges or pass the hub, no path is longer than
+/// the shortest, in either direction.
 TEST(NearFields, AreShortestPathsBesideHubs) {
   TriangleSoup soup = wheel(300, 0, 0.5);
   for (size_t i = 1; i < soup.positions.size(); ++i)
@@ -253,8 +253,8 @@ TEST(NearFields, AreShortestPathsBesideHubs) {
   }
 }
 
-/// What a point sees beside a hub costs what lies between them, as elsewhere: a wavefront takes
-/// memory for each of its many faces.
+/// Sight beside a hub costs only what lies between, as elsewhere: a wavefront would need memory for
+/// each of the hub's many faces.
 TEST(NearFields, SeeBesideHubsWithoutAWavefront) {
   Surface surface(importMesh(wheel(5000, 0, 0.5)).mesh);
   const TriangleMesh& mesh = surface.mesh();
@@ -266,7 +266,7 @@ TEST(NearFields, SeeBesideHubsWithoutAWavefront) {
   EXPECT_LT(bytesTakenSoFar() - before, mesh.vertexCount());
 }
 
-/// Near fields at vertices, too, find the shortest path almost everywhere: no path is shorter than
+/// Near fields at vertices also find the shortest path almost everywhere: no path is shorter than
 /// exact ones, and few are longer.
 TEST(NearFields, AreSeldomLongerThanShortestPaths) {
   Surface surface(bunnyMesh());

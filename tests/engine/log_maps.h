@@ -4,9 +4,9 @@
 
 namespace karcher {
 
-/// The log map from any point, in the frame of its face: those from the face's corners, turned by
-/// cornerRotation and interpolated by the point's barycentric weights (as the authors' library
-/// does; the paper does not treat such sources).
+/// The log map from any point, in the frame of its face: the log maps from the face's corners,
+/// turned by cornerRotation and interpolated by the point's barycentric weights, as in the authors'
+/// library; the paper does not treat such sources.
 inline LogMap logMapFromPoint(const Geometry& geometry, const LogMapFromVertex& fromVertex,
                               const SurfacePoint& source) {
   LogMap logs(geometry.mesh->positions.size(), Vec2::Zero());

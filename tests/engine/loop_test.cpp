@@ -23,8 +23,8 @@ TEST(LoopSubdivision, KeepsTheTopology) {
   }
 }
 
-/// Box splines reproduce linear functions: a regular plane stays the same, boundary included but
-/// for its corners.
+/// Box splines reproduce linear functions: a regular plane does not change, except at the corners
+/// of its boundary.
 TEST(LoopSubdivision, LeavesARegularPlaneInPlace) {
   const TriangleMesh plane = meshOf(tessellatedPlane(PlaneTessellation::kRegularGrid, 200, 1));
   const TriangleSoup fine = loopSubdivision(plane);
@@ -88,7 +88,7 @@ TEST(SplitTriangles, DividesEdgesAndFacesEvenly) {
     EXPECT_EQ(topology(fine).boundaryLoops, 0);
     for (int v = 0; v < mesh.vertexCount(); ++v) EXPECT_EQ(soup.positions[v], mesh.positions[v]);
     for (int f = 0; f < fine.faceCount(); ++f) {
-      // The parts of a face follow one another, each of the same area and direction.
+      // The parts of a face are consecutive, with equal areas and directions.
       const auto areaVector = [](const TriangleMesh& m, int face) {
         const Vec3& a = m.positions[m.corner(face, 0)];
         return Vec3((m.positions[m.corner(face, 1)] - a).cross(m.positions[m.corner(face, 2)] - a));

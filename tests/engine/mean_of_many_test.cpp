@@ -98,7 +98,7 @@ TEST(OneSourceEnergy, FallsAlongTheNaturalStep) {
     for (const Vec2& way : {Vec2(length, 0), Vec2(0, length)}) {
       const double ahead = energy.at(traceStraightest(geometry, place, way).path.end()).energy;
       const double behind = energy.at(traceStraightest(geometry, place, -way).path.end()).energy;
-      // What is left is the curvature of K, and rounding.
+      // The difference comes from the curvature of K, and rounding.
       EXPECT_NEAR((ahead - behind) / (2 * length), -2 * step.dot(way) / length,
                   1e-4 * geometry.meanEdge);
     }
@@ -139,7 +139,7 @@ TEST(MeanOfMany, OfASymmetricSetOnTheSphereIsItsPole) {
   Random random(6);
   SCOPED_TRACE("seed 6");
   Cloud cloud;
-  // Opposite ones on circles of latitude, up to 60 degrees from the pole.
+  // Opposite points on circles of latitude, up to 60 degrees from the pole.
   constexpr int kPairs = 200;
   for (int i = 0; i < kPairs; ++i) {
     const double latitude = random.uniform(0, kPi / 3);
@@ -153,7 +153,7 @@ TEST(MeanOfMany, OfASymmetricSetOnTheSphereIsItsPole) {
   }
   const Mean mean = centerOfMass(surface, cloud.points, cloud.weights, {});
   EXPECT_EQ(mean.status, Status::kConverged);
-  // As near as the polyhedron is to the sphere, and as exact distances tell.
+  // The error is that of the polyhedron against the sphere, and of exact distances.
   EXPECT_LT((position(surface.mesh(), mean.point).normalized() - pole.normalized()).norm(),
             0.05 * surface.geometry().meanEdge);
 }
@@ -187,11 +187,11 @@ TEST(MeanOfMany, IsAsLowAsThatOfFields) {
     EXPECT_EQ(mean.status, Status::kConverged);
     const double energy = exactEnergy(geometry, cloud, mean.point);
     EXPECT_NEAR(mean.energy, energy, 1e-3 * square(geometry.meanEdge));
-    // Searches from every point, and from all over the surface.
+    // The searches start at every point, and all over the surface.
     MeanOptions options;
     options.looksForOthers = true;
     const Mean ofFields = centerOfMass(surface, cloud.points, cloud.weights, options);
-    // There are minima side by side that differ by less.
+    // Neighbouring minima differ by less.
     EXPECT_LT(energy, 1.01 * exactEnergy(geometry, cloud, ofFields.point));
   }
 }

@@ -69,8 +69,8 @@ TEST(Mean, OfACapOfTheSphereComesNearerTheTruthUnderRefinement) {
   }
 }
 
-/// Long ways are walked in steps that the size of the mesh bounds, which is not that of the box
-/// around it: a box changes when the mesh is turned.
+/// Long steps are bounded by the size of the mesh, not by that of its bounding box, which changes
+/// when the mesh is turned.
 TEST(Mean, IsTheSameWhereverTheSurfaceLies) {
   struct Case {
     const char* mesh;
@@ -154,7 +154,7 @@ TEST(Mean, OfManyPointsIsTheSameInBoundedMemory) {
   Array<SurfacePoint> points;
   Array<double> weights;
   for (int i = 0; i < 40; ++i) {
-    // On one side of the torus, so that there is one center.
+    // The points lie on one side of the torus, so that there is one center.
     const Vec2 place(random.uniform(-0.6, 0.6), random.uniform(-1, 1));
     points.push_back(nearestPoint(surface.mesh(), conformalTorus(place)));
     weights.push_back(random.uniform(0.1, 1));
@@ -195,7 +195,7 @@ TEST(Mean, KeepsTheFieldsOfPointsThatStay) {
   options.normalize = true;
   FieldSets sets(surface);
   std::shared_ptr<FieldSet> kept;
-  // What was kept does not show: the answers are those of a cold start, bit by bit.
+  // Reused fields do not change the results: they equal those of a cold start, bit by bit.
   const auto expectMade = [&](int count) {
     const bool goesOn = kept && kept->options() == options.field;
     const int before = goesOn ? kept->made() : 0;
@@ -275,7 +275,7 @@ TEST(Mean, HasNoEnergyBelowZeroWithPositiveWeights) {
   const uint64_t seed = 5;
   Random random(seed);
   for (int i = 0; i < (longRun() ? 200 : 20); ++i) {
-    // All in one face, where the squared distances are the least.
+    // All points lie in one face, where the squared distances are smallest.
     const int face = random.index(surface.mesh().faceCount());
     Array<SurfacePoint> points;
     Array<double> weights;

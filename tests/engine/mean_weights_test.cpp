@@ -20,7 +20,7 @@ Array<Vec2> randomVectors(Random& random, int count) {
   return vectors;
 }
 
-/// How far weights are from balancing: of their sum from 1, and of the weighted sum from 0.
+/// The imbalance of weights: the difference of their sum from 1, and the norm of the weighted sum.
 double imbalance(const Array<Vec2>& vectors, const Array<double>& weights) {
   double sum = -1;
   Vec2 balance = Vec2::Zero();
@@ -47,7 +47,7 @@ bool canBalance(const Array<Vec2>& vectors, const Array<double>& given) {
   }
 }
 
-/// Whether 0 lies in the convex hull: whether it lies in a triangle of three of the vectors.
+/// Whether the convex hull contains 0: whether a triangle of three of the vectors does.
 bool isAround(const Array<Vec2>& v) {
   for (int i = 0; i < v.count(); ++i) {
     for (int j = 0; j < i; ++j) {
@@ -86,7 +86,7 @@ TEST(MeanWeights, ChangeTheGivenOnesAsLittleAsCanBe) {
     for (double& weight : given) weight /= sum;
     const Array<double> weights = balancedWeights(vectors, given, false);
     EXPECT_LT(imbalance(vectors, weights), 1e-12);
-    // Scaled by the caller they are the same.
+    // Multiplied by the caller they give the same result.
     Array<double> doubled = given;
     for (double& weight : doubled) weight *= 2;
     EXPECT_LT(squaredDistance(balancedWeights(vectors, doubled, false), weights), 1e-24);
@@ -99,7 +99,7 @@ TEST(MeanWeights, ChangeTheGivenOnesAsLittleAsCanBe) {
     EXPECT_GE(least, 0);
     withHeld += least == 0;
     EXPECT_GE(squaredDistance(sound, given), squaredDistance(weights, given) - 1e-12);
-    // No other feasible weights lie nearer: towards the balanced triangles that there are.
+    // No other feasible weights are nearer: the test moves towards balanced triangles.
     for (int a = 0; a < count; ++a) {
       for (int b = 0; b < a; ++b) {
         for (int c = 0; c < b; ++c) {
@@ -162,16 +162,16 @@ TEST(MeanWeights, OnThePlaneSumToOneAndReproduceThePoint) {
         whole += result.weights[k];
         absolute += std::abs(result.weights[k]);
       }
-      // Each log vector's error counts as often as its weight: of positive weights once in all.
+      // Each log vector's error counts with its weight; positive weights have sum 1.
       EXPECT_NEAR(whole, 1, 1e-12 * absolute);
       EXPECT_LT((sum - position(mesh, x)).norm(), 1e-12 * absolute * surface.geometry().diagonal);
-      // The energy of weights of sum 1 is the squared distance from the center, and a constant.
+      // For weights of sum 1 the energy is the squared distance from the center plus a constant.
       EXPECT_TRUE(result.isMinimum);
     }
   }
 }
 
-/// Points round a place, within so many mean edges of it in space.
+/// Points around a place, within some mean edges of it in space.
 Array<SurfacePoint> pointsRound(const Geometry& geometry, const SurfacePoint& x, double edges,
                                 int count, Random& random) {
   const TriangleMesh& mesh = *geometry.mesh;
@@ -233,7 +233,7 @@ TEST(MeanWeights, MakeThePointTheCenterOfMassWhereTheHessianIsPositiveDefinite) 
       EXPECT_EQ(zero.status, Status::kConverged);
       EXPECT_LT((position(mesh, zero.point) - position(mesh, x)).norm(), 1e-9 * h);
       if (!result.isMinimum) {
-        ++lower;  // by exact distances, which is what the mean is then held to
+        ++lower;  // by exact distances, which the mean is checked against
         continue;
       }
       ++stay;

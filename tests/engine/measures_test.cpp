@@ -50,7 +50,7 @@ TEST(Turning, OfASphereIsThatOfGeodesicCurvature) {
 }
 
 TEST(Turning, DoesNotSeeTheSurfaceBend) {
-  // Once around a cylinder, along a circle that is a geodesic.
+  // The line runs once around a cylinder, along a circle that is a geodesic.
   const FlatCylinder cylinder = flatCylinder(90, 2, 1);
   const TriangleMesh mesh = meshOf(cylinder.soup);
   double middle = 0;
@@ -83,10 +83,10 @@ TEST(HausdorffDistance, OfSimplePolylines) {
   const Array<Vec3> line = {{0, 0, 0}, {2, 0, 0}};
   EXPECT_NEAR(distanceOf(line, line), 0, 1e-15);
   EXPECT_NEAR(distanceOf(line, {{0, 0.5, 0}, {2, 0.5, 0}}), 0.5, 1e-9);
-  // Only the longer one has a point that is far from the other.
+  // Only the longer line has a point far from the other.
   EXPECT_NEAR(distanceOf(line, {{0, 0, 0}, {5, 0, 0}}), 3, 1e-9);
   EXPECT_NEAR(distanceOf({{0, 0, 0}, {5, 0, 0}}, line), 3, 1e-9);
-  // Other points of the same line.
+  // The second polyline has other points of the same line.
   EXPECT_NEAR(distanceOf(line, {{0, 0, 0}, {0.3, 0, 0}, {1.1, 0, 0}, {2, 0, 0}}), 0, 1e-15);
 }
 
@@ -97,7 +97,7 @@ TEST(HausdorffDistance, MayBeLargestInsideAPiece) {
 }
 
 TEST(HausdorffDistance, OfArcsAroundACenterIsTheDifferenceOfRadii) {
-  // Chords of 2e-3 lie 5e-7 inside.
+  // Chords of length 2e-3 lie 5e-7 inside the circle.
   const MeasuredPolyline inner(arcAround({0, 0, 0}, 1, 2, 1000));
   const MeasuredPolyline outer(arcAround({0, 0, 0}, 1.25, 2, 1000));
   EXPECT_NEAR(hausdorffDistance(inner, outer, 1e-6), 0.25, 2e-6);
@@ -122,7 +122,7 @@ TEST(HausdorffDistance, AgreesWithManyPlaces) {
   for (const Vec3& p : evenlySpaced(b.points(), kPlaces)) {
     largest = std::max(largest, std::sqrt(a.nearest(p).squaredDistance));
   }
-  // Places are about 60 / 20,000 apart.
+  // The places are about 60 / 20,000 apart.
   EXPECT_NEAR(hausdorffDistance(a, b, 1e-9), largest, 2e-3);
   EXPECT_GE(hausdorffDistance(a, b, 1e-9), largest - 1e-9);
 }
@@ -170,7 +170,7 @@ TEST(CountStep, TellsShiversFromPassages) {
   countStep(figures, lineAt(0), lineAt(0.6), 0.1);
   EXPECT_EQ(figures.shivers, 1);
   EXPECT_NEAR(figures.largestLeap, 6, 2e-2);
-  // A passage that allows 8 steps, of which 7.2 are made.
+  // A passage allows 8 steps, and 7.2 are taken.
   countStep(figures, lineAt(0), lineAt(0.72), 0.1, 0.8);
   EXPECT_EQ(figures.steps, 2);
   EXPECT_EQ(figures.passing, 1);
@@ -178,12 +178,12 @@ TEST(CountStep, TellsShiversFromPassages) {
   EXPECT_NEAR(figures.largestPassing, 0.9, 1e-2);
   countStep(figures, lineAt(0), lineAt(0.9), 0.1, 0.8);
   EXPECT_EQ(figures.beyond, 1);
-  // What else allows a leap in the same step is added.
+  // Another cause of a leap in the same step is added.
   DragFigures both;
   countStep(both, lineAt(0), lineAt(0.9), 0.1, 0.8, [] { return 0.2; });
   EXPECT_EQ(both.beyond, 0);
   EXPECT_NEAR(both.largestPassing, 0.9, 1e-2);
-  // A passage that allows less than a shiver excuses none.
+  // A passage that allows less than a shiver excuses no leap.
   countStep(figures, lineAt(0), lineAt(0.72), 0.1, 0.4);
   EXPECT_EQ(figures.shivers, 2);
   EXPECT_NEAR(figures.shiverShare(), 2.0 / 3, 1e-15);
@@ -201,7 +201,7 @@ TEST(PassedVertices, AreThoseBetweenTwoPaths) {
   }
   const TriangleMesh mesh = buildMesh(positions, faces);
   const Geometry geometry = buildGeometry(mesh);
-  // From face 5, over the edges to corners 1 and 2 or 6 and 5, to the other side.
+  // Paths from face 5 to the opposite face, over the edges to corners 1 and 2 or 6 and 5.
   const auto over = [&](std::initializer_list<int> edges) {
     Array<SurfacePoint> path = {{5, Vec3(0.2, 0.4, 0.4)}};
     for (const int face : edges) path.push_back(edgePoint(3 * face, 0.5));
@@ -230,8 +230,8 @@ TEST(AnglesBetween, AreTheCurvatureBetweenGeodesics) {
   const SurfacePoint to{2, {1 - x - y, x, y}};
   const SurfacePoint middle{0, {1 - x, 0, x}};
   const Array<SurfacePoint> straight = {from, middle, to};
-  // Both points are as far from the corner, so unfolded about it the other path is a base of an
-  // isosceles triangle.
+  // Both points are equally far from the corner, so that unfolded around it the other path is the
+  // base of an isosceles triangle.
   const double turn = 3 * kPi / 2 - 2 * std::atan2(y, x);
   const double toEdge = kPi / 2 - std::atan2(y, x);
   const double crossing = std::hypot(x, y) * std::cos(turn / 2) / std::cos(turn / 2 - toEdge);

@@ -21,7 +21,7 @@ std::string errorOf(const TriangleSoup& soup) {
   return "";
 }
 
-/// Every triangle with vertices of its own.
+/// The soup with separate vertices for every triangle.
 TriangleSoup exploded(const TriangleSoup& soup) {
   TriangleSoup result;
   for (const Triangle& t : soup.triangles) {
@@ -35,7 +35,7 @@ TriangleSoup exploded(const TriangleSoup& soup) {
 const TriangleSoup kTetrahedron = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                    {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 
-/// The tetrahedron and a copy of it, its own vertices moved to where `move` takes them.
+/// The tetrahedron and a copy of it, whose own vertices are moved by `move`.
 template <class Move>
 TriangleSoup withCopy(Move&& move) {
   TriangleSoup result = kTetrahedron;
@@ -46,7 +46,7 @@ TriangleSoup withCopy(Move&& move) {
   return result;
 }
 
-/// The mesh says the same as the soup in the caller's numbers.
+/// Checks that the mesh equals the soup in the caller's numbering.
 void expectSameSurface(const TriangleSoup& soup, const ImportedMesh& imported) {
   const TriangleMesh& mesh = imported.mesh;
   const Numbering& numbering = imported.numbering;
@@ -84,8 +84,8 @@ TEST(ImportMesh, PutsNeighboursNearEachOther) {
   const TriangleMesh mesh = importMesh(soup).mesh;
   double distance = 0;
   for (int h = 0; h < mesh.halfedgeCount(); ++h) distance += std::abs(mesh.tail(h) - mesh.head(h));
-  // Neighbours on a space-filling curve of the surface are about sqrt(vertices) apart, those in a
-  // random order a third of the vertices.
+  // Neighbours on a space-filling curve of the surface are about sqrt(vertices) apart, in a random
+  // order a third of the vertices.
   EXPECT_LT(distance / mesh.halfedgeCount(), 5 * std::sqrt(mesh.vertexCount()));
 }
 
@@ -132,7 +132,7 @@ TEST(ImportMesh, TakesMinusZeroForZero) {
 
 TEST(ImportMesh, KeepsPartsApartThatTouchAtAVertex) {
   const TriangleSoup soup = withCopy([](const Vec3& p) { return Vec3(-p); });
-  // -p turns the copy's faces inside out; that does not matter to its being a surface.
+  // -p turns the copy's faces inside out, which leaves it a surface.
   const ImportedMesh imported = importMesh(soup);
   expectSameSurface(soup, imported);
   EXPECT_EQ(topology(imported.mesh).components, 2);
@@ -144,11 +144,11 @@ TEST(ImportMesh, KeepsPartsApartThatTouchAtAVertex) {
 }
 
 TEST(ImportMesh, KeepsPartsApartThatTouchAlongAnEdge) {
-  // Turned by half a turn about the z axis: the edge 0-3 has four faces.
+  // The copy is rotated by half a turn about the z axis: the edge 0-3 has four faces.
   const auto turn = [](const Vec3& p) { return Vec3(-p.x(), -p.y(), p.z()); };
   const TriangleSoup soup = withCopy(turn);
   EXPECT_EQ(topology(importMesh(soup).mesh).components, 2);
-  // The same without any shared vertices: everything but that edge's own doubt is welded.
+  // The same without shared vertices: everything except that ambiguous edge is welded.
   const ImportedMesh imported = importMesh(exploded(soup));
   EXPECT_EQ(topology(imported.mesh).components, 2);
   EXPECT_EQ(topology(imported.mesh).boundaryLoops, 0);
@@ -165,7 +165,7 @@ TEST(ImportMesh, KeepsTheTwoSidesOfADoubledSheetApartInside) {
     soup.triangles.emplace_back(front[1] + 5, front[0] + 5, front[2] + 5);
   }
   const ImportedMesh imported = importMesh(soup);
-  // Closed along the rim like a cushion, with a center on each side.
+  // The result is closed along the rim like a cushion, with a center on each side.
   EXPECT_EQ(imported.mesh.vertexCount(), 6);
   EXPECT_EQ(topology(imported.mesh).boundaryLoops, 0);
 }

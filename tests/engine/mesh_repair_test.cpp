@@ -33,7 +33,7 @@ Vec3 placeInSoup(const TriangleSoup& soup, int face, const Vec3& bary) {
   return place;
 }
 
-/// Points of every input triangle are at their place in the engine, and come back from there.
+/// Checks that points of every input triangle are at their place in the engine, and back.
 void expectSamePlaces(const TriangleSoup& soup, const ImportedMesh& imported, double tolerance) {
   const TriangleMesh& mesh = imported.mesh;
   const Numbering& numbering = imported.numbering;
@@ -62,20 +62,19 @@ void expectSamePlaces(const TriangleSoup& soup, const ImportedMesh& imported, do
   }
 }
 
-/// The adjacency is that of its faces.
+/// Checks that the adjacency matches the faces.
 void expectSound(const TriangleMesh& mesh) {
   const TriangleMesh again = buildMesh(mesh.positions, mesh.faces);
   EXPECT_TRUE(again.twin == mesh.twin);
   EXPECT_TRUE(again.onBoundary == mesh.onBoundary);
 }
 
-/// How far a point may be from its place: where vertices were moved from their own, twice sqrt(3) /
-/// 2 of 1e-9 of the diagonal.
+/// The tolerance of places: where vertices were moved, twice sqrt(3) / 2 of 1e-9 of the diagonal.
 double apart(Defect defect, const TriangleMesh& mesh) {
   return (defect == Defect::kSeams ? 1.8e-9 : 1e-14) * boundingBoxDiagonal(mesh);
 }
 
-/// Each defect alone is mended by its own repair, counted, and the shape is as it was.
+/// Each defect alone is repaired by its own repair, counted, and leaves the shape unchanged.
 TEST(RepairMesh, MendsEachDefectAlone) {
   for (const Shape shape : kShapes) {
     const TriangleSoup sound = makeShape(shape, 2000);
@@ -98,8 +97,8 @@ TEST(RepairMesh, MendsEachDefectAlone) {
   }
 }
 
-/// In pairs they are mended as well; with the last, which takes the vertices of the others apart,
-/// some are mended by another repair than their own.
+/// Pairs of defects are repaired as well. The last defect separates the vertices of the others, so
+/// that another repair may apply to them.
 TEST(RepairMesh, MendsDefectsInPairs) {
   SKIP_WHERE_SANITIZED();
   uint64_t seed = 100;
@@ -170,7 +169,7 @@ TEST(RepairMesh, RefusesWhatHasOneSide) {
     EXPECT_EQ(error.code(), ErrorCode::kNotOrientable);
     EXPECT_EQ(std::string(error.what()).substr(0, 35), "the surface has one side only, as a");
   }
-  // With a seam it has two, and the seam stays open.
+  // With a seam the strip has two sides, and the seam stays open.
   const ImportedMesh strip = importMesh(moebius(20, true));
   EXPECT_EQ(topology(strip.mesh).boundaryLoops, 1);
   EXPECT_EQ(topology(strip.mesh).components, 1);
@@ -187,7 +186,7 @@ TEST(RepairMesh, TurnsTheFewerFacesOver) {
   expectSamePlaces(soup, imported, 1e-14);
 }
 
-/// Two halves of a torus whose seams lie apart by some of the diagonal.
+/// Two halves of a torus whose seams are a fraction of the diagonal apart.
 TriangleSoup halves(double gap) {
   const TriangleMesh torus = importMesh(makeShape(Shape::kTorus, 4000)).mesh;
   TriangleSoup soup;
@@ -217,11 +216,11 @@ TEST(RepairMesh, WeldsWithinTheTolerance) {
   EXPECT_EQ(loops(1.1e-6, -1), 4);
   EXPECT_EQ(loops(1.1e-6, 1.2e-6 * diagonal), 0);
   EXPECT_EQ(loops(0, 0), 4);
-  // Whatever is asked for: triangles keep their corners.
+  // Triangles keep their corners even with a large tolerance.
   EXPECT_EQ(loops(0, 10 * diagonal), 0);
 }
 
-/// A grid, moved by `shift`, whose triangles have vertices of their own, each moved by up to `most`
+/// A grid, moved by `shift`, with separate vertices for its triangles, each moved by up to `most`
 /// more.
 TriangleSoup looseGrid(int n, double most, const Vec3& shift, Random& random) {
   TriangleSoup soup;
@@ -241,8 +240,8 @@ TriangleSoup looseGrid(int n, double most, const Vec3& shift, Random& random) {
   return soup;
 }
 
-/// Points are first united in cubes: wherever these lie, those within the tolerance are welded, and
-/// those beyond are not.
+/// Points are first grouped in cubes: in any position, points within the tolerance are welded, and
+/// farther ones are not.
 TEST(RepairMesh, WeldsWhateverCubesPointsLieIn) {
   const uint64_t seed = 31;
   SCOPED_TRACE("seed " + std::to_string(seed));
@@ -258,14 +257,14 @@ TEST(RepairMesh, WeldsWhateverCubesPointsLieIn) {
     for (int v = 0; v < soup.positions.count(); ++v) {
       soup.positions[v].z() += v / 3 % 2 == 0 ? 0 : 1.5 * kWeld;
     }
-    // The two triangles of a square are at different heights, and alike ones meet at vertices
-    // alone.
+    // The two triangles of a square are at different heights, and those at equal heights meet only
+    // at vertices.
     EXPECT_EQ(importMesh(soup, options).mesh.vertexCount(), soup.positions.count());
   }
 }
 
-/// Many corners at three places, all within the tolerance of each other: no two triangles that an
-/// edge would join are alone there, and all stay apart.
+/// Many corners at three places, all within the tolerance: an edge would join more than two
+/// triangles, so all stay apart.
 TEST(RepairMesh, KeepsAClusterOfTrianglesApart) {
   Random random(4);
   TriangleSoup soup;
@@ -284,7 +283,7 @@ TEST(RepairMesh, KeepsAClusterOfTrianglesApart) {
 }
 
 TEST(RepairMesh, KeepsPartsApartThatOnlyTouch) {
-  // Two triangles with a corner at one place, but for rounding.
+  // Two triangles with a corner at one place, up to rounding.
   const TriangleSoup soup = {
       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e-12, 0, 0}, {-1, 0, 0}, {0, -1, 0}},
       {{0, 1, 2}, {3, 4, 5}}};
@@ -324,8 +323,7 @@ TEST(RepairMesh, PartsAWallFromTheBoxAroundIt) {
   expectSamePlaces(soup, imported, 1e-15);
 }
 
-/// All corners of a polygon on a line, cut into triangles without area, beside a face with one.
-/// A sheet of columns x rows quads over the plane, and its turned copy with vertices of its own.
+/// A sheet of columns x rows quads over the plane, and its reversed copy with separate vertices.
 TriangleSoup sheetWithItsBack(int columns, int rows) {
   TriangleSoup soup;
   for (int j = 0; j <= rows; ++j) {
@@ -352,7 +350,7 @@ TEST(RepairMesh, DoesNotTearASheetWithItsBack) {
     expectSamePlaces(soup, imported, 1e-12);
     EXPECT_EQ(imported.mesh.faceCount(), soup.triangles.count());
     EXPECT_EQ(topology(imported.mesh).components, 1);
-    // What was joined in the file still is.
+    // Faces that the file joins stay joined.
     const TriangleMesh sheet =
         buildMesh({soup.positions.begin(), soup.positions.begin() + soup.positions.count() / 2},
                   {soup.triangles.begin(), soup.triangles.begin() + soup.triangles.count() / 2});
@@ -373,8 +371,8 @@ TEST(RepairMesh, DoesNotTearASheetWithItsBack) {
   }
 }
 
-/// Per input face the input faces at its edges, and per input vertex those around it: whatever
-/// numbers the engine gives.
+/// The input faces at the edges of each input face, and those around each input vertex: independent
+/// of the engine's numbering.
 Array<Array<int>> neighborsInFile(const ImportedMesh& imported) {
   const auto& [mesh, numbering] = std::tie(imported.mesh, imported.numbering);
   Array<Array<int>> result;
@@ -397,8 +395,8 @@ Array<Array<int>> neighborsInFile(const ImportedMesh& imported) {
 }
 
 TEST(RepairMesh, PartsBowTiesAndWallsAlikeHoweverTheMeshLies) {
-  // A grid; a tetrahedron that stands on a vertex, another on a boundary vertex; and walls on two
-  // of its edges, of which the surface on each side goes on alike.
+  // A grid, a tetrahedron on an inner vertex, another on a boundary vertex, and walls on two of its
+  // edges, where the surface continues alike on both sides.
   TriangleSoup soup;
   for (int j = 0; j <= 5; ++j) {
     for (int i = 0; i <= 5; ++i) soup.positions.push_back(Vec3(i, j, 0));
@@ -446,7 +444,7 @@ TEST(RepairMesh, FlipsAChainOfTrianglesOnALine) {
   }
   line.push_back(1);
   for (int i = 0; i + 1 < line.count(); ++i) soup.triangles.emplace_back(line[i + 1], line[i], 3);
-  // The gap between the edge 0-1 and the vertices on it.
+  // The triangles between the edge 0-1 and the vertices on it.
   for (int i = 1; i + 1 < line.count(); ++i) soup.triangles.emplace_back(0, line[i], line[i + 1]);
   const ImportedMesh imported = importMesh(soup);
   EXPECT_EQ(countsOf(imported), (Counts{{"noArea", 19}}));

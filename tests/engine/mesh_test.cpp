@@ -44,8 +44,8 @@ TEST(BuildMesh, JoinsTheHalfedgesOfASquare) {
   EXPECT_EQ(rotateLeft(mesh, 1), -1);
 }
 
-/// What every mesh promises: twins belong together, and a turn from `outgoing` sees each corner of
-/// the vertex once.
+/// Checks the invariants of every mesh: twins match, and a turn from `outgoing` visits each corner
+/// of the vertex once.
 void expectSound(const TriangleMesh& mesh) {
   for (int h = 0; h < mesh.halfedgeCount(); ++h) {
     const int t = mesh.twin[h];

@@ -11,12 +11,12 @@
 #include "generators/gallery.h"
 #include "support.h"
 
-/// Values of near fields that sight does not find, each of which is a path search: a curve has few
-/// of them, however fine the mesh is and whatever levels it was given.
+/// Values of near fields that sight does not find. Each is a path search; a curve needs few of
+/// them, however fine the mesh is and whatever its levels are.
 namespace karcher {
 namespace {
 
-/// A ring tube as wide as a torus, of about so many triangles, nearly squares.
+/// A ring tube as wide as a torus, of about this many nearly square triangles.
 TriangleMesh fineRing(int triangles) {
   const int around = static_cast<int>(std::lround(std::sqrt(triangles / 4.0)));
   return meshOf(ringTube(0.4, around, 2 * around));
@@ -27,8 +27,8 @@ struct Reads {
   int searches = 0;
 };
 
-/// The values that a traced curve's samples need of near fields: those at the corners of the faces
-/// that the samples of each piece lie in.
+/// The values of near fields that a traced curve's samples need: those at the corners of the faces
+/// that contain samples of each piece.
 Reads readsOf(Curve& curve) {
   const Geometry& geometry = curve.surface().geometry();
   std::map<const PointField*, std::set<int>> read;
@@ -110,7 +110,7 @@ double largestDistance(const Curve& a, const Curve& b) {
 TEST(NearFields, GiveTheCurveThatWholeFieldsGive) {
   Random random(12);
   Surface surface(fineRing(20'000));
-  // At the second level the pieces come into sight.
+  // From the second level on the pieces are in sight.
   for (const int levels : {1, 2, 3}) {
     CurveOptions options;
     options.shape = {CurveKind::kBezier};
@@ -126,7 +126,7 @@ TEST(NearFields, GiveTheCurveThatWholeFieldsGive) {
   }
 }
 
-/// A curve is that of its value also where an edit brings its pieces into sight or out of it.
+/// A curve depends only on its value, even if an edit brings its pieces into or out of sight.
 TEST(NearFields, AreThoseOfTheValueAfterEdits) {
   Random random(13);
   Surface surface(fineRing(20'000));
@@ -139,7 +139,7 @@ TEST(NearFields, AreThoseOfTheValueAfterEdits) {
   Curve curve(surface, options, points);
   ASSERT_TRUE(curve.fieldsOf(0)[0]->isNear());
   const SurfacePoint first = points.back();
-  // Across the hole.
+  // The second point lies across the hole.
   const SurfacePoint far = nearestPoint(surface.mesh(), -position(surface.mesh(), first));
   bool wasFar = false;
   for (const SurfacePoint& place : {far, first, far}) {

@@ -18,7 +18,7 @@
 namespace karcher {
 namespace {
 
-/// The error that reading throws, as "code: sentence"; empty if there was none.
+/// The error of reading, as "code: sentence"; empty if there was none.
 std::string errorOf(const std::string& text, bool mend = true) {
   try {
     readObj(text, {mend, {}});
@@ -50,7 +50,7 @@ TEST(ReadObj, SkipsWhatItDoesNotUse) {
   EXPECT_TRUE(obj.soup.triangles == triangles);
 }
 
-/// What C's printf makes of a number.
+/// A number as printed by C's printf.
 std::string printed(const char* format, double value) {
   char text[400];
   std::snprintf(text, sizeof text, format, value);
@@ -119,7 +119,7 @@ TEST(ReadObj, ReadsThePartsThatAreWanted) {
       EXPECT_TRUE(std::string(error.what()).ends_with("the file has 2, numbered from 0"));
     }
   }
-  // A polygon that cannot be cut is named by its own line, whatever stands before it.
+  // The line of a polygon that cannot be cut is named, whatever precedes it.
   try {
     readObj(kThree + "v 1 1 0\nf 1 2 4 3\ng b\nf 1 2 2 3\n", {false, Array<int>{1}});
     ADD_FAILURE();
@@ -146,7 +146,7 @@ double coordinateOf(const std::string& decimal) {
   return readObj("v " + decimal + " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").soup.positions[0].x();
 }
 
-/// How many doubles lie between two of one sign.
+/// The number of doubles between two of the same sign.
 int64_t unitsApart(double a, double b) {
   int64_t i = 0;
   int64_t j = 0;
@@ -155,8 +155,8 @@ int64_t unitsApart(double a, double b) {
   return std::abs(i - j);
 }
 
-/// Coordinates come within 10 units in the last place of what was printed; 8 are the most that a
-/// million draws have shown.
+/// Coordinates are read within 10 units in the last place of the printed value; a million draws
+/// have shown at most 8.
 TEST(ReadObj, ReadsNumbersToTheLastPlaces) {
   const uint64_t seed = 5;
   SCOPED_TRACE("seed " + std::to_string(seed));
@@ -171,14 +171,14 @@ TEST(ReadObj, ReadsNumbersToTheLastPlaces) {
       ASSERT_LE(units, 10) << text;
       worst = std::max(worst, units);
     }
-    // Shortest: the first of so many digits that gives the number back.
+    // The shortest notation: the fewest digits that restore the number.
     for (int digits = 1; digits <= 17; ++digits) {
       char text[40];
       std::snprintf(text, sizeof text, "%.*g", digits, value);
       ASSERT_LE(unitsApart(coordinateOf(text), std::strtod(text, nullptr)), 10) << text;
     }
   }
-  // What every reader gets right is read right: else this test would know nothing.
+  // Some numbers must be inexact: otherwise the test would prove nothing.
   EXPECT_GT(worst, 0);
   EXPECT_EQ(coordinateOf("-12.5"), -12.5);
 }
@@ -262,7 +262,7 @@ TEST(ReadObj, QuotesJunkWithPrintableCharactersOnly) {
   EXPECT_EQ(errorOf("v 0 0 \x01g\xff\n"), "badFile: line 1: the coordinate '?g?' is not a number");
 }
 
-/// Whatever a file holds, it is an error or a soup whose triangles have vertices.
+/// Every file gives an error, or a soup whose triangles have vertices.
 TEST(ReadObj, SurvivesDamagedFiles) {
   const std::string sound =
       "# a cube's corner\nmtllib a.mtl\no x\ng y z\nv 0 0 0\nv 1.5e0 0 -0\nv 0 1 0 1\nvn 0 0 1\n"
@@ -338,7 +338,7 @@ TEST(ReadObj, TakesAVertexOnceThatAPolygonNamesTwice) {
   EXPECT_EQ(quad.repeatedCorners, 1);
   EXPECT_EQ(quad.polygonsCut, 0);
   EXPECT_TRUE(quad.soup.triangles == (Array<Triangle>{{0, 1, 2}}));
-  // Around the end of the list, and a polygon that is still one.
+  // The repeated vertex is at the end of the list, and the polygon is still valid.
   const ObjContents more = readObj(kThree + "v 1 1 0\nf 1 1 2 4 3 1\nf 2 2 2 2\n");
   EXPECT_EQ(more.repeatedCorners, 1);
   EXPECT_EQ(more.polygonsCut, 1);
@@ -352,11 +352,11 @@ TEST(ReadObj, CutsAPolygonOnALineIntoTrianglesWithoutArea) {
   EXPECT_EQ(errorOf(line, false).substr(0, 15), "degenerateFace:");
 }
 
-/// A five-pointed star, drawn in one line, which no cuts make a polygon of.
+/// A five-pointed star with crossing sides, which cannot be cut into triangles.
 const std::string kCrossing = "v 0 3 0\nv 2 -3 0\nv -3 1 0\nv 3 1 0\nv -2 -3 0\nf 1 2 3 4 5\n";
 
 TEST(ReadObj, CutsAQuadThatCrossesItselfAlongItsShorterDiagonal) {
-  // 0 and 2 are a unit apart, 1 and 3 two.
+  // The diagonal from 0 to 2 has length 1, that from 1 to 3 length 2.
   const std::string quad = "v 0 0 0\nv 2 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n";
   const ObjContents obj = readObj(quad);
   EXPECT_TRUE(obj.soup.triangles == (Array<Triangle>{{0, 1, 2}, {0, 2, 3}}));
@@ -457,8 +457,8 @@ double areaOf(const Array<Vec3>& corners, const Array<Triangle>& triangles) {
   return area;
 }
 
-/// A square of side 4 with a square hole of side 2, whose ring a bridge joins: at any of its
-/// corners, however it is turned.
+/// A square of side 4 with a square hole of side 2, joined by a bridge at any of its corners, in
+/// every orientation.
 TEST(CutPolygon, CutsAFaceWhoseHoleABridgeJoins) {
   const Array<Vec2> outer = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   const Array<Vec2> hole = {{1, 1}, {1, 3}, {3, 3}, {3, 1}};
@@ -486,7 +486,7 @@ TEST(CutPolygon, CutsACoggedRing) {
   double area = 0;
   const int n = 48;
   const auto at = [](double radius, int i) {
-    // The ends of the bridge are the same to the last bit, as those of one vertex are.
+    // The ends of the bridge are identical to the last bit, as if they were one vertex.
     const Vec2 p = radius * unitVector(2 * kPi * (i % n) / n);
     return Vec3(p.x(), p.y(), 1);
   };
@@ -502,7 +502,7 @@ TEST(CutPolygon, CutsACoggedRing) {
   EXPECT_NEAR(areaOf(ring, triangles), area, 1e-12);
 }
 
-/// A star with 9 points, far from the origin; every second corner is pulled in.
+/// A star with 9 points, far from the origin; every second corner lies inwards.
 TEST(CutPolygon, KeepsTheAreaOfPolygonsThatAreNotConvex) {
   Array<Vec3> star;
   for (int i = 0; i < 18; ++i) {

@@ -45,7 +45,7 @@ double lengthOf(const Array<Isoline>& lines) {
   return length;
 }
 
-/// Lines whose points share faces one by one and lie, with the middles of their chords, at the
+/// Checks lines: consecutive points share a face, and points and the middles of chords are at the
 /// distance.
 void expectAtDistance(const Geometry& geometry, const Array<Isoline>& lines,
                       const std::function<double(const SurfacePoint&)>& distance, double expected,
@@ -77,7 +77,7 @@ TEST(PathDistance, OnThePlaneItIsTheStraightOne) {
   for (int run = 0; run < 20; ++run) {
     Array<Vec2> corners;
     for (int i = 0; i < 5; ++i) corners.emplace_back(random.uniform(1, 11), random.uniform(1, 9));
-    // Through vertices and along edges, too.
+    // The path also passes through vertices and along edges.
     if (run % 2 == 0) {
       for (Vec2& corner : corners) corner = corner.array().round();
     }
@@ -118,10 +118,9 @@ TEST(PathDistance, OnMeshesItIsTheLeastOfThatOfItsPoints) {
         least[v] = std::min(least[v], exact.distance(v));
       }
     }
-    // A sample lies within half a step of the nearest point, so that no way from it is longer by
-    // more. It lies at a right angle to that way, so that on the whole ways are longer in second
-    // order only: where nothing bends ways, by step^2 / (8 d); beside a vertex that they turn
-    // round, by what that is.
+    // A sample lies within half a step of the nearest point, so that its path is longer by at most
+    // that. The step is at a right angle to the path, so that usually the excess is of second
+    // order: step^2 / (8 d) where paths do not bend; beside a vertex around which they bend, more.
     const bool isConvex = std::string(name) == "sphere, random";
     double nearest = 0;
     double farthest = 0;
@@ -161,13 +160,13 @@ TEST(Offset, OfARectangleOnThePlane) {
     ASSERT_EQ(left.count(), 1);
     ASSERT_EQ(right.count(), 1);
     ASSERT_EQ(both.count(), 2);
-    // Inside its corners stay, outside they are round.
+    // On the inside its corners stay, on the outside they are round.
     EXPECT_NEAR(left[0].length, around - 8 * d, 4e-3 * d);
     EXPECT_NEAR(right[0].length, around + 2 * kPi * d, 4e-3 * d);
     EXPECT_NEAR(lengthOf(both), left[0].length + right[0].length, 1e-9);
     expectAtDistance(sheet.geometry, both, distance, d, 1e-3);
   }
-  // There is nothing farther inside.
+  // Farther inside the offset is empty.
   EXPECT_EQ(offsetLines(sheet.geometry, {&path, 1}, 2.2, OffsetSide::kLeft).count(), 0);
 }
 
@@ -183,7 +182,7 @@ TEST(Offset, OfAnOpenPathGoesRoundItsEnds) {
     ASSERT_EQ(lines.count(), 1);
     EXPECT_FALSE(lines[0].closed);
     EXPECT_NEAR(lines[0].length, 5.2, 1e-6);
-    // As the path runs, and on its side.
+    // The offset runs in the direction of the path, on its side.
     const Vec3 first = position(sheet.mesh, lines[0].points.front());
     const double y = side == OffsetSide::kLeft ? 5 + d : 5 - d;
     EXPECT_LT((first - Vec3(3, y, 0)).norm(), 1e-6);
@@ -192,7 +191,7 @@ TEST(Offset, OfAnOpenPathGoesRoundItsEnds) {
 
 TEST(Offset, OfAPathFromRimToRimEndsThereToo) {
   const Sheet sheet(planeGrid(12, 10));
-  // Slanted: on one side the ways to the rim come round its ends.
+  // The path is slanted: on one side the shortest paths to the rim lead around its ends.
   const SurfacePath path = polygonOn(sheet.geometry, {Vec2(4, 0), Vec2(6.5, 10)}, false);
   for (const OffsetSide side : {OffsetSide::kLeft, OffsetSide::kRight}) {
     const auto lines = offsetLines(sheet.geometry, {&path, 1}, 1.3, side);
@@ -223,7 +222,7 @@ TEST(Offset, OnTheSphereAndTheTorusItIsTheCircleBeside) {
     ASSERT_EQ(up.count(), 1);
     const double error = std::abs(up[0].length - 2 * kPi * std::cos(0.8));
     if (last > 0) {
-      // Sixteen times as many triangles have edges a fourth as long.
+      // With sixteen times as many triangles the edges are a quarter as long.
       EXPECT_LT(error, last / 8);
     }
     last = error;
@@ -237,7 +236,7 @@ TEST(Offset, OnTheSphereAndTheTorusItIsTheCircleBeside) {
     points.push_back(nearestPoint(
         torus.mesh, (kTorusMajor + kTorusMinor) * Vec3(std::cos(angle), std::sin(angle), 0)));
   }
-  // Beside the outermost circle others of the angle d / minor on both sides.
+  // Beside the outermost circle the offsets are circles at the angle d / minor on both sides.
   const SurfacePath path = chain(torus.geometry, points, true);
   const double d = 0.8 * kTorusMinor;
   const auto both = offsetLines(torus.geometry, {&path, 1}, d, OffsetSide::kBoth);
@@ -260,7 +259,7 @@ TEST(Offset, KeepsItsDistanceOnRoughSurfaces) {
       const auto lines = offsetLines(surface.geometry, {&path, 1}, d, OffsetSide::kBoth);
       const PathDistance field(surface.geometry, {&path, 1}, kInfinity);
       SCOPED_TRACE(std::string(name) + ", " + std::to_string(part));
-      // A path may come so near to all of a surface that nothing lies at the distance.
+      // A path may come so near to the whole surface that no point is at the distance.
       double farthest = 0;
       for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
         farthest = std::max(farthest, field.at(vertexPoint(surface.mesh, v)).value);

@@ -17,9 +17,9 @@ LogMap logMap(const HeatOperators& operators, const SurfacePoint& source, Affine
 }
 
 TEST(AffineHeat, IsExactOnThePlane) {
-  // With u (x - p) for the vectors and u for the heat, the system is the heat flow of u.
-  // Heat must not pass 0, where digits are lost: edges are flipped to Delaunay, and the sheared
-  // piece left out, whose boundary edges face obtuse angles and cannot be flipped.
+  // With u (x - p) as vectors and u as heat, the system is the heat flow of u. Heat must not fall
+  // below 0, where digits are lost: edges are flipped to Delaunay, and the sheared piece is left
+  // out, since its boundary edges face obtuse angles and cannot be flipped.
   for (const AffineVariant variant : kVariants) {
     for (const PlaneTessellation tessellation : kPlaneTessellations) {
       if (tessellation == PlaneTessellation::kStretchedSheared) continue;
@@ -55,7 +55,7 @@ TEST(AffineHeat, IsNearTheLogarithmOfTheSphere) {
     for (int v = 0; v < mesh.vertexCount(); ++v) {
       const double distance = std::acos(std::clamp(from.dot(mesh.positions[v]), -1.0, 1.0));
       if (distance > 1.5) continue;
-      // Heat spreads over many paths, which the curvature bends away from the shortest.
+      // Heat spreads over many paths, and curvature bends these away from the shortest.
       const double tolerance = distance < 0.5 ? 0.3 : 1;
       EXPECT_NEAR(logs[v].norm(), distance, tolerance * geometry.meanEdge);
     }

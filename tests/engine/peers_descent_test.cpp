@@ -43,7 +43,7 @@ TEST(Descent, FollowsAStraightLineWhereDistancesAreLinear) {
 }
 
 TEST(Descent, ComesDownToTheSourceOnTheBunny) {
-  // Distances along edges have their only minimum at the source, a vertex.
+  // Distances along edges have their only minimum at the source, which is a vertex.
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);
   const SurfacePoint source = vertexPoint(mesh, 700);
@@ -107,7 +107,7 @@ TEST(Descent, SaysWhereItIsStuck) {
 }
 
 TEST(Descent, DoesNotAskForDistancesOfOtherComponents) {
-  // A square, on whose diagonal the way runs, and beside it a triangle that no distance reaches.
+  // A square with the path on its diagonal, and a triangle beside it that no distance reaches.
   const TriangleMesh mesh =
       buildMesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}},
                 {{0, 1, 3}, {1, 2, 3}, {4, 5, 6}});

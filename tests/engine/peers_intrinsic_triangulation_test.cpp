@@ -40,7 +40,7 @@ TEST(IntrinsicTriangulation, FlipsKeepTheSurface) {
     EXPECT_EQ(triangulation.length[twin], triangulation.length[h]);
     EXPECT_GT(oppositeCotangent(triangulation, h) + oppositeCotangent(triangulation, twin), -1e-8);
     around[triangulation.tail[h]] += cornerAngle(triangulation, h);
-    // The next half-edge around the tail is as far on as the corner is wide.
+    // The next half-edge around the tail is ahead by the angle of the corner.
     const int v = triangulation.tail[h];
     const int left = triangulation.twin[previous(h)];
     const double turn = triangulation.direction[left] - triangulation.direction[h];
@@ -53,7 +53,7 @@ TEST(IntrinsicTriangulation, FlipsKeepTheSurface) {
 }
 
 TEST(IntrinsicTriangulation, DelaunayOnThePlaneKeepsEdgesStraight) {
-  // In the plane an edge after flips still runs from its tail to its head.
+  // In the plane a flipped edge still runs from its tail to its head.
   const TriangleMesh mesh = meshOf(tessellatedPlane(PlaneTessellation::kStretchedRandom, 400, 5));
   const Geometry geometry = buildGeometry(mesh);
   IntrinsicTriangulation triangulation = meshTriangulation(geometry);

@@ -51,7 +51,7 @@ TEST(LogMapMean, TracesTheSplineOfAnIndependentLibrary) {
       ++lost;
       continue;
     }
-    // The library stopped at a step of about 1e-5 mean edges.
+    // The library stops at a step of about 1e-5 mean edges.
     EXPECT_LT((position(mesh, center.point) - expected).norm(), 1e-4 * geometry.meanEdge)
         << "segment " << segment << ", t = " << t;
   }
@@ -108,7 +108,7 @@ TEST(LogMapMean, KeepsLogMapsOfPointsThatMove) {
     LogMapMean mean(geometry, logMaps, points, {.mostBytes = kept * mapBytes});
     const SurfacePoint first = mean.centerOfMass(weights, points[1]).point;
     const int before = mean.logMapCount();
-    // There and back: the way is known.
+    // The point moves away and back: its log map is still known.
     const SurfacePoint there = edgePoint(mesh.outgoing[1409], 0.5);
     mean.movePoint(2, there);
     const CenterOfMass moved = mean.centerOfMass(weights, points[1]);
@@ -116,13 +116,13 @@ TEST(LogMapMean, KeepsLogMapsOfPointsThatMove) {
     mean.movePoint(2, points[2]);
     EXPECT_EQ(position(mesh, mean.centerOfMass(weights, points[1]).point), position(mesh, first));
     if (kept > 0) {
-      EXPECT_LT(after - before, before);  // the start's at least is the same
+      EXPECT_LT(after - before, before);  // at least the log map of the start is the same
       EXPECT_EQ(mean.logMapCount(), after);
     } else {
       EXPECT_GT(after - before, 1);
       EXPECT_EQ(mean.logMapCount(), after + before);
     }
-    // What is kept changes nothing.
+    // Kept log maps do not change the result.
     LogMapMean fresh(geometry, logMaps, {points[0], points[1], there});
     const CenterOfMass expected = fresh.centerOfMass(weights, points[1]);
     EXPECT_EQ(moved.status, expected.status);

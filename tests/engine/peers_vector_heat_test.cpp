@@ -33,14 +33,14 @@ TEST(VectorHeat, LogMapsAgreeWithAnIndependentLibrary) {
     for (Vec2 log; words >> log[0] >> log[1];) expected.push_back(log);
     ASSERT_EQ(expected.count(), (mesh.vertexCount() + 2) / 3);
     const auto toComplex = [](const Vec2& v) { return Complex(v.x(), v.y()); };
-    // The library's frame at the source: the rotation that fits best.
+    // The library's frame at the source, as the best fitting rotation.
     Complex sum = 0;
     for (int i = 0; i < expected.count(); ++i) {
       sum += toComplex(expected[i]) * std::conj(toComplex(logs[3 * i]));
     }
     const Vec2 rotation = toVec2(sum / std::abs(sum));
     for (int i = 0; i < expected.count(); ++i) {
-      // The file has 11 decimals of lengths up to 11.
+      // The file has 11 decimals for lengths up to 11.
       EXPECT_LE((rotate(rotation, logs[3 * i]) - expected[i]).norm(), 1e-9 * expected[i].norm());
     }
   }

@@ -12,7 +12,7 @@
 namespace karcher {
 namespace {
 
-/// Distances in a straight line: geodesic ones on a convex piece of the plane.
+/// Distances in a straight line, which are geodesic on a convex piece of the plane.
 DistancesFromVertex straightDistances(const TriangleMesh& mesh) {
   return [&mesh](int v) {
     Array<double> distances;
@@ -126,7 +126,7 @@ TEST(PhongProjection, IsOrthogonalToTheBlendedPlaneAndContinuous) {
   int moves = 0;
   double longest = 0;
   for (int i = 0; i < 40; ++i) {
-    // A short straight line in space, a little beside the surface, over several faces.
+    // A short straight segment in space, slightly beside the surface, over several faces.
     const SurfacePoint start = randomPoint(bunny.mesh, random);
     const TangentPlane plane = surface.planeAt(start);
     EmbeddedPoint offset;
@@ -179,7 +179,7 @@ TEST(WeightedAverages, OnThePlaneAreAffineAverages) {
     EXPECT_EQ(center.status, Status::kConverged);
     EXPECT_LT((position(mesh, center.point) - expected).norm(), 1e-6);
   }
-  // Off the surface.
+  // The expected point lies off the surface.
   const CenterOfMass outside =
       averages.centerOfMass({nearestPoint(mesh, {0.1, 0.5, 0}), nearestPoint(mesh, {0.9, 0.5, 0})},
                             Array<double>{3.0, -2.0}, nearestPoint(mesh, {0.1, 0.5, 0}));
@@ -208,7 +208,7 @@ TEST(WeightedAverages, OfTwoPointsOfTheSphereLieNearTheGreatCircle) {
     ASSERT_EQ(center.status, Status::kConverged);
     const Vec3 expected =
         (std::sin((1 - t) * distance) * p + std::sin(t * distance) * q) / std::sin(distance);
-    // The embedding's distances are off by 5 %, mostly at long range.
+    // The embedding's distances have errors of 5 %, mostly at long range.
     EXPECT_LT((position(mesh, center.point) - expected).norm(), 0.05 * distance);
   }
   EXPECT_GT(tried, 20);
@@ -259,7 +259,7 @@ TEST(WeightedAverages, SayWhereThereIsNoEmbedding) {
   const auto distances = greatCircleDistances(mesh);
   EmbeddingOptions options;
   options.landmarks = 30;
-  options.mostStress = 0.001;  // a sphere's distances are those of no Euclidean space
+  options.mostStress = 0.001;  // a sphere's distances exist in no Euclidean space
   EXPECT_EQ(errorCodeOf([&] { embedSurface(geometry, distances, options); }),
             ErrorCode::kNoEmbedding);
   options.landmarks = 2;

@@ -12,7 +12,7 @@
 namespace karcher {
 namespace {
 
-/// Polygons of the spacings in turn, from one of them on.
+/// Checks polygons with all spacings in turn, starting with one of them.
 void expectNoFaults(const std::string& name, TriangleMesh mesh, uint64_t firstSeed, int polygons,
                     int firstSpacing = 0, int levels = 0) {
   Surface surface(std::move(mesh));
@@ -28,7 +28,7 @@ void expectNoFaults(const std::string& name, TriangleMesh mesh, uint64_t firstSe
 }
 
 TEST(PolygonFuzz, CurvesOfAllKindsHoldTogetherOnTheShapes) {
-  // In the long run, with the bunny's, 2,000 polygons.
+  // The long run draws 2,000 polygons, including those on the bunny.
   const int polygons = longRun() ? 350 : 2;
   uint64_t seed = 1;
   int spacing = 0;
@@ -56,8 +56,8 @@ TEST(PolygonFuzz, CurvesOfAutomaticLevelsHoldTogether) {
 }
 
 TEST(PolygonFuzz, AJumpWhereTheZeroComesToAnEdgeIsMarked) {
-  // Catmull-Rom and Bezier curves whose jumps of .070 and .082 mean edges were not marked while the
-  // bound on a jump was not held where the zero of a cell comes to the cell's edge.
+  // Catmull-Rom and Bezier curves with jumps of .070 and .082 mean edges. They were not marked as
+  // long as the bound on a jump ignored zeros at the edge of their cell.
   const int anySpacing = kSpacingCount - 1;
   expectNoFaults("bunny", bunnyMesh(), 500'036, 1, anySpacing);
   expectNoFaults("bunny", bunnyMesh(), 500'062, 1, anySpacing);

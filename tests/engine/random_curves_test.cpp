@@ -12,7 +12,7 @@
 #include "random_surfaces.h"
 #include "support.h"
 
-/// Curves of random points on small random meshes: edits make the curve that is made anew, and open
+/// Curves of random points on small random meshes: an edited curve equals a new one, and open
 /// curves begin and end at their points.
 namespace karcher {
 namespace {
@@ -44,7 +44,8 @@ class RandomCurve {
     const int count = 2 + random_.index(5);
     for (int i = 0; i < count; ++i) points.push_back(place());
     std::unique_ptr<Curve> curve;
-    // What cannot be drawn, such as few points for a degree, is refused; other tests hold why.
+    // Invalid curves, such as those with too few points for a degree, are refused; other tests
+    // check why.
     try {
       curve = std::make_unique<Curve>(surface_, randomOptions(random_), points);
     } catch (const Error&) {
@@ -86,7 +87,7 @@ class RandomCurve {
 
   void expectAsAnew(const Curve& curve) const {
     CurveValue value = curve.value();
-    // Numbers that another kind has use for stay with a curve, but cannot be given.
+    // A curve keeps numbers that only another kind uses, but they cannot be set.
     CurveShape& shape = value.options.shape;
     if (!takesWeights(shape.kind)) shape.weights.clear();
     if (!takesBetas(shape.kind)) shape.betas.clear();

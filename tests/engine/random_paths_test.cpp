@@ -12,8 +12,8 @@
 #include "random_surfaces.h"
 #include "support.h"
 
-/// Shortest paths, and log and exp maps along them, on small random meshes: of lattices with
-/// saddles, of rims, of rough sheets. Nothing is known of them but what holds on any surface.
+/// Shortest paths, and log and exp maps along them, on small random meshes: lattices with saddles,
+/// rims and rough sheets. The tests use only properties that hold on every surface.
 namespace karcher {
 namespace {
 
@@ -60,7 +60,7 @@ TEST(RandomPaths, AreAsLongAsTheirPointsBothWaysScaledAndTurned) {
   }
 }
 
-/// Along edges, to each vertex.
+/// The distances along edges to each vertex.
 Array<double> distancesAlongEdges(const Geometry& geometry, int from) {
   const TriangleMesh& mesh = *geometry.mesh;
   Array<double> distance(static_cast<size_t>(mesh.vertexCount()), kInfinity);
@@ -159,7 +159,7 @@ TEST(RandomPaths, ExpAlongAnEdgeOfSliversIsItsOtherEnd) {
     const MeasuredMesh surface(slivers(random));
     const TriangleMesh& mesh = surface.mesh;
     for (int h = 0; h < 3 * mesh.faceCount(); ++h) {
-      // Beyond a full turn a vector does not tell the direction.
+      // Beyond a full turn a vector does not determine a direction.
       if (mesh.onBoundary[mesh.tail(h)] &&
           surface.geometry.totalAngle[mesh.tail(h)] > 2 * kPi - 1e-6) {
         continue;
@@ -177,7 +177,7 @@ TEST(RandomPaths, ExpAlongAnEdgeOfSliversIsItsOtherEnd) {
   }
 }
 
-/// Whether a path passes a vertex, where straight on is no one direction.
+/// Whether a path passes a vertex, where the straight direction is not unique.
 bool passesVertex(const TriangleMesh& mesh, const SurfacePath& path) {
   for (int i = 1; i + 1 < path.points.count(); ++i) {
     if (path.points[i].bary.maxCoeff() > 1 - 1e-6 &&
@@ -210,7 +210,7 @@ TEST(RandomPaths, ExpOfLogIsThePointAlsoOnRims) {
       const SurfacePoint to = randomPlace(mesh, random);
       const SurfacePath path = pathBetween(surface.geometry, from, to, workspace);
       if (passesVertex(mesh, path)) continue;
-      // Beyond a full turn a vector does not tell the direction.
+      // Beyond a full turn a vector does not determine a direction.
       const PointLocation at = locate(mesh, from);
       if (at.simplex == Simplex::kVertex && mesh.onBoundary[at.vertex] &&
           surface.geometry.totalAngle[at.vertex] > 2 * kPi - 1e-6) {

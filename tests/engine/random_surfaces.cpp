@@ -27,7 +27,7 @@ TriangleSoup roughSheet(Random& random) {
   return soup;
 }
 
-/// A sheet of which some vertices stand out by up to 1,000 edges.
+/// A sheet with some vertices raised by up to 1,000 edges.
 TriangleSoup spikes(Random& random) {
   TriangleSoup soup = roughSheet(random);
   const double height = std::pow(10, random.uniform(0, 3));
@@ -64,7 +64,7 @@ TriangleSoup randomSurface(Random& random) {
       return slivers(random);
     case 4:
       return spikes(random);
-    case 5:  // a cone, blunt or a needle, round which paths may wind
+    case 5:  // a cone, from blunt to a needle, around which paths may wind
       return wheel(5 + random.index(400), 0, std::pow(10, random.uniform(-1, 4)));
     default:
       return roughSheet(random);

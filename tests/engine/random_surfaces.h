@@ -5,7 +5,7 @@
 #include "generators/random.h"
 #include "mesh/triangle_soup.h"
 
-/// Small random meshes for tests that know nothing of a surface but what holds on any.
+/// Small random meshes for tests of properties that hold on every surface.
 namespace karcher {
 
 /// The seed of case i: KARCHER_SEED in the environment draws other cases.
@@ -17,7 +17,7 @@ TriangleSoup slivers(Random& random);
 /// A lattice with saddles, a rim with holes, a wheel, slivers, spikes, a cone, or a rough sheet.
 TriangleSoup randomSurface(Random& random);
 
-/// Turned, scaled and moved.
+/// The soup rotated, scaled and moved.
 TriangleSoup carried(TriangleSoup soup, double scale, Random& random);
 
 }  // namespace karcher

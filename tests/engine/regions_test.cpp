@@ -32,7 +32,7 @@ double polygonArea(const Array<Vec2>& polygon) {
   return twice / 2;
 }
 
-/// What a convex polygon, counterclockwise, has in another (I. Sutherland, G. Hodgman, 1974).
+/// The part of a convex, counterclockwise polygon inside another (I. Sutherland, G. Hodgman, 1974).
 Array<Vec2> clipped(Array<Vec2> polygon, const Array<Vec2>& by) {
   for (int i = 0; i < by.count(); ++i) {
     const Vec2 a = by[i];
@@ -61,7 +61,7 @@ double perimeter(const Geometry& geometry, const Arrangement& arrangement, const
   return length;
 }
 
-/// What holds of all arrangements.
+/// Checks the invariants of arrangements.
 void expectSound(const Geometry& geometry, const Arrangement& all) {
   const double whole = surfaceArea(geometry);
   double sum = 0;
@@ -251,7 +251,7 @@ TEST(Regions, AreTheSmallerSideOrThatOfAPoint) {
   for (const FillRule rule : {FillRule::kEvenOdd, FillRule::kNonZero}) {
     EXPECT_NEAR(areaOf(all, enclosed(all, kFirst, rule, cellOf(4.1, 4.2))), 49, 1e-9);
     EXPECT_NEAR(areaOf(all, enclosed(all, kFirst, rule, cellOf(0.1, 4.2))), 15, 1e-9);
-    // From rim to rim.
+    // The path runs from rim to rim.
     EXPECT_NEAR(areaOf(all, enclosed(all, kSecond, rule)), 8 * (3.3 + 2.6) / 2, 1e-9);
     EXPECT_NEAR(areaOf(all, enclosed(all, kSecond, rule, cellOf(7, 4))), 8 * (4.7 + 5.4) / 2, 1e-9);
   }
@@ -287,7 +287,7 @@ TEST(Regions, OnASideStayThereAsTheirCurveMovesOverTheSurface) {
   }
 }
 
-/// A square that begins along the boundary, and one that is all of it.
+/// A square that starts along the boundary, and one that is the whole boundary.
 TEST(Regions, OnASideOfTheBoundaryAreWhatLiesThere) {
   const Sheet sheet(planeGrid(4, 4));
   const SurfacePath paths[] = {polygonOn(sheet.geometry, rectangle(0, 0, 2, 2)),
@@ -302,7 +302,7 @@ TEST(Regions, OnASideOfTheBoundaryAreWhatLiesThere) {
   EXPECT_EQ(area(kSecond, PathSide::kRight), 0) << "beyond the boundary there is nothing";
 }
 
-/// Beyond the boundary there is nothing, which is the smaller side.
+/// The other side of the boundary is empty, and the smaller one.
 TEST(Regions, OfTheWholeBoundaryAreAllOrNothing) {
   const Sheet sheet(planeGrid(4, 4));
   const SurfacePath path = polygonOn(sheet.geometry, rectangle(0, 0, 4, 4));
@@ -330,7 +330,7 @@ TEST(Regions, AreRefusedWhereCurvesDoNotBound) {
   for (const FillRule rule : {FillRule::kEvenOdd, FillRule::kNonZero}) {
     EXPECT_EQ(codeOf([&] { enclosed(all, kFirst, rule); }), ErrorCode::kBadArgument);
     EXPECT_EQ(codeOf([&] { enclosed(all, {0, 3}, rule); }), ErrorCode::kBadArgument);
-    // Of two that run round the handle in opposite ways one side is left of both.
+    // For two paths around the handle in opposite directions one side is left of both.
     const Region tube = enclosed(all, {1, 2}, rule);
     EXPECT_NEAR(areaOf(all, tube), surfaceArea(torus.geometry) * 0.7 / (2 * kPi), 0.2);
     EXPECT_EQ(gaussBonnet(torus.geometry, all, tube).euler, 0);
@@ -354,7 +354,7 @@ TEST(Regions, OfPathsThatLeaveTheirFacesAreRefused) {
   EXPECT_EQ(codeOf([&] { arrange(sheet.geometry, std::span(&path, 1)); }), ErrorCode::kBadArgument);
 }
 
-/// Lines through few places, which lie as far apart as what becomes one, and a bit more.
+/// Lines through few places, whose distances are about the one at which points are merged.
 TEST(Regions, OfCrowdedLinesFit) {
   const Sheet sheet(planeGrid(1, 1));
   const int rounds = longRun() ? 3000 : 60;

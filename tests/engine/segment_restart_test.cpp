@@ -10,7 +10,7 @@ namespace karcher {
 namespace {
 
 TEST(SegmentRestart, ASampleIsLostOnlyIfItIsFromEveryControlPoint) {
-  // Points all over the sphere: too far apart for a center of mass here, and not there.
+  // Points spread over the sphere: too far apart for a center of mass at some samples.
   constexpr int kSegments = 40;
   Surface surface(meshOf(icosphere(6)));
   const TriangleMesh& mesh = surface.mesh();

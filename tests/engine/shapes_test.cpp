@@ -76,7 +76,7 @@ TEST(Shapes, HaveWellShapedTriangles) {
   }
 }
 
-/// Neighbouring faces of a fine smooth surface are nearly parallel: no folds, no creases.
+/// Neighbouring faces of a fine smooth surface are nearly parallel, without folds and creases.
 TEST(Shapes, AreSmooth) {
   for (const Shape shape : kShapes) {
     SCOPED_TRACE(shapeName(shape));
@@ -109,8 +109,8 @@ TEST(Shapes, LieOnTheirSurfaces) {
   }
 }
 
-/// The map to the torus keeps angles and stretches by the distance from the axis: by central
-/// differences.
+/// The map to the torus is conformal, with the distance from the axis as its factor: checked by
+/// central differences.
 TEST(ConformalTorus, KeepsAngles) {
   constexpr double kStep = 1e-5;
   for (const double y : {0.0, 0.3, 1.0, 2.0, 2.7}) {

@@ -123,7 +123,7 @@ TEST(ShortestPath, IsTheSameBothWaysAndObeysTheTriangleInequality) {
 }
 
 TEST(ShortestPath, GoesStraightThroughTheSaddlesOfALattice) {
-  // Straight lines meet vertices there, whose surplus of angle the way on has to be chosen by.
+  // Straight lines meet vertices there, and the excess angle gives the path a choice of directions.
   const MeasuredMesh coarse(ringTube(0.4, 5, 16));
   const MeasuredMesh fine(ringTube(0.5, 8, 12));
   const MeasuredMesh plate(plateWithHoles(5, 5));

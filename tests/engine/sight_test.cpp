@@ -18,17 +18,17 @@ namespace {
 
 constexpr double kRounding = 1e-10;
 
-/// Of vertices within some mean edges of random points.
+/// Statistics of vertices within some mean edges of random points.
 struct Sights {
   int asked = 0;
   int found = 0;
-  int longer = 0;    ///< than the shortest path by a thousandth
-  double worst = 1;  ///< length over the shortest path's
+  int longer = 0;    // paths longer than the shortest by a thousandth
+  double worst = 1;  // the largest ratio to the shortest path's length
   double least = kInfinity;
-  int turned = 0;  ///< as long as the shortest path, but of another log vector
+  int turned = 0;  // paths as long as the shortest, but with another log vector
 };
 
-/// A point inside a face, in the middle of an edge or anywhere on one, or near a vertex.
+/// A point inside a face, in the middle of an edge, anywhere on an edge, or near a vertex.
 SurfacePoint anyPoint(const TriangleMesh& mesh, Random& random, int kind) {
   SurfacePoint point = randomPoint(mesh, random);
   const double part = kind == 1 ? 0.5 : random.uniform(0.05, 0.95);
@@ -98,7 +98,7 @@ TEST(Sight, IsAsARuleTheShortestWhereTheSurfaceCurves) {
     EXPECT_GT(all.least, 1 - 1e-7);
     EXPECT_LE(all.longer, longer * all.found) << "of " << all.found;
     EXPECT_LE(all.worst, worst);
-    // Two paths of one length.
+    // Two paths have the same length.
     EXPECT_LT(all.turned, 2e-3 * all.found);
   };
   check("torus", MeasuredMesh(meshOf(makeShape(Shape::kTorus, 5000))), 0, 1.0001);
@@ -110,7 +110,7 @@ TEST(Sight, IsAsARuleTheShortestWhereTheSurfaceCurves) {
   check("sheet with folds", MeasuredMesh(galleryMesh("crumpled sheet, 6 folds")), 0.002, 1.1);
 }
 
-/// The mesh's position is rounding to a path along flat faces, past their vertices.
+/// Moving the mesh only changes rounding for a path along flat faces past their vertices.
 TEST(Sight, IsTheSameOfAMovedMesh) {
   const Eigen::AngleAxisd turn(1.234, Vec3(1, -2, 0.7).normalized());
   for (const char* name : {"fans, q = 8", "sphere, jittered UV", "cylinder of 12 sides"}) {
@@ -160,10 +160,10 @@ TEST(Sight, IsNoneWhereThePathIsNotFound) {
   EXPECT_NEAR(fromVertex->distance, std::hypot(1.0, 5.0), 1e-12);
 }
 
-/// Round a saddle, behind which no straight path leads.
+/// The surface has a saddle, behind which no straight path leads.
 TEST(Sight, BendsAtASaddle) {
   const TriangleSoup hat = [] {
-    // Eight equilateral triangles round a vertex, alternately up and down.
+    // Eight equilateral triangles around a vertex, alternately up and down.
     TriangleSoup soup;
     soup.positions.push_back(Vec3::Zero());
     const double height = 0.3;

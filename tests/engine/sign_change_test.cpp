@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kRounding = 1e-15;
 
-/// The place found for a function, and the evaluations that it takes.
+/// The zero found for a function, and the number of evaluations.
 template <class Function>
 double changeOf(const Function& function, double from, double to, int& evaluations) {
   evaluations = 0;
@@ -56,7 +56,7 @@ TEST(SignChange, IsFoundBesideValuesThatAreNotFinite) {
   EXPECT_LE(evaluations, 100);
 }
 
-/// The search for a foot may see one sign at both ends, where the slope jumps in between.
+/// The search for a foot may find equal signs at both ends if the slope jumps in between.
 TEST(SignChange, OfOneSignAtBothEndsIsTakenToRise) {
   int evaluations = 0;
   const auto negative = [](double) { return -1.0; };

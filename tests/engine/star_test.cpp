@@ -9,8 +9,7 @@ namespace karcher {
 namespace {
 
 TEST(GradientOperator, OfTheRingIsEq3AsPrinted) {
-  // A vertex's gradient is the area-weighted mean of those of the faces around it, and of no
-  // others.
+  // A vertex's gradient is the area-weighted mean of those of exactly the faces around it.
   const MeasuredMesh mesh(planeGrid(5, 4));
   Random random(61);
   SCOPED_TRACE("seed 61");
@@ -61,7 +60,7 @@ TEST(Star, IsAnOptionOfThePapersMethodAlone) {
       (position(surface.mesh(), wide.point) - position(surface.mesh(), ring.point)).norm();
   EXPECT_GT(apart, 0);
   EXPECT_LT(apart, 0.3 * surface.geometry().meanEdge);
-  // The fields that are summed one after the other have the same star.
+  // The summed field has the same star.
   options.mostValues = 0;
   const Mean summed = centerOfMass(surface, points, weights, options);
   EXPECT_LT((position(surface.mesh(), summed.point) - position(surface.mesh(), ring.point)).norm(),

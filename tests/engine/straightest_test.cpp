@@ -58,8 +58,8 @@ TEST(Straightest, GoesThroughTheVerticesOfAGrid) {
 TEST(Straightest, HalvesTheTotalAngleAtAVertex) {
   const TriangleMesh mesh = cubeCorner();
   const Geometry geometry = buildGeometry(mesh);
-  // Vertex 0 is interior: along the x edge into it, and on for 3 pi / 4, which is the diagonal of
-  // the opposite square.
+  // Vertex 0 is interior: the path follows the x edge into it and leaves at 3 pi / 4, along the
+  // diagonal of the opposite square.
   const SurfacePoint start = nearestPoint(mesh, Vec3(0.5, 0, 0));
   const StraightestPath path =
       traceStraightest(geometry, start, toFace(geometry, start.face, Vec3(-1, 0, 0)));
@@ -93,7 +93,8 @@ TEST(Straightest, StopsAtTheLimitWithTheLengthLeft) {
 }
 
 TEST(Straightest, ASearchDoesNotWindRoundATipForever) {
-  // 1 wide and 1e5 high: a straight line past the tip turns round it a hundred thousand times.
+  // The cone is 1 wide and 1e5 high: a straight line past the tip winds around it a hundred
+  // thousand times.
   const TriangleSoup soup = wheel(13, 0, 1e5);
   const MeasuredMesh cone(buildMesh(soup.positions, soup.triangles));
   const int most = mostCrossingsOfSearch(cone.mesh);
@@ -105,7 +106,7 @@ TEST(Straightest, ASearchDoesNotWindRoundATipForever) {
   EXPECT_EQ(path.stop, TraceStop::kLimit);
   EXPECT_GT(path.remaining, 0);
 
-  // As far as a path of a plane goes.
+  // The search goes as far as a path in a plane.
   const TriangleMesh plane = planeGrid(40, 40);
   const Geometry flat = buildGeometry(plane);
   const StraightestPath across =
@@ -122,7 +123,7 @@ TEST(Straightest, FollowsAStraightBoundary) {
   EXPECT_LT((position(mesh, path.path.end()) - Vec3(3.5, 0, 0)).norm(), 1e-13);
 }
 
-/// A flat mesh turned round the origin, and then about the x axis.
+/// A flat mesh rotated about the origin, and then about the x axis.
 TriangleMesh turned(const TriangleMesh& mesh, double angle, double lift) {
   Array<Vec3> positions;
   for (const Vec3& p : mesh.positions) {
@@ -154,7 +155,7 @@ TEST(Straightest, GoesAlongAStraightRimFromEveryVertexAndFace) {
           const SurfacePoint start = edgePoint(h, 0);
           const StraightestPath path =
               traceStraightest(square.geometry, start, toFace(square.geometry, start.face, way));
-          // The walk may end at a corner of the square, where rounding decides what is left.
+          // The path may end at a corner of the square, where rounding decides how much remains.
           EXPECT_LT(path.remaining, 1e-12) << "vertex " << a << " to " << b;
           EXPECT_LT((position(mesh, path.path.end()) - mesh.positions[b]).norm(), 1e-12);
           const SurfacePoint end = vertexPoint(mesh, b);
@@ -243,8 +244,8 @@ TEST(Straightest, AgreesWithGeometryCentralOnTheBunny) {
     ++count;
   }
   EXPECT_EQ(count, 200);
-  // The reference is written with 12 digits; a path's end moves with its start's rounding times
-  // the spread of geodesics.
+  // The reference has 12 digits; the rounding of a path's start is amplified by the spread of
+  // geodesics.
   EXPECT_LT(worst / geometry.meanEdge, 1e-6);
   std::printf("straightest geodesics on the bunny: worst end %.1e mean edges off\n",
               worst / geometry.meanEdge);

@@ -11,8 +11,8 @@
 #include "generators/plane.h"
 #include "support.h"
 
-/// Pieces over slivers from rim to rim, which are their own subdivision. A strip stays a plane
-/// however it is folded or rolled, so the right curve is the one of the plane that it unrolls onto.
+/// Pieces over slivers from rim to rim are replaced by their subdivision. A strip is flat however
+/// it is folded or rolled, so that the correct curve is that of the unrolled strip.
 namespace karcher {
 namespace {
 
@@ -20,8 +20,8 @@ namespace {
 struct Strip {
   Array<double> cuts;
 
-  /// The mesh where `place` puts the strip. Vertices 2 i and 2 i + 1 lie on the lower and the upper
-  /// rim at cut i.
+  /// The mesh with the strip placed by `place`. Vertices 2 i and 2 i + 1 lie on the lower and the
+  /// upper rim at cut i.
   template <class Place>
   TriangleMesh mesh(const Place& place) const {
     TriangleSoup soup;
@@ -72,7 +72,7 @@ constexpr int kPairs = 12'000;
 
 Vec3 flat(double x, double y) { return {x, y, 0}; }
 
-/// Round a cylinder of as many planes as there are pairs, two thirds of a turn.
+/// Two thirds of a turn around a cylinder with as many planes as there are pairs.
 Vec3 rolled(double x, double y) {
   const double side = 4 * std::numbers::pi / 3 / kPairs;
   const double radius = kLength / kPairs / 2 / std::sin(side / 2);
@@ -80,7 +80,7 @@ Vec3 rolled(double x, double y) {
   return {radius * std::cos(angle), radius * std::sin(angle), y};
 }
 
-/// Round a bar of square section, along folds that are edges.
+/// A bar with a square section, folded along edges.
 Vec3 folded(double x, double y) {
   const Vec2 kCorners[] = {{0, 0}, {0.75, 0}, {0.75, 0.75}, {0, 0.75}};
   const double side = 0.75;
@@ -90,10 +90,10 @@ Vec3 folded(double x, double y) {
   return {place.x(), place.y(), y};
 }
 
-/// Waves, which no plane does.
+/// Waves, which are not flat.
 Vec3 waved(double x, double y) { return {x, y, 0.3 * std::sin(3 * x) * (0.5 + y)}; }
 
-/// Waves with slivers in their first half and even triangles in the other.
+/// Waves with slivers in one half and even triangles in the other.
 TriangleMesh halfSlivers() {
   constexpr int kSlivers = 3000;
   constexpr int kRows = 12;
@@ -112,7 +112,7 @@ TriangleMesh halfSlivers() {
       soup.triangles.push_back({from, from + 3, from + 1});
       continue;
     }
-    // The last fans out to the first column of the even half.
+    // The last column fans out to the first column of the even half.
     const int to = from + 2;
     for (int row = 0; row < kRows; ++row) {
       soup.triangles.push_back({from, to + row, to + row + 1});
@@ -133,7 +133,7 @@ TriangleMesh halfSlivers() {
 
 const Array<Vec2> kControls{{0.31, 0.22}, {1.13, 0.83}, {1.92, 0.31}, {2.61, 0.74}};
 
-/// Refined three times at least: where a curve takes no levels no piece is subdivided.
+/// Automatic levels, but at least three: a curve without levels has no subdivided pieces.
 CurveOptions automatic(CurveKind kind) {
   CurveOptions options{CurveShape{kind}, 65, kFast};
   options.levels = kAutomaticLevels;
@@ -186,7 +186,7 @@ TEST(SubdividedPieces, OverSliversOfAPlaneTheyAreTheCurveOfThePlane) {
 }
 
 TEST(SubdividedPieces, MeetTheirNeighboursAndSayTheReason) {
-  // Far from the rims, as the handles of a Catmull-Rom curve must lie on the strip.
+  // The points are far from the rims, as the handles of a Catmull-Rom curve must lie on the strip.
   Array<Vec3> places;
   for (const Vec2& place : kControls) places.push_back(waved(place.x(), 0.35 + 0.3 * place.y()));
   for (const bool isEven : {true, false}) {
@@ -225,7 +225,7 @@ TEST(SubdividedPieces, MeetTheirNeighboursAndSayTheReason) {
             EXPECT_EQ(samples[i].status, SampleStatus::kSubdivided);
           }
         }
-        // The segment says the same.
+        // The segment has the same reason.
         const bool isSaid = std::any_of(
             curve.bridges(j).begin(), curve.bridges(j).end(),
             [](const Bridge& bridge) { return bridge.reason == SampleStatus::kSubdivided; });

@@ -8,7 +8,7 @@
 #include "mesh/error.h"
 #include "mesh/triangle_soup.h"
 
-/// What several tests share.
+/// Helpers that several tests share.
 namespace karcher {
 
 /// Unit squares from (0, 0) to (columns, rows) in the plane z = 0, each cut from its lower left to
@@ -25,7 +25,7 @@ TriangleMesh gridWithCorner();
 
 TriangleMesh meshOf(const TriangleSoup& soup);
 
-/// A vector in space, at a vertex of a flat mesh, in the vertex's frame.
+/// A vector in space at a vertex of a flat mesh, converted to the vertex's frame.
 Vec2 inVertexFrame(const Geometry& geometry, int vertex, const Vec3& vector);
 
 /// A file of tests/data, opened. Throws std::runtime_error if it is not there.
@@ -35,16 +35,16 @@ std::ifstream testData(const std::string& name);
 /// std::runtime_error if the set-up has not written it.
 TriangleMesh bunnyMesh();
 
-/// Whether the tests are to draw the large numbers of cases: with KARCHER_LONG=1 in the
-/// environment, as `npm run check:long` sets it.
+/// Whether to draw the large numbers of cases: with KARCHER_LONG=1 in the environment, as `npm run
+/// check:long` sets it.
 bool longRun();
 
-/// Whether the sanitizers watch, which makes the tests ten times as slow, and KARCHER_SANITIZED=all
-/// is not in the environment, as `npm run check:long` sets it.
+/// Whether sanitizers run, which make the tests ten times as slow, and KARCHER_SANITIZED=all is not
+/// in the environment, as `npm run check:long` sets it.
 bool leavesLongestOut();
 
-/// The first line of the tests that take the longest: numbers in many like cases, which without the
-/// sanitizers are tested always.
+/// The first line of the slowest tests, which repeat numerics in many similar cases and always run
+/// without the sanitizers.
 #define SKIP_WHERE_SANITIZED() \
   if (leavesLongestOut()) GTEST_SKIP() << "in a long run, or without sanitizers"
 

@@ -22,7 +22,7 @@ double chord(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint
   return (position(mesh, a) - position(mesh, b)).norm();
 }
 
-/// The largest distance of a point of the one path from the other's point at the same part of it.
+/// The largest distance between points of two paths at equal parts of their lengths.
 double apart(const TriangleMesh& mesh, const SurfacePath& a, const SurfacePath& b) {
   double largest = std::abs(a.length() - b.length());
   for (int i = 0; i < a.points.count(); ++i) {
@@ -40,7 +40,7 @@ SurfacePath localPath(const Geometry& geometry, const SurfacePoint& from, const 
   return pathThrough(*geometry.mesh, std::move(points));
 }
 
-/// One path after the other.
+/// Two paths joined into one.
 SurfacePath joined(const TriangleMesh& mesh, const SurfacePath& a, const SurfacePath& b) {
   SurfacePath both = a;
   appendPart(mesh, b, 0, b.length(), both);
@@ -73,7 +73,8 @@ Sides sidesAt(const Geometry& geometry, const SurfacePath& path, int k, int vert
   return {geometry.totalAngle[vertex] - right, right};
 }
 
-/// That a path is whole, measured, and locally shortest. Returns how many vertices it passes.
+/// Checks that a path is connected, measured, and locally shortest. Returns the number of vertices
+/// that it passes.
 int expectTight(const Geometry& geometry, const SurfacePath& path) {
   const TriangleMesh& mesh = *geometry.mesh;
   EXPECT_EQ(path.points.size(), path.lengths.size());
@@ -89,7 +90,7 @@ int expectTight(const Geometry& geometry, const SurfacePath& path) {
     if (i + 1 == path.points.count()) continue;
     const PointLocation at = locate(mesh, path.points[i]);
     if (at.simplex != Simplex::kVertex) continue;
-    // Neighbours within rounding of the vertex leave no direction to measure.
+    // Neighbours within rounding of the vertex do not determine a direction.
     const double near = 1e-6 * geometry.meanEdge;
     if (path.lengths[i] - path.lengths[i - 1] < near ||
         path.lengths[i + 1] - path.lengths[i] < near) {
@@ -97,7 +98,7 @@ int expectTight(const Geometry& geometry, const SurfacePath& path) {
     }
     ++vertices;
     const Sides sides = sidesAt(geometry, path, i, at.vertex);
-    // At the boundary one side is open. Directions over pieces of 1e-6 edges are good to 1e-9.
+    // At the boundary one side is open. Directions of pieces of 1e-6 edges are accurate to 1e-9.
     const double straight = kPi - 1e-8;
     if (mesh.onBoundary[at.vertex]) {
       EXPECT_GT(std::max(sides.left, sides.right), 0);
@@ -189,7 +190,7 @@ TEST(SurfacePath, aroundACornerStraightensToTheLineInThePlane) {
       const Vec3 along = position(plane.mesh, c) - position(plane.mesh, a);
       for (const SurfacePoint& p : path.points) {
         const Vec3 off = (position(plane.mesh, p) - position(plane.mesh, a)).cross(along);
-        // As parts of the piece, which is up to twenty times as wide as high.
+        // The errors are parts of the piece, which is up to twenty times as wide as high.
         EXPECT_LT(off.norm(), 1e-12 * plane.geometry.diagonal * along.norm());
       }
     }
@@ -209,7 +210,8 @@ TEST(SurfacePath, staysInItsClassAroundACylinder) {
     return best;
   };
   const double round = flat.circumference;
-  // Three thirds of a turn and more, rising: the straight line in the unrolled plane.
+  // The path rises and makes more than a full turn in three thirds: the straight line in the
+  // unrolled plane.
   SurfacePath path = pathThrough(cylinder.mesh, {vertexPoint(cylinder.mesh, vertexNear(0, 0.3))});
   int last = vertexNear(0, 0.3);
   const int first = last;
@@ -233,7 +235,7 @@ TEST(SurfacePath, staysInItsClassAroundACylinder) {
 }
 
 TEST(SurfacePath, passesOverTheApexOfAConeTowardsTheShorterSide) {
-  // Of total angle 4 < 2 pi: around the apex both sides may be shorter.
+  // The total angle 4 is less than 2 pi: around the apex both sides may be shorter.
   const FlatCone flat = flatCone(30, 4, 5);
   const MeasuredMesh cone(flat.soup);
   Random random(9);
@@ -276,7 +278,7 @@ TEST(SurfacePath, reversedStraightensToTheReversed) {
     const TriangleMesh& mesh = surface->mesh;
     Random random(33);
     for (int i = 0; i < 40; ++i) {
-      // Around corners at vertices, on edges and in faces.
+      // The path has corners at vertices, on edges and in faces.
       SurfacePath path = pathThrough(mesh, {randomPlace(mesh, random)});
       for (int k = 0; k < 3; ++k) {
         path =
@@ -304,7 +306,8 @@ TEST(SurfacePath, thatDoublesBackStraightensToNothing) {
 }
 
 TEST(SurfacePath, aroundATubeStaysAroundIt) {
-  // Once around the torus's tube and back to the start: no motion on the surface lets it go.
+  // The path runs once around the torus's tube and back to the start: no motion on the surface
+  // removes it.
   const MeasuredMesh torus(makeShape(Shape::kTorus, 4000));
   const auto at = [&](double longitude, double latitude) {
     const double r = kTorusMajor + kTorusMinor * std::cos(latitude);
@@ -318,7 +321,7 @@ TEST(SurfacePath, aroundATubeStaysAroundIt) {
   }
   const SurfacePath loop = tight(torus.geometry, path);
   expectTight(torus.geometry, loop);
-  // A meridian, of a polyhedron inscribed.
+  // The loop is a meridian of an inscribed polyhedron.
   EXPECT_NEAR(loop.length(), 2 * kPi * kTorusMinor, 0.02);
   EXPECT_LT(chord(torus.mesh, loop.start(), loop.end()), 1e-12);
 }
@@ -355,7 +358,7 @@ TEST(SurfacePath, movesItsEndOnItsComponentOnly) {
   EXPECT_NEAR(path.length(), std::hypot(3, 3), 1e-14);
 }
 
-/// A walk of the end of a path over the surface, in steps of up to a mean edge and a half.
+/// Moves the end of a path over the surface, in steps of up to one and a half mean edges.
 void expectContinued(const MeasuredMesh& surface, int walks, uint64_t seed) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   const TriangleMesh& mesh = surface.mesh;
@@ -368,7 +371,7 @@ void expectContinued(const MeasuredMesh& surface, int walks, uint64_t seed) {
     const SurfacePoint start = path.start();
     double heading = random.uniform(-kPi, kPi);
     for (int step = 0; step < 40; ++step) {
-      // Half of the steps end on edges and at vertices that lie near.
+      // Half of the steps end on nearby edges and vertices.
       heading += random.uniform(-0.3, 0.3);
       const double length = random.uniform(0, 1.5) * surface.geometry.meanEdge;
       SurfacePoint end =
@@ -382,13 +385,14 @@ void expectContinued(const MeasuredMesh& surface, int walks, uint64_t seed) {
       EXPECT_TRUE(sameBits(path.start(), start));
       EXPECT_TRUE(sameBits(path.end(), end));
       vertices += expectTight(surface.geometry, path);
-      // No longer than the way around by the old end.
+      // The path is at most as long as the detour by the old end.
       EXPECT_LE(path.length(), before.length() +
                                    localPath(surface.geometry, before.end(), end).length() +
                                    1e-12 * surface.geometry.diagonal);
       ASSERT_TRUE(moveStart(surface.geometry, end, fromBehind, workspace));
       EXPECT_LT(apart(mesh, reversed(fromBehind), path), 1e-10 * surface.geometry.diagonal);
-      // There and back is the old path, where the surface in between has no vertex.
+      // After moving there and back the path is the old one, if the surface in between has no
+      // vertex.
       SurfacePath back = path;
       ASSERT_TRUE(moveEnd(surface.geometry, before.end(), back, workspace));
       expectTight(surface.geometry, back);
@@ -418,7 +422,7 @@ TEST(SurfacePath, isContinuedBesideABoundary) {
 }
 
 TEST(SurfacePath, comesBackToWhatItWasInThePlane) {
-  // On the plane no vertex holds a path up: there and back is the old one always.
+  // On the plane no vertex holds a path: after moving there and back it is always the old one.
   const MeasuredMesh plane(tessellatedPlane(PlaneTessellation::kRandomDelaunay, 800, 2));
   Random random(8);
   StripWorkspace workspace;

@@ -40,7 +40,7 @@ TEST(TangentMaps, OnThePlaneAreDifferencesAndSums) {
 }
 
 TEST(TangentMaps, CarryAVectorRoundACornerOfTheBoundary) {
-  // The path turns round the vertex (4, 4), on a plane: vectors stay as they are.
+  // The path bends around the vertex (4, 4) on a plane: vectors do not change.
   const TriangleMesh mesh = gridWithCorner();
   const Geometry geometry = buildGeometry(mesh);
   const SurfacePoint from = nearestPoint(mesh, Vec3(2.3, 10.1, 0));

@@ -77,7 +77,7 @@ double checkTwoPoints(const std::string& name, TriangleMesh mesh, uint64_t seed)
 }
 
 TEST(TwoPoints, CenterOfMassLiesOnTheShortestPathOnTheIcosphere) {
-  // In the long run 20,480 triangles.
+  // The long run has 20,480 triangles.
   const int frequency = longRun() ? 32 : 10;
   EXPECT_LE(checkTwoPoints("icosphere", importMesh(icosphere(frequency)).mesh, 42), 0.02);
 }

@@ -14,7 +14,7 @@
 namespace karcher {
 namespace {
 
-/// A saddle: each vertex inside has more than 2 pi of angle, and none less.
+/// A saddle: every inner vertex has more than 2 pi of angle.
 TriangleMesh saddle(int steps) {
   TriangleMesh mesh = planeGrid(steps, steps);
   for (Vec3& p : mesh.positions) {
@@ -45,7 +45,7 @@ TEST(Uniqueness, IsCertainOnThePlaneWhateverThePoints) {
       nearestTo(surface, {Vec3(0, 0, 0), Vec3(12, 0, 0), Vec3(12, 12, 0), Vec3(1, 11, 0)});
   EXPECT_EQ(meanOf(surface, points, {1, 2, 1, 1}).uniqueness, Uniqueness::kCertain);
   EXPECT_EQ(meanOf(surface, points, {1, 2, 1, 1}, false).uniqueness, Uniqueness::kNotLooked);
-  // Weights below 0 make no convex energy of convex ones.
+  // With negative weights convex energies need not have a convex sum.
   EXPECT_EQ(meanOf(surface, points, {1, 2, -0.5, 1}).uniqueness, Uniqueness::kLikely);
 }
 
@@ -53,19 +53,19 @@ TEST(Uniqueness, IsProvedInASaddleAndNotOnACone) {
   Surface bent(saddle(12));
   const Array<Vec3> corners{Vec3(-0.8, -0.8, 0.6), Vec3(0.8, -0.7, -0.6), Vec3(0.1, 0.8, 0.1)};
   EXPECT_EQ(meanOf(bent, nearestTo(bent, corners), {1, 1, 1}).uniqueness, Uniqueness::kCertain);
-  // One vertex that is pulled out has positive curvature.
+  // A raised vertex has positive curvature.
   TriangleMesh pulled = planeGrid(12, 12);
   pulled.positions[6 * 13 + 6].z() = 0.5;
   Surface cone(std::move(pulled));
   const Array<Vec3> around{Vec3(2, 2, 0), Vec3(10, 3, 0), Vec3(6, 10, 0)};
   EXPECT_EQ(meanOf(cone, nearestTo(cone, around), {1, 1, 1}).uniqueness, Uniqueness::kLikely);
-  // Away from it the ball about the points is flat.
+  // Away from it the ball around the points is flat.
   const Array<Vec3> aside{Vec3(1, 1, 0), Vec3(2, 1, 0), Vec3(1, 2.5, 0)};
   EXPECT_EQ(meanOf(cone, nearestTo(cone, aside), {1, 1, 1}).uniqueness, Uniqueness::kCertain);
 }
 
 TEST(Uniqueness, IsNotCertainAroundAHole) {
-  // The faces within reach of these points go round a hole of the plane: no disk, although flat.
+  // The faces within reach of these points surround a hole of the plane: flat, but not a disk.
   const TriangleMesh plane = planeGrid(12, 12);
   Array<Triangle> faces;
   for (int f = 0; f < plane.faceCount(); ++f) {
@@ -80,11 +80,11 @@ TEST(Uniqueness, IsNotCertainAroundAHole) {
 
 TEST(Uniqueness, OtherMinimaHaveTheirEnergiesFromTheLowestUp) {
   Surface surface(importMesh(makeShape(Shape::kSphere, 2000)).mesh);
-  // Around the equator: each pole is a minimum, the northern one the lower.
+  // Points around the equator: each pole is a minimum, the northern one the lower.
   const Array<SurfacePoint> points =
       nearestTo(surface, {Vec3(1, 0, 0.1), Vec3(0, 1, 0.1), Vec3(-1, 0, 0.1), Vec3(0, -1, 0.1)});
   const Array<double> weights{1, 1, 1, 1};
-  // Searches from the control points find the nearer pole alone, and say nothing of the other.
+  // Searches from the control points find only the nearer pole, and do not look for the other.
   EXPECT_EQ(meanOf(surface, points, weights, false).uniqueness, Uniqueness::kNotLooked);
   const Mean mean = meanOf(surface, points, weights);
   EXPECT_EQ(mean.uniqueness, Uniqueness::kNotUnique);
@@ -96,7 +96,7 @@ TEST(Uniqueness, OtherMinimaHaveTheirEnergiesFromTheLowestUp) {
     EXPECT_GE(other.energy, before);
     before = other.energy;
   }
-  // A search that starts at the other pole stays there, and knows of the lower one.
+  // A search that starts at the other pole stays there, but finds the lower one.
   MeanOptions options;
   options.normalize = true;
   options.looksForOthers = true;
@@ -123,7 +123,7 @@ TEST(Uniqueness, StartsAreSpreadEvenlyOverTheComponent) {
   EXPECT_EQ(spreadPoints(two, 1, 32).count(), 2);
 }
 
-/// A mesh, and where control points on it may lie: within so much of a random point.
+/// A mesh, and the largest distance of control points from a random point on it.
 struct Setting {
   Setting(const std::string& its, TriangleMesh mesh, double spread,
           std::optional<CurvatureBound> smooth = std::nullopt)
@@ -164,7 +164,7 @@ Array<SurfacePoint> randomPoints(Random& random, Setting& setting) {
   const double radius = random.uniform(0.1, 1) * setting.widest;
   const int count = 3 + random.index(4);
   Array<SurfacePoint> points;
-  // As a rule a few tries find one; the bound is for meshes whose faces are larger than the ball.
+  // Usually a few tries find one; the bound is for meshes whose faces are larger than the ball.
   for (int tries = 0; points.count() < count && tries < 10'000; ++tries) {
     const SurfacePoint point = anywhere();
     if ((position(mesh, point) - middle).norm() < radius) points.push_back(point);
@@ -173,8 +173,8 @@ Array<SurfacePoint> randomPoints(Random& random, Setting& setting) {
   return points;
 }
 
-// What is said to be certain is tried: searches from many places in the ball end at the center, and
-// searches from elsewhere find nothing lower.
+// Certain uniqueness is tested: searches from many places in the ball end at the center, and
+// searches from elsewhere find no lower minimum.
 TEST(Uniqueness, WhatIsCertainHoldsForAThousandStarts) {
   SKIP_WHERE_SANITIZED();
   const uint64_t seed = 16;
@@ -204,8 +204,8 @@ TEST(Uniqueness, WhatIsCertainHoldsForAThousandStarts) {
     const Mean mean = centerOfMass(surface, points, weights, options);
     ++counts[static_cast<int>(mean.uniqueness)];
     if (mean.uniqueness != Uniqueness::kCertain) continue;
-    // Searches end at the zero of the fields from which the center is moved, if it is, by exact
-    // distances (exact_minimum.h); that depends on nothing else.
+    // The searches end at the zero of the fields. The check by exact distances (exact_minimum.h),
+    // which may move the center, depends only on that zero.
     options.isChecked = false;
     const Mean zero = centerOfMass(surface, points, weights, options);
     SCOPED_TRACE(setting.name + ", case " + std::to_string(k));
@@ -227,7 +227,7 @@ TEST(Uniqueness, WhatIsCertainHoldsForAThousandStarts) {
                       surface.mesh().vertexCount());
     for (int s = 0; s < starts; ++s) {
       const SurfacePoint start{random.index(surface.mesh().faceCount()), Vec3::Constant(1.0 / 3)};
-      // The whole of the start's face lies in the ball.
+      // The ball contains the whole face of the start.
       bool inBall = true;
       for (int c = 0; c < 3; ++c) {
         inBall = inBall && distances[surface.mesh().corner(start.face, c)] <= radius;

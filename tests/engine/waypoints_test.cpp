@@ -65,9 +65,9 @@ TEST(Waypoints, TellHowOftenAPathGoesAroundATube) {
     EXPECT_LE(waypoints.count(), 7) << end;
     SurfacePath again;
     ASSERT_TRUE(findPathBy(geometry, path.start(), waypoints, path.end(), workspace, again));
-    // Straight lines where the tube is unrolled: the same to rounding.
+    // The lines are straight on the unrolled tube: equal up to rounding.
     EXPECT_LT(gapBetween(mesh, path, again), 1e-9) << end;
-    // The other way around it is the same path.
+    // In the opposite direction around it the path is the same.
     Array<SurfacePoint> turned(waypoints.rbegin(), waypoints.rend());
     SurfacePath back;
     ASSERT_TRUE(findPathBy(geometry, path.end(), turned, path.start(), workspace, back));
@@ -85,7 +85,7 @@ TEST(Waypoints, FindDrawnPathsAgainOnCurvedSurfaces) {
     SurfacePath path;
     const SurfacePoint from = randomPlace(mesh, random);
     ASSERT_TRUE(findPath(geometry, from, randomPlace(mesh, random), workspace, path));
-    // Its end is led along another path, as by a hand.
+    // Its end is led along another path, as by a drag.
     SurfacePath way;
     ASSERT_TRUE(findPath(geometry, path.end(), randomPlace(mesh, random), workspace, way));
     bool goesOn = true;
@@ -110,7 +110,7 @@ TEST(Waypoints, OnEdgesFromFaceToFaceAreThePathItself) {
   FindPathWorkspace workspace;
   SurfacePath path;
   ASSERT_TRUE(findPath(geometry, onTube(mesh, 0.1, 0.5), onTube(mesh, 1.9, 0.6), workspace, path));
-  // Bent at every other edge, as no path is that is pulled tight.
+  // The path bends at every second edge, unlike any straightened path.
   Array<SurfacePoint> bent(path.points.begin() + 1, path.points.end() - 1);
   ASSERT_GT(bent.count(), 4);
   for (int i = 0; i < bent.count(); i += 2) {
@@ -123,9 +123,9 @@ TEST(Waypoints, OnEdgesFromFaceToFaceAreThePathItself) {
   ASSERT_EQ(found.points.count(), bent.count() + 2);
   EXPECT_GT(found.length(), path.length() * (1 + 1e-3));
   for (int i = 0; i < bent.count(); ++i) EXPECT_EQ(found.points[i + 1].bary, bent[i].bary);
-  // It is told by itself, as it is found by nothing less.
+  // Such a path consists of its own waypoints, since fewer do not restore it.
   EXPECT_EQ(waypointsOf(geometry, found, workspace).count(), bent.count());
-  // One point off the edges, and the path is pulled tight.
+  // A single point off the edges makes the path straighten.
   bent[3] = SurfacePoint{bent[3].face, Vec3(0.4, 0.3, 0.3)};
   ASSERT_TRUE(findPathBy(geometry, path.start(), bent, path.end(), workspace, found));
   EXPECT_LT(found.length(), path.length() * (1 + 1e-9));

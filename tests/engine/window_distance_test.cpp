@@ -19,7 +19,7 @@ namespace karcher {
 namespace {
 
 TEST(WindowDistance, IsRightForEdgesFromOneToABillionTimesAThousand) {
-  // Every pair of the grid's vertices, in both directions: distances are straight.
+  // The sources and targets are all pairs of the grid's vertices: distances are straight.
   const TriangleSoup soup = wideGrid(24, 6);
   const TriangleMesh mesh = buildMesh(soup.positions, soup.triangles);
   const Geometry geometry = buildGeometry(mesh);
@@ -38,7 +38,8 @@ TEST(WindowDistance, IsRightForEdgesFromOneToABillionTimesAThousand) {
 TEST(WindowDistance, NamesARangeOfEdgesThatIsTooWide) {
   const TriangleSoup soup = wideGrid(24, 6);
   Array<Vec3> positions = soup.positions;
-  for (Vec3& p : positions) p.x() = std::max(p.x(), 3.0);  // the first column moves to the second
+  for (Vec3& p : positions)
+    p.x() = std::max(p.x(), 3.0);  // the first column is moved to the second
   const TriangleMesh mesh = buildMesh(positions, soup.triangles);
   const Geometry geometry = buildGeometry(mesh);
   try {
@@ -97,7 +98,8 @@ TEST(WindowDistance, KeepsItsAccuracyOnNeedles) {
 }
 
 TEST(WindowDistance, IsNoShorterThanStraightAtTheEndOfANeedle) {
-  // Two needles on an edge of 1e-10, and the triangle between them; from any corner of each needle.
+  // Two needles on an edge of 1e-10, and the triangle between them; sources are all corners of each
+  // needle.
   const Array<Vec3> positions{{0, 0, 0}, {1e-10, 0, 0}, {0, 8, 0}, {9, 14, 0}};
   for (int turn = 0; turn < 9; ++turn) {
     SCOPED_TRACE("turned " + std::to_string(turn));
@@ -120,7 +122,7 @@ TEST(WindowDistance, IsNoShorterThanStraightAtTheEndOfANeedle) {
 }
 
 TEST(WindowDistance, LosesNoRegionOfARegularGrid) {
-  // Every vertex lies behind others exactly, and every way has equals.
+  // Every vertex lies exactly behind others, and every path has equally long ones.
   const MeasuredMesh surface(planeGrid(30, 30));
   WindowDistance solver(surface.geometry);
   for (const Vec3& p : {Vec3(0, 0, 0), Vec3(15, 15, 0), Vec3(7.5, 7.5, 0), Vec3(10.5, 3, 0)}) {
@@ -184,8 +186,8 @@ TEST(WindowDistance, UnrollsTheCone) {
       solver.setSource(vertexPoint(surface.mesh, source));
       solver.grow(kInfinity);
       for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
-        // The chord of the bottom's polygon cuts into the unrolled disk: paths run along it there,
-        // so points near the rim are left out.
+        // The chord of the bottom's polygon cuts into the unrolled disk, and paths follow it there;
+        // points near the rim are left out.
         if (cone.unrolled[v].x() > 0.5 || cone.unrolled[source].x() > 0.5) continue;
         const double truth = coneDistance(cone, cone.unrolled[source], cone.unrolled[v]);
         ASSERT_NEAR(solver.distance(v), truth, 1e-12);
@@ -203,7 +205,7 @@ TEST(WindowDistance, TurnsRoundAReentrantCorner) {
     solver.grow(kInfinity);
     for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
       const Vec3& q = surface.mesh.positions[v];
-      // The corner is in the way where it lies on the inner side of the straight line.
+      // The corner obstructs the path if it lies on the inner side of the straight line.
       const Vec3 toQ = q - p;
       const bool aroundCorner = q.y() > 6 && p.x() > 6 && toQ.cross(corner - p).z() > 0;
       const bool turns = aroundCorner && q.x() <= 6;
@@ -311,8 +313,8 @@ TEST(WindowDistance, TouchesOnlyTheNeighbourhood) {
 }
 
 TEST(WindowDistance, WindowsDoNotWindRoundATip) {
-  // 1 wide and 1e5 high: the paths round it once are so short that no vertex beats those that go
-  // round ten thousand times.
+  // The cone is 1 wide and 1e5 high: paths around it are so short that no vertex blocks those that
+  // wind ten thousand times.
   constexpr int kSides = 13;
   const TriangleSoup soup = wheel(kSides, 0, 1e5);
   const MeasuredMesh cone(buildMesh(soup.positions, soup.triangles));
@@ -332,8 +334,8 @@ TEST(WindowDistance, WindowsDoNotWindRoundATip) {
 }
 
 TEST(WindowDistance, IsTheSameBothWaysPastNeedles) {
-  // All that passes between the ends of a side of 1e-10 is narrower than windows on long sides are
-  // kept elsewhere. Of sources every needle's tip counts: those come last.
+  // Everything that passes between the ends of a side of 1e-10 is narrower than the least window on
+  // long sides. The sources include every needle's tip: these come last.
   const MeasuredMesh sheet(galleryMesh("rough sheet, needles 1e-10"));
   WindowDistance solver(sheet.geometry);
   const int count = sheet.mesh.vertexCount();
@@ -384,18 +386,18 @@ TEST(WindowDistance, GoesStraightAlongABoundaryPastAnEdgeOfNothing) {
 }
 
 TEST(WindowDistance, EntersASliverThroughItsTip) {
-  // The sliver 0, 3, 1 is 1e-11 high; from 4, which lies on the line of its long side, all of it
-  // and what is behind it are in the shadow of 3, which is flat but for 3e-12.
+  // The sliver 0, 3, 1 is 1e-11 high. Seen from 4, on the line of its long side, the sliver and
+  // everything behind it are in the shadow of 3, which is flat up to 3e-12.
   const MeasuredMesh strip(
       buildMesh({{0, 0, 0}, {1, 0, 1e-11}, {0.01, 0, 1}, {4, 0, 0}, {8, 0, 0}, {0.01, 0, 1}},
                 {{1, 0, 3}, {0, 4, 5}, {5, 3, 0}, {1, 2, 0}, {5, 4, 3}}));
   EXPECT_NEAR(bothWays(strip, 4, 1), 7, 1e-10);
-  // Straight on in the plane of the last triangle.
+  // The path continues straight in the plane of the last triangle.
   EXPECT_NEAR(bothWays(strip, 4, 2), 7 + std::hypot(0.99, 1), 1e-10);
 }
 
 TEST(WindowDistance, ChoosesBetweenPathsOfOneLengthByNumbers) {
-  // On a lattice many vertices have two shortest paths. A turned one is the same but for rounding.
+  // On a lattice many vertices have two shortest paths. A rotated lattice differs only by rounding.
   const MeasuredMesh plate(galleryMesh("plate with 50 holes"));
   const Eigen::AngleAxisd turn(1.234, Vec3(1, -2, 0.7).normalized());
   Array<Vec3> positions = plate.mesh.positions;
@@ -422,8 +424,7 @@ TEST(WindowDistance, ChoosesBetweenPathsOfOneLengthByNumbers) {
 }
 
 TEST(WindowDistance, WindsRoundANeedleOnceAtMost) {
-  // All faces round the tip are alike: rolled out they are a part of a disk, and paths are
-  // straight.
+  // All faces around the tip are alike: unrolled they are a part of a disk, and paths are straight.
   for (const int faces : {300, 1000, 3000}) {
     const TriangleSoup soup = wheel(faces, 0, 1e4);
     const MeasuredMesh needle(buildMesh(soup.positions, soup.triangles));
@@ -451,8 +452,8 @@ TEST(WindowDistance, WindsRoundANeedleOnceAtMost) {
   }
 }
 
-/// The long edges of spikes make the mean edge; windows that cross the short ones between are not
-/// carried again and again.
+/// The long edges of spikes dominate the mean edge; windows across the short edges between them are
+/// not propagated again and again.
 TEST(WindowDistance, CarriesFewWindowsInVainAmongSpikes) {
   Random random(20261127);
   TriangleSoup soup = makeShape(Shape::kSphere, 4000);
