@@ -30,7 +30,7 @@ interface Pending {
   begun: number;
 }
 
-/** A cancelled call, which the worker has to acknowledge. */
+/** A cancelled call that the worker has to acknowledge. */
 interface Cancelled {
   begun: boolean;
   timer?: ReturnType<typeof setTimeout>;
@@ -39,17 +39,17 @@ interface Cancelled {
 /** The sentence for a worker that ended without a reason. */
 export const unknownReason = 'the engine could not go on in its worker';
 
-/** Milliseconds that a worker has at least to hear that a call is cancelled. */
+/** The least time, in milliseconds, that a worker has to acknowledge a cancelled call. */
 const leastPatience = 200;
 
 /**
  * The calls into one worker that runs `serve`.
  *
- * With a function that starts workers, a call that the worker is at can be interrupted: a worker that
- * does not hear that its call is cancelled is ended after a while, and another one takes its place, in
- * which the other calls are made again, and each mesh and curve anew before the first call that needs it.
- * It waits for about as long as it takes to make all of them, so that little is lost where the call was
- * about to end. What else `serve` was given must not hold anything that calls have changed.
+ * With a function that starts workers, a running call can be interrupted. A worker that does not
+ * acknowledge in time that its call is cancelled is terminated and replaced. In the new worker the
+ * other calls are sent again, and each mesh and curve is created again before the first call that
+ * needs it. The client waits for about as long as creating all of them takes, so that little is
+ * lost if the call was about to end. No other data of `serve` may depend on earlier calls.
  */
 export class WorkerClient {
   readonly #start: (() => WorkerLike) | null;
@@ -60,17 +60,20 @@ export class WorkerClient {
   readonly #origins = new WeakMap<object, Origin>();
   /** The origins of the objects that a new worker would have to create again. */
   readonly #kept = new Set<Origin>();
-  /** Whether it could create all of them again. */
+  /** Whether a new worker could create all of them again. */
   #keepsAll = true;
   #hasAnswered = false;
   #calls = 0;
-  /** How many objects were created again. They have negative numbers. */
+  /** The number of objects that were created again. Their own numbers are negative. */
   #remade = 0;
   #end: KarcherError | null = null;
 
-  /** Called when the worker ended by itself, or its engine broke: every call fails from then on. */
+  /**
+   * A callback for a worker that ended by itself, or whose engine broke. Every call fails from then
+   * on.
+   */
   onFatal: ((error: KarcherError) => void) | null = null;
-  /** Called when another worker has taken the place of one whose call was interrupted. */
+  /** A callback for a worker that replaced one with an interrupted call. */
   onRestart: (() => void) | null = null;
 
   constructor(worker: WorkerLike | (() => WorkerLike)) {
@@ -82,16 +85,16 @@ export class WorkerClient {
   #listen(): void {
     const worker = this.#worker;
     const heard = (type: Parameters<typeof listen>[1], hear: (value: unknown) => void) =>
-      // A worker is no longer heard once another one has taken its place.
+      // A replaced worker is no longer heard.
       listen(worker, type, (value) => worker === this.#worker && hear(value));
     heard('message', (reply) => this.#receive(reply as Reply));
     heard('error', (error) => this.#break(error));
     heard('messageerror', (error) => this.#break(error));
-    // A worker of Node that ended by itself, or was ended by others.
+    // This is a worker of Node that ended by itself, or that others ended.
     heard('exit', () => this.#break(new Error('the worker has ended')));
   }
 
-  /** Whether it ended, or was disposed of. */
+  /** Whether the worker ended, or was disposed of. */
   get disposed(): boolean {
     return this.#end !== null;
   }
@@ -102,12 +105,12 @@ export class WorkerClient {
   }
 
   /**
-   * Calls a method of an object in the worker, by default of the one that it serves. A signal among
-   * the arguments, or in an object among them, rejects the call with its reason at once. Rejects with
-   * the `KarcherError` of the engine, or with `disposed`.
+   * Calls a method of an object in the worker, by default of the root object that `serve` received.
+   * A signal among the arguments, or in an object among them, rejects the call with its reason at
+   * once. Rejects with the `KarcherError` of the engine, or with `disposed`.
    *
-   * `work` is for calls that know of no signals and progress themselves: its signal does the same, its
-   * progress hears when the worker begins with the call (0) and has ended (1).
+   * `work` serves calls that do not take signals and progress themselves. Its signal does the same,
+   * and its progress is called when the worker begins the call (0) and has ended it (1).
    */
   call(
     name: string,
@@ -146,8 +149,8 @@ export class WorkerClient {
   }
 
   /**
-   * Gives up every call that is under way, as a signal would, but for those that dispose of something:
-   * they reject with the reason.
+   * Cancels every pending call, as a signal would, except those that dispose of an object. They
+   * reject with the reason.
    */
   giveUp(reason: unknown): void {
     for (const [id, { call }] of this.#pending) {
@@ -155,7 +158,7 @@ export class WorkerClient {
     }
   }
 
-  /** Ends the worker, and every call that is under way. Safe to repeat. */
+  /** Ends the worker and every pending call. Safe to repeat. */
   dispose(): void {
     this.#stop(new KarcherError('disposed', 'the worker has been disposed of'));
   }
@@ -172,7 +175,7 @@ export class WorkerClient {
     sending(() => this.#worker.postMessage({ ...request, keeps } satisfies Request));
   }
 
-  /** In Node the process waits for calls that are under way, not for a worker that nobody calls. */
+  /** In Node the process waits for pending calls, not for an idle worker. */
   #hold(): void {
     const waits = this.#pending.size + this.#cancelled.size > 0;
     if (waits) this.#worker.ref?.();
@@ -191,7 +194,7 @@ export class WorkerClient {
     if (pending.begun > 0) this.#impatient(cancelled);
   }
 
-  /** Acts on the cancellation of the call that the worker is at. */
+  /** Acts on the cancellation of the call that the worker executes. */
   #impatient(cancelled: Cancelled): void {
     if (cancelled.begun) return;
     cancelled.begun = true;
@@ -213,7 +216,7 @@ export class WorkerClient {
     this.#cancelled.clear();
   }
 
-  /** Replaces this worker by another one, in which the calls under way are made again. */
+  /** Replaces this worker by another one, to which the pending calls are sent again. */
   #restart(): void {
     this.#forgetCancelled();
     const before = this.#worker;
@@ -226,7 +229,7 @@ export class WorkerClient {
     before.terminate();
     this.#listen();
     const calls = [...this.#pending];
-    // Calls that wait for it come before it is disposed of.
+    // Calls that wait for the object come before its disposal.
     for (const [, { call, of }] of calls) if (call === 'dispose' && of) of.isDisposed = false;
     for (const [id, pending] of calls) {
       pending.begun = 0;
@@ -246,14 +249,16 @@ export class WorkerClient {
     this.onRestart?.();
   }
 
-  /** Whether an object that is to be disposed of is gone already, with the worker that had it. */
+  /** Whether an object that is to be disposed of is gone already, with its worker. */
   #hasLeft(origin: Origin): boolean {
     if (origin.worker === this.#worker) return false;
     origin.isDisposed = true;
     return true;
   }
 
-  /** The number of an object in the present worker, which creates it again where it does not have it. */
+  /**
+   * The number of an object in the present worker, which creates it again if it does not have it.
+   */
   #targetOf(origin: Origin): number {
     if (isGone(origin)) throw gone();
     if (origin.worker !== this.#worker) this.#make(origin);
@@ -275,7 +280,7 @@ export class WorkerClient {
     origin.target = -++this.#remade;
     origin.worker = this.#worker;
     send({ call, args, makes: origin.target });
-    // What it was made of had been disposed of.
+    // The object from which it was created had been disposed of.
     if (!isWithout || !of.isDisposed) return;
     of.worker = null;
     send({ call: 'dispose', args: [] });
@@ -335,7 +340,7 @@ export class WorkerClient {
     if (reply.failure.fatal) this.#break(errorOf(reply.failure));
   }
 
-  /** Own copies of arguments that may have to be sent again; the signals among them. */
+  /** Copies of arguments that may have to be sent again; adds their signals to the list. */
   #copied(args: readonly unknown[], signals: AbortSignal[]): unknown[] {
     const copied = (arg: unknown) =>
       replaced(arg, (part) => {
@@ -363,7 +368,7 @@ export class WorkerClient {
     });
   }
 
-  /** A result that nobody waits for is disposed of. */
+  /** Nobody waits for the result, so it is disposed of. */
   #received(result: unknown, pending: Pending | undefined): unknown {
     let meshes = 0;
     return replaced(result, (part) => {
@@ -398,7 +403,7 @@ export class WorkerClient {
       const kept = this.#start ? withoutWork(args) : [];
       return { target, worker, of, call, args: kept, took, isDisposed: false };
     }
-    // A curve that another one makes is of the same mesh.
+    // A curve created by another curve has the same mesh.
     const mesh = of?.call === 'curve' ? of.of : of;
     const { value } = more as { value?: CurveOptions };
     const took = performance.now() - begun;
@@ -406,7 +411,7 @@ export class WorkerClient {
     return { target, worker, ...made };
   }
 
-  /** What the call made of the mesh or curve that it is of. */
+  /** Records the effect of the call on its mesh or curve. */
   #keep({ value }: { value?: CurveOptions }, pending: Pending | undefined): void {
     const of = pending?.of;
     if (!of) return;
@@ -423,7 +428,7 @@ function checkedWorker(worker: WorkerLike): WorkerLike {
 
 const gone = () => new KarcherError('disposed', 'the mesh or curve has been disposed of');
 
-/** Throws `KarcherError` for what `clone` cannot make a structured clone of. */
+/** Throws `KarcherError` if `clone` cannot create a structured clone. */
 function sending<Result>(clone: () => Result): Result {
   try {
     return clone();
@@ -434,13 +439,13 @@ function sending<Result>(clone: () => Result): Result {
   }
 }
 
-/** Tells the progress that a call is done, whose own failure is the call's. */
+/** Reports that a call is done. An error of the progress function is the call's failure. */
 function told(result: unknown, progress: NonNullable<LongWorkOptions['progress']>): unknown {
   progress(1, 'done');
   return result;
 }
 
-/** Hears a worker's event: the data of a message, or an error. */
+/** Listens to a worker's event: the data of a message, or an error. */
 function listen(
   worker: WorkerLike,
   type: 'message' | 'error' | 'messageerror' | 'exit',

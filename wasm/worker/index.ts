@@ -23,8 +23,8 @@ export type { RemoteCurve, RemoteMesh } from './remote.js';
 export type RemoteKarcher = RemoteEngine & { readonly client: WorkerClient };
 
 /**
- * The worker of `loadInWorker`, in a page and in Node. A bundler that does not find the worker's file
- * from here is given it by the page, which makes a module worker of `karcher/worker-thread`.
+ * The worker of `loadInWorker`, in a page and in Node. If a bundler does not find the worker's file
+ * from here, the page passes a module worker of `karcher/worker-thread`.
  */
 export function startWorker(): WorkerLike {
   const { process } = globalThis as { process?: NodeJS.Process };
@@ -36,35 +36,35 @@ export function startWorker(): WorkerLike {
 /** The options for starting a worker with the engine. */
 export interface WorkerOptions {
   /**
-   * Starts a worker that runs `karcher/worker-thread`, or is one. Of one that is given, calls cannot be
-   * interrupted.
+   * A worker that runs `karcher/worker-thread`, or a function that starts one. With a given worker,
+   * calls cannot be interrupted.
    */
   worker?: WorkerLike | (() => WorkerLike) | undefined;
-  /** Where the engine is, as of `load`; the worker gets it compiled. */
+  /** The source of the engine, as for `load`. The worker receives it compiled. */
   wasm?: WasmSource | undefined;
-  /** Ends the loading. */
+  /** A signal that ends the loading. */
   signal?: StopSignal | undefined;
 }
 
 const workerOptionNames = namesOf<WorkerOptions>({ worker: true, wasm: true, signal: true });
 
 /**
- * Loads the engine in a worker of its own. All names are those of `load`'s engine; methods return
- * promises, and a curve's properties are promises. What they return is the caller's, large arrays are
- * transferred.
+ * Loads the engine in a new worker. All names are those of `load`'s engine. Methods return
+ * promises, and a curve's properties are promises. Results belong to the caller, and large arrays
+ * are transferred.
  *
- * Every method takes `{ progress, signal }` after its other arguments. A signal rejects the call at once
- * with its reason. A call that waits is not begun; files, graphs and check-ups stop. Any other call under
- * way may go on for about as long as it takes to make all meshes and curves anew. Then it is interrupted:
- * a new worker takes the place of this one, all meshes and curves are made in it as they were, and the
- * calls that were not aborted are made there. For this, copies of what meshes were made of are kept, a
- * small part of what meshes take in the engine.
+ * Every method takes `{ progress, signal }` after its other arguments. A signal rejects the call at
+ * once with its reason. A waiting call is then not begun; files, graphs and check-ups stop. Any
+ * other running call may continue for about as long as creating all meshes and curves again takes.
+ * Then it is interrupted: a new worker replaces this one, the calls that were not aborted are sent
+ * to it, and meshes and curves are created again as they were. For this purpose the data of meshes
+ * is copied, which takes a small part of their memory in the engine.
  *
- * In Node the worker keeps the process alive only while a call is under way.
+ * In Node the worker keeps the process alive only while a call is pending.
  *
- * Rejects with `KarcherError` notLoaded where the worker's script cannot be had, naming its address.
- * Every call rejects with the engine's `KarcherError`: with `internal` if the worker ended by itself,
- * with `disposed` after `dispose`.
+ * Rejects with `KarcherError` notLoaded, naming the address, if the worker's script cannot be
+ * loaded. Every call rejects with the engine's `KarcherError`: with `internal` if the worker ended
+ * by itself, with `disposed` after `dispose`.
  */
 export async function loadInWorker(options: WorkerOptions = {}): Promise<RemoteKarcher> {
   checkOptions(options, workerOptionNames);
@@ -91,7 +91,9 @@ export async function loadInWorker(options: WorkerOptions = {}): Promise<RemoteK
   }
 }
 
-/** A worker that has been sent the engine's module; what is no worker is refused by its client. */
+/**
+ * A worker that has been sent the engine's module. Its client rejects a value that is no worker.
+ */
 function supplied(worker: WorkerLike, wasm: WebAssembly.Module | undefined): WorkerLike {
   const { postMessage } = (worker ?? {}) as Partial<WorkerLike>;
   if (wasm && typeof postMessage === 'function')
@@ -99,7 +101,10 @@ function supplied(worker: WorkerLike, wasm: WebAssembly.Module | undefined): Wor
   return worker;
 }
 
-/** `startWorker`, where a page may not: of an address of another origin `Worker` throws. */
+/**
+ * `startWorker` with a replacement for pages that may not call it: `Worker` throws for an address
+ * of another origin.
+ */
 function startOwnWorker(): WorkerLike {
   try {
     return startWorker();
@@ -108,7 +113,10 @@ function startOwnWorker(): WorkerLike {
   }
 }
 
-/** The error of a worker that has answered nothing. Browsers give no reason where a script is missing or blocked. */
+/**
+ * The error of a worker that has never answered. Browsers give no reason if a script is missing or
+ * blocked.
+ */
 function notStarted(isOwn: boolean, cause: unknown): unknown {
   if (cause instanceof KarcherError && cause.code !== 'internal') return cause;
   const { message } = cause as Partial<Error>;
@@ -120,7 +128,7 @@ function notStarted(isOwn: boolean, cause: unknown): unknown {
   );
 }
 
-/** A bundler names the script as it likes, and an address that was written as such would be bundled once more. */
+/** A bundler chooses the script's name. An address in the source would be bundled again. */
 function adviceOnOwn(): string {
   const here = import.meta.url;
   const address = here.replace(/\/worker\/index\.js([?#].*)?$/, '/worker/thread.js');

@@ -1,4 +1,4 @@
-/** For a worker with calls of its own: `serve` in the worker, `WorkerClient` on the other side. */
+/** Tools for a worker with other calls: `serve` in the worker, `WorkerClient` on the other side. */
 export { KarcherError } from '../errors.js';
 export { WorkerClient } from './client.js';
 export type { WorkerLike } from './protocol.js';

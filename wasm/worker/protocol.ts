@@ -4,22 +4,23 @@ import type { CompiledModule } from '../platform.js';
 import type { CurveOptions, ErrorCode, MeshInfo } from '../types.js';
 import type { ViewData } from '../view.js';
 
-/** A page's worker, or one of Node's. */
+/** A worker of a page or of Node. */
 export interface WorkerLike {
   /** Sends a message to the worker. */
   postMessage(message: unknown): void;
   /** Ends the worker. */
   terminate(): unknown;
-  /** In Node: makes the process wait for the worker again. */
+  /** Makes the process wait for the worker again, in Node. */
   ref?(): void;
-  /** In Node: lets the process end while the worker waits. */
+  /** Lets the process end while the worker waits, in Node. */
   unref?(): void;
 }
 
 /**
- * With `tells` the first function among the arguments hears when the worker begins with the call. With
- * `keeps` the client hears that too, and what curves are that the call makes or edits. With `makes` the
- * call gives another worker's mesh or curve anew, which gets this number; that it failed is its only answer.
+ * A call. With `tells`, the worker announces the begin of the call to the first function among the
+ * arguments. With `keeps`, it announces it to the client, too, together with the values of curves
+ * that the call creates or edits. With `makes`, the call creates another worker's mesh or curve
+ * again under this number; its only answer is a failure.
  */
 export interface Call {
   id: number;
@@ -32,13 +33,13 @@ export interface Call {
 }
 
 /**
- * The messages between a client and its worker. A call names a method of an object in the worker, of
- * which number 0 is the one that is served. Arguments and results travel as structured clones, but
- * for what is written as `Sent`.
+ * The messages between a client and its worker. A call names a method of an object in the worker;
+ * number 0 is the root object. Arguments and results are sent as structured clones, except those
+ * written as `Sent`.
  */
 export type Request = Call | { cancel: number } | FirstRequest;
 
-/** What a worker may hear before all else: the engine that it is to take. */
+/** A message that a worker may receive before all others: the engine that it should use. */
 export interface FirstRequest {
   wasm: CompiledModule;
 }
@@ -47,17 +48,17 @@ export type Reply =
   /** The answer, with the value of the curve that the call edited. */
   | { id: number; result: unknown; value?: CurveOptions }
   | { id: number; begun: true }
-  /** The worker has heard that the call is cancelled. */
+  /** The worker acknowledges that the call is cancelled. */
   | { id: number; cancelled: true }
   | { id: number; failure: Failure }
-  /** A function among the call's arguments is to be called. */
+  /** The client should call a function among the call's arguments. */
   | { id: number; callback: number; args: unknown[] };
 
 export interface Failure {
   message: string;
-  /** Of a `KarcherError`. */
+  /** The code of a `KarcherError`. */
   code?: ErrorCode;
-  /** The engine broke and takes no more calls. */
+  /** Whether the engine broke and takes no more calls. */
   fatal: boolean;
 }
 
@@ -67,7 +68,7 @@ export type Sent =
   | { sent: 'callback'; callback: number }
   | { sent: 'mesh'; target: number; info: Readonly<MeshInfo> }
   | { sent: 'curve'; target: number; value?: CurveOptions }
-  /** On the way to the worker, of either kind. */
+  /** An object that stays in the worker, on the way there. */
   | { sent: 'object'; target: number }
   | { sent: 'path'; data: EnginePath }
   | { sent: 'region'; data: EngineRegion }
@@ -75,13 +76,16 @@ export type Sent =
 
 export const isSent = (value: object): value is Sent => 'sent' in value;
 
-/** Whether it is an object of no class. */
+/** Whether a value is a plain object, of no class. */
 export function isPlain(value: object): boolean {
   const prototype = Object.getPrototypeOf(value);
   return prototype === Object.prototype || prototype === null;
 }
 
-/** A value in which what `replace` knows has been replaced; undefined is what it does not know. */
+/**
+ * A copy of a value in which `replace` has replaced parts; undefined from `replace` leaves a part
+ * unchanged.
+ */
 export function replaced(value: unknown, replace: (part: object) => unknown): unknown {
   if ((typeof value !== 'object' || value === null) && typeof value !== 'function') return value;
   const other = replace(value);
@@ -96,7 +100,7 @@ export function replaced(value: unknown, replace: (part: object) => unknown): un
 export function failureOf(error: unknown): Failure {
   const message = error instanceof Error ? error.message : `${error}`;
   if (!(error instanceof KarcherError)) return { message, fatal: false };
-  // What the engine itself tells has no cause.
+  // An error that the engine itself reports has no cause.
   const fatal = error.code === 'internal' && error.cause !== undefined;
   return { message, code: error.code, fatal };
 }

@@ -9,7 +9,7 @@ import { frozenInfo } from '../mesh_info.js';
 import { checkLongWork } from '../options.js';
 import type { LongWorkOptions, MeshInfo, PolylineOptions } from '../types.js';
 
-/** Sends a call to the worker: a method of an object there, or of the engine. */
+/** A sender of calls to the worker: of a method of an object there, or of the engine. */
 interface Caller {
   call(
     name: string,
@@ -31,7 +31,7 @@ type Remote<Value> = Value extends Mesh
 type RemoteArgs<Args extends unknown[]> = { [Index in keyof Args]: Remote<Args[Index]> };
 
 /**
- * The methods of a class, returning promises. Each takes a signal, and progress, behind its last
+ * The methods of a class, returning promises. Each takes a signal and progress after its last
  * argument.
  */
 type Remotely<Class, Name extends keyof Class> = {
@@ -72,7 +72,7 @@ export type RemoteMesh = Remotely<Mesh, MeshMethod> &
 /** An engine in a worker, without the client that calls it. */
 export type RemoteEngine = Remotely<Karcher, MethodsOf<Karcher>> &
   Disposable & {
-    /** As `meshFromFile` of `karcher/formats`, read in the worker, with progress and a signal. */
+    /** `meshFromFile` of `karcher/formats`, executed in the worker, with progress and a signal. */
     meshFromFile(
       bytes: Uint8Array,
       options?: FileOptions,
@@ -181,14 +181,14 @@ type Call = (...args: unknown[]) => Promise<unknown>;
 const longMethods: readonly string[] = ['prepare', 'meshFromFile'];
 const workNames = namesOf<LongWorkOptions>({ progress: true, signal: true });
 
-/** Whether an argument is nothing but progress and a signal. */
+/** Whether an argument has only progress and a signal. */
 function isWork(value: unknown): value is LongWorkOptions {
   if (typeof value !== 'object' || value === null) return false;
   const names = Object.keys(value);
   return names.length > 0 && names.every((name) => workNames.includes(name));
 }
 
-/** An object whose methods are calls into the worker, of `object` where it is one of several. */
+/** An object whose methods are calls into the worker: of `object`, or of the engine. */
 function calling(client: Caller, names: readonly string[], object?: object) {
   const callOf = (name: string): Call => {
     if (longMethods.includes(name)) return (...args) => client.call(name, args, object);
@@ -202,7 +202,7 @@ function calling(client: Caller, names: readonly string[], object?: object) {
   return Object.fromEntries(names.map((name): [string, Call] => [name, callOf(name)]));
 }
 
-/** The same of a curve's value, in which a basis is refused. */
+/** The same call, which rejects a curve's value with a basis. */
 const withoutBasis =
   (call: Call): Call =>
   (...args) => {
@@ -212,11 +212,11 @@ const withoutBasis =
     return Promise.reject(new KarcherError('badArgument', sentence));
   };
 
-/** Lets it be disposed of by `using`, where the language has it. */
+/** Makes an object disposable by `using`, if the language supports it. */
 function withDispose<Item extends { dispose(): void | Promise<void> }>(item: Item): Item {
   if (typeof Symbol.dispose !== 'symbol') return item;
   const value = () => {
-    // Where the worker has ended, nothing is left to give back.
+    // If the worker has ended, no memory is left to free.
     Promise.resolve(item.dispose()).catch(() => {});
   };
   return Object.defineProperty(item, Symbol.dispose, { value });
@@ -226,7 +226,7 @@ export function remoteCurve(client: Caller): RemoteCurve {
   const curve = {};
   const calls = calling(client, curveMethods, curve);
   const set = withoutBasis(calls.set!);
-  // Not enumerable, so that copying or printing a curve makes no call.
+  // The properties are not enumerable, so that copying or printing a curve makes no call.
   for (const name of curveFacts) {
     Object.defineProperty(curve, name, { get: () => client.call(name, [], curve) });
   }

@@ -16,7 +16,7 @@ import {
   type Sent,
 } from './protocol.js';
 
-/** A worker's own end, in a page's worker and in one of Node's. */
+/** The worker's own side, in a page's worker and in one of Node. */
 interface Scope {
   postMessage(message: unknown, transfer: Transferable[]): void;
   addEventListener(type: 'message', hear: (event: { data: unknown }) => void): void;
@@ -29,10 +29,10 @@ export function ownScope(): Scope {
 }
 
 /**
- * Answers the calls of a client from within its worker: methods of `root`, and methods and properties of the
- * meshes and curves that these return, which stay here. Functions among a call's arguments may be called while it
- * is under way and return nothing; a signal among them is aborted by the client. The arrays of results
- * are transferred: what is returned is not to be kept.
+ * Answers the calls of a client from within its worker. Calls are methods of `root`, and methods
+ * and properties of the meshes and curves that these return, which stay here. Functions among a
+ * call's arguments may be called while it runs, and return nothing. The client aborts a signal
+ * among them. The arrays of results are transferred, so the methods must not keep them.
  */
 export function serve(root: object | Promise<object>): void {
   const server = new Server(root, ownScope());
@@ -46,7 +46,7 @@ class Server {
   readonly #scope: Scope;
   readonly #objects = new Map<number, Mesh | Curve>();
   readonly #running = new Map<number, AbortController>();
-  /** Calls that are not begun. */
+  /** The calls that have not begun. */
   readonly #waiting: Call[] = [];
   #beginning = false;
   #lastObject = 0;
@@ -68,7 +68,7 @@ class Server {
     });
   }
 
-  /** Begins with the calls that wait, and hears between them which of the others are cancelled. */
+  /** Executes the waiting calls, and receives between them which of the others are cancelled. */
   async #begin(): Promise<void> {
     if (this.#beginning) return;
     this.#beginning = true;
@@ -80,7 +80,7 @@ class Server {
     this.#beginning = false;
   }
 
-  /** Makes an object of another worker anew; without it the client's calls mean nothing. */
+  /** Creates an object of another worker again. Without it the client's calls have no meaning. */
   async #make({ id, target, call, args }: Call, number: number): Promise<void> {
     try {
       const owner = target === 0 ? await this.#root : this.#object(target);
@@ -114,13 +114,13 @@ class Server {
     const controller = new AbortController();
     this.#running.set(id, controller);
     try {
-      // It is safe to repeat.
+      // A repeated disposal is safe.
       if (call === 'dispose' && target !== 0 && !this.#objects.has(target)) {
         this.#post({ id, result: undefined });
         return;
       }
       const owner = target === 0 ? await this.#root : this.#object(target);
-      // It may have been cancelled while the root loaded.
+      // The call may have been cancelled while the root loaded.
       controller.signal.throwIfAborted();
       if (keeps) this.#post({ id, begun: true });
       if (tells) this.#post({ id, callback: 0, args: [0, 'begun'] });
