@@ -88,10 +88,6 @@ class Center {
   double total_ = 2 * kPi;
 };
 
-/// Below this many roundings of its center's coordinates the distances of a circle's points are
-/// noise.
-constexpr double kLeastRoundings = 1e6;
-
 /// Throws Error kBadArgument for a radius that doubles do not resolve at the center.
 void checkRadiusIsTold(const Geometry& geometry, const SurfacePoint& center, double radius) {
   const TriangleMesh& mesh = *geometry.mesh;
@@ -106,10 +102,9 @@ void checkRadiusIsTold(const Geometry& geometry, const SurfacePoint& center, dou
   } else if (location.simplex == Simplex::kEdge && mesh.twin[location.halfedge] >= 0) {
     take(faceOf(mesh.twin[location.halfedge]));
   }
-  const double rounding =
-      std::numeric_limits<double>::epsilon() * position(mesh, center).cwiseAbs().maxCoeff();
-  // A chain of computations does not resolve a smaller part of an edge.
-  const double least = std::max(kChainRounding * longest, kLeastRoundings * rounding);
+  // A chain of computations does not resolve a smaller part of an edge or of coordinates.
+  const double least =
+      kChainRounding * std::max(longest, position(mesh, center).cwiseAbs().maxCoeff());
   if (radius >= least) return;
   throw Error(ErrorCode::kBadArgument, "the radius " + inSentence(radius) +
                                            " is too small to be told from rounding: around this "

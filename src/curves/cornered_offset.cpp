@@ -17,10 +17,6 @@
 namespace karcher {
 namespace {
 
-/// A run's end that is this near to a strip's end, in distances of the offset, is taken to be that
-/// end. Chords are shorter.
-constexpr double kNearEnd = 0.1;
-
 enum Side { kLeftSide, kRightSide };
 
 /// The perpendiculars at which strips end, where a path is divided; by side.
@@ -297,13 +293,13 @@ class CorneredOffset {
     }
   }
 
-  /// Leads the end of a run to the end of a strip if that is near. The run has missed it by at most
-  /// the height of a chord.
+  /// Leads the end of a run to the end of a strip if that is no farther than a chord is long. The
+  /// run has missed it by at most the height of a chord.
   void leadToEnd(Array<SurfacePoint>& run, const SurfacePath* one, const SurfacePath* other) const {
     for (const SurfacePath* end : {one, other}) {
       if (end == nullptr || run.count() < 3) continue;
       const Vec3 away = position(mesh_, end->end()) - position(mesh_, run.back());
-      if (away.norm() > kNearEnd * distance_) continue;
+      if (away.norm() > kLongestSide * distance_) continue;
       FindPathWorkspace workspace;
       SurfacePath path;
       if (!findPath(geometry_, run[run.count() - 2], end->end(), workspace, path)) continue;

@@ -19,6 +19,10 @@
 /// do turns by less than kLeastCorner.
 namespace karcher {
 
+/// The longest side of a piece of a face, relative to the distance. The arc over such a chord is
+/// 8.7e-4 of its radius high.
+inline constexpr double kLongestSide = 1.0 / 12;
+
 /// The field of an offset reaches this many times its distance, so that chords outside the line can
 /// be measured.
 inline constexpr double kOffsetReach = 1.1;

@@ -75,9 +75,8 @@ double legsLength(const RefinedPolygon& polygon, const SegmentLayout& piece) {
 /// second derivative is at most 2 n (n - 1) times the control polygon's length, and a chord over 1
 /// / m of the curve deviates by at most an eighth of that over m^2.
 int samplesWithin(double tolerance, int degree, double polygonLength) {
-  constexpr int kMost = 1024;
   const double chords = std::sqrt(degree * (degree - 1) / 4.0 * polygonLength / tolerance);
-  return 2 + static_cast<int>(std::min(chords, kMost - 2.0));
+  return 2 + static_cast<int>(std::min(chords, kMostSamples - 2.0));
 }
 
 /// The leg that a value leaves out: the shortest path, which is exact for a polyline.

@@ -17,10 +17,6 @@
 namespace karcher {
 namespace {
 
-/// The longest side of a piece of a face, relative to the distance. The arc over such a chord is
-/// 8.7e-4 of its radius high.
-constexpr double kLongestSide = 1.0 / 12;
-
 /// The shortest side that is still divided if the isoline crosses it several times, for instance in
 /// the tip of a gap. A chord that cuts the tip off is wrong by half of this.
 constexpr double kShortestSide = kLongestSide / 128;

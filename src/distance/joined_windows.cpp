@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "mesh/rounding.h"
 #include "mesh/sorted_numbers.h"
 
 namespace karcher {
@@ -19,10 +20,6 @@ constexpr double kFarthestSource = 1000;
 /// The widest gap, as a part of the edge, that may open where windows are joined.
 constexpr double kWidestGap = 0.1;
 
-/// The distance between sources, as a part of their distance from the window, below which they
-/// count as the same source.
-constexpr double kSameSource = 1e-10;
-
 /// Joins two windows, neither of which contains the other, to one over both, unless distances along
 /// the edge would change by more than `tolerance`. The joint source keeps the distances at the two
 /// outer ends. Together with the distance where the windows meet, these give the front's curvature,
@@ -38,7 +35,7 @@ bool join(Window& first, const Window& second, double tolerance) {
   const double secondLeg = std::sqrt(squaredLegTo(second, middle));
   if (first.offset == second.offset) {
     const double apart = std::hypot(first.sourceX - second.sourceX, first.depth - second.depth);
-    if (apart <= kSameSource * firstLeg) {
+    if (apart <= kChainRounding * firstLeg) {
       first.end = end;
       return true;
     }

@@ -13,9 +13,6 @@
 namespace karcher {
 namespace {
 
-/// The part of a face's height below which heights over an edge count as 0.
-constexpr double kNoHeight = 1e-13;
-
 Vec2 leftOf(const Vec2& v) { return {-v.y(), v.x()}; }
 
 }  // namespace
@@ -207,7 +204,7 @@ void PathDistance::leaveCorner(int face, const Vec2& middle, double from, double
       }
       const double height = cross(toTail, edge);
       const int t = mesh_.twin[h];
-      if (t < 0 || !(height > kNoHeight * doubleArea(geometry_, face) / length)) continue;
+      if (t < 0 || !(height > kLocalRounding * doubleArea(geometry_, face) / length)) continue;
       const double start =
           near + std::remainder(angleOf(toTail) + width / 2 - near, 2 * kPi) - width / 2;
       const double foot = -toTail.dot(edge);

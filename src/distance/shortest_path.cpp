@@ -13,10 +13,6 @@
 namespace karcher {
 namespace {
 
-/// The relative difference of lengths up to which a path through a vertex differs from the shortest
-/// only by rounding.
-constexpr double kSameLength = 1e-11;
-
 /// The largest relative difference between the length of a path's points and its distance.
 [[maybe_unused]] constexpr double kSameMeasure = 1e-6;
 
@@ -40,7 +36,7 @@ int appendUpToSaddle(const Geometry& geometry, const WindowDistance& distance,
     if (vertex < 0 || !spreadsPaths(geometry, vertex)) continue;
     const double rest = distance.distance(vertex);
     if (!(rest < left) || vertex == vertexAt(geometry, start)) continue;
-    if (path.lengths[i] + rest > left * (1 + kSameLength)) continue;
+    if (path.lengths[i] + rest > left * (1 + kChainRounding)) continue;
     points.insert(points.end(), path.points.begin() + 1, path.points.begin() + i);
     points.push_back(vertexPoint(*geometry.mesh, vertex));
     return vertex;

@@ -111,9 +111,8 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
         longest = std::max(longest, lengths[k]);
       }
       if (longest <= most || most == kInfinity) break;
-      constexpr double kFurther = 1.5;
       most = longest < kInfinity            ? (1 + kChainRounding) * longest
-             : most < 10 * geometry_.extent ? kFurther * std::max(most, geometry_.meanEdge)
+             : most < 10 * geometry_.extent ? 2 * std::max(most, geometry_.meanEdge)
                                             : kInfinity;
     }
     guesses[i] = lengths[0];

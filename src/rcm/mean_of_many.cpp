@@ -101,8 +101,7 @@ Descent descend(const Geometry& geometry, State state, const EnergyFunction& ene
       most = std::min(2 * std::max(most, length), kLongestStep * geometry.extent);
     } else {
       state.scale = scale.turned(before);
-      constexpr double kShorter = 0.5;
-      most = kShorter * length;
+      most = length / 2;
       if (most <= kLastStep * geometry.meanEdge) break;
     }
   }

@@ -14,10 +14,6 @@ namespace {
 
 using Column = Eigen::Vector3d;
 
-/// The rank tolerance: a constraint depends on the others if less than this part of its square is
-/// orthogonal to them.
-constexpr double kRank = 1e-13;
-
 /// The projection of given weights onto those that sum to 1 and balance the vectors: columns
 /// (1, x, y) with sum_i w_i column_i = (1, 0, 0).
 class Balance {
@@ -92,7 +88,7 @@ class Balance {
       Column row = Column::Unit(k);
       for (int j = 0; j < k; ++j) row -= rows.row(j).dot(gram * row) * rows.row(j).transpose();
       const double norm = row.dot(gram * row);
-      if (norm > kRank * gram(k, k)) rows.row(k) = row.transpose() / std::sqrt(norm);
+      if (norm > kLocalRounding * gram(k, k)) rows.row(k) = row.transpose() / std::sqrt(norm);
     }
     Column sum = Column::Zero();
     // The second pass removes the rounding of the first.

@@ -5,6 +5,7 @@
 
 #include "mesh/positions.h"
 #include "rcm/center_search.h"
+#include "rcm/deepest_zero.h"
 #include "rcm/first_start.h"
 
 namespace karcher {
@@ -17,14 +18,12 @@ bool better(const Mean& a, const Mean& b) {
   return aConverged != bConverged ? aConverged : a.energy < b.energy;
 }
 
-/// The distance, in mean edges, below which minima count as one. Searches from both sides of an
-/// edge may end that far apart.
-constexpr double kSameMinimum = 0.1;
 constexpr int kSpreadStarts = 32;
 
+/// Whether minima are two. Searches from both sides of an edge may end kNearEdge mean edges apart.
 bool areApart(const Geometry& geometry, const SurfacePoint& a, const SurfacePoint& b) {
   const TriangleMesh& mesh = *geometry.mesh;
-  return (position(mesh, a) - position(mesh, b)).norm() > kSameMinimum * geometry.meanEdge;
+  return (position(mesh, a) - position(mesh, b)).norm() > kNearEdge * geometry.meanEdge;
 }
 
 /// The corner of a vertex into which K decreases. If that direction points off the surface, it is

@@ -154,8 +154,7 @@ class NewtonSearch {
     const int on = left >= 0 ? left : mesh_.outgoing[vertex];
     status_ = mesh_.onBoundary[vertex] ? Status::kBoundary : Status::kNoProgress;
     point_ = edgePoint(on, 0);
-    constexpr int kMostFaces = 64;
-    return facesTried_ < kMostFaces && !(facesTried_ > 1 && on == mesh_.outgoing[vertex]);
+    return facesTried_ < kMaxIterations && !(facesTried_ > 1 && on == mesh_.outgoing[vertex]);
   }
 
   /// Whether the face of h has the zero of its field on the far side of h.

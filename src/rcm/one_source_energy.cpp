@@ -190,8 +190,7 @@ void ExactOneSourceEnergy::grow(const SurfacePoint& place) {
       needed = std::max(needed, solver_.distance(mesh.tail(h)) + geometry_.edgeLength[h]);
     });
     if (needed <= radius) break;
-    constexpr double kFurther = 1.25;
-    radius = needed < kInfinity ? needed : kFurther * radius;
+    radius = needed < kInfinity ? needed : 2 * radius;
   }
 }
 

@@ -181,7 +181,7 @@ class Fuzz {
       stack.pop_back();
       const double length = (position(mesh_, b.point) - position(mesh_, a.point)).norm();
       if (length <= kLongestStep / 2 * geometry_.meanEdge) continue;
-      if (b.t - a.t <= kFinestDivision || divisions > 100'000) {
+      if (b.t - a.t <= kChainRounding || divisions > 100'000) {
         const double jump = length / geometry_.meanEdge;
         tally_.largestJump = std::max(tally_.largestJump, jump);
         std::ostringstream what;

@@ -95,7 +95,6 @@ class KnotHalving {
   /// lose their digits.
   template <class Refined>
   int spanFor(const Refined& refined, int j) const {
-    constexpr double kFarWider = 2;
     int span = degree_;
     const double at = closed_ ? refined(j) : std::clamp(refined(j), oldKnot(degree_), lastStart());
     while (oldKnot(span + 1) <= at) ++span;
@@ -103,7 +102,7 @@ class KnotHalving {
     const auto width = [&](int k) { return oldKnot(k + 1) - oldKnot(k); };
     const double end = refined(j + degree_ + 1);
     for (int k = span + 1; (closed_ || k < count_) && oldKnot(k) < end; ++k) {
-      if (width(k) > kFarWider * width(span)) span = k;
+      if (width(k) > width(span)) span = k;
     }
     return span;
   }

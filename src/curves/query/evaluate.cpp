@@ -1,11 +1,13 @@
 #include "curves/query/evaluate.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "curves/trace/bridge.h"
 #include "intrinsic/strip_path.h"
 #include "intrinsic/surface_path.h"
 #include "mesh/error.h"
+#include "mesh/rounding.h"
 
 namespace karcher {
 namespace {
@@ -76,7 +78,7 @@ CurveSample centerBetween(const Curve& curve, FieldBlend& fields, const PiecePar
                                            curve.options().field.method);
     return CurveSample{t, center.point, sampleStatus(center.status)};
   };
-  while (to.t - from.t > kFinestDivision &&
+  while (to.t - from.t > kChainRounding &&
          (position(mesh, to.point) - position(mesh, from.point)).norm() > shortest) {
     const double t = (from.t + to.t) / 2;
     CurveSample center = centerAt(t);
@@ -88,18 +90,19 @@ CurveSample centerBetween(const Curve& curve, FieldBlend& fields, const PiecePar
 
 /// Derivatives of the piece's weights by its t, as differences of second order inside [0, 1].
 Array<double> weightDerivatives(const Curve::Piece& piece, double t) {
-  constexpr double kStep = 1e-5;
-  const double middle = std::clamp(t, kStep, 1 - kStep);
-  const Array<double> before = piece.weights(middle - kStep);
+  // Central differences are most exact over the cube root of the rounding.
+  const double step = std::cbrt(kStepRounding);
+  const double middle = std::clamp(t, step, 1 - step);
+  const Array<double> before = piece.weights(middle - step);
   const Array<double> here = piece.weights(middle);
-  const Array<double> after = piece.weights(middle + kStep);
+  const Array<double> after = piece.weights(middle + step);
   // This differentiates the parabola through the three values at t.
-  const double away = (t - middle) / kStep;
+  const double away = (t - middle) / step;
   Array<double> result;
   for (int i = 0; i < here.count(); ++i) {
     const double slope = (after[i] - before[i]) / 2;
     const double bend = after[i] - 2 * here[i] + before[i];
-    result.push_back((slope + away * bend) / kStep);
+    result.push_back((slope + away * bend) / step);
   }
   return result;
 }

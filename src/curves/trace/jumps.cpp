@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "mesh/rounding.h"
 #include "rcm/deepest_zero.h"
 
 namespace karcher {
@@ -57,7 +58,7 @@ class JumpSearch {
       const double length = (b - a).norm();
       // A short step may hide a jump back that is a little longer.
       if (length <= longest_ / 2) continue;
-      if (step.to.t - step.from.t <= kFinestDivision) {
+      if (step.to.t - step.from.t <= kChainRounding) {
         if (length > longest_) return SampleStatus::kJump;
         continue;
       }
@@ -208,8 +209,7 @@ class JumpSearch {
   /// Whether the values at the ends of each edge make angles so far from 0 and pi that no adjacent
   /// face has a zero, and would have none if they turned as much again (isTheOnlyZero).
   static bool turnsBesideNoEdge(const CellZero& zero) {
-    constexpr double kRoom = 2;
-    const double bound = kRoom * kRoom * zero.holonomy * zero.holonomy;
+    const double bound = square(2 * zero.holonomy);
     for (int k = 0; k < 3; ++k) {
       const Vec2& a = zero.field.corner[k];
       const Vec2& b = zero.field.corner[(k + 1) % 3];

@@ -8,8 +8,6 @@ namespace karcher {
 /// The longest step, in mean edges, that is no jump: a jump stays longer however finely t is
 /// divided. Much shorter steps occur at every edge, where the interpolated field is discontinuous.
 inline constexpr double kLongestStep = 0.05;
-/// The finest division of t.
-inline constexpr double kFinestDivision = 1e-9;
 
 /// A step between two samples at which the centers of mass break.
 struct Jump {
