@@ -1,0 +1,75 @@
+// A cut of a large mesh in a worker: it tells its progress, can be given up, and nothing is lost.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { loadForTest } from './workers.mjs';
+
+const patience = { timeout: 600_000 };
+const reason = new Error('not wanted');
+
+/** A torus, and a triangle of shortest paths on it. */
+async function torus(t, triangles) {
+  const karcher = await loadForTest(t);
+  const mesh = await karcher.shape('torus', triangles);
+  const { vertices } = mesh.info;
+  const corners = [0, 0.03, 0.3].map((part) => ({ vertex: Math.floor(part * vertices) }));
+  const outline = await mesh.curve({ kind: 'polyline', points: corners, closed: true });
+  return { mesh, path: await outline.path() };
+}
+
+test(
+  'a cut tells its progress when the worker begins with it and when it has ended',
+  patience,
+  async (t) => {
+    const { mesh, path } = await torus(t, 20_000);
+    const told = [];
+    const parts = await mesh.cut([path], { progress: (done) => told.push(done) });
+    assert.deepEqual(told, [0, 1]);
+    assert.ok(parts.length > 0);
+  },
+);
+
+test(
+  'a cut of a large mesh is given up at once, and the worker answers as before',
+  patience,
+  async (t) => {
+    const { mesh, path } = await torus(t, 100_000);
+    const controller = new AbortController();
+    let begin;
+    const begun = new Promise((resolve) => {
+      begin = resolve;
+    });
+    const told = [];
+    const started = performance.now();
+    const cut = mesh.cut([path], {
+      signal: controller.signal,
+      progress(done) {
+        told.push(done);
+        begin();
+      },
+    });
+    let cutEnded = false;
+    cut.then(
+      () => {
+        cutEnded = true;
+      },
+      () => {},
+    );
+    await begun;
+    const aborted = performance.now();
+    controller.abort(reason);
+    await assert.rejects(cut, reason);
+    const rejected = performance.now();
+    assert.equal(cutEnded, false);
+    assert.deepEqual(told, [0], 'it does not say that it has ended');
+    const { area } = await mesh.regions([path]).then(([region]) => region);
+    assert.ok(area > 0);
+    const answered = performance.now();
+    const parts = await mesh.cut([path]);
+    const count = parts.reduce((sum, part) => sum + part.faces.length, 0);
+    assert.ok(count > mesh.info.triangles, 'the whole surface and its new triangles');
+    t.diagnostic(
+      `begun after ${Math.round(aborted - started)} ms, given up in ${Math.round(rejected - aborted)} ms, ` +
+        `the next answer ${Math.round(answered - rejected)} ms later, a whole cut ${Math.round(performance.now() - answered)} ms`,
+    );
+  },
+);
