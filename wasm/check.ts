@@ -1,24 +1,24 @@
 import { KarcherError } from './errors.js';
 
 /**
- * Checks of arguments that only JavaScript can get wrong: types, lengths, numbers that are no
- * integers. What a mesh allows is checked by the engine.
+ * Checks of arguments that only JavaScript can get wrong: types, lengths, numbers that are not
+ * integers. The engine checks what depends on the mesh.
  */
 
 const largestInteger = 0x7fffffff;
-/** Of things that take 4 doubles each, as points do, more do not fit into 4 GB. */
+/** The most entries of 4 doubles each, such as points. More do not fit into 4 GB. */
 const mostEntries = 2 ** 27;
 
 const badArgument = (message: string) => new KarcherError('badArgument', message);
 
-/** A value as an error message shows it, cut to a readable length. */
+/** A value in the form of error messages, cut to a readable length. */
 export function shown(value: unknown): string {
   const text = typeof value === 'string' ? `'${value}'` : textOf(value);
   return text.length > 60 ? `${text.slice(0, 57)}...` : text;
 }
 
 function textOf(value: unknown): string {
-  // As a text a function is its code.
+  // The text of a function would be its code.
   if (typeof value === 'function') return 'a function';
   try {
     return String(value);
@@ -86,7 +86,7 @@ function checkArrayLike(value: unknown, what: string): ArrayLike<unknown> {
   return value as ArrayLike<unknown>;
 }
 
-/** A buffer that was transferred has no bytes any more, and looks like an empty one. */
+/** Throws for a transferred buffer, which has lost its bytes and looks like an empty one. */
 function checkAttached({ buffer }: ArrayBufferView, what: string): void {
   try {
     new Uint8Array(buffer, 0, 0);
@@ -95,7 +95,7 @@ function checkAttached({ buffer }: ArrayBufferView, what: string): void {
   }
 }
 
-/** A copy in doubles. NaN and infinity pass: the engine names the place that they mean. */
+/** A copy in doubles. NaN and infinity pass, since the engine's error names their place. */
 export function toFloat64(value: unknown, what: string): Float64Array {
   const array = checkArrayLike(value, what);
   for (let i = 0; i < array.length; i++) {
@@ -107,7 +107,7 @@ export function toFloat64(value: unknown, what: string): Float64Array {
   return new Float64Array(array as ArrayLike<number>);
 }
 
-/** A copy in 32-bit integers, each of which must be one. */
+/** A copy in 32-bit integers. Each number must be one. */
 export function toInt32(value: unknown, what: string): Int32Array {
   const array = checkArrayLike(value, what);
   if (!(array instanceof Int32Array)) {
@@ -116,7 +116,7 @@ export function toInt32(value: unknown, what: string): Int32Array {
   return new Int32Array(array as ArrayLike<number>);
 }
 
-/** An options object, with no options but those of these names. */
+/** An options object that has only options of these names. */
 export function checkOptions(options: unknown, names: readonly string[]): void {
   if (typeof options !== 'object' || options === null || Array.isArray(options)) {
     throw badArgument(`the options must be an object, not ${shown(options)}`);
@@ -127,7 +127,7 @@ export function checkOptions(options: unknown, names: readonly string[]): void {
   }
 }
 
-/** An array of things that are not numbers. */
+/** An array whose entries are not numbers. */
 export function checkArray(value: unknown, what: string): unknown[] {
   if (!Array.isArray(value)) throw badArgument(`${what} must be an array, not ${shown(value)}`);
   if (value.length <= mostEntries) return value;
@@ -139,7 +139,7 @@ export function checkLength(array: ArrayLike<unknown>, multipleOf: number, what:
   throw badArgument(`${what} must have a multiple of ${multipleOf} numbers, not ${array.length}`);
 }
 
-/** The three numbers of an array, or of an object with x, y and z, NaN and infinity among them. */
+/** The three numbers of an array, or of an object with x, y and z; NaN and infinity pass. */
 function toTriple(value: unknown, what: string): Float64Array {
   const { x, y, z } = (value ?? {}) as Partial<Record<'x' | 'y' | 'z', unknown>>;
   const named = typeof value === 'object' && [x, y, z].some((entry) => entry !== undefined);
@@ -157,7 +157,7 @@ export function toVector(value: unknown, what: string): Float64Array {
   return vector;
 }
 
-/** A point as it travels: face and weights, or NaN, the vertex, 0, 0. */
+/** A point in the form for the engine: face and weights, or NaN, the vertex, 0, 0. */
 export function checkPointLike(value: unknown, what: string): Float64Array {
   const point = value as Partial<{ vertex: unknown; face: unknown; bary: unknown }> | null;
   if (typeof point !== 'object' || point === null) {
@@ -170,6 +170,6 @@ export function checkPointLike(value: unknown, what: string): Float64Array {
   return Float64Array.of(face, ...toTriple(point.bary, `the weights of ${what}`));
 }
 
-/** The names of all of a type's options; the compiler misses none. */
+/** The names of all options of a type. The compiler checks that none is missing. */
 export const namesOf = <Options>(all: Record<keyof Options, true>): readonly string[] =>
   Object.keys(all);

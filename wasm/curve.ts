@@ -42,18 +42,19 @@ import { CurveView } from './view.js';
 
 const pointNumber = (i: number) => checkInteger(i, 'the number of the control point');
 
-/** What costs nothing to tell. */
+/** The properties that are available without work. */
 type Facts = Pick<CurveView, 'length' | 'segmentCount' | 'levels' | 'times'>;
 
 /**
- * A curve on a mesh, by control points that can be edited. After each edit it is traced again, as
- * far as the edit reaches, and is then the curve that its points would give anew.
+ * A curve on a mesh, with control points that can be edited. After each edit the part that the edit
+ * affects is traced again. The curve is then equal to a new one with the same points.
  *
- * Its parameter runs from 0 to `segmentCount`: the number of a segment plus t in [0, 1]. That of a
- * closed curve may go round.
+ * The parameter runs from 0 to `segmentCount`: the number of a segment plus t in [0, 1]. On a
+ * closed curve it may exceed a turn.
  *
- * Every edit throws `KarcherError`, and changes nothing, where the curve would be none (tooFewPoints,
- * unreachable, and the errors of a point); everything throws disposed after `dispose`.
+ * Every edit throws `KarcherError`, and changes nothing, if the result would be no curve
+ * (tooFewPoints, unreachable, and the errors of a point). Everything throws disposed after
+ * `dispose`.
  */
 export class Curve {
   static {
@@ -66,12 +67,12 @@ export class Curve {
   readonly #handle: Handle<EngineCurve>;
   #options: CurveOptions;
   #basis: OwnBasis | undefined;
-  /** What it is, and what costs nothing to tell of it, until the next edit. */
+  /** The curve's data, and the properties that are available without work, until the next edit. */
   #parts: EngineCurveParts | undefined;
   #facts: Facts | undefined;
   #edits = 0;
 
-  /** @internal `Mesh.curve` makes curves. */
+  /** @internal `Mesh.curve` creates curves. */
   constructor(mesh: MeshHandle, options: CurveOptions) {
     checkOptions(options, curveOptionNames);
     const basis = options.basis === undefined ? undefined : new OwnBasis(options.basis);
@@ -83,8 +84,8 @@ export class Curve {
   }
 
   /**
-   * What the curve is: options that make it again. Numbers that it has by default are left out, and
-   * what its kind has no use for.
+   * The curve's value: options from which it can be created again. Defaults are left out, and so
+   * are numbers that its kind does not use.
    */
   value(): CurveValue {
     const parts = this.#shape;
@@ -94,9 +95,9 @@ export class Curve {
   }
 
   /**
-   * Makes it the curve of a value, and returns its view. What is as before is kept: the fields of
-   * points that stay, and the segments that the same points and numbers make; so this is what all
-   * edits come to. For the curve with dragged points give it the `drawnLegs` of the view before as
+   * Changes the curve to that of a value, and returns its view. The fields of unchanged points are
+   * kept, and so are the segments with the same points and numbers. All other edits are calls of
+   * this one. For the curve with dragged points, pass the `drawnLegs` of the previous view as
    * `legs`. Throws as `Mesh.curve` does.
    */
   set(value: CurveOptions, options: PolylineOptions = {}): CurveView {
@@ -115,7 +116,7 @@ export class Curve {
     return this.#seen(bytes);
   }
 
-  /** All that is seen of the curve, its polyline in 32 bits by default, in one buffer. */
+  /** All data for drawing the curve, its polyline in 32 bits by default, in one buffer. */
   view(options: PolylineOptions = {}): CurveView {
     return this.#view({ inDouble: inDouble(options), withPoints: false });
   }
@@ -125,13 +126,15 @@ export class Curve {
     return toSurfacePoints(this.#shape.points);
   }
 
-  /** The samples: the centers of mass of which the curve is made, and how the search for each ended. */
+  /**
+   * The samples: the centers of mass that form the curve, with the status of the search for each.
+   */
   samples(): CurveSamples {
     return this.view().samples;
   }
 
   /**
-   * Where and why the curve is no center of mass.
+   * The intervals in which the curve is no center of mass, with the reasons.
    *
    * @example
    * ```ts
@@ -142,7 +145,7 @@ export class Curve {
     return this.view().bridged;
   }
 
-  /** The legs of the control polygon as they lie on the surface. */
+  /** The legs of the control polygon on the surface. */
   legs(): CurveLeg[] {
     return this.#call((curve) => curve.legs()).map(({ path, shorter }) => ({
       path: new Path(path),
@@ -150,7 +153,7 @@ export class Curve {
     }));
   }
 
-  /** The samples, joined on the surface as `geometry` says. */
+  /** The samples, joined on the surface as `geometry` specifies. */
   path(): Path {
     return this.#view({ inDouble: true, withPoints: true }).path();
   }
@@ -164,7 +167,7 @@ export class Curve {
   }
 
   /**
-   * A number for each point of the path: 1 where the piece that leads to it is no center of mass, as
+   * A number for each point of the path: 1 if the piece that leads to it is no center of mass, as
    * on a bridge.
    */
   unconverged(): Uint8Array {
@@ -191,7 +194,7 @@ export class Curve {
     return this.#shape.degree;
   }
 
-  /** A B-spline's knots; of other kinds none. */
+  /** The knots of a B-spline; empty for other kinds. */
   knots(): Float64Array {
     return this.view().knots.slice();
   }
@@ -201,12 +204,12 @@ export class Curve {
     return this.#shape.centripetal ? 'centripetal' : 'uniform';
   }
 
-  /** One weight for each point, also of kinds that do not use weights. */
+  /** One weight for each point, also for kinds that do not use weights. */
   weights(): Float64Array {
     return this.#filled(this.#shape.weights);
   }
 
-  /** A beta a point, whether or not the kind has a use for them. */
+  /** One beta for each point, also for kinds that do not use betas. */
   betas(): Float64Array {
     return this.#filled(this.#shape.betas);
   }
@@ -216,26 +219,27 @@ export class Curve {
     return this.#told.segmentCount;
   }
 
-  /** The number of levels of the curve, also where `levels: 'auto'` chose it. */
+  /** The number of levels of the curve, also if `levels: 'auto'` chose it. */
   get levels(): number {
     return this.#told.levels;
   }
 
   /**
-   * How far the levels move the curve at most from that of `levels: 0`, by estimate, in the mesh's
-   * units: 0 without levels. null where that curve is not safe, so that its distance means nothing.
+   * The estimated largest distance, in the mesh's units, between the curve and the curve with
+   * `levels: 0`; 0 without levels. It is null if that curve is not safe, so that the distance has
+   * no meaning.
    */
   get deviation(): number | null {
     const deviation = this.#handle.call((curve) => curve.deviation());
     return deviation >= 0 ? deviation : null;
   }
 
-  /** How many fields were computed since the curve was made: what edits should spare. */
+  /** The number of fields computed since the curve was created. A good edit adds few. */
   get fieldsComputed(): number {
     return this.#handle.call((curve) => curve.fieldsComputed());
   }
 
-  /** How long the last edit took, or the making of the curve. */
+  /** The duration of the last edit, or of the creation of the curve. */
   times(): CurveTimes {
     return { ...this.#told.times };
   }
@@ -253,18 +257,18 @@ export class Curve {
   }
 
   /**
-   * Moves control point `i` as a hand does: the legs of the control polygon that meet at it are
-   * continued from where they lie, whether or not they stay the shortest, so that the curve moves
-   * with the point. They stay so until a point at one of their ends is moved otherwise, and are part
-   * of the curve's value.
+   * Moves control point `i` as a hand does. The legs of the control polygon that meet at it are
+   * continued from their present course, whether or not they stay the shortest, so that the curve
+   * moves with the point. They keep this course until a point at one of their ends is moved in
+   * another way, and are part of the curve's value.
    */
   dragPoint(i: number, point: PointLike): void {
     this.#edit('dragPoint', pointNumber(i), wirePoint(point));
   }
 
   /**
-   * Replaces the control points; the fields of those that stay where they are are kept. With other
-   * numbers of points than before, there must be no weights, betas or knots of your own.
+   * Replaces the control points. The fields of points that stay at their places are kept. If the
+   * number of points changes, weights, betas and custom knots are not allowed.
    */
   setPoints(points: readonly PointLike[]): void {
     this.#edit('setPoints', wirePoints(points));
@@ -278,33 +282,34 @@ export class Curve {
     );
   }
 
-  /** Inserts the point as number `i`; the numbers of those from there on grow by one. */
+  /** Inserts the point as number `i`. The numbers of the points from there on grow by one. */
   insertPoint(i: number, point: PointLike): void {
     this.#edit('insertPoint', pointNumber(i), wirePoint(point));
   }
 
-  /** Removes control point `i`; those after it move down by one. */
+  /** Removes control point `i`. The numbers of later points fall by one. */
   removePoint(i: number): void {
     this.#edit('removePoint', pointNumber(i));
   }
 
   /**
-   * Puts a control point in on the curve at a parameter, and returns its number; the curve stays as
-   * it is on a plane, and nearly elsewhere. A B-spline gets a knot there, and keeps its knots from
-   * then on; of curves of one segment the degree is raised, so that all inner points are new; curves
-   * through their points get one more, which changes a Catmull-Rom curve a little.
+   * Inserts a control point on the curve at a parameter, and returns its number. The curve stays
+   * unchanged on a plane, and nearly unchanged elsewhere. A B-spline gets a knot there, and its
+   * knots are custom ones from then on. For curves of one segment the degree is raised, so that all
+   * inner points are new. Curves through their points get one more, which changes a Catmull-Rom
+   * curve a little.
    *
-   * Throws `KarcherError` badArgument where none can be put in.
+   * Throws `KarcherError` badArgument if no point can be inserted.
    */
   insertOnCurve(parameter: number): number {
     return this.#edit('insertOnCurve', checkNumber(parameter, 'the parameter'));
   }
 
   /**
-   * New curves that run along this one before and after a parameter; of a closed B-spline,
-   * Catmull-Rom curve or polyline one, opened there. On a plane they are the curve's own parts, and
-   * nearly elsewhere; those of a Catmull-Rom curve leave it a little next to the cut, where they do
-   * not know of the points beyond. This curve stays.
+   * New curves along this one before and after a parameter. A closed B-spline, Catmull-Rom curve or
+   * polyline gives one curve, opened there. On a plane they are the curve's own parts, and nearly
+   * so elsewhere. Those of a Catmull-Rom curve deviate a little next to the cut, since they do not
+   * depend on the points beyond it. This curve stays unchanged.
    *
    * Throws `KarcherError` badArgument at the ends of an open curve.
    */
@@ -316,12 +321,12 @@ export class Curve {
   }
 
   /**
-   * A new curve that runs along this one and on along another of its kind, with a geodesic between
-   * them where they do not meet. Bezier curves become a B-spline; curves through their points, and
-   * barycentric ones, the curve through the points of both, with this one's parametrization, which
-   * leaves both a little where they meet. Both curves stay.
+   * A new curve along this one and then along another of its kind, with a geodesic between them if
+   * they do not meet. Bezier curves become a B-spline. Curves through their points, and barycentric
+   * ones, become the curve through the points of both, with this one's parametrization, which
+   * deviates a little from both where they meet. Both curves stay unchanged.
    *
-   * Throws `KarcherError` badArgument where the kinds or degrees differ, or one is closed.
+   * Throws `KarcherError` badArgument if the kinds or degrees differ, or one is closed.
    */
   join(other: Curve): Curve {
     if (!(other instanceof Curve) || other.#mesh !== this.#mesh) {
@@ -334,27 +339,27 @@ export class Curve {
     return alike(this.#mesh, this.#options, parts);
   }
 
-  /** Makes point `from` the one of number `to`, with its weight and beta. */
+  /** Moves point `from` in the order so that its number becomes `to`, with its weight and beta. */
   movePointInOrder(from: number, to: number): void {
     const index = checkInteger(to, 'the new number of the control point');
     this.#edit('movePointInOrder', pointNumber(from), index);
   }
 
-  /** Runs the curve backwards. A closed one keeps its first point. */
+  /** Reverses the curve. A closed one keeps its first point. */
   reverse(): void {
     this.#edit('reverse');
   }
 
   /**
-   * Keeps what the kind has a use for: degree and knots are dropped, and weights are of a B-spline that
-   * becomes rational, or the other way round, alone. `custom` is only for curves that were made with a
-   * basis.
+   * Changes the kind, and keeps the properties that the new kind uses. Degree and knots are
+   * dropped. Weights stay only if a B-spline becomes rational, or a rational curve a B-spline.
+   * `custom` is only for curves that were created with a basis.
    */
   setKind(kind: CurveKind): void {
     this.#edit('setKind', checkKind(kind));
   }
 
-  /** Closes the curve, or opens it; its control points stay. */
+  /** Closes or opens the curve. Its control points stay. */
   setClosed(closed: boolean): void {
     this.#edit('setClosed', checkBoolean(closed, 'closed'));
   }
@@ -364,7 +369,7 @@ export class Curve {
     this.#edit('setWeight', pointNumber(i), checkNumber(weight, 'the weight'));
   }
 
-  /** Sets the weights of all points, as `setWeight` does one. */
+  /** Sets the weights of all points, as `setWeight` does for one. */
   setWeights(weights: ArrayLike<number>): void {
     this.#edit('setWeights', givenNumbers(weights, 'the weights'));
   }
@@ -374,7 +379,7 @@ export class Curve {
     this.#edit('setBeta', pointNumber(i), checkNumber(beta, 'the beta'));
   }
 
-  /** Sets the betas of all points, as `setBeta` does one. */
+  /** Sets the betas of all points, as `setBeta` does for one. */
   setBetas(betas: ArrayLike<number>): void {
     this.#edit('setBetas', givenNumbers(betas, 'the betas'));
   }
@@ -392,7 +397,7 @@ export class Curve {
     return withPoint(this.#call((curve) => curve.pointAt(parameter)));
   }
 
-  /** The derivative at a parameter; at a joint that of the segment that starts there. */
+  /** The derivative at a parameter; at a joint, the derivative of the segment that starts there. */
   tangentAt(parameter: number): CurveTangent {
     checkNumber(parameter, 'the parameter');
     return withPoint(this.#call((curve) => curve.tangentAt(parameter)));
@@ -404,7 +409,7 @@ export class Curve {
     return withPoint(this.#call((curve) => curve.nearest(numbers)));
   }
 
-  /** The length from the start to a parameter; that of the curve at `segmentCount`. */
+  /** The length from the start to a parameter. At `segmentCount` it is the length of the curve. */
   lengthAt(parameter: number): number {
     checkNumber(parameter, 'the parameter');
     return this.#call((curve) => curve.lengthAt(parameter));
@@ -417,8 +422,8 @@ export class Curve {
   }
 
   /**
-   * `count` points with the same length of curve between them, on the polyline: an open curve's ends
-   * included, around a closed one from its start.
+   * `count` points with equal lengths of curve between them, on the polyline. They include both
+   * ends of an open curve, and begin at the start of a closed one.
    *
    * @example
    * ```ts
@@ -430,12 +435,12 @@ export class Curve {
     return this.#call((curve) => curve.equallySpaced(count));
   }
 
-  /** Gives the memory back. Safe to repeat. */
+  /** Frees the memory. Safe to repeat. */
   dispose(): void {
     this.#handle.dispose();
   }
 
-  /** @internal How many times it was edited, but by `set`. */
+  /** @internal The number of edits, without those by `set`. */
   edits(): number {
     return this.#edits;
   }
@@ -489,6 +494,6 @@ export class Curve {
   }
 }
 
-/** A curve of the engine's parts, traced as options say. */
+/** A curve of the engine's data, with the options that say how it is traced. */
 const alike = (mesh: MeshHandle, options: CurveOptions, parts: EngineCurveParts): Curve =>
   new Curve(mesh, { ...tracingOf(options), ...optionsOfParts(parts) });

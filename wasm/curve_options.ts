@@ -45,8 +45,8 @@ const parametrizations: readonly Parametrization[] = ['centripetal', 'uniform'];
 export const checkKind = (kind: unknown) => checkOneOf(kind, curveKinds, 'the kind of a curve');
 
 /**
- * A caller's basis as the engine calls it. Nothing is thrown through the engine: what the basis
- * throws is kept, and the engine refuses the empty answer.
+ * A caller's basis in the form that the engine calls. Exceptions must not pass through the engine:
+ * an exception of the basis is kept, and the engine rejects the empty result.
  */
 export class OwnBasis {
   readonly #basis: CurveBasis;
@@ -65,7 +65,10 @@ export class OwnBasis {
     }
   };
 
-  /** Returns what `work` returns; throws what the basis threw, rather than what came of it. */
+  /**
+   * Returns what `work` returns. If the basis threw, throws its exception instead of the resulting
+   * error.
+   */
   guard<Result>(work: () => Result): Result {
     try {
       return work();
@@ -77,7 +80,7 @@ export class OwnBasis {
   }
 }
 
-/** How a curve is sampled and drawn, as the engine takes it. */
+/** The options for sampling and drawing a curve, in the engine's form. */
 function engineSampling(options: CurveOptions): EngineSampling {
   const { samples, tolerance } = options;
   const levels = engineCurveLevels(options);
@@ -101,7 +104,7 @@ function engineSampling(options: CurveOptions): EngineSampling {
   return { samples: defaultSamples, tolerance: part, exact, ...levels };
 }
 
-/** Options that one kind alone has a use for; the engine refuses weights and betas. */
+/** Options that only one kind uses. The engine rejects weights and betas itself. */
 const ownOptions = [
   ['degree', 'bspline'],
   ['knots', 'bspline'],
@@ -119,7 +122,7 @@ function checkOwnOptions(options: CurveOptions): void {
   }
 }
 
-/** The options that say how a curve is traced, as they were given: its samples and fields. */
+/** The options that say how a curve is traced, unchanged: its samples and fields. */
 export function tracingOf(options: CurveOptions): Partial<Omit<CurveOptions, 'legs'>> {
   const { method, solver, rings, star, samples, tolerance, geometry, levels, leastLevels } =
     options;
@@ -127,11 +130,11 @@ export function tracingOf(options: CurveOptions): Partial<Omit<CurveOptions, 'le
   return Object.fromEntries(Object.entries(all).filter(([, value]) => value !== undefined));
 }
 
-/** The options that make a curve of the engine's parts: what its kind has a use for. */
+/** The options for a curve of the engine's data: those that its kind uses. */
 export function optionsOfParts(parts: EngineCurveParts): CurveValue {
   const { kind, closed, degree, clamped, centripetal, points, legs = [] } = parts;
   const given = <Name extends string>(name: Name, values: Float64Array) =>
-    // Plain arrays, so that a value survives JSON.
+    // Arrays are plain, so that a value survives JSON.
     (values.length > 0 ? { [name]: Array.from(values) } : {}) as { [key in Name]?: number[] };
   return {
     kind,
@@ -152,7 +155,7 @@ export function optionsOfParts(parts: EngineCurveParts): CurveValue {
   };
 }
 
-/** A curve as the engine takes it. */
+/** A curve in the engine's form. */
 export function engineValue(options: CurveOptions, basis: OwnBasis | undefined): EngineCurveValue {
   const shape = engineShape(options, basis);
   const sampling = engineSampling(options);
@@ -174,14 +177,14 @@ function wireLeg(leg: LegPoints | DrawnLeg, i: number): Float64Array {
   return isDrawn(leg) ? wirePointArrays(leg) : wirePoints(leg, `the points of leg ${i}`);
 }
 
-/** Numbers of which there are some: the engine takes none for what a curve has by default. */
+/** Numbers, of which there must be some: for the engine, an empty array stands for the default. */
 export function givenNumbers(values: ArrayLike<number>, what: string): Float64Array {
   const array = toFloat64(values, what);
   if (array.length > 0) return array;
   throw new KarcherError('badArgument', `${what} must not be an empty array`);
 }
 
-/** The same of an option, none where it is left out. */
+/** The numbers of an option; empty if it is left out. */
 export const numbersOrNone = (values: ArrayLike<number> | undefined, what: string): Float64Array =>
   values === undefined ? new Float64Array() : givenNumbers(values, what);
 

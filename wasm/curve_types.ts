@@ -1,4 +1,4 @@
-/** The types of curves: what makes one, and what is asked of it. */
+/** The types of curves: their options, and the results of queries. */
 
 import type {
   FieldOptions,
@@ -15,17 +15,17 @@ import type {
  * - `bspline`: a B-spline of degree 1 to 5, with weights a NURBS curve; uniform by default, so that
  *   it starts and ends near the middle of its first and last points;
  * - `bezier`: one segment of degree (points - 1);
- * - `rational`: the same with a weight per point;
- * - `barycentric`: one rational segment through all points, shaped by a beta per point
- *   (Ramanantoanina, Hormann 2021); all betas equal is Berrut's interpolant, binomial coefficients
- *   give the polynomial;
- * - `catmullrom`: through all points, with continuous tangents;
- * - `polyline`: paths from point to point, the exact shortest ones unless `legs` says otherwise;
+ * - `rational`: a Bezier curve with a weight for each point;
+ * - `barycentric`: one rational segment through all points, shaped by a beta for each point
+ *   (Ramanantoanina, Hormann 2021); equal betas give Berrut's interpolant, binomial coefficients
+ *   the polynomial;
+ * - `catmullrom`: a curve through all points, with continuous tangents;
+ * - `polyline`: paths from point to point, the exact shortest ones unless `legs` gives others;
  * - `custom`: one segment with a basis of your own.
  *
- * A curve that should pass through a control point does so exactly on a plane, at the ends of an open
- * curve, and if it is a `polyline`. Elsewhere on a curved mesh its fields are estimates, and it passes
- * within a few hundredths of a mean edge.
+ * A curve through a control point passes it exactly on a plane, at the ends of an open curve, and
+ * if it is a `polyline`. Elsewhere on a curved mesh its fields are estimates, and it passes within
+ * a few hundredths of a mean edge.
  */
 export type CurveKind =
   | 'bspline'
@@ -36,57 +36,63 @@ export type CurveKind =
   | 'polyline'
   | 'custom';
 
-/** The knots of a Catmull-Rom curve: spaced by the root of the distance between points, or evenly. */
+/**
+ * The spacing of a Catmull-Rom curve's knots: by the root of the distance between points, or even.
+ */
 export type Parametrization = 'centripetal' | 'uniform';
 
 /**
- * A basis of your own: takes t in [0, 1] to a weight for each control point. The weights sum to 1
- * within 1e-9 and may be negative.
+ * A basis of your own: a function from t in [0, 1] to a weight for each control point. The weights
+ * sum to 1 within 1e-9 and may be negative.
  */
 export type CurveBasis = (t: number, points: number) => ArrayLike<number>;
 
-/** What joins the samples of a curve: geodesics, or the curve's own crossings of edges. */
+/**
+ * The connection between the samples of a curve: geodesics, or the curve's own crossings of edges.
+ */
 export type CurveGeometry = 'geodesic' | 'exact';
 
-/** The number of levels of a curve, or `auto`. */
+/** The number of levels of a curve, or a rule for it. */
 export type CurveLevels = number | 'auto' | 'limit';
 
-/** Levels that a curve takes by itself, within a tolerance. */
+/** The tolerance for levels that a curve chooses itself. */
 export interface LevelsTolerance {
   /**
-   * How far levels may move a curve whose center of mass is safe without them, in mean edges: .02 is `auto`, 0
-   * leaves that curve as it is, and Infinity makes it a draft, as quick as possible.
+   * The largest move by levels, in mean edges, of a curve that is a safe center of mass without
+   * them. `auto` stands for .02. With 0 the curve does not move; with Infinity it is the quickest
+   * draft.
    */
   tolerance: number;
 }
 
 /**
- * The points that a leg of a control polygon goes through; null for the shortest path. Points that all
- * lie on edges, each in one face with the next one, also with the leg's ends, are the leg as it is.
+ * The points that a leg of a control polygon passes; null for the shortest path. If all points lie
+ * on edges, and each shares a face with the next one and with the leg's ends, they are the leg
+ * itself, unchanged.
  */
 export type LegPoints = readonly PointLike[] | null;
 
 /**
- * All points of a leg as it was drawn, with its ends. Where these are not at the control points, the leg is
- * continued to them as if a hand had drawn it there, whether or not it stays the shortest.
+ * All points of a drawn leg, with its ends. If the ends are not at the control points, the leg is
+ * continued to them as if a hand had dragged it there, whether or not it stays the shortest.
  */
 export type DrawnLeg = PointArrays;
 
 export interface CurveOptions extends FieldOptions {
-  /** The kind of the curve, which says what weights its points have. */
+  /** The kind of the curve, which determines the weights of its points. */
   kind: CurveKind;
   /** The control points, in their order. */
   points: readonly PointLike[];
   /**
-   * The legs of the control polygon, from each point to the next, of a closed curve also from the
-   * last to the first: each is the shortest path, or the one that goes the way of a few points and is
-   * pulled tight. Curves with levels follow them, and polylines are made of them. All the shortest by
-   * default. `drawnLegs` of a view are those that its curve had.
+   * The legs of the control polygon, from each point to the next, and for a closed curve also from
+   * the last to the first. Each is the shortest path, or a path along a few points that is pulled
+   * tight. Curves with levels follow them, and polylines consist of them. By default all are the
+   * shortest. `drawnLegs` of a view are those that its curve had.
    */
   legs?: readonly (LegPoints | DrawnLeg)[] | undefined;
   /**
-   * Samples a segment at t = i / (samples - 1), both ends included; 2 to 100,000. 128 by default.
-   * `adaptive`: as many as the tolerance needs.
+   * The number of samples for each segment, at t = i / (samples - 1), both ends included; 2 to
+   * 100,000. 128 by default. With `adaptive` it is as many as the tolerance needs.
    */
   samples?: number | 'adaptive' | undefined;
   /**
@@ -96,32 +102,35 @@ export interface CurveOptions extends FieldOptions {
    */
   tolerance?: number | undefined;
   /**
-   * What lies between the samples: the `geodesic` that joins them, or `exact`, the curve's own
+   * The connection between the samples: the `geodesic` that joins them, or `exact`, the curve's own
    * crossings of the mesh's edges. `geodesic` by default.
    */
   geometry?: CurveGeometry | undefined;
   /**
-   * How often the control polygon is subdivided, by averages of two points along its legs, before
-   * the near points of each piece are averaged: 0 to 8. More levels make a curve of far points
-   * steadier on rough surfaces. On a plane all levels give the same curve.
+   * The number of subdivisions of the control polygon, by averages of two points along its legs,
+   * before the near points of each piece are averaged: 0 to 8. More levels make a curve of distant
+   * points steadier on rough surfaces. On a plane all levels give the same curve.
    *
-   * - 0: the curve of Mancinelli and Puppo, one center of mass of all the points that a segment blends;
-   * - `auto`, the default: that curve wherever it is safe, as on smooth surfaces: where its points
-   *   move continuously, and no more roughly than the surface. If all levels lie within .02 mean edges
-   *   of it by estimate, as many as make it quickest. Where it is not safe, as on scans with far
-   *   points, as many levels as make it so;
+   * - 0: the curve of Mancinelli and Puppo, one center of mass of all the points that a segment
+   *   blends;
+   * - `auto`, the default: a curve that is safe, which means that its points move continuously, and
+   *   no more roughly than the surface. On smooth surfaces level 0 is safe. If the curves of all
+   *   levels lie within .02 mean edges of it by estimate, the quickest number of levels is taken.
+   *   Where level 0 is not safe, as on scans with distant points, as many levels are taken as make
+   *   it so;
    * - `{ tolerance }`: the same with another tolerance;
-   * - `limit`: the subdivision curve that many levels approach, which needs no fields. It is traced at
-   *   `samples` even parameters, joined by geodesics, whatever `tolerance` and `geometry` ask for.
+   * - `limit`: the subdivision curve that many levels approach, which needs no fields. It is traced
+   *   at `samples` even parameters, joined by geodesics, whatever `tolerance` and `geometry`
+   *   specify.
    *
-   * The method `paper` takes 0 only, its default. The kinds `barycentric`, `polyline` and `custom`
+   * The method `paper` takes only 0, its default. The kinds `barycentric`, `polyline` and `custom`
    * always have 0.
    */
   levels?: CurveLevels | LevelsTolerance | undefined;
   /**
-   * The fewest levels that `auto` takes, 0 to 8; 0 by default. A curve moves a little when its number
-   * of levels changes. So that levels do not come and go while a point is dragged, give the most that
-   * the curve has had during the drag.
+   * The fewest levels that `auto` takes, 0 to 8; 0 by default. A curve moves a little when its
+   * number of levels changes. To keep levels steady while a point is dragged, pass the largest
+   * number that the curve has had during the drag.
    */
   leastLevels?: number | undefined;
   /**
@@ -133,14 +142,14 @@ export interface CurveOptions extends FieldOptions {
   /** The degree of a B-spline, 1 to 5; 3 by default. */
   degree?: number | undefined;
   /**
-   * Of a B-spline of n points and degree p: evenly spaced, `clamped` (repeated at the ends, so that
-   * the curve runs from its first to its last point), or numbers that do not fall: n + p + 1, of a
-   * closed curve n + 1 for its n spans. `uniform` by default.
+   * The knots of a B-spline of n points and degree p: `uniform`, evenly spaced; `clamped`, repeated
+   * at the ends, so that the curve runs from its first to its last point; or numbers that do not
+   * decrease, n + p + 1 of them, for a closed curve n + 1 for its n spans. `uniform` by default.
    */
   knots?: 'uniform' | 'clamped' | ArrayLike<number> | undefined;
-  /** One positive weight a point: `bspline`, `rational`. All 1 by default. */
+  /** One positive weight for each point, for `bspline` and `rational`. All 1 by default. */
   weights?: ArrayLike<number> | undefined;
-  /** One positive number a point: `barycentric`. All 1 by default. */
+  /** One positive number for each point, for `barycentric`. All 1 by default. */
   betas?: ArrayLike<number> | undefined;
   /** The parametrization of the kind `catmullrom`; `centripetal` by default. */
   parametrization?: Parametrization | undefined;
@@ -148,7 +157,7 @@ export interface CurveOptions extends FieldOptions {
   basis?: CurveBasis | undefined;
 }
 
-/** What a curve is. */
+/** The value of a curve. */
 export type CurveValue = CurveOptions & { legs?: readonly LegPoints[] | undefined };
 
 /** A place on a curve. */
@@ -159,13 +168,16 @@ export interface CurvePoint {
   point: SurfacePoint;
   /** The place of that point in space. */
   position: [number, number, number];
-  /** Where it is not `converged`, the point lies on the path that joins the samples around it. */
+  /**
+   * The status. If it is not `converged`, the point lies on the path that joins the samples around
+   * it.
+   */
   status: Status;
 }
 
 /** The derivative of a curve by its parameter. */
 export interface CurveTangent extends CurvePoint {
-  /** As changes of the weights of the face's corners; they sum to 0. */
+  /** The derivative as changes of the weights of the face's corners; they sum to 0. */
   inFace: [number, number, number];
   /** The same as a vector in space: x, y, z. */
   inSpace: [number, number, number];
@@ -176,19 +188,22 @@ export interface NearestOnCurve extends CurvePoint {
   distance: number;
 }
 
-/** Points of a curve as flat arrays of one entry (or three) a point. */
+/** Points of a curve as flat arrays of one entry (or three) for each point. */
 export interface CurvePoints {
   /** The parameter of each point on the curve. */
   parameter: Float64Array;
   /** The face of each point. */
   face: Int32Array;
-  /** Three a point. */
+  /** Three numbers for each point. */
   bary: Float64Array;
-  /** Three a point. */
+  /** Three numbers for each point. */
   position: Float64Array;
 }
 
-/** The samples of a curve, segment by segment, as flat arrays of one entry (or three) a sample. */
+/**
+ * The samples of a curve, segment by segment, as flat arrays of one entry (or three) for each
+ * sample.
+ */
 export interface CurveSamples {
   /** The number of samples. */
   count: number;
@@ -198,27 +213,27 @@ export interface CurveSamples {
   t: Float64Array;
   /** The face of each sample. */
   face: Int32Array;
-  /** Three a sample. */
+  /** Three numbers for each sample. */
   bary: Float64Array;
-  /** Three a sample. */
+  /** Three numbers for each sample. */
   position: Float64Array;
-  /** How the search for each sample ended. */
+  /** The status of the search for each sample. */
   status: Status[];
 }
 
 /**
- * Where a curve is no center of mass: over this interval of a segment's parameter it follows a
+ * An interval of a segment's parameter in which a curve is no center of mass: it follows a
  * subdivision curve of the segment's control points, so that it does not break. The samples inside
- * have the status `bridged`, or `subdivided` where that is the reason.
+ * have the status `bridged`, or `subdivided` if that is the reason.
  */
 export interface BridgedInterval {
-  /** The number of the segment that has the interval. */
+  /** The number of the segment that contains the interval. */
   segment: number;
   /** The parameter where the bridge begins. */
   t0: number;
   /** The parameter where the bridge ends. */
   t1: number;
-  /** How the search ended in the interval, or `jump`, or `subdivided`. */
+  /** The status of the search in the interval, or `jump`, or `subdivided`. */
   reason: Status;
 }
 
@@ -226,9 +241,9 @@ export interface CircleOptions extends ArcOptions {
   /** The radius, in units of the mesh, measured on the surface. */
   radius: number;
   /**
-   * A part of the radius: how far samples may be from it where `arcs` is not given; .001 by default.
-   * `deviation` of the circle is larger where no arcs keep nearer: beyond the center's cut locus,
-   * and where saddles spread the geodesics from the center apart.
+   * The largest distance of samples from the radius, relative to the radius, if `arcs` is not
+   * given; .001 by default. `deviation` of the circle is larger if no arcs keep nearer: beyond the
+   * center's cut locus, and where saddles spread the geodesics from the center apart.
    */
   tolerance?: number | undefined;
 }
@@ -236,16 +251,16 @@ export interface CircleOptions extends ArcOptions {
 /** Options of circles and ellipses. */
 export interface ArcOptions extends FieldOptions {
   /**
-   * Rational quadratic arcs, 3 to 64, all as wide. By default a circle has as many as its
-   * `tolerance` takes, up to 128, and an ellipse 7.
+   * The number of rational quadratic arcs, 3 to 64, all of the same width. By default a circle has
+   * as many as its `tolerance` takes, up to 128, and an ellipse 7.
    */
   arcs?: number | undefined;
   /**
-   * Samples an arc, both ends included; 32 by default. Where `arcs` is not given, narrow arcs have
-   * fewer, but at least 5.
+   * The number of samples of each arc, both ends included; 32 by default. If `arcs` is not given,
+   * narrow arcs have fewer, but at least 5.
    */
   samples?: number | undefined;
-  /** As those of a curve; `auto` by default. */
+  /** The levels, as for a curve; `auto` by default. */
   levels?: CurveLevels | undefined;
 }
 
@@ -256,16 +271,19 @@ export interface EllipseOptions extends ArcOptions {
   direction: VectorLike;
 }
 
-/** Milliseconds of a curve's last update. */
+/** The durations, in milliseconds, of a curve's last update. */
 export interface CurveTimes {
-  /** The legs of the control polygon, where the curve has a use for them. */
+  /** The time for the legs of the control polygon, if the curve uses them. */
   polygon: number;
-  /** The fields of the control points. */
+  /** The time for the fields of the control points. */
   fields: number;
-  /** The searches for the samples. */
+  /** The time for the searches for the samples. */
   trace: number;
-  /** The search for jumps between them, and the bridges over these and over what was not found. */
+  /**
+   * The time for the search for jumps between samples, and for the bridges over jumps and over
+   * missing samples.
+   */
   bridge: number;
-  /** The paths between samples. */
+  /** The time for the paths between samples. */
   join: number;
 }

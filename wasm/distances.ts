@@ -1,4 +1,7 @@
-/** Distances on a mesh, and the lines at a distance: circles, ellipses, isolines, offsets. `Mesh` says more. */
+/**
+ * Distances on a mesh, and the lines at a distance: circles, ellipses, isolines, offsets. `Mesh`
+ * documents them.
+ */
 import { checkArray, checkNumber, checkOneOf, checkOptions, toVector } from './check.js';
 import type { MeshHandle } from './engine.js';
 import { KarcherError } from './errors.js';
@@ -30,7 +33,7 @@ import type {
 } from './types.js';
 import { CurveView } from './view.js';
 
-/** Distances to all vertices of a mesh of so many. */
+/** Distances to all vertices of a mesh with this number of vertices. */
 export function distance(
   mesh: MeshHandle,
   vertices: number,

@@ -2,7 +2,7 @@ import { KarcherError } from './errors.js';
 import type { EngineMesh, EngineModule } from './karcher-engine.mjs';
 import type { ErrorCode, Status } from './types.js';
 
-/** Calls into the module, so that each failure arrives as a `KarcherError`. */
+/** Calls into the module. Each failure is thrown as a `KarcherError`. */
 export class Engine {
   readonly #module: EngineModule;
   #statusNames: Status[] | undefined;
@@ -18,8 +18,8 @@ export class Engine {
   }
 
   /**
-   * Throws `KarcherError` `busy` where the engine is at work: a caller's basis runs within a call, and
-   * what it would change is being read.
+   * Throws `KarcherError` `busy` if the engine is at work: a caller's basis runs within a call,
+   * which reads the data that the basis would change.
    */
   checkIdle(): void {
     if (!this.#atWork) return;
@@ -29,7 +29,7 @@ export class Engine {
     );
   }
 
-  /** How many bytes of the engine's memory are in use. */
+  /** The number of bytes of the engine's memory in use. */
   readonly allocatedBytes = (): number => this.call((module) => module.allocatedBytes());
 
   /** Returns what `work` returns, or throws the `KarcherError` that the engine left. */
@@ -72,25 +72,32 @@ class Lease {
   }
 }
 
-/** Gives back what nobody can reach any more, in a turn of its own: never while the engine works. */
+/**
+ * Frees objects that nobody can reach any more, in a separate task: never while the engine works.
+ */
 const forgotten = new FinalizationRegistry<Lease>((lease) => {
   try {
     lease.end();
   } catch {
-    // An engine that has stopped has nothing to give back.
+    // An engine that has stopped has no memory to free.
   }
 });
 
-/** So many objects may be made of one before those that are gone are looked for. */
+/**
+ * The number of objects created from one object after which those that are gone are removed from
+ * its list.
+ */
 const leastMost = 16;
 
-/** An object in the module's memory, until it is disposed of, or nobody can reach it any more. */
+/**
+ * An object in the module's memory, until it is disposed of, or until nobody can reach it any more.
+ */
 export class Handle<Target extends { delete(): void }> {
   readonly engine: Engine;
   readonly #what: string;
   readonly #lease: Lease;
   #target: Target | undefined;
-  /** What was made of it, which may be forgotten or disposed of before. */
+  /** The objects created from this one, which may be forgotten or disposed of earlier. */
   readonly #made = new Set<WeakRef<Handle<{ delete(): void }>>>();
   #most = leastMost;
 
@@ -116,8 +123,8 @@ export class Handle<Target extends { delete(): void }> {
   }
 
   /**
-   * An object that `make` makes of this one, which it reads and with which it is disposed of; `what` names
-   * it as in the constructor.
+   * An object that `make` creates from this one. It reads this object and is disposed of with it;
+   * `what` names it as in the constructor.
    */
   made<Other extends { delete(): void }>(
     what: string,
@@ -137,7 +144,7 @@ export class Handle<Target extends { delete(): void }> {
     return this.engine.call(() => work(this.#target!));
   }
 
-  /** Throws `KarcherError` `busy` where the engine is at work. */
+  /** Throws `KarcherError` `busy` if the engine is at work. */
   dispose(): void {
     if (this.disposed) return;
     this.engine.checkIdle();
@@ -150,7 +157,7 @@ export class Handle<Target extends { delete(): void }> {
 
 export type MeshHandle = Handle<EngineMesh>;
 
-/** Lets a class be disposed of by `using`, where the language has it. */
+/** Makes a class disposable by `using`, if the language supports it. */
 export function disposable(prototype: { dispose(): void }): void {
   if (typeof Symbol.dispose !== 'symbol') return;
   Object.defineProperty(prototype, Symbol.dispose, {

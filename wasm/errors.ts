@@ -1,11 +1,11 @@
 import type { ErrorCode } from './types.js';
 
 /**
- * Every failure of Karcher: `code` names its kind, `message` is a sentence that names the thing
+ * Every failure of Karcher. `code` names its kind, and `message` is a sentence that names the thing
  * and the limit. After a failure everything is as it was before the call.
  */
 export class KarcherError extends Error {
-  /** The name of the class, as errors have it. */
+  /** The name of the class, as for all errors. */
   override readonly name = 'KarcherError';
   /** The kind of the failure, for programs. */
   readonly code: ErrorCode;

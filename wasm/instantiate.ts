@@ -6,11 +6,11 @@ import type { LoadOptions, WasmSource } from './types.js';
 const loadOptionNames = namesOf<LoadOptions>({ wasm: true });
 
 /**
- * Instantiates a module whose bytes lie at `url`, unless the options say where, the same in Node, in a
- * page and in a worker.
+ * Instantiates a module whose bytes lie at `url`, unless the options give another source. Node,
+ * pages and workers use the same code.
  *
- * Rejects with `KarcherError` notLoaded where WebAssembly is missing or the module cannot be had,
- * naming its address.
+ * Rejects with `KarcherError` notLoaded, naming the address, if WebAssembly is missing or the
+ * module cannot be loaded.
  */
 export async function instantiate<Module>(
   create: (options: EngineOptions) => Promise<Module>,
@@ -32,7 +32,7 @@ export async function instantiate<Module>(
   });
 }
 
-/** The module of a source: compiled, unless it is one. Rejects as `instantiate` does. */
+/** The compiled module of a source, which may be one itself. Rejects as `instantiate` does. */
 export async function compiled(source: WasmSource): Promise<WebAssembly.Module> {
   if (source instanceof WebAssembly.Module) return source;
   if (typeof source === 'string' || source instanceof URL) return compiledFrom(source);
@@ -49,7 +49,7 @@ export async function compiled(source: WasmSource): Promise<WebAssembly.Module> 
   return compiledBytes(bytes, 'the array of bytes');
 }
 
-/** A copy of bytes: WebAssembly takes none in shared memory, where another thread may write. */
+/** A copy of bytes. WebAssembly takes none in shared memory, where another thread may write. */
 function bytesOf(source: unknown): Uint8Array<ArrayBuffer> | undefined {
   if (ArrayBuffer.isView(source)) {
     return new Uint8Array(source.buffer, source.byteOffset, source.byteLength).slice();
@@ -60,7 +60,7 @@ function bytesOf(source: unknown): Uint8Array<ArrayBuffer> | undefined {
 
 async function compiledFrom(address: string | URL): Promise<WebAssembly.Module> {
   const nodeProcess = globalThis.process as NodeJS.Process | undefined;
-  // Not an import: bundlers would look for the file system in a page.
+  // This is no import, since bundlers would look for the file system in a page.
   const files = nodeProcess?.versions?.node ? nodeProcess.getBuiltinModule('node:fs') : undefined;
   const place = files ? fileOf(address) : undefined;
   try {
@@ -73,7 +73,7 @@ async function compiledFrom(address: string | URL): Promise<WebAssembly.Module> 
   }
 }
 
-/** In Node, the file that an address names; undefined where it is one of the network. */
+/** The file that an address names, in Node; undefined for an address on the network. */
 function fileOf(address: string | URL): string | URL | undefined {
   const text = `${address}`;
   if (text.startsWith('file:')) return new URL(text);
@@ -87,11 +87,11 @@ async function compiledResponse(response: Response, what: string): Promise<WebAs
       `the engine cannot be loaded from ${what}: the answer is ${response.status} ${response.statusText}`.trim(),
     );
   }
-  // `compileStreaming` takes this type alone, without a charset, and in Node not in capitals.
+  // `compileStreaming` takes only this type, without a charset, and in Node not in capitals.
   if (response.headers.get('content-type') !== 'application/wasm') {
     return compiledBytes(await response.arrayBuffer(), what);
   }
-  // While it arrives; browsers keep what they compiled so.
+  // The module is compiled while it arrives. Browsers keep modules compiled in this way.
   return whole(WebAssembly.compileStreaming(response), what);
 }
 

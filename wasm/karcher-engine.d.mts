@@ -16,15 +16,15 @@ import type {
 } from './types.js';
 
 /**
- * The WebAssembly module as the facade sees it: what bindings/*.cpp export.
+ * The WebAssembly module as the facade sees it: the exports of bindings/*.cpp.
  *
- * A point travels as four numbers: face, b0, b1, b2, and to the engine also as NaN, vertex, 0, 0;
- * faces and vertices are the caller's. After a
- * call that failed `takeFailure` returns why, once, and the call's own result means nothing.
+ * A point is sent as four numbers: face, b0, b1, b2, and to the engine also as NaN, vertex, 0, 0.
+ * Faces and vertices are the caller's. After a failed call `takeFailure` returns the reason, once,
+ * and the call's own result has no meaning.
  */
 export interface EngineModule {
   takeFailure(): { code: string; message: string } | undefined;
-  /** Statuses by the numbers that samples give them. */
+  /** The statuses, by the numbers that samples have. */
   statusNames(): Status[];
   allocatedBytes(): number;
   /** `weld` is negative for the default. */
@@ -61,17 +61,17 @@ export interface EngineRegion {
   area: number;
   perimeter: number;
   boundary: EnginePath[];
-  /** Per triangle 0 where nothing of it lies in the region, 1 where all of it does, 2 for a part. */
+  /** For each triangle, 0 if it lies outside the region, 1 if inside, 2 if partly inside. */
   share: Uint8Array;
-  /** Of the sides of such parts the triangles, in order, ... */
+  /** The triangles of the sides of partial triangles, in order. */
   triangles: Int32Array;
-  /** Four numbers each: the second and third weight of one end, and those of the other. */
+  /** Four numbers for each side: the second and third weight of one end, and those of the other. */
   sides: Float64Array;
-  /** Of a region of one shape: whether it lies left of its first outline. */
+  /** For a region of one shape, whether it lies left of its first outline. */
   isLeft?: boolean;
 }
 
-/** What the exp map leads to: four numbers a point, three a direction. */
+/** The end points of the exp map: four numbers for each point, three for each direction. */
 export interface EngineMapped {
   points: Float64Array;
   directions: Float64Array;
@@ -81,7 +81,7 @@ export interface EngineMapped {
 export interface EngineMesh {
   delete(): void;
   info(): MeshInfo;
-  /** The caller's vertices, before repairs. */
+  /** The number of the caller's vertices, before repairs. */
   inputVertices(): number;
   positions(): Float64Array;
   triangles(): Int32Array;
@@ -142,7 +142,7 @@ export interface EngineMesh {
     nonNegative: boolean,
     field: EngineFieldOptions,
   ): MeanWeights;
-  /** `distances`: one array after another. */
+  /** `distances` has one array after another. */
   centerOfMassOfDistances(
     distances: Float64Array,
     weights: Float64Array,
@@ -183,7 +183,10 @@ export interface EngineMesh {
     miterLimit: number,
   ): EnginePath[];
   distanceFromPaths(outlines: Float64Array[], points: Float64Array): Float64Array;
-  /** Of each shape `counts` has the number of its outlines, `insides` a point, none, or 1 for the left of its first outline, 0 for the right. */
+  /**
+   * For each shape, `counts` has the number of its outlines, and `insides` a point, none, or 1 for
+   * the left of its first outline, 0 for the right.
+   */
   regions(
     outlines: Float64Array[],
     counts: Int32Array,
@@ -195,34 +198,36 @@ export interface EngineMesh {
   curve(value: EngineCurveValue): EngineCurve;
 }
 
-/** A curve as it is given. */
+/** A curve's value, as the engine receives it. */
 export interface EngineCurveValue {
   points: Float64Array;
-  /** The points that each leg goes through, none for the shortest; none at all where all are. */
+  /**
+   * The points that each leg passes, none for the shortest; the list is empty if all are shortest.
+   */
   legs: Float64Array[];
-  /** For each whether it is all its points, with its ends. */
+  /** Whether each leg is given by all its points, with its ends. */
   areDrawn: Int32Array;
   shape: EngineCurveShape;
   sampling: EngineSampling;
   field: EngineFieldOptions;
 }
 
-/** How a curve is sampled and drawn. */
+/** The options for sampling and drawing a curve. */
 export interface EngineSampling {
   samples: number;
   /** 0 for a fixed number of samples. */
   tolerance: number;
-  /** Whether crossings of edges lie between the samples, not geodesics. */
+  /** Whether crossings of edges lie between the samples, instead of geodesics. */
   exact: boolean;
-  /** -1 for as many as fit, -2 for the limit. */
+  /** -1 for `auto`, -2 for the limit. */
   levels: number;
-  /** Of those that fit. */
+  /** The fewest levels of `auto`. */
   leastLevels: number;
-  /** Mean edges. */
+  /** The tolerance in mean edges. */
   levelsTolerance: number;
 }
 
-/** Arrays are empty where there are none. */
+/** The shape of a curve. Arrays that are not used are empty. */
 export interface EngineCurveShape {
   kind: CurveKind;
   closed: boolean;
@@ -238,7 +243,7 @@ export interface EngineCurveShape {
 /** A curve as data. */
 export interface EngineCurveParts extends EngineCurveShape {
   points: Float64Array;
-  /** Of a curve's value, as in `EngineCurveValue`. */
+  /** The legs of a curve's value, as in `EngineCurveValue`. */
   legs?: Float64Array[];
 }
 
@@ -259,17 +264,17 @@ export interface EnginePath {
   lengths: Float64Array;
 }
 
-/** What a view holds of a path: positions in 64 bits, and the faces and weights of its points. */
+/** The data of a path in a view: positions in 64 bits, and the faces and weights of its points. */
 export interface EngineViewOptions {
   inDouble: boolean;
   withPoints: boolean;
 }
 
 export interface EngineCircle {
-  /** Of 64 bits, with points. */
+  /** The view in 64 bits, with points. */
   view: Uint8Array;
   notShortest: Int32Array;
-  /** Undefined of ellipses, which hide it. */
+  /** The deviation; undefined for ellipses, which hide it. */
   deviation: number;
 }
 
@@ -290,10 +295,12 @@ export interface EngineMinimum {
   energy: number;
 }
 
-/** Each edit makes it another curve, whole, or fails and changes nothing. */
+/**
+ * A curve of the engine. Each edit either changes the whole curve, or fails and changes nothing.
+ */
 export interface EngineCurveEdits {
   movePoint(i: number, point: Float64Array): void;
-  /** The same, with its legs continued from where they lie. */
+  /** Moves a point and continues its legs from their present course. */
   dragPoint(i: number, point: Float64Array): void;
   insertPoint(i: number, point: Float64Array): void;
   removePoint(i: number): void;
@@ -312,17 +319,17 @@ export interface EngineCurveEdits {
 
 export interface EngineCurve extends EngineCurveEdits {
   delete(): void;
-  /** Makes it the curve of a value: its view (view.ts). */
+  /** Changes the curve to that of a value, and returns its view (view.ts). */
   set(value: EngineCurveValue, options: EngineViewOptions): Uint8Array;
   view(options: EngineViewOptions): Uint8Array;
-  /** What it is; arrays are empty where there are none. */
+  /** The curve's value. Arrays that are not used are empty. */
   value(): EngineCurveParts;
   legs(): { path: EnginePath; shorter?: EnginePath }[];
   splitAt(parameter: number): EngineCurveParts[];
   joined(other: EngineCurve): EngineCurveParts;
   pointCount(): number;
   fieldsComputed(): number;
-  /** NaN where there is none. */
+  /** NaN if the deviation does not exist. */
   deviation(): number;
   pointAt(parameter: number): EngineCurvePoint;
   tangentAt(parameter: number): EngineCurvePoint & {
@@ -338,9 +345,9 @@ export interface EngineCurve extends EngineCurveEdits {
 /** The graph of the graph solver, built in slices. */
 export interface EngineGraphBuilder {
   delete(): void;
-  /** True when all is done. */
+  /** Returns true when all is done. */
   advance(vertices: number): boolean;
-  /** From 0 to 1. */
+  /** The completed part, from 0 to 1. */
   progress(): number;
 }
 

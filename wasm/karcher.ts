@@ -9,11 +9,11 @@ import type { MeshOptions, ObjOptions, Shape } from './types.js';
 
 const shapes: readonly Shape[] = ['sphere', 'torus', 'knot', 'genus3', 'openSheet'];
 
-/** A loaded engine: makes meshes. What it makes lives in its memory until `dispose`. */
+/** A loaded engine, which creates meshes. They live in its memory until `dispose`. */
 export class Karcher {
   readonly #engine: Engine;
 
-  /** @internal `load` makes one. */
+  /** @internal `load` creates one. */
   constructor(engine: Engine) {
     this.#engine = engine;
   }
@@ -21,15 +21,15 @@ export class Karcher {
   /**
    * Reads a mesh from an OBJ file, as text or as its bytes (UTF-8).
    *
-   * Polygons are cut into triangles, vertices of no face are dropped, and what is no surface is mended
-   * where that is safe (`MeshOptions`, `RepairKind`); `info.repairs` lists the repairs, and `fileMarks` the
-   * file's parts, materials and colors. Vertices and faces keep the
-   * file's order, faces counting triangles: a point keeps its place, whatever became of its face.
+   * Polygons are cut into triangles, vertices of no face are dropped, and defects are repaired
+   * where that is safe (`MeshOptions`, `RepairKind`). `info.repairs` lists the repairs, and
+   * `fileMarks` the file's parts, materials and colors. Vertices and faces keep the file's order,
+   * and faces count triangles. A point keeps its place, even if its face changed.
    *
    * Throws `KarcherError`: badFile (no OBJ, or no faces), badIndex, notFinite, badArgument (a
    * coordinate beyond 1e30, a mesh smaller than 1e-30), degenerateFace, notOrientable, and with
-   * `repair: 'none'` nonManifoldEdge and nonManifoldVertex, each naming the place. Of a mesh whose
-   * longest edge is more than 1e12 times its shortest, distances by windows are refused with badArgument
+   * `repair: 'none'` nonManifoldEdge and nonManifoldVertex, each naming the place. If the longest
+   * edge of a mesh is more than 1e12 times its shortest, distances by windows throw badArgument
    * (`Mesh.distance`).
    *
    * @example
@@ -55,8 +55,9 @@ export class Karcher {
   }
 
   /**
-   * Makes a mesh from positions (x, y, z a vertex) and triangles (three vertex numbers a face,
-   * counterclockwise seen from outside), which are copied. Repairs and errors as in `meshFromObj`.
+   * Creates a mesh from positions (x, y, z for each vertex) and triangles (three vertex numbers for
+   * each face, counterclockwise seen from outside), which are copied. Repairs and errors are those
+   * of `meshFromObj`.
    */
   meshFromArrays(
     positions: ArrayLike<number>,
@@ -78,8 +79,9 @@ export class Karcher {
   }
 
   /**
-   * The same of polygons: `corners` holds the vertices of one after the other, `sizes` how many each has,
-   * at least 3. They are cut into triangles as those of an OBJ file, and faces count triangles.
+   * Creates a mesh from polygons: `corners` holds the vertices of one after the other, `sizes` the
+   * number of corners of each, at least 3. They are cut into triangles like those of an OBJ file,
+   * and faces count triangles.
    */
   meshFromPolygons(
     positions: ArrayLike<number>,
@@ -104,8 +106,8 @@ export class Karcher {
   }
 
   /**
-   * A built-in shape of about that many triangles. Throws `KarcherError` badArgument for an unknown
-   * name or a number out of range.
+   * A built-in shape of about this number of triangles. Throws `KarcherError` badArgument for an
+   * unknown name or a number out of range.
    *
    * @example
    * ```ts

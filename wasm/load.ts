@@ -5,10 +5,10 @@ import createEngine from './karcher-engine.mjs';
 import type { LoadOptions } from './types.js';
 
 /**
- * Loads the engine. The same call in Node, in a page and in a worker; each call makes an engine
- * with a memory of its own.
+ * Loads the engine. The call is the same in Node, in a page and in a worker. Each call creates an
+ * engine with its own memory.
  *
- * Rejects with `KarcherError` notLoaded where WebAssembly is missing or the module cannot be had.
+ * Rejects with `KarcherError` notLoaded if WebAssembly is missing or the module cannot be loaded.
  *
  * @example
  * ```ts

@@ -7,21 +7,21 @@ import type { StraightestPath } from './path_types.js';
 import { toSurfacePoint, toSurfacePoints, wirePoint, wirePoints } from './points.js';
 import type { PointLike, SurfacePoint, VectorLike, VectorsLike } from './types.js';
 
-/** Points seen from another one, in its tangent plane: x, y, z each, in space. */
+/** Points seen from another one, in its tangent plane: x, y, z for each, in space. */
 export interface LogMap {
-  /** As long as the paths to the points. */
+  /** The log vectors, as long as the paths to the points. */
   vectors: Float64Array;
-  /** The directions at the points, carried along these paths. */
+  /** The directions at the points, transported along these paths. */
   directions: Float64Array;
 }
 
-/** Where straightest geodesics lead. */
+/** The end points of straightest geodesics. */
 export interface MappedPoints {
   /** The points of the surface, one for each vector. */
   points: SurfacePoint[];
-  /** Directions carried along to them: x, y, z each, in the plane of the point's face. */
+  /** The directions transported to them: x, y, z for each, in the plane of the point's face. */
   directions: Float64Array;
-  /** The length of each that was left at the boundary; else 0, or nearly. */
+  /** The remaining length of each geodesic that met the boundary; else 0, or nearly 0. */
   remaining: Float64Array;
 }
 
@@ -94,7 +94,7 @@ export function mirror(
   return toMapped(mesh.call((target) => target.mirror(wireLine, places, ways)));
 }
 
-/** Vectors of a caller's (`VectorsLike`) one after the other, three finite numbers each. */
+/** A caller's vectors (`VectorsLike`) one after the other, three finite numbers for each. */
 function toVectors(value: unknown, what: string): Float64Array {
   if (Array.isArray(value) && isObject(value[0])) {
     const all = new Float64Array(3 * value.length);
@@ -114,7 +114,7 @@ function toVectors(value: unknown, what: string): Float64Array {
 
 const isObject = (value: unknown): value is object => typeof value === 'object' && value !== null;
 
-/** The directions at so many points; without any, of length 0. */
+/** The directions at this number of points; without directions, vectors of length 0. */
 function carriedVectors(directions: unknown, count: number): Float64Array {
   if (directions === undefined) return new Float64Array(3 * count);
   const numbers = toVectors(directions, 'the directions');

@@ -1,4 +1,4 @@
-/** Centers of mass on a mesh, and the weights of which a point is one: what `Mesh` says of them. */
+/** Centers of mass on a mesh, and the weights of which a point is one. `Mesh` documents them. */
 import { checkArray, checkBoolean, checkOptions, toFloat64 } from './check.js';
 import { numbersOrNone } from './curve_options.js';
 import type { MeshHandle } from './engine.js';
@@ -105,7 +105,7 @@ export function centerOfMassOfDistances(
   );
 }
 
-/** The start of a search as it travels: empty for the engine's choice. */
+/** The start of a search in the engine's form: empty for the engine's choice. */
 const wireStart = ({ start }: StartOptions): Float64Array =>
   start === undefined ? new Float64Array() : wirePoint(start, 'the start');
 
@@ -121,7 +121,10 @@ function toRows(rows: unknown, width: number): Float64Array {
   );
 }
 
-/** Arrays of one length one after the other; `named` names one, `wrong` is the error of another length. */
+/**
+ * Arrays of one length in one array, one after the other. `named` names an array in errors, and
+ * `wrong` is the error for another length.
+ */
 function rowsInOne(
   rows: readonly unknown[],
   width: number,

@@ -58,12 +58,12 @@ import type {
 } from './types.js';
 
 /**
- * A triangle mesh. It and what is made from it live in the engine's memory until `dispose`, or until
- * nobody can reach it any more and JavaScript's memory is cleared.
+ * A triangle mesh. The mesh and objects created from it live in the engine's memory until `dispose`, or until
+ * nobody can reach them any more and JavaScript collects them.
  *
- * Every method throws `KarcherError`: disposed after `dispose`; badIndex for a face or vertex that
- * does not exist or a vertex that was dropped; badPoint for weights outside the face; notFinite for
- * NaN or infinity; badArgument for an option of another name and anything else out of range.
+ * Every method throws `KarcherError`: disposed after `dispose`; badIndex for a face or vertex that does not
+ * exist or a vertex that was dropped; badPoint for weights outside the face; notFinite for NaN or infinity;
+ * badArgument for an unknown option and any other value out of range.
  */
 export class Mesh {
   static {
@@ -74,10 +74,10 @@ export class Mesh {
   declare readonly [Symbol.dispose]: () => void;
   readonly #handle: MeshHandle;
 
-  /** What the mesh consists of, and what was mended while it was read. */
+  /** The numbers of the mesh's elements, and the repairs made while it was read. */
   readonly info: Readonly<MeshInfo>;
 
-  /** @internal `Karcher` makes meshes. */
+  /** @internal `Karcher` creates meshes. */
   constructor(engine: Engine, target: EngineMesh) {
     this.#handle = new Handle(engine, 'the mesh', target);
     this.info = frozenInfo(this.#handle.call((mesh) => mesh.info()));
@@ -89,8 +89,8 @@ export class Mesh {
   }
 
   /**
-   * x, y, z of each vertex, in the caller's order, as a new array. Welded vertices repeat their
-   * place; dropped ones keep theirs.
+   * x, y, z of each vertex, in the caller's order, as a new array. Welded vertices repeat their place;
+   * dropped ones keep theirs.
    *
    * @example
    * ```ts
@@ -114,17 +114,16 @@ export class Mesh {
   }
 
   /**
-   * What the OBJ file that gave the mesh says beside the surface. Of other meshes it is empty: what other
-   * files say `meshFromFile` of `karcher/formats` tells.
+   * The marks of the OBJ file from which the mesh was read, beside its surface. They are empty for other
+   * meshes; `meshFromFile` of `karcher/formats` returns the marks of other files.
    */
   fileMarks(): FileMarks {
     return this.#handle.call((mesh) => mesh.marks());
   }
 
   /**
-   * The mesh refined by Loop subdivision: four triangles for each, `levels` times (1 to 6). The new
-   * mesh has a numbering of its own and is disposed of on its own. Throws `KarcherError` outOfMemory
-   * where it cannot fit.
+   * The mesh refined by Loop subdivision: four triangles for each, `levels` times (1 to 6). The new mesh has
+   * its own numbers and is disposed of separately. Throws `KarcherError` outOfMemory if it cannot fit.
    */
   subdivide(levels = 1): Mesh {
     checkInteger(levels, 'the number of levels');
@@ -139,9 +138,9 @@ export class Mesh {
   }
 
   /**
-   * The point of a face with the given weights of its corners, checked and cleaned: weights that
-   * leave the face by no more than 1e-6, from rounding, are moved onto it. A raycast of three.js gives
-   * them as `faceIndex` and `barycoord`.
+   * The point of a face with the given weights of its corners, checked and cleaned. Weights that leave the
+   * face by no more than 1e-6, from rounding, are moved onto it. A raycast of three.js returns face and
+   * weights as `faceIndex` and `barycoord`.
    *
    * @example
    * ```ts
@@ -166,14 +165,17 @@ export class Mesh {
     return this.#handle.call((mesh) => mesh.position(wire));
   }
 
-  /** The places of points: x, y, z each. Of a list, or of flat arrays, as `CentersOfMass` has them. */
+  /**
+   * The places of points, x, y, z for each. The points are a list, or flat arrays such as those of
+   * `CentersOfMass`.
+   */
   positionsOf(points: readonly PointLike[] | PointArrays): Float64Array {
     const wire = wirePointsOrArrays(points);
     return this.#handle.call((mesh) => mesh.positionsOf(wire));
   }
 
   /**
-   * The unit normal of a point's face, on the side from which its corners run counterclockwise.
+   * The unit normal of a point's face, on the side from which its corners appear counterclockwise.
    *
    * @example
    * ```ts
@@ -186,7 +188,7 @@ export class Mesh {
   }
 
   /**
-   * The point of the surface that is nearest to a place in space; of several one of them.
+   * The point of the surface that is nearest to a place in space; if several are, one of them.
    *
    * @example
    * ```ts
@@ -201,8 +203,8 @@ export class Mesh {
   }
 
   /**
-   * Makes what the given fields need of the mesh; the graph of the graph solver in slices of a few
-   * milliseconds. Other methods make at once what is missing.
+   * Prepares the mesh's data for the given fields, and the graph of the graph solver in slices of a few
+   * milliseconds. Otherwise other methods compute missing data at once.
    *
    * Rejects with the signal's reason when it is aborted, and with `KarcherError` disposed and outOfMemory,
    * the latter as soon as it is known that a graph cannot fit.
@@ -212,17 +214,17 @@ export class Mesh {
   }
 
   /**
-   * The Riemannian center of mass of points with weights, one a point, that sum to 1 within 1e-9 (or
-   * are divided by their sum with `normalize`). Some may be negative. Only with the status
-   * `converged` the result is a center of mass; see `Status`. The fields of the points are kept until
-   * the next call: other weights need no new ones, and a point that moves only its own. Of 64 different
-   * points or more whose fields would hold over two million values there are none, unless `uniqueness` is
-   * asked for or a weight is negative: the search, from some of the points, takes about as long for
-   * thousands as for hundreds.
+   * The Riemannian center of mass of points with weights, one for each point, that sum to 1 within 1e-9 (or
+   * are divided by their sum with `normalize`). Some may be negative. The result is a center of mass only if
+   * the status is `converged`; see `Status`. The fields of the points are kept until the next call: other
+   * weights need no new fields, and a moved point only its own. No fields are computed for 64 different
+   * points or more whose fields would hold over two million values, unless `uniqueness` is requested or a
+   * weight is negative. The search then starts at some of the points, and takes about as long for thousands
+   * as for hundreds.
    *
-   * Throws `KarcherError` badWeights (not one a point, or another sum), tooFewPoints (none),
-   * unreachable (the points lie on several components), badArgument (the limits of exact distances;
-   * see `distance`).
+   * Throws `KarcherError` badWeights (not one for each point, or another sum), tooFewPoints (none),
+   * unreachable (the points lie on several components), badArgument (the limits of exact distances; see
+   * `distance`).
    */
   centerOfMass(
     points: readonly PointLike[],
@@ -233,10 +235,11 @@ export class Mesh {
   }
 
   /**
-   * The centers of mass of one set of points for many rows of weights, one a point in each: a list of
-   * rows, or all of them one after the other. Fields are made once, and each search costs what a curve's
-   * sample does: it starts at the center of equal weights, and then at points near which a lower minimum may
-   * lie. The answer of a row does not depend on the other rows. Throws as `centerOfMass` does, and names the row.
+   * The centers of mass of one set of points for many rows of weights, with one weight for each point: a list
+   * of rows, or all of them one after the other. Fields are computed once, and each search costs as little as
+   * that for a sample of a curve. It starts at the center of equal weights, and then at points near which a
+   * lower minimum may lie. The result of a row does not depend on the other rows. Throws as `centerOfMass`
+   * does, and names the row.
    */
   centersOfMass(
     points: readonly PointLike[],
@@ -247,14 +250,14 @@ export class Mesh {
   }
 
   /**
-   * The inverse of `centerOfMass`: weights of sum 1 for which a point is the center of mass of the
-   * points, the nearest to the given ones; of three points there are only these. So a drawing among
-   * some points is carried to others: the weights here, `centerOfMass` there.
+   * The inverse of `centerOfMass`: weights of sum 1 for which a point is the center of mass of the points.
+   * They are the nearest to the given weights; for three points they are unique. A drawing among some points
+   * can thus be transferred to others: the weights here, `centerOfMass` there.
    *
-   * Throws `KarcherError` badArgument where there are none: all the points are seen from `point`
-   * along one line that it does not lie on, or with `nonNegative` it lies outside of their convex
-   * hull. Besides badWeights (given ones that are not one a point, or of no positive sum),
-   * tooFewPoints (none), unreachable.
+   * Throws `KarcherError` badArgument if no such weights exist: seen from `point`, the points lie along one
+   * line that misses it, or with `nonNegative` it lies outside their convex hull. Also throws badWeights
+   * (given ones that are not one for each point, or without a positive sum), tooFewPoints (none),
+   * unreachable.
    */
   weightsOf(
     point: PointLike,
@@ -265,12 +268,12 @@ export class Mesh {
   }
 
   /**
-   * The center of mass of points that are known by their distances to all vertices, however these
-   * were found: for each point an array in the caller's vertex order, whose entries at dropped vertices
-   * are not read. Weights as in `centerOfMass`; the method is the paper's.
+   * The center of mass of points that are given by their distances to all vertices, from any source. Each
+   * point has an array in the caller's vertex order, whose entries at dropped vertices are not read. Weights
+   * are as in `centerOfMass`; the method is the paper's.
    *
-   * Throws `KarcherError` badArgument (an array of another length), notFinite (a distance that is
-   * negative or not finite), badWeights, tooFewPoints.
+   * Throws `KarcherError` badArgument (an array of another length), notFinite (a distance that is negative or
+   * not finite), badWeights, tooFewPoints.
    */
   centerOfMassOfDistances(
     distances: readonly ArrayLike<number>[],
@@ -281,12 +284,12 @@ export class Mesh {
   }
 
   /**
-   * A curve with control points, of one of the kinds of `CurveKind`. It is disposed of with the mesh
-   * at the latest.
+   * A curve with control points, of one of the kinds of `CurveKind`. It is disposed of with the mesh at the
+   * latest.
    *
-   * Throws `KarcherError` tooFewPoints, unreachable (the points lie on several components),
-   * badArgument or notFinite (degree, knots, weights, betas), badWeights (a basis whose weights do
-   * not sum to 1), and badArgument for the limits of exact distances (see `distance`).
+   * Throws `KarcherError` tooFewPoints, unreachable (the points lie on several components), badArgument or
+   * notFinite (degree, knots, weights, betas), badWeights (a basis whose weights do not sum to 1), and
+   * badArgument for the limits of exact distances (see `distance`).
    *
    * @example
    * ```ts
@@ -299,11 +302,11 @@ export class Mesh {
   }
 
   /**
-   * The geodesic circle about a center, by rational quadratic arcs: as many as keep its samples within
-   * a thousandth of the radius, or a number of your own. `deviation` says how near they are.
+   * The geodesic circle about a center, by rational quadratic arcs: as many as keep its samples within a
+   * thousandth of the radius, or a given number. `deviation` is the largest error.
    *
-   * Throws `KarcherError` boundary (naming the arc whose geodesic from the center meets the
-   * boundary), radiusTooLarge (no vertex of the component lies as far from the center).
+   * Throws `KarcherError` boundary (naming the arc whose geodesic from the center meets the boundary),
+   * radiusTooLarge (no vertex of the component lies as far from the center).
    *
    * @example
    * ```ts
@@ -315,18 +318,18 @@ export class Mesh {
   }
 
   /**
-   * The ellipse about a center, by rational quadratic arcs: those of the plane's ellipse, carried to
-   * the surface along geodesics from the center. Throws as `circle` does, and badArgument where the
-   * direction is perpendicular to the center's face.
+   * The ellipse about a center, by rational quadratic arcs: those of the plane's ellipse, mapped to the
+   * surface along geodesics from the center. Throws as `circle` does, and badArgument if the direction is
+   * perpendicular to the center's face.
    */
   ellipse(center: PointLike, options: EllipseOptions): Ellipse {
     return ellipse(this.#handle, center, options);
   }
 
   /**
-   * The points at one geodesic distance from a center: lines, of which there may be none, or several
-   * beyond the center's cut locus. Where one is not closed both of its ends lie on the boundary.
-   * Throws `KarcherError` badArgument where the radius is not positive.
+   * The points at one geodesic distance from a center, as lines. There may be no line, or several beyond the
+   * center's cut locus. If a line is not closed, both of its ends lie on the boundary. Throws `KarcherError`
+   * badArgument if the radius is not positive.
    *
    * @example
    * ```ts
@@ -338,21 +341,22 @@ export class Mesh {
   }
 
   /**
-   * The points at a distance from the nearest of paths, or of their points: corners are round by default,
-   * and what runs into itself is trimmed. Lines of one side run as the paths do; there may be none, or several.
-   * Left of the boundary of a region is its inside. Places keep to the distance within a thousandth of it.
+   * The points at a distance from the nearest of paths, given as paths or by their points. Corners are round
+   * by default, and parts where an offset intersects itself are trimmed. Lines on one side have the direction
+   * of the paths; there may be no line, or several. The inside of a region lies left of its boundary. Places
+   * keep the distance to within a thousandth of it.
    *
-   * Throws `KarcherError` badArgument for a distance that is not positive, a path without length,
-   * consecutive points without a face in common, and a `miterLimit` below 1.
+   * Throws `KarcherError` badArgument for a distance that is not positive, a path without length, consecutive
+   * points without a face in common, and a `miterLimit` below 1.
    */
   offset(paths: readonly Outline[], options: OffsetOptions): Path[] {
     return offset(this.#handle, paths, options);
   }
 
   /**
-   * The exact geodesic distances of points from the nearest of paths, or of their points: NaN where no path
-   * leads. Throws `KarcherError` badArgument for a path without length, consecutive points without a face in
-   * common, and the limits of exact distances (see `distance`).
+   * The exact geodesic distances of points from the nearest of paths, given as paths or by their points; NaN
+   * for unreachable points. Throws `KarcherError` badArgument for a path without length, consecutive points
+   * without a face in common, and the limits of exact distances (see `distance`).
    *
    * @example
    * ```ts
@@ -367,22 +371,22 @@ export class Mesh {
   }
 
   /**
-   * The regions that shapes enclose, one a shape, or with `combine` one of all: union, intersection,
-   * difference or exclusion. A shape is an outline, or several with what is inside. All
-   * outlines may cross, touch and run along each other, the mesh's edges and its boundary; what lies
-   * nearer than 2^-32 of an edge is one. Outlines from boundary to boundary enclose a side, too.
+   * The regions that shapes enclose, one for each shape, or with `combine` one for all: union, intersection,
+   * difference or exclusion. A shape is an outline, or several with the choice of their inside. All outlines
+   * may cross, touch and follow each other, the mesh's edges and its boundary. Points nearer to each other
+   * than 2^-32 of an edge are united. Outlines from boundary to boundary enclose a side, too.
    *
-   * Throws `KarcherError` badArgument where outlines enclose nothing: one alone round a handle of the
-   * surface, or an open one that ends inside; and for consecutive points without a face in common.
+   * Throws `KarcherError` badArgument if outlines enclose no region: one alone round a handle of the surface,
+   * or an open one that ends inside; and for consecutive points without a face in common.
    */
   regions(shapes: readonly (Outline | RegionShape)[], options: RegionOptions = {}): Region[] {
     return regions(this.#handle, shapes, options);
   }
 
   /**
-   * The mesh cut apart along paths, or their points (`regions` says what they may do): a part for each
-   * piece of the surface that they leave. On both sides of a path positions are equal to the last bit;
-   * a path that ends inside a part leaves a slit.
+   * The mesh cut apart along paths, given as paths or by their points (for their conditions see `regions`): a
+   * part for each remaining piece of the surface. On both sides of a path positions are equal to the last
+   * bit. A path that ends inside a part leaves a slit.
    *
    * Throws `KarcherError` badArgument for consecutive points without a face in common.
    */
@@ -392,19 +396,19 @@ export class Mesh {
   }
 
   /**
-   * Geodesic distances from a point to the vertices, in the caller's order, or from the nearest of several
-   * points: NaN at a dropped vertex and where no path leads. By default exact.
+   * Geodesic distances from a point, or from the nearest of several points, to the vertices, in the caller's
+   * order; NaN at dropped and unreachable vertices. They are exact by default.
    *
-   * Exact distances have two limits: the longest edge is at most 1e12 times the shortest, and a field
-   * takes at most 10,000 windows a face, where 10 to 100 are usual. Throws `KarcherError` badArgument
-   * beyond them. The solver `graph` has neither.
+   * Exact distances have two limits: the longest edge is at most 1e12 times the shortest, and a field takes
+   * at most 10,000 windows for each face, where 10 to 100 are usual. Beyond them it throws `KarcherError`
+   * badArgument. The solver `graph` has neither limit.
    */
   distance(from: PointLike | readonly PointLike[], options: DistanceOptions = {}): Float64Array {
     return distance(this.#handle, this.info.vertices, from, options);
   }
 
   /**
-   * The exact shortest path. Throws `KarcherError` unreachable where no path leads.
+   * The exact shortest path. Throws `KarcherError` unreachable if no path exists.
    *
    * @example
    * ```ts
@@ -418,12 +422,12 @@ export class Mesh {
   }
 
   /**
-   * The straightest geodesic that leaves a point along a direction in space, which is projected onto
-   * the point's face, for the given length. At the boundary it stops, and after a million edges:
-   * `stop` tells, and `remaining` how much of the length was left.
+   * The straightest geodesic that leaves a point along a direction in space, which is projected onto the
+   * point's face, for the given length. It stops at the boundary, and after a million edges. `stop` is the
+   * reason, and `remaining` the length that was left.
    *
-   * Throws `KarcherError` badArgument where the direction is perpendicular to the face or the length
-   * is negative.
+   * Throws `KarcherError` badArgument if the direction is perpendicular to the face or the length is
+   * negative.
    *
    * @example
    * ```ts
@@ -435,44 +439,47 @@ export class Mesh {
   }
 
   /**
-   * The log map: points as vectors of the tangent plane at `from`, which is that of its face, each in
-   * the direction in which the path to the point leaves and as long as it. The paths are locally
-   * shortest, and seldom longer than the shortest by a thousandth. `directions` (one a point, in the
-   * planes of the points' faces; 0, 0, 0 for none) are carried along the paths by parallel transport.
+   * The log map: points as vectors of the tangent plane at `from`, which is that of its face. Each has the
+   * direction in which the path to the point leaves, and its length. The paths are locally shortest, and
+   * seldom longer than the shortest by a thousandth. `directions` (one for each point, in the planes of the
+   * points' faces; 0, 0, 0 for none) are transported in parallel along the paths.
    *
    * Without points the vectors are those of all vertices, in the caller's order, at about the cost of one
-   * field of distances: paths of the solver `fast`, whose directions are interpolated between those of
-   * neighbours. They are exact on surfaces that unroll, and elsewhere off by some thousandths of a radian beside
-   * those of the paths. NaN at a dropped vertex and where no path leads.
+   * field of distances. Their paths are those of the solver `fast`, and their directions are interpolated
+   * between those of neighbours. They are exact on surfaces that unroll. Elsewhere they differ from those of
+   * the paths by some thousandths of a radian. They are NaN at dropped and unreachable vertices.
    *
-   * Throws `KarcherError` unreachable where no path leads, and badArgument for directions that are
-   * not one a point.
+   * Throws `KarcherError` unreachable if no path exists, and badArgument unless there is one direction for
+   * each point.
    */
   logMap(from: PointLike, points?: readonly PointLike[], directions?: VectorsLike): LogMap {
     return logMap(this.#handle, from, points, directions);
   }
 
   /**
-   * The exp map: the ends of the straightest geodesics from a point along vectors of its tangent
-   * plane (what is perpendicular to it is dropped), with directions at `from` carried
-   * along. It is the inverse of `logMap` where these geodesics are the paths that are found to their
-   * ends. Throws as `logMap` does.
+   * The exp map: the ends of the straightest geodesics from a point along vectors of its tangent plane
+   * (components perpendicular to it are dropped). Directions at `from` are transported along them. It is the
+   * inverse of `logMap` where these geodesics are the paths that `logMap` finds to their ends. Throws as
+   * `logMap` does.
    */
   expMap(from: PointLike, vectors: VectorsLike, directions?: VectorsLike): MappedPoints {
     return expMap(this.#handle, from, vectors, directions);
   }
 
-  /** Vectors of the tangent plane at `from`, carried along the log map's path to `to`: x, y, z each. */
+  /**
+   * Vectors of the tangent plane at `from`, transported along the log map's path to `to`: x, y, z for each.
+   */
   transport(from: PointLike, to: PointLike, vectors: VectorsLike): Float64Array {
     return transport(this.#handle, from, to, vectors);
   }
 
   /**
-   * Points mirrored in a geodesic that is given by its points, as `path.points()` has them: along the
-   * perpendicular to it, and as far on beyond; their directions are reflected.
+   * Points mirrored in a geodesic, which is given by its points, as `path.points()` returns them. A point
+   * moves along the perpendicular to the geodesic, and by the same length beyond it. Directions are
+   * reflected.
    *
-   * Throws as `logMap`, and `KarcherError` badArgument for a line that has no length or two consecutive
-   * points without a face in common, and where the line's nearest point is an end of it.
+   * Throws as `logMap` does, and `KarcherError` badArgument for a line that has no length or two consecutive
+   * points without a face in common, and if the line's nearest point is one of its ends.
    */
   mirror(
     line: readonly PointLike[],
@@ -483,8 +490,8 @@ export class Mesh {
   }
 
   /**
-   * Gives the memory back, that of the mesh's curves too. Safe to repeat. Throws `KarcherError` busy
-   * from within a basis.
+   * Frees the memory of the mesh and of its curves. Safe to repeat. Throws `KarcherError` busy from within a
+   * basis.
    */
   dispose(): void {
     this.#handle.dispose();

@@ -1,6 +1,6 @@
 import type { MeshInfo } from './types.js';
 
-/** What a mesh is like, with its repairs, which nobody can change. */
+/** The numbers and repairs of a mesh, which nobody can change. */
 export function frozenInfo(info: MeshInfo): MeshInfo {
   for (const repair of info.repairs) Object.freeze(repair);
   Object.freeze(info.repairs);

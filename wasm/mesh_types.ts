@@ -1,49 +1,49 @@
-/** The types of meshes: how one is read, what was repaired, and what it is like. */
+/** The types of meshes: the options for reading one, its repairs, and its numbers. */
 
-/** How a mesh is read. */
+/** The options for reading a mesh. */
 export interface MeshOptions {
   /**
-   * `safe` (the default): defects are repaired where that is safe, and listed in `info.repairs`.
-   * `none`: a mesh with defects is refused. Polygons are still cut into triangles, vertices at exactly
+   * `safe` (the default) repairs defects where that is safe, and lists them in `info.repairs`.
+   * `none` rejects a mesh with defects. Polygons are still cut into triangles, vertices at exactly
    * the same place welded, and vertices of no face dropped.
    */
   repair?: 'safe' | 'none' | undefined;
   /**
-   * The distance within which vertices on boundaries are welded, in the units of the mesh; never more
-   * than a third of the shortest edge at either vertex. 0 welds none. By default the smaller of 1e-6
-   * of the diagonal and 1 % of the shortest edge.
+   * The distance within which vertices on boundaries are welded, in the units of the mesh; never
+   * more than a third of the shortest edge at either vertex. 0 welds none. By default it is the
+   * smaller of 1e-6 of the diagonal and 1 % of the shortest edge.
    */
   weld?: number | undefined;
 }
 
-/** How an OBJ file is read. */
+/** The options for reading an OBJ file. */
 export interface ObjOptions extends MeshOptions {
-  /** Numbers of the parts that are wanted (`FileMarks`); all by default. */
+  /** The numbers of the parts to read (`FileMarks`); all by default. */
   parts?: readonly number[] | undefined;
 }
 
 /** An object or group of an OBJ file, a solid of an STL file, a primitive of a glTF scene. */
 export interface FilePart {
-  /** The name that the file gives it, or one of its kind and number. */
+  /** The name in the file, or one from its kind and number. */
   name: string;
-  /** The number of triangles; polygons count as many as they are cut into. */
+  /** The number of triangles; polygons count as those into which they are cut. */
   triangles: number;
 }
 
 /**
- * What a file says of its vertices and triangles beside the surface. Both have the caller's numbers, which
- * they keep whatever is repaired.
+ * The marks that a file gives its vertices and triangles, beside the surface. Both have the
+ * caller's numbers, which repairs do not change.
  */
 export interface FileMarks {
-  /** All of them, whichever were asked for. */
+  /** All parts of the file, even if only some were requested. */
   parts: FilePart[];
-  /** The number of each triangle's part; null where there is one part. */
+  /** The number of each triangle's part; null if there is only one part. */
   partOf: Int32Array | null;
   /** Names of materials. */
   materials: string[];
-  /** The number of each triangle's material, -1 for none; null where there are no materials. */
+  /** The number of each triangle's material, -1 for none; null without materials. */
   materialOf: Int32Array | null;
-  /** Red, green and blue of each vertex, 0 to 255, as in the file; null where it has none. */
+  /** Red, green and blue of each vertex, 0 to 255, as in the file; null if it has no colors. */
   colors: Uint8Array | null;
 }
 
@@ -81,19 +81,21 @@ export type RepairKind =
   | 'bowTie'
   | 'dropped';
 
-/** One kind of repair. Numbers stay the caller's: a point keeps its place, whatever became of its face. */
+/**
+ * One kind of repair. Numbers stay the caller's: a point keeps its place, even if its face changed.
+ */
 export interface Repair {
   /** The kind of the repair. */
   kind: RepairKind;
-  /** The number of places that were mended in this way. */
+  /** The number of places that were repaired in this way. */
   count: number;
-  /** The same as a sentence. */
+  /** The repair as a sentence. */
   message: string;
 }
 
-/** What a mesh consists of, and what was mended. */
+/** The numbers of a mesh's elements, and its repairs. */
 export interface MeshInfo {
-  /** Vertices and triangles of the surface, after repairs. */
+  /** The number of vertices of the surface, after repairs. */
   vertices: number;
   /** The number of triangles. */
   triangles: number;
@@ -105,7 +107,7 @@ export interface MeshInfo {
   genus: number;
   /** The mean length of the edges. */
   meanEdge: number;
-  /** Length of the bounding box's diagonal. */
+  /** The length of the bounding box's diagonal. */
   diagonal: number;
   /** The repairs that were made while the mesh was read. */
   repairs: readonly Readonly<Repair>[];

@@ -83,10 +83,10 @@ export const offsetOptionNames = namesOf<OffsetOptions>({
   corners: true,
   miterLimit: true,
 });
-/** As the engine numbers them, from -1. */
+/** The sides, in the order of the engine's numbers from -1. */
 export const offsetSides = ['right', 'both', 'left'] as const;
 
-/** In the order of the engine. */
+/** The shapes of corners, in the order of the engine. */
 export const cornerShapes = ['round', 'miter', 'bevel'] as const;
 
 export const isolineOptionNames = namesOf<IsolineOptions>({
@@ -104,7 +104,7 @@ const solvers: readonly Solver[] = ['fast', 'exact', 'graph'];
 const stars: readonly Star[] = ['wide', 'ring'];
 const defaultRings = 6;
 
-/** Field options with every default filled in, as the engine takes them. */
+/** Field options with every default filled in, in the engine's form. */
 export function engineFieldOptions(options: FieldOptions): EngineFieldOptions {
   const method = checkOneOf(options.method ?? methods[0]!, methods, 'the method');
   const byDefault = method === 'paper' ? 'exact' : 'fast';
@@ -117,12 +117,12 @@ export function engineFieldOptions(options: FieldOptions): EngineFieldOptions {
   return { method, solver, rings, star };
 }
 
-/** What stands for `auto` and `limit` in the engine. */
+/** The engine's numbers for `auto` and `limit`. */
 const namedLevels = { auto: -1, limit: -2 } as const;
 const mostLevels = 8;
 const defaultLevelsTolerance = 0.02;
 
-/** The levels of a curve or of a circle's arcs, as the engine takes them. */
+/** The levels of a curve or of a circle's arcs, in the engine's form. */
 export function engineLevels({ levels = 'auto' }: { levels?: CurveLevels | undefined }): number {
   if (levels === 'auto' || levels === 'limit') return namedLevels[levels];
   const number = checkInteger(levels, "the levels, unless 'auto' or 'limit',");
@@ -144,7 +144,7 @@ export function engineArcs(options: ArcOptions) {
   ] as const;
 }
 
-/** What a curve's levels follow from: tolerances are in mean edges. */
+/** The options that determine a curve's levels. Tolerances are in mean edges. */
 export function engineCurveLevels({ levels = 'auto', leastLevels = 0 }: CurveOptions): {
   levels: number;
   levelsTolerance: number;
@@ -171,7 +171,7 @@ export function engineCurveLevels({ levels = 'auto', leastLevels = 0 }: CurveOpt
   };
 }
 
-/** How a mesh is read, as the engine takes it. */
+/** The options for reading a mesh, in the engine's form. */
 export function engineMeshOptions(options: MeshOptions): { repair: boolean; weld: number } {
   checkOptions(options, meshOptionNames);
   const repair = checkOneOf(options.repair ?? 'safe', ['safe', 'none'], 'the repair') === 'safe';
@@ -193,7 +193,7 @@ export function checkLongWork(work: LongWorkOptions): void {
   checkOptions(work, longWorkOptionNames);
   const { progress, signal } = work;
   if (progress !== undefined) checkFunction(progress, 'progress');
-  // Not instanceof: another realm's signal is one, too.
+  // This is no instanceof, since another realm's signal is one, too.
   if (signal !== undefined && typeof signal?.throwIfAborted !== 'function') {
     throw new KarcherError(
       'badArgument',

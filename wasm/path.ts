@@ -3,14 +3,14 @@ import { asPolyline } from './polyline.js';
 import type { PolylineOptions, SurfacePoint } from './types.js';
 
 /**
- * A path on the surface: points of it, from the start to the end, two neighbours of which lie in one
- * face, be it on its sides. Between them the path is straight, or an arc that is as good as straight.
- * It keeps its points, needs no mesh and is not disposed of.
+ * A path on the surface: its points from the start to the end. Two neighbours share a face,
+ * possibly on its sides. Between them the path is straight, or an arc that is nearly straight. A
+ * path keeps its points, needs no mesh and is not disposed of.
  */
 export class Path {
   readonly #data: EnginePath;
 
-  /** @internal The mesh and its curves give paths. */
+  /** @internal The mesh and its curves return paths. */
   constructor(data: EnginePath) {
     this.#data = data;
   }
@@ -25,12 +25,12 @@ export class Path {
     return this.#data.closed;
   }
 
-  /** How many points it has. */
+  /** The number of its points. */
   get count(): number {
     return this.#data.face.length;
   }
 
-  /** The points of the path; between two of them it is straight, in a face that both have in common. */
+  /** The points of the path. Between two of them it is straight, in a face that both share. */
   points(): SurfacePoint[] {
     const { face, bary } = this.#data;
     return Array.from(face, (number, i) => ({
@@ -52,7 +52,7 @@ export class Path {
     return asPolyline(this.#data.position, options);
   }
 
-  /** @internal What it is made of, which is not to be changed. */
+  /** @internal The path's data, which must not be changed. */
   data(): EnginePath {
     return this.#data;
   }

@@ -4,39 +4,40 @@ import type { BridgedInterval, CurveSamples, PointLike, SurfacePoint } from './t
 
 /** A leg of a curve's control polygon. */
 export interface CurveLeg {
-  /** The path from the one point to the other. */
+  /** The path from one point to the other. */
   path: Path;
   /** The shortest path between its ends, if the leg is another one. */
   shorter?: Path;
 }
 
 /**
- * A closed path, or one from boundary to boundary, or its points, of which consecutive ones have a face
- * in common; it is closed where it ends as it starts.
+ * A closed path, a path from boundary to boundary, or its points, of which consecutive ones share a
+ * face. It is closed if it ends at its start.
  */
 export type Outline = Path | readonly PointLike[];
 
-/** What outlines enclose together. */
+/** The area that outlines enclose together. */
 export interface RegionShape {
   /** The closed paths that bound the shape. */
   outlines: readonly Outline[];
   /**
-   * A point that shall lie inside, or the side of the first outline that is inside where that first
-   * divides: it stays so while the outline is moved. Without it the smaller side is inside.
+   * A point that must lie inside, or the side of the first outline that is inside, at the first
+   * place where its two sides differ. The choice of a side stays while the outline is moved. By
+   * default the smaller side is inside.
    */
   inside?: PointLike | 'left' | 'right';
 }
 
-/** A circle on a surface, as a path and as the curve that it was traced of. */
+/** A circle on a surface, as a path and as the traced curve. */
 export interface Circle extends Ellipse {
   /**
-   * The largest difference of a sample's exact distance from the center and the radius, as a part of
-   * the radius.
+   * The largest difference between a sample's exact distance from the center and the radius,
+   * relative to the radius.
    */
   deviation: number;
 }
 
-/** An ellipse on a surface, as a path and as the curve that it was traced of. */
+/** An ellipse on a surface, as a path and as the traced curve. */
 export interface Ellipse {
   /** `segment` is the number of the arc. */
   samples: CurveSamples;
@@ -44,23 +45,23 @@ export interface Ellipse {
   bridged: BridgedInterval[];
   /** The samples joined by geodesics. */
   path: Path;
-  /** A number for each point of the path: 1 where the piece that leads to it is no center of mass. */
+  /** A number for each point of the path: 1 if the piece that leads to it is no center of mass. */
   unconverged: Uint8Array;
-  /** How many levels the arcs have, also where `levels` leaves that to them. */
+  /** The number of levels of the arcs, also if `levels` lets them choose it. */
   levels: number;
-  /** Numbers of the arcs whose geodesics from the center stopped being shortest. */
+  /** The numbers of the arcs for which a geodesic from the center is not a shortest path. */
   notShortest: number[];
 }
 
-/** Where a straightest path leads, and why it ends. */
+/** The end of a straightest path, and the reason for it. */
 export interface StraightestPath {
   /** The path itself. */
   path: Path;
   /** The point where the path ends. */
   end: SurfacePoint;
   /**
-   * Why the path ended: it has the whole length (`complete`), it met the boundary, or it crossed a
-   * million edges (`limit`).
+   * The reason for the end: the path has the whole length (`complete`), it met the boundary, or it
+   * crossed a million edges (`limit`).
    */
   stop: 'complete' | 'boundary' | 'limit';
   /** The length that was not walked; 0 for `complete`. */

@@ -1,6 +1,6 @@
-/** Parts of the table: each grows by itself, so that no growth takes long. */
+/** The bits for the parts of the table. Each part grows by itself, so that no growth takes long. */
 const tableBits = 8;
-/** Vertices in one array of positions; a power of two. */
+/** The bits for the vertices in one array of positions. */
 const chunkBits = 14;
 const chunkMask = (1 << chunkBits) - 1;
 
@@ -17,8 +17,8 @@ interface Chunk {
 }
 
 /**
- * Vertices by their place, for files that repeat a vertex in each of its faces: those of exactly the
- * same coordinates are one, numbered in the order in which they come.
+ * Vertices by their place, for files that repeat a vertex in each of its faces. Those of exactly
+ * the same coordinates are one vertex, numbered in the order of their first occurrence.
  */
 export class Places {
   readonly #chunks: Chunk[] = [];
@@ -28,11 +28,11 @@ export class Places {
   }));
   count = 0;
 
-  /** The number of the vertex there. */
+  /** The number of the vertex at a place. */
   number(x: number, y: number, z: number): number {
     const { positions, words } = this.#chunkOf(this.count);
     const at = 3 * (this.count & chunkMask);
-    // -0 is 0.
+    // This turns -0 into 0.
     positions[at] = x + 0;
     positions[at + 1] = y + 0;
     positions[at + 2] = z + 0;
@@ -69,7 +69,7 @@ export class Places {
     return this.#chunks[number]!;
   }
 
-  /** Whether a vertex has this place, bit by bit: NaN is equal to itself here. */
+  /** Whether a vertex has this place, bit by bit, so that NaN equals itself. */
   #isAt(vertex: number, words: Int32Array, at: number): boolean {
     const others = this.#chunks[vertex >>> chunkBits]!.words;
     const other = 6 * (vertex & chunkMask);

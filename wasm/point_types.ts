@@ -1,4 +1,4 @@
-/** The types of points, and of how their distances and means are found. */
+/** The types of points, and of the methods for their distances and means. */
 
 /** A point of the surface: a face and the weights of its corners 0, 1, 2 (at least 0, sum 1). */
 export interface SurfacePoint {
@@ -13,7 +13,10 @@ export type PointLike =
   | { readonly face: number; readonly bary: readonly [number, number, number] }
   | { readonly vertex: number };
 
-/** Points as flat arrays: a face each, and three weights each, as `CurvePoints` and `CentersOfMass` have them. */
+/**
+ * Points as flat arrays: a face and three weights for each, such as those of `CurvePoints` and
+ * `CentersOfMass`.
+ */
 export interface PointArrays {
   /** The face of each point. */
   face: ArrayLike<number>;
@@ -35,47 +38,48 @@ export interface NearestPoint {
 export type VectorLike = ArrayLike<number> | { x: number; y: number; z: number };
 
 /**
- * Vectors as an argument: numbers one after the other, three each, or a list of `VectorLike`; one alone may
- * be an object with x, y and z.
+ * Vectors as an argument: numbers one after the other, three for each, or a list of `VectorLike`. A
+ * single one may be an object with x, y and z.
  */
 export type VectorsLike = VectorLike | readonly VectorLike[];
 
 /** The format of the coordinates x, y, z of a line's vertices. */
 export interface PolylineOptions {
-  /** 32 bits a number, as graphics take them (the default), or 64. */
+  /** The number of bits: 32, as graphics take them (the default), or 64. */
   bits?: 32 | 64 | undefined;
 }
 
 /**
- * How geodesic distances are found.
+ * The method for geodesic distances.
  *
- * - `fast`: in the mean within .1 % of the exact distances on all meshes that were tried, and within 1 % but
- *   for single vertices; exact on a plane;
+ * - `fast`: the mean error is within .1 % of the exact distances on all meshes that were tried, and
+ *   errors within 1 % except at single vertices; exact on a plane;
  * - `exact`: by windows on the edges, exact on every mesh;
- * - `graph`: along the edges of a graph that joins each vertex to those of its k-ring that it sees in a
- *   straight line across the faces. The graph of the paper's authors also has edges that turn round
- *   saddles: their curves lie .02 to .08 mean edges from these, and their fields take half the time.
+ * - `graph`: along the edges of a graph that joins each vertex to those of its k-ring that it sees
+ *   in a straight line across the faces. The graph of the paper's authors also has edges that turn
+ *   round saddles: their curves lie .02 to .08 mean edges from these, and their fields take half
+ *   the time.
  */
 export type Solver = 'fast' | 'exact' | 'graph';
 
 /**
- * How a control point's field is made, and how centers of mass are found.
+ * The method for a control point's field, and for centers of mass.
  *
- * - `karcher`: by the log vectors that the solver yields, read only where the search goes. Exact on
- *   every triangulation of a plane;
+ * - `karcher`: by the log vectors of the solver, read only where the search needs them. It is exact
+ *   on every triangulation of a plane;
  * - `paper`: by gradients of squared distances at all vertices, and Newton's method along geodesics
  *   (Mancinelli, Puppo, Algorithm 1). It takes the solvers `exact` and `graph`.
  */
 export type Method = 'karcher' | 'paper';
 
 /**
- * Of the method `paper`: the faces whose gradients its Eq. 3 averages at a vertex.
+ * The faces, for the method `paper`, whose gradients its Eq. 3 averages at a vertex.
  *
- * - `wide`, the default: those around the vertex and those across their outer edges, as the program of
- *   the paper's authors has it, whose curves and figures these are;
- * - `ring`: those around the vertex, the 1-ring, as the paper prints it. On fine smooth meshes curves of
- *   the two lie a few hundredths of a mean edge apart; on coarse and uneven ones farther, and either may
- *   be the nearer one to the truth.
+ * - `wide`, the default: those around the vertex and those across their outer edges, as in the
+ *   program of the paper's authors, which gave the paper's curves and figures;
+ * - `ring`: those around the vertex, the 1-ring, as the paper prints it. On fine smooth meshes the
+ *   curves of both lie a few hundredths of a mean edge apart; on coarse and uneven ones farther,
+ *   and either may be nearer to the truth.
  */
 export type Star = 'wide' | 'ring';
 
@@ -113,19 +117,22 @@ export type Status =
   | 'subdivided';
 
 /**
- * How fields are made. The default method is `karcher`. The default solver is `fast`, with the method
- * `paper` it is `exact`.
+ * The options of fields. The default method is `karcher`. The default solver is `fast`; with the
+ * method `paper` it is `exact`.
  */
 export interface FieldOptions {
-  /** How log vectors are estimated from distances; `karcher` by default. */
+  /** The method that estimates log vectors from distances; `karcher` by default. */
   method?: Method | undefined;
-  /** How distances are found; `fast` by default, of the method `paper` `exact`. */
+  /** The solver of distances; `fast` by default, or `exact` for the method `paper`. */
   solver?: Solver | undefined;
   /** The k of the solver `graph` (see `Solver`, also for the authors' graph), 1 to 10; 6 by default. */
   rings?: number | undefined;
-  /** The star of the method `paper`: Eq. 3 as its authors' program has it (`wide`, the default) or as printed. */
+  /**
+   * The star of the method `paper`: Eq. 3 as in its authors' program (`wide`, the default) or as
+   * printed.
+   */
   star?: Star | undefined;
 }
 
-/** How distances are found. */
+/** The options for distances. */
 export type DistanceOptions = Pick<FieldOptions, 'solver' | 'rings'>;

@@ -2,11 +2,13 @@ import { checkArray, checkPointLike, shown, toFloat64, toInt32 } from './check.j
 import { KarcherError } from './errors.js';
 import type { PointArrays, PointLike, SurfacePoint } from './types.js';
 
-/** A caller's point as it travels (`checkPointLike`): the engine checks it against the mesh. */
+/**
+ * A caller's point in the form for the engine (`checkPointLike`), which checks it against the mesh.
+ */
 export const wirePoint = (point: PointLike, what = 'the point'): Float64Array =>
   checkPointLike(point, what);
 
-/** Points one after the other, four numbers each. */
+/** Points one after the other, as four numbers each. */
 export function wirePoints(points: unknown, what = 'the points'): Float64Array {
   const array = checkArray(points, what);
   const all = new Float64Array(4 * array.length);
@@ -16,7 +18,7 @@ export function wirePoints(points: unknown, what = 'the points'): Float64Array {
   return all;
 }
 
-/** The same of points as flat arrays. */
+/** The same for points as flat arrays. */
 export function wirePointArrays({ face, bary }: PointArrays): Float64Array {
   const faces = toInt32(face, 'the faces of the points');
   const weights = toFloat64(bary, 'the weights of the points');
@@ -34,7 +36,7 @@ export function wirePointArrays({ face, bary }: PointArrays): Float64Array {
   return all;
 }
 
-/** Points as they travel, of a list or of flat arrays. */
+/** Points of a list or of flat arrays, in the form for the engine. */
 export function wirePointsOrArrays(points: readonly PointLike[] | PointArrays): Float64Array {
   if (Array.isArray(points)) return wirePoints(points);
   if (typeof points === 'object' && points !== null) return wirePointArrays(points as PointArrays);

@@ -4,15 +4,15 @@ import { checkLongWork, engineFieldOptions, fieldOptionNames } from './options.j
 import { checkGraphFits, checkGraphGoesOn } from './room.js';
 import type { FieldOptions, LongWorkOptions } from './types.js';
 
-/** How long a slice may keep the thread busy, in milliseconds. */
+/** The longest time, in milliseconds, for which a slice may keep the thread busy. */
 export const sliceTime = 8;
-/** Vertices between two looks at the clock. */
+/** The number of vertices between two looks at the clock. */
 const batch = 32;
 
-/** The part of a graph between two looks at the memory that it takes. */
+/** The part of a graph between two looks at its memory. */
 const lookEvery = 0.1;
 
-/** Lets the thread do what waits: messages, drawing. */
+/** Lets the thread do its waiting tasks, such as messages and drawing. */
 export function pause(): Promise<void> {
   if (typeof setImmediate === 'function') return new Promise((resolve) => setImmediate(resolve));
   // A timeout would take 4 ms or more in a page.
@@ -26,7 +26,9 @@ export function pause(): Promise<void> {
   });
 }
 
-/** Makes what fields need of a mesh of so many triangles: what `Mesh` says of it. */
+/**
+ * Prepares the data that fields need from a mesh of this number of triangles. `Mesh` documents it.
+ */
 export async function prepareFields(
   mesh: MeshHandle,
   triangles: number,
@@ -40,7 +42,7 @@ export async function prepareFields(
   mesh.call((target) => target.prepareFields(field));
 }
 
-/** Builds a mesh's k-ring graph in slices, unless it has one: the milliseconds of work. */
+/** Builds a mesh's k-ring graph in slices, unless it has one. Returns the milliseconds of work. */
 export async function prepareGraph(
   mesh: MeshHandle,
   triangles: number,

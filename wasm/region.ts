@@ -8,11 +8,11 @@ import type { Outline, RegionShape } from './path_types.js';
 import { wirePoint, wirePointArrays, wirePoints } from './points.js';
 import type { RegionOptions, SurfacePoint } from './types.js';
 
-/** A part of the surface. It keeps what it tells, needs no mesh and is not disposed of. */
+/** A part of the surface. A region keeps its data, needs no mesh and is not disposed of. */
 export class Region {
   readonly #data: EngineRegion;
 
-  /** @internal Meshes give regions. */
+  /** @internal Meshes return regions. */
   constructor(data: EngineRegion) {
     this.#data = data;
   }
@@ -22,7 +22,7 @@ export class Region {
     return this.#data.area;
   }
 
-  /** The length of its boundary, along the surface's boundary too. */
+  /** The length of its boundary, which includes parts of the surface's boundary. */
   get perimeter(): number {
     return this.#data.perimeter;
   }
@@ -32,7 +32,10 @@ export class Region {
     return this.#data.boundary.map((path) => new Path(path));
   }
 
-  /** Whether a point (as `mesh.surfacePoint` gives it) lies in it. On the boundary it may be either. */
+  /**
+   * Whether a point (as `mesh.surfacePoint` returns it) lies in it. On the boundary the result may
+   * be either.
+   */
   contains(point: SurfacePoint): boolean {
     const [face, , x, y] = checkPointLike(point, 'the point') as unknown as number[];
     const { share, triangles, sides } = this.#data;
@@ -49,14 +52,14 @@ export class Region {
     let inside = false;
     for (let i = firstOf(triangles, face!); triangles[i] === face; i++) {
       const [ax, ay, bx, by] = sides.subarray(4 * i, 4 * i + 4) as unknown as Four;
-      // Whether the way from the point along y, to its end, crosses the side.
+      // A side counts if the line from the point along y crosses it.
       if (ax <= x! === bx <= x!) continue;
       if (ay + ((x! - ax) / (bx - ax)) * (by - ay) > y!) inside = !inside;
     }
     return inside;
   }
 
-  /** @internal What it is made of, which is not to be changed. */
+  /** @internal The region's data, which must not be changed. */
   data(): EngineRegion {
     return this.#data;
   }
@@ -64,7 +67,7 @@ export class Region {
 
 type Four = [number, number, number, number];
 
-/** Where a number begins in sorted ones. */
+/** The index of the first number in a sorted array that is at least the value. */
 function firstOf(sorted: Int32Array, value: number): number {
   let low = 0;
   let high = sorted.length;
@@ -83,7 +86,7 @@ const wireOutline = (outline: unknown, what: string): Float64Array => {
   throw new KarcherError('badArgument', `${what} must have at least two points`);
 };
 
-/** Paths as they travel. */
+/** Paths in the form for the engine. */
 export const wireOutlines = (paths: unknown): Float64Array[] =>
   checkArray(paths, 'the paths').map((path, i) => wireOutline(path, `path ${i}`));
 
@@ -105,7 +108,10 @@ export function regions(
     .map((region) => new Region(region));
 }
 
-/** Shapes as they travel: all outlines, how many each shape has, and its point inside or none. */
+/**
+ * Shapes in the form for the engine: all outlines, the number of them in each shape, and its point
+ * inside or none.
+ */
 function wireShapes(shapes: unknown) {
   const outlines: Float64Array[] = [];
   const counts: number[] = [];

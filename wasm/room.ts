@@ -1,20 +1,26 @@
 import { KarcherError } from './errors.js';
 
-/** What the engine's memory can grow to: 32 bits of addresses. */
+/** The largest size of the engine's memory, with 32 bits of addresses. */
 const memoryBytes = 2 ** 32;
-/** Smaller things are tried: what is in use is counted for larger ones only. */
+/** The least size of data for which used memory is counted. Smaller data is simply tried. */
 const largeBytes = 2 ** 26;
 
 /**
- * The least bytes that a mesh takes, with what is derived from it at once, beside its vertices: a GLB file of
- * 500 instances of a torus of 20,000 triangles grows the engine's memory to 419 a triangle, of which half
- * a vertex takes 36.
+ * The least bytes of memory for a triangle, with the data derived from it at once, beside its
+ * vertices. A GLB file of 500 instances of a torus of 20,000 triangles grows the engine's memory to
+ * 419 bytes for each triangle, of which half a vertex takes 36.
  */
 const triangleBytes = 380;
-/** The same of a vertex that no face uses: its place, three times while the mesh is made. */
+/**
+ * The least bytes of memory for a vertex that no face uses: its place, three times while the mesh
+ * is created.
+ */
 const vertexBytes = 72;
 
-/** The least bytes that a solver keeps of a vertex once it went over the whole surface, and its answer. */
+/**
+ * The least bytes of memory that a solver keeps for a vertex once it covered the whole surface,
+ * with its result.
+ */
 const distanceBytes = 56;
 /** The least bytes of the graph of the k-rings for a triangle: arcs along its edges, of 16 bytes. */
 const graphBytes = 48;
@@ -26,8 +32,8 @@ const counted = (count: number) => count.toLocaleString('en');
 const inGigabytes = (bytes: number) => `${(bytes / 2 ** 30).toPrecision(3)} GB`;
 
 /**
- * Throws `KarcherError` outOfMemory for what cannot fit, whatever is done: `what` is the beginning of
- * the sentence. `inUse` is asked for large things only.
+ * Throws `KarcherError` outOfMemory for data that cannot fit in any case. `what` is the beginning
+ * of the sentence. `inUse` is called only for large data.
  */
 export function checkFits(bytes: number, what: string, inUse: () => number = () => 0): void {
   if (bytes <= largeBytes) return;
@@ -39,7 +45,7 @@ export function checkFits(bytes: number, what: string, inUse: () => number = () 
   );
 }
 
-/** The same for a mesh: "the glTF file makes" 12 triangles of 8 vertices. */
+/** Throws as `checkFits` does for a mesh: "the glTF file makes" 12 triangles of 8 vertices. */
 export function checkMeshFits(
   vertices: number,
   triangles: number,
@@ -59,14 +65,14 @@ export function checkDistancesFit(vertices: number, inUse: () => number): void {
   checkFits(distanceBytes * vertices, what, inUse);
 }
 
-/** The same for a graph, by what every one has. */
+/** Throws as `checkFits` does for a graph, by the least size that every graph has. */
 export function checkGraphFits(triangles: number, rings: number, inUse: () => number): void {
   checkFits(graphBytes * triangles, graphTakes(triangles, rings), inUse);
 }
 
 /**
- * The same by a part that is made, `done` of 1, which takes so many bytes. The rest may be a fifth less
- * than it lets expect.
+ * Throws as `checkFits` does for a graph of which the part `done`, from 0 to 1, takes this number
+ * of bytes. The rest may be a fifth smaller than this suggests.
  */
 export function checkGraphGoesOn(
   triangles: number,

@@ -1,12 +1,12 @@
 import { pause, sliceTime } from './prepare.js';
 import type { LongWorkOptions } from './types.js';
 
-/** Items between two looks at the clock; a power of two less 1, for a mask. */
+/** The number of items between two looks at the clock: a power of two less 1, for a mask. */
 export const batchMask = 0xfff;
 
 /**
- * Long work in slices of a few milliseconds, between which its thread does what waits. A loop asks at
- * each batch whether a slice is over, and if so awaits `rest`.
+ * Long work in slices of a few milliseconds, between which its thread does waiting tasks. A loop
+ * checks after each batch whether a slice is over, and if so awaits `rest`.
  */
 export class Slices {
   readonly #work: LongWorkOptions;
@@ -23,7 +23,7 @@ export class Slices {
     return performance.now() >= this.#end;
   }
 
-  /** Tells the progress, a part of 1, and pauses. Rejects with the signal's reason. */
+  /** Reports the progress, a number from 0 to 1, and pauses. Rejects with the signal's reason. */
   async rest(done: number): Promise<void> {
     this.#work.progress?.(Math.min(1, done), this.#stage);
     await pause();

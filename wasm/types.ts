@@ -1,10 +1,10 @@
 /**
  * The types of Karcher's JavaScript API.
  *
- * A method returns new arrays and objects, which the caller may change, keep or transfer. A property
- * costs nothing to read. The engine copies the options, points and arrays that it is given.
+ * A method returns new arrays and objects, which the caller may change, keep or transfer. Reading a
+ * property takes no work. The engine copies the options, points and arrays that it receives.
  *
- * Vertices, faces and control points are numbered from 0 in the caller's own order; faces count
+ * Vertices, faces and control points are numbered from 0 in the caller's own order. Faces count
  * triangles, after polygons were cut. Lengths are in the units of the mesh.
  */
 
@@ -50,39 +50,41 @@ export interface CenterOfMass {
   point: SurfacePoint;
   /** The place of that point in space. */
   position: [number, number, number];
-  /** How the search ended; the center is a minimum where it is `converged`. */
+  /** The status of the search. The center is a minimum if it is `converged`. */
   status: Status;
   /** The number of steps of the search. */
   iterations: number;
   /**
-   * Sum of weight times squared distance, in squared units of the mesh: an estimate by the fields, which
-   * is not to be compared with another method's; of very many points (see `centerOfMass`) by exact
-   * distances. `certificate` has the exact one.
+   * The sum of weight times squared distance, in squared units of the mesh. It is an estimate by
+   * the fields, which cannot be compared with another method's. For very many points (see
+   * `centerOfMass`) it is by exact distances. `certificate` has the exact one.
    */
   energy: number;
-  /** What the point is worth by exact shortest paths, where `CenterOptions.certificate` asks for it. */
+  /**
+   * The quality of the point by exact shortest paths, if `CenterOptions.certificate` requests it.
+   */
   certificate?: Certificate;
-  /** Whether it is the only one. */
+  /** The knowledge of whether it is the only one. */
   uniqueness: Uniqueness;
   /**
-   * Other minima at which searches ended, the lowest first. Each is a minimum in the same sense as the
-   * center, and more than a tenth of the mean edge from the others. `notLooked` if only the control
-   * points were tried, at most, and none led to another.
+   * The other minima at which searches ended, the lowest first. Each is a minimum in the same sense
+   * as the center, and more than a tenth of the mean edge from the others. `notLooked` if at most
+   * the control points were tried, and none led to another minimum.
    */
   otherMinima: OtherMinimum[] | 'notLooked';
 }
 
 /**
- * What a point is worth as a center of mass, by exact shortest paths to the points: the same measure for
- * every method.
+ * The quality of a point as a center of mass, by exact shortest paths to the points. The measure is
+ * the same for every method.
  */
 export interface Certificate {
   /** The sum of weight times squared distance, in squared units of the mesh. */
   energy: number;
   /**
-   * The length of the weighted sum of the vectors along the paths to the points, half of the energy's
-   * slope: 0 at a center of mass of a smooth surface. On a mesh it is seldom 0, as the energy has
-   * creases: where a path changes sides of a vertex, its direction jumps.
+   * The length of the weighted sum of the vectors along the paths to the points, half of the
+   * energy's slope: 0 at a center of mass of a smooth surface. On a mesh it is seldom 0, since the
+   * energy has creases: where a path changes sides of a vertex, its direction jumps.
    */
   residual: number;
 }
@@ -106,91 +108,107 @@ export type OtherMinimum = Pick<CenterOfMass, 'point' | 'position' | 'energy'>;
 
 /** Weights of points for which a given point is their center of mass. */
 export interface MeanWeights {
-  /** One a point; their sum is 1. */
+  /** One weight for each point; their sum is 1. */
   weights: Float64Array;
   /**
-   * Whether the search for the center of mass of these weights, started at the point, stays there. It
-   * does not where the energy's Hessian is not positive definite, which happens with negative weights
-   * and with points far apart; nor where the energy by exact distances is lower near by, see `Status`.
+   * Whether the search for the center of mass of these weights, started at the point, stays there.
+   * It does not if the energy's Hessian is not positive definite, which happens with negative
+   * weights and with distant points; nor if the energy by exact distances is lower near by, see
+   * `Status`.
    */
   isMinimum: boolean;
 }
 
 export interface WeightsOptions extends FieldOptions {
   /**
-   * The result is the solution nearest to these weights, by the sum of squared differences, after they
-   * are divided by their sum. Equal ones by default.
+   * The target weights: the result has the least sum of squared differences from them, after they
+   * are divided by their sum. They are equal by default.
    */
   weights?: ArrayLike<number> | undefined;
-  /** Allow no weight below 0. */
+  /** Whether no weight may be below 0. */
   nonNegative?: boolean | undefined;
 }
 
-/** How the search for a center of mass starts. */
+/** The start of the search for a center of mass. */
 export interface StartOptions {
   /**
-   * Where the search starts. By default at an average of averages and at the points near which the
-   * energy may be lower (`karcher`), or at the point of the largest weight (`paper`).
+   * The point where the search starts. By default it is an average of averages, followed by the
+   * points near which the energy may be lower (`karcher`), or the point of the largest weight
+   * (`paper`).
    */
   start?: PointLike | undefined;
-  /** Divide the weights by their sum, instead of an error when the sum is not 1. */
+  /**
+   * Whether to divide the weights by their sum, instead of throwing an error if the sum is not 1.
+   */
   normalize?: boolean | undefined;
 }
 
 export interface CenterOptions extends FieldOptions, StartOptions {
   /**
-   * Look for other minima all over the surface, and tell whether the center is the only one. Reads the
-   * whole of each point's field: about a microsecond a vertex and point with the fast solver.
+   * Whether to look for other minima all over the surface, and to decide whether the center is the
+   * only one. This reads the whole field of each point: about a microsecond for each vertex and
+   * point with the fast solver.
    */
   uniqueness?: boolean | undefined;
   /**
-   * Measure the point by exact shortest paths, whatever the method and however the search ended. It takes
-   * the exact distances from the point out to the farthest of the points, about as long as one field of
-   * the solver `exact`; where the center lies on an edge or at a vertex, a shortest path to each point.
+   * Whether to measure the point by exact shortest paths, whatever the method and the status. This
+   * takes the exact distances from the point to the farthest of the points, about as long as one
+   * field of the solver `exact`; for a center on an edge or at a vertex, it takes a shortest path
+   * to each point.
    */
   certificate?: boolean | undefined;
 }
 
 export interface CentersOptions extends FieldOptions, StartOptions {
   /**
-   * Hold each center to exact distances, as `centerOfMass` does; each then costs as much as one of
-   * `centerOfMass`. Without it `converged` says what it says of a curve's samples.
+   * Whether to check each center by exact distances, as `centerOfMass` does. Each then costs as
+   * much as one call of `centerOfMass`. Without it `converged` means the same as for a curve's
+   * samples.
    */
   check?: boolean | undefined;
 }
 
-/** Centers of mass of one set of points, as flat arrays of one entry (or three) a row of weights. */
+/**
+ * Centers of mass of one set of points, as flat arrays of one entry (or three) for each row of
+ * weights.
+ */
 export interface CentersOfMass {
   /** The number of rows of weights. */
   count: number;
   /** The face of each center. */
   face: Int32Array;
-  /** Three a row. */
+  /** Three numbers for each row. */
   bary: Float64Array;
-  /** Three a row. */
+  /** Three numbers for each row. */
   position: Float64Array;
-  /** How the search for each center ended. */
+  /** The status of the search for each center. */
   status: Status[];
-  /** As that of `CenterOfMass`. */
+  /** The energies, as in `CenterOfMass`. */
   energy: Float64Array;
 }
 
 /**
- * Which sides of outlines are inside: what an odd number of crossings leads to, or what is wound round
- * more often from one side than from the other.
+ * The rule for the inside of outlines: the points that an odd number of crossings separates from
+ * the outside, or those around which the outlines wind a nonzero number of times.
  */
 export type FillRule = 'evenOdd' | 'nonZero';
 
-/** What becomes of several shapes: their union, intersection, difference, or what an odd number of them covers. */
+/**
+ * The combination of several shapes: their union, intersection, difference, or the points in an odd
+ * number of them.
+ */
 export type BooleanOperation = 'union' | 'intersection' | 'difference' | 'exclusion';
 
-/** A part of a surface that was cut: numbers three a vertex and three a triangle, counterclockwise. */
+/**
+ * A part of a surface that was cut: three numbers for each vertex, and three for each triangle,
+ * counterclockwise.
+ */
 export interface CutPart {
   /** The coordinates x, y, z of each vertex. */
   positions: Float64Array;
   /** Three vertices for each triangle. */
   triangles: Int32Array;
-  /** For each of its triangles, the mesh's triangle that it is a part of. */
+  /** The mesh's triangle to which each triangle of the part belongs. */
   faces: Int32Array;
 }
 
@@ -198,40 +216,47 @@ export interface CutPart {
 export interface OffsetOptions {
   /** The distance from the paths, in units of the mesh. */
   distance: number;
-  /** `both` by default, which goes round the ends of open paths too. */
+  /** The side; `both` by default, which also goes round the ends of open paths. */
   side?: 'left' | 'right' | 'both';
   /**
-   * What becomes of corners on their outer side: `round` (the default), `miter`, where the sides continue
-   * as geodesics until they meet, or `bevel`. Turns of less than 3.6 degrees, and corners whose offset
-   * comes to the boundary of the mesh, are round.
+   * The shape of corners on their outer side: `round` (the default), `miter`, which continues the
+   * sides as geodesics until they meet, or `bevel`. Turns of less than 3.6 degrees are round, and
+   * so are corners whose offset comes to the boundary of the mesh.
    */
   corners?: 'round' | 'miter' | 'bevel';
-  /** How far a mitre may reach from its corner, in distances, as in SVG; beyond it is a bevel. 4 by default. */
+  /**
+   * The largest distance between a mitre's tip and its corner, in distances, as in SVG; beyond it
+   * the corner is bevelled. 4 by default.
+   */
   miterLimit?: number;
 }
 
-/** How shapes are combined into regions. */
+/** The options for combining shapes into regions. */
 export interface RegionOptions {
-  /** `evenOdd` by default. */
+  /** The rule; `evenOdd` by default. */
   rule?: FillRule;
-  /** Makes one region of those of all shapes; of a difference the first without all others. */
+  /**
+   * The operation that combines the regions of all shapes into one. A difference is the first
+   * without all others.
+   */
   combine?: BooleanOperation;
 }
 
-/** Isolines of the type `linear` alone take a solver and its rings. */
+/** The options of isolines. Only the type `linear` takes a solver and its rings. */
 export interface IsolineOptions extends DistanceOptions {
   /** The distance of the lines from the center, in units of the mesh. */
   radius: number;
   /**
-   * `exact` (the default): the circular arcs of the points at this distance in each triangle.
-   * `linear`: straight in each triangle, between the points of its edges where the distance,
-   * interpolated between the vertices' distances by the solver (`exact`), is the radius.
+   * The type of the lines. `exact` (the default): the circular arcs of the points at this distance
+   * in each triangle. `linear`: lines that are straight in each triangle, between the points of its
+   * edges where the distance, interpolated between the vertices' distances by the solver (`exact`),
+   * is the radius.
    */
   type?: 'exact' | 'linear' | undefined;
 }
 
 /**
- * Where the engine's WebAssembly comes from: its address, its bytes, an answer that has them, or the
+ * The source of the engine's WebAssembly: its address, its bytes, a response with them, or the
  * compiled module.
  */
 export type WasmSource =
@@ -243,7 +268,7 @@ export type WasmSource =
   | ArrayBufferView
   | CompiledModule;
 
-/** Where the engine’s module is. */
+/** The source of the engine's module. */
 export interface LoadOptions {
   /**
    * By default the file beside the package's own, which bundlers that know `import.meta.url` find. For
@@ -253,13 +278,16 @@ export interface LoadOptions {
   wasm?: WasmSource | undefined;
 }
 
-/** Progress of long work: the fraction that is done, and what is being done. */
+/**
+ * A function that is called with the progress of long work: the completed fraction, and the name of
+ * the stage.
+ */
 export type Progress = (done: number, stage: string) => void;
 
-/** How long work says how far it is, and is given up. */
+/** The progress and the cancellation of long work. */
 export interface LongWorkOptions {
-  /** Hears how far the work is. */
+  /** A function that receives the progress of the work. */
   progress?: Progress | undefined;
-  /** Gives the work up when it is aborted. */
+  /** A signal that cancels the work when it is aborted. */
   signal?: StopSignal | undefined;
 }

@@ -1,48 +1,49 @@
 import { Path } from './path.js';
 import type { BridgedInterval, CurveSamples, CurveTimes, DrawnLeg, Status } from './types.js';
 
-/** What a view is read from: the engine's bytes (bindings/view.h), and the names of its statuses. */
+/** The data of a view: the engine's bytes (bindings/view.h), and the names of its statuses. */
 export interface ViewData {
   bytes: Uint8Array;
   statusNames: readonly Status[];
 }
 
 /**
- * What is seen of a curve: all arrays lie in one buffer, which is the caller's to keep or transfer.
+ * The data for drawing a curve. All arrays lie in one buffer, which the caller may keep or
+ * transfer.
  */
 export class CurveView {
-  /** x, y, z of the path's points, in 32 or 64 bits as the view was asked for. */
+  /** x, y, z of the path's points, in the requested 32 or 64 bits. */
   readonly polyline: Float32Array | Float64Array;
-  /** A number for each point of the path: 1 where the piece that leads to it is no center of mass. */
+  /** A number for each point of the path: 1 if the piece that leads to it is no center of mass. */
   readonly unconverged: Uint8Array;
   /** The length from the start to each point of the path. */
   readonly lengths: Float64Array;
   /** The length of the path, in units of the mesh. */
   readonly length: number;
-  /** The samples, and how the search for each ended. */
+  /** The samples, with the status of the search for each. */
   readonly samples: CurveSamples;
-  /** Where and why the curve is no center of mass. */
+  /** The intervals in which the curve is no center of mass, with the reasons. */
   readonly bridged: BridgedInterval[];
   /**
-   * The legs of the control polygon as they are drawn, where the curve has a use for them. A value with
-   * these legs and other points is the curve whose points were dragged there.
+   * The legs of the control polygon as they are drawn, if the curve uses them. A value with these
+   * legs and other points is the curve whose points were dragged there.
    */
   readonly drawnLegs: readonly DrawnLeg[];
   /** x, y, z of the same points, leg by leg. */
   readonly legs: readonly (Float32Array | Float64Array)[];
-  /** A B-spline's knots; of other kinds none. */
+  /** The knots of a B-spline; empty for other kinds. */
   readonly knots: Float64Array;
   /** The number of segments; parameters run from 0 to it. */
   readonly segmentCount: number;
-  /** How many levels the curve has, also where `levels` leaves that to it. */
+  /** The number of levels, also if `levels` lets the curve choose it. */
   readonly levels: number;
-  /** How long the last edit took, or the making of the curve. */
+  /** The duration of the last edit, or of the creation of the curve. */
   readonly times: CurveTimes;
   readonly #data: ViewData;
   readonly #closed: boolean;
   readonly #points: { face: Int32Array; bary: Float64Array } | undefined;
 
-  /** @internal Curves give views. */
+  /** @internal Curves return views. */
   constructor(data: ViewData) {
     const { bytes, statusNames } = data;
     const read = new Reader(bytes);
@@ -100,12 +101,12 @@ export class CurveView {
     this.#data = data;
   }
 
-  /** @internal What it is read from. */
+  /** @internal The view's data. */
   data(): ViewData {
     return this.#data;
   }
 
-  /** @internal Of a view of 64 bits with points. */
+  /** @internal The path of a view in 64 bits with points. */
   path(): Path {
     const position = this.polyline as Float64Array;
     const { length, lengths } = this;
@@ -113,7 +114,7 @@ export class CurveView {
   }
 }
 
-/** Reads arrays one after the other, those of wide numbers first. */
+/** A reader of arrays one after the other, those of wide numbers first. */
 class Reader {
   readonly #bytes: Uint8Array;
   #at = 0;
