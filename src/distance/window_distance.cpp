@@ -428,8 +428,9 @@ bool WindowDistance::isBehindAnother(int h, const Window& window) {
   if (isNew) return false;
   Window& other = entry->second;
   if (other.offset == window.offset && other.begin <= window.begin && window.end <= other.end) {
-    // Squared lengths through both differ by a linear function along the edge. At a tip they are
-    // equal, except that the rounding of all faces round it moves that place along the edge.
+    // Squared lengths through both differ by a linear function along the edge. At a tip that
+    // function is zero up to the rounding of all faces round it, which moves its zero along the
+    // edge.
     const double atBegin = squaredLegTo(other, window.begin) / squaredLegTo(window, window.begin);
     const double atEnd = squaredLegTo(other, window.end) / squaredLegTo(window, window.end);
     const double most = std::max(atBegin, atEnd);

@@ -121,7 +121,7 @@ class FieldBlend {
   /// Writes to `result` the fields along half-edge h of a face or, if faces are cut, along its
   /// first half from the tail (0) or its second (1).
   void alongEdge(int h, int half, EdgeField& result);
-  /// The weighted sum of the fields of `alongEdge`, without the fields.
+  /// The weighted sum of the fields that `alongEdge` writes, computed at once.
   EdgeValues blendAlongEdge(int h, int half, Weights weights);
 
   /// The rate of change of a blend along the axes of its cell.

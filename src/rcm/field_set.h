@@ -37,7 +37,7 @@ class FieldSet {
   /// Frees spare fields until they are at most as many as the fields that are held.
   void trim();
 
-  /// The total of bytes in the solvers of all fields above which unused fields rest.
+  /// The limit for the bytes that the solvers of all fields hold. Above it unused fields rest.
   static constexpr int64_t kMostBytes = int64_t{1} << 29;
 
   /// Marks a field as used, as those of the current curve are.

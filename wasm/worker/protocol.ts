@@ -68,7 +68,7 @@ export type Sent =
   | { sent: 'callback'; callback: number }
   | { sent: 'mesh'; target: number; info: Readonly<MeshInfo> }
   | { sent: 'curve'; target: number; value?: CurveOptions }
-  /** An object that stays in the worker, on the way there. */
+  /** The number of an object in the worker, where it stays. */
   | { sent: 'object'; target: number }
   | { sent: 'path'; data: EnginePath }
   | { sent: 'region'; data: EngineRegion }

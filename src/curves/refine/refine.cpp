@@ -300,7 +300,7 @@ ControlPolygon joinedPolygons(const Geometry& geometry, const ControlPolygon& fi
   return result;
 }
 
-/// Two curves as one spline: the first one's up to its end, the second one's from its start.
+/// Two curves as one spline. It has the first one up to its end, and the second one from its start.
 CurveParts joinedSplines(const Curve& first, const Curve& second, ControlPolygon a,
                          ControlPolygon b) {
   const Geometry& geometry = first.surface().geometry();
