@@ -38,7 +38,7 @@ const FieldMethod kMethods[] = {
     {"log, exact", {Method::kKarcher, Solver::kExact, 6}},
 };
 
-/// The curve of the family's points with the searches of the authors' program (Seeds::kAuthors).
+/// The curve of the family's points with the starts of the authors' program (Seeds::kAuthors).
 Accuracy measureByAuthors(AccuracyCase& example, const FieldOptions& options) {
   constexpr int kSamples = 128;
   constexpr int kSegmentPoints = 4;

@@ -8,7 +8,7 @@
 #include "mesh/surface_point.h"
 #include "mesh/triangle_mesh.h"
 
-/// What the benchmarks and studies share.
+/// Helpers that the benchmarks and studies share.
 namespace karcher {
 
 /// The text of a file. Throws std::runtime_error if it cannot be read.
@@ -25,18 +25,19 @@ BenchMesh loadBenchMesh(const std::string& objPath, const std::string& pointsPat
 /// The mesh of an OBJ file, or of 20,000 triangles of the built-in shape of this name.
 TriangleMesh studyMesh(const std::string& name);
 
-/// A mesh's name in tables: the file's, without its folder and ending.
+/// A mesh's name in tables: that of the file, without folder and extension.
 std::string meshName(const std::string& path);
 
-/// The meshes that a study is asked for: of the files among the names, which end with .obj; without
-/// one those of the gallery (generators/gallery.h) whose names contain the first name, if there is
+/// Calls `study` for each mesh of a study: the files among the names, which end with .obj, or else
+/// the meshes of the gallery (generators/gallery.h) whose names contain the first name, if there is
 /// one.
 void forEachMesh(const Array<std::string>& names,
                  const std::function<void(const std::string& name, const TriangleMesh& mesh,
                                           bool isFlat)>& visit);
 
-/// The rows of three numbers of the next array of a name in a JSON text from place `at` on, which
-/// then is the array's end. Throws std::runtime_error if there is none or it holds something else.
+/// The rows of three numbers of the next array with this name in a JSON text, from place `at` on,
+/// which moves to the array's end. Throws std::runtime_error if the array is missing or has other
+/// content.
 Array<Vec3> readPositions(const std::string& json, const std::string& name, size_t& at);
 
 inline double milliseconds() {
@@ -44,7 +45,7 @@ inline double milliseconds() {
   return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
 }
 
-/// Milliseconds that `work` takes, once.
+/// The milliseconds that `work` takes, measured once.
 template <class Work>
 double timed(const Work& work) {
   const double start = milliseconds();
@@ -52,8 +53,7 @@ double timed(const Work& work) {
   return milliseconds() - start;
 }
 
-/// Milliseconds of the processor that the program has used: what others do at the same time does
-/// not count.
+/// The processor's milliseconds that the program has used: other programs do not count.
 double processorMilliseconds();
 
 template <class Work>

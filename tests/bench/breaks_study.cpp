@@ -21,7 +21,8 @@ namespace {
 
 constexpr int kSamples = 128;
 constexpr double kSpacings[] = {0.05, 0.1, 0.2};
-/// Minima of one valley end nearer to each other, in mean edges: circles are that wide.
+/// Minima of one valley end nearer to each other than this, in mean edges: the width of the
+/// circles.
 constexpr double kApart = 2 * kCheckedRadius;
 
 struct Arguments {
@@ -35,7 +36,7 @@ struct Tally {
   int bridged = 0;
   int breaks = 0;
   int ofEnergy = 0;    ///< breaks with two minima by exact distances
-  double longest = 0;  ///< of the others, in mean edges
+  double longest = 0;  // for the others, in mean edges
 };
 
 Curve trace(Surface& surface, const Array<SurfacePoint>& points, Solver solver) {

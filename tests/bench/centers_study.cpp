@@ -60,7 +60,7 @@ struct Lower {
   }
 };
 
-/// Centers that something moved which should not.
+/// Centers that a change moved although it should not.
 struct Moved {
   int count = 0;
   int ties = 0;
@@ -89,7 +89,7 @@ struct Row {
   double time = 0;
 };
 
-/// Turned about the middle of its box, scaled, and moved by some diagonals.
+/// The mesh rotated about the middle of its box, scaled, and moved by some diagonals.
 TriangleMesh movedMesh(const TriangleMesh& mesh, const Vec3& by, double scale) {
   Vec3 middle = Vec3::Zero();
   for (const Vec3& p : mesh.positions) middle += p / mesh.vertexCount();
@@ -102,7 +102,7 @@ TriangleMesh movedMesh(const TriangleMesh& mesh, const Vec3& by, double scale) {
   return buildMesh(positions, mesh.faces);
 }
 
-/// The same point by the number of its vertex, if it lies at one.
+/// The same point, by the index of its vertex if it lies at one.
 SurfacePoint byNumber(const TriangleMesh& mesh, const SurfacePoint& point) {
   const PointLocation location = locate(mesh, point);
   return location.simplex == Simplex::kVertex ? vertexPoint(mesh, location.vertex) : point;
@@ -126,8 +126,8 @@ Array<SurfacePoint> randomPoints(const TriangleMesh& mesh, double diagonal, bool
   return points;
 }
 
-/// By how much the lowest of the points on the circle is lower than the center, in square mean
-/// edges. The distances are not aimed, so that they are others than those the search went by.
+/// The amount by which the lowest point on the circle is lower than the center, in square mean
+/// edges. The distances are not aimed, and so differ from those of the search.
 double lowerOnCircle(const Geometry& geometry, const Array<SurfacePoint>& points,
                      const Array<double>& weights, const SurfacePoint& center) {
   const double radius = kCheckedRadius * geometry.meanEdge;

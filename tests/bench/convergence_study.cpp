@@ -36,7 +36,7 @@ struct Family {
   std::string name;
   SmoothSurface surface;
   std::function<TriangleSoup(int triangles)> mesh;
-  double reach = 0.5;  ///< of the points from the middle of their case
+  double reach = 0.5;  // largest distance of the points from the middle of their case
   /// Whether a middle is far enough from the boundary.
   std::function<bool(const Vec3& middle)> fits = [](const Vec3&) { return true; };
 };
@@ -127,8 +127,8 @@ Placed placed(const Family& family, const Surface& surface, const Case& example)
   return result;
 }
 
-/// Where a quadratic that is fitted to the energy by exact distances, over a disk about its own
-/// minimum, has that minimum.
+/// The minimum of a quadratic that is fitted to the energy by exact distances over a disk around
+/// this minimum.
 SurfacePoint fittedMinimum(const Geometry& geometry, const Placed& example, double radius,
                            SurfacePoint center) {
   constexpr int kRings = 2;

@@ -16,7 +16,7 @@ namespace {
 constexpr int kSamples = 128;
 constexpr FieldOptions kField{Method::kKarcher, Solver::kFast, 6};
 
-/// How far the zero of a face's own field lies from a point.
+/// The distance of the zero of a face's own field from a point.
 double gap(const Geometry& geometry, FieldBlend& fields, Weights weights, int face,
            const Vec3& point) {
   const Vec3 direction = fields.blend(face, weights).zeroDirection();

@@ -7,7 +7,7 @@
 namespace karcher {
 namespace {
 
-/// The next corner of the point's face: a drag by about an edge.
+/// The point at the next corner of the face: a drag by about an edge.
 SurfacePoint neighbour(const SurfacePoint& p) {
   const int heaviest =
       p.bary[0] > p.bary[1] ? (p.bary[0] > p.bary[2] ? 0 : 2) : (p.bary[1] > p.bary[2] ? 1 : 2);
@@ -40,7 +40,8 @@ CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int sa
   for (int i = 0; i < (field.method == Method::kPaper ? kRuns : kQuickRuns); ++i) {
     curve.movePoint(moved, places[i % 2]);
     drags.push_back(untilBridged());
-    // Once more with all fields known: the searches alone. Equal weights change nothing else.
+    // Another run with all fields known measures the searches alone. Equal weights change nothing
+    // else.
     CurveValue again = curve.value();
     again.options.shape.weights.assign(points.size(), i % 2 == 0 ? 2 : 1);
     curve.set(std::move(again));

@@ -3,11 +3,11 @@
 #include "bench_support.h"
 #include "curves/curve.h"
 
-/// Times of a B-spline's steps, for the benchmarks. Medians of several runs.
+/// Times of a B-spline's steps for the benchmarks: medians of several runs.
 namespace karcher {
 
 constexpr int kRuns = 5;
-/// Of what takes a few milliseconds at most.
+/// The number of runs for steps of at most a few milliseconds.
 constexpr int kQuickRuns = 50;
 
 template <class Work>
@@ -20,7 +20,7 @@ double medianTime(const Work& work, int runs = kRuns) {
 struct CurveTimes {
   double sampleUs = 0;  ///< with all fields known
   double dragMs = 0;    ///< the middle point moved by an edge: its field, its segments, not joined
-  double bridgeMs = 0;  ///< looking for jumps between the samples
+  double bridgeMs = 0;  // the search for jumps between the samples
   double joinMs = 0;    ///< the joining paths of all segments
   double weightMs = 0;  ///< the middle point's weight changed: its segments, without joining paths
   int samples = 0;
@@ -31,11 +31,11 @@ CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int sa
                      const FieldOptions& field);
 
 struct SteadyTimes {
-  int levels = 0;     ///< those that 'auto' takes
-  double dragMs = 0;  ///< a step of the hand that drags the middle point by an edge, all of it
+  int levels = 0;     // the levels that 'auto' takes
+  double dragMs = 0;  // a whole step of a drag of the middle point by an edge
 };
 
-/// Of the default curve, at the levels that it takes, which a drag keeps.
+/// Times of the default curve at its automatic levels, which a drag keeps.
 SteadyTimes timeSteadyDrag(Surface& surface, const Array<SurfacePoint>& points, int samples);
 
 /// The largest memory that the program has used so far.

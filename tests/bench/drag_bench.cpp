@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kDragged = 1;
 constexpr int kPlaces = 20;
-/// From place to place, in mean edges.
+/// The step from place to place, in mean edges.
 constexpr double kStep = 0.2;
 
 struct Plan {
@@ -87,7 +87,7 @@ void runPlan(ImportedMesh imported, const std::string& planPath, int levels) {
   const auto dragThere = [&](const SurfacePoint& place) {
     steps.push_back(processorTimed([&] { curve.dragPoint(kDragged, place); }));
   };
-  // There and back, until `ms` have passed; returns the first steps.
+  // Drags there and back, until `ms` have passed; returns the first steps.
   const auto drag = [&](double ms) {
     steps.clear();
     const double start = processorMilliseconds();

@@ -8,7 +8,7 @@ const dragged = 1;
 const [meshPath, planPath, levelsOrAuto] = process.argv.slice(2);
 const levels = levelsOrAuto === 'auto' ? 'auto' : Number(levelsOrAuto);
 
-/** Milliseconds of the processor that the program has used. */
+/** The processor's milliseconds that the program has used. */
 function processorMilliseconds() {
   const { user, system } = process.cpuUsage();
   return (user + system) / 1000;
@@ -33,7 +33,7 @@ curve.set({ ...curve.value(), levels: curve.levels });
 
 let length = 0;
 
-/** There and back, until `ms` have passed; returns what each step took. */
+/** Drags there and back, until `ms` have passed; returns the time of each step. */
 function drag(ms) {
   const steps = [];
   const dragThere = (place) => {

@@ -48,18 +48,18 @@ CurveOptions defaultBezier() {
   return options;
 }
 
-/// Of a kind of curve, all polygons of a spacing together.
+/// The figures of a kind of curve, for all polygons of a spacing together.
 struct KindFigures {
   Array<double> firstMs;
   Array<double> stepMs;
   Array<double> turnings;
   Array<double> levels;
-  // Of first traces and of steps.
+  // Figures of first traces and of steps.
   Array<double> piecesBridged;
   Array<double> piecesSubdivided;
   int lost = 0;
-  Array<double> released;  ///< how far release moves a curve, as a part of its length
-  int drafts = 0;          ///< drags that end with other levels than the released curve has
+  Array<double> released;  // the distance by which release moves a curve, as a part of its length
+  int drafts = 0;          // drags that end with other levels than those of the released curve
 };
 
 void addTrace(KindFigures& figures, const TracedCurve& traced) {
@@ -69,13 +69,13 @@ void addTrace(KindFigures& figures, const TracedCurve& traced) {
   figures.lost += traced.lost;
 }
 
-/// When a spacing has taken long enough.
+/// The time after which a spacing stops.
 struct Deadline {
   double at = kInfinity;  ///< in milliseconds
   bool isOver() const { return milliseconds() > at; }
 };
 
-/// Draws a curve, then drags it one step at least.
+/// Draws a curve, then drags it by at least one step.
 void drawAndDrag(const TurningMeasure& measure, Surface& surface, const SteadyVariant& variant,
                  const Drag& drag, const Deadline& deadline, KindFigures& figures) {
   TracedCurve traced;
@@ -93,8 +93,8 @@ void drawAndDrag(const TurningMeasure& measure, Surface& surface, const SteadyVa
   figures.released.push_back(partMoved(traced.polyline, released.polyline));
 }
 
-/// How many values of near fields there are at the corners of the faces that a curve's pieces
-/// cross, and how many of them no sight finds: these take a path search each.
+/// The number of values of near fields at the corners of the faces that a curve's pieces cross, and
+/// how many of them sight does not find: each of these takes a path search.
 struct Sighted {
   int values = 0;
   int unseen = 0;
@@ -123,7 +123,7 @@ void addSighted(const Curve& curve, Sighted& sighted) {
   }
 }
 
-/// Where the samples of a curve lie, in space.
+/// The places of a curve's samples in space.
 Array<Vec3> sampled(const Curve& curve) {
   Array<Vec3> positions;
   for (int j = 0; j < curve.segmentCount(); ++j) {
@@ -134,8 +134,8 @@ Array<Vec3> sampled(const Curve& curve) {
   return positions;
 }
 
-/// The distances, in mean edges, between the samples of a default curve and those of the curve of
-/// exact distances at as many levels.
+/// Appends the distances, in mean edges, between the samples of a default curve and those of the
+/// curve of exact distances with equally many levels.
 void appendFromExact(Surface& surface, const Array<SurfacePoint>& points, Array<double>& out) {
   CurveOptions options = defaultBezier();
   const Curve curve(surface, options, points);
@@ -189,8 +189,8 @@ void printRow(Surface& surface, const TurningMeasure& measure, double spacing,
   std::fflush(stdout);
 }
 
-/// What a first and a second curve of far points take and hold, with all that they make for the
-/// mesh.
+/// Prints the time and memory that a first and a second curve of distant points take, including
+/// everything that they make for the mesh.
 void printMemory(Surface& surface, const Options& options) {
   Random random(static_cast<uint64_t>(options.seed));
   for (const char* which : {"first", "second"}) {

@@ -26,10 +26,10 @@ constexpr double kWrong = 0.01;
 
 struct Row {
   double mean = 0;
-  double longest = 0;   ///< the largest error of values that are too long
-  double shortest = 0;  ///< of those that are too short
+  double longest = 0;   // the largest relative error of values that are too long
+  double shortest = 0;  // the largest relative error of values that are too short
   double wrong = 0;     ///< part of the vertices that are off by more than kWrong
-  double time = 0;      ///< processor's, in Dijkstra's
+  double time = 0;      // processor time, in multiples of Dijkstra's
 };
 
 struct Tally {

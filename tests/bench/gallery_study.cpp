@@ -32,7 +32,8 @@ namespace {
 constexpr uint64_t kSeed = 21;
 constexpr int kSources = 16;
 constexpr double kWrong = 0.02;
-/// A distance counts as below the straight line by more than this part of the diagonal.
+/// The part of the diagonal by which a distance must be shorter than the straight line to count as
+/// below it.
 constexpr double kBelow = 1e-12;
 constexpr FieldOptions kFast{Method::kKarcher, Solver::kFast, 6};
 

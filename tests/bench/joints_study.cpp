@@ -29,9 +29,9 @@ namespace karcher {
 namespace {
 
 constexpr double kSpacings[] = {0.1, 0.3};
-/// Farther legs do not fit on it.
+/// The longest legs that fit on the saddle.
 constexpr double kFarthestOnSaddle = 0.2;
-/// Samples of a segment: pieces of up to 5 levels have the eight steps that stencils are made of.
+/// Samples of a segment: pieces of up to 5 levels have the eight steps that the stencils need.
 constexpr int kSamples = 513;
 constexpr int kSteps = 8;
 
@@ -47,21 +47,22 @@ struct Derivatives {
   Vec3 second;
 };
 
-/// At the first of four points that follow each other by steps of 1.
+/// The derivatives at the first of four points at steps of 1.
 Derivatives derivatives(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return {(-11 * a + 18 * b - 9 * c + 2 * d) / 6, 2 * a - 5 * b + 4 * c - d};
 }
 
 struct Joints {
   Array<double> kinks;  ///< degrees
-  Array<double> leaps;  ///< of the second derivative, as parts of the larger of both sides
+  Array<double>
+      leaps;  // leaps of the second derivative, as parts of the larger value of both sides
 };
 
 class Meter {
  public:
   explicit Meter(const TriangleMesh& mesh) : mesh_(&mesh), normals_(mesh) {}
 
-  /// Compares both sides of sample `at` of samples that go on over it, `step` apart.
+  /// Compares both sides of sample `at`, by samples `step` apart.
   void compare(const Array<SurfacePoint>& samples, int at, int step, Joints& joints) const {
     const auto place = [&](int k) { return position(*mesh_, samples[at + k * step]); };
     Derivatives before = derivatives(place(0), place(-1), place(-2), place(-3));
@@ -89,7 +90,8 @@ Array<SurfacePoint> pointsOf(const Array<CurveSample>& samples) {
   return points;
 }
 
-/// Both pieces, the joint once; none where they are not of as many samples.
+/// The samples of both pieces, with the joint once; none if the pieces differ in their numbers of
+/// samples.
 void measure(const Curve& curve, const Meter& meter, Joints& joints, Joints& middles) {
   Array<Array<SurfacePoint>> pieces;
   for (int j = 0; j < curve.segmentCount(); ++j) {
@@ -161,7 +163,7 @@ void printMemory(const std::string& name, Surface& surface) {
         randomControlPolygon(surface.geometry(), random, {.spacing = kFarSpacing});
     CurveOptions options = ofLevelZero({CurveKind::kBezier}, 128, {});
     options.levels = kAutomaticLevels;
-    // Where the default were level 0, there were no refined curve.
+    // The default could choose level 0, which has no refined curve.
     options.leastLevels = 1;
     const int64_t taken = bytesTakenSoFar();
     const int64_t held = bytesHeld();

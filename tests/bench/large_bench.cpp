@@ -64,7 +64,8 @@ Subject prepare(TriangleSoup soup) {
   return subject;
 }
 
-/// Vertices nearer to a place's middle point than its neighbours, on average.
+/// The average number of vertices that are nearer to a place's middle point than its neighbours
+/// are.
 double fieldVertices(const Subject& subject, double spacing) {
   double sum = 0;
   for (int place = 1; place <= kPlaces; ++place) {
@@ -75,7 +76,7 @@ double fieldVertices(const Subject& subject, double spacing) {
   return sum / kPlaces;
 }
 
-/// The spacing with which fields hold about so many vertices: their number grows with its square.
+/// The spacing at which fields hold about this many vertices: their number grows with its square.
 double spacingFor(const Subject& subject, double spacing, double vertices) {
   for (int i = 0; i < 4; ++i) spacing *= std::sqrt(vertices / fieldVertices(subject, spacing));
   return spacing;

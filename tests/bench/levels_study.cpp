@@ -22,11 +22,12 @@ namespace {
 
 constexpr double kFarthestOnSaddle = 0.2;
 constexpr double kSpacings[] = {0.05, 0.1, 0.2, 0.3};
-/// Samples of a curve that are compared, so that all pieces of up to 5 levels have one.
+/// The number of samples of a curve for comparison, so that all pieces of up to 5 levels have one.
 constexpr int kSamples = 65;
-/// Of these, every so many are compared with the truth, which takes long on some surfaces.
+/// Every sample with a multiple of this index is compared with the truth, which takes long on some
+/// surfaces.
 constexpr int kTruthEvery = 16;
-/// Degrees: level 0 lost nothing if it turns no more than the limit but for this, and has no
+/// Degrees by which level 0 may turn beyond the limit and still count as whole, if it has no
 /// bridge.
 constexpr double kLittleTurning = 3;
 
@@ -50,7 +51,7 @@ double largestDistance(const Array<Vec3>& a, const Array<Vec3>& b) {
   return largest;
 }
 
-/// The largest distance of a curve from the true one; none where that has no center.
+/// The largest distance of a curve from the true one; none if the true one has no center.
 double fromTruth(const SmoothSurface& smooth, const Curve& curve, const Array<Vec3>& samples) {
   Array<Vec3> points;
   for (const SurfacePoint& p : curve.points()) {
@@ -99,7 +100,7 @@ void printRow(const SmoothShape& shape, Surface& surface, const TurningMeasure& 
       if (times) times->push_back(processorMilliseconds() - start);
       return curve;
     };
-    // In turns, since the second finds memory that the first has used.
+    // The order alternates, since the second finds memory that the first has used.
     const auto first = i % 2 == 0 ? kAutomaticLevels : 0;
     Curve one = traced(first, first == 0 ? &msZero : &ms);
     Curve other = traced(kAutomaticLevels - first, first == 0 ? &ms : &msZero);
@@ -125,7 +126,7 @@ void printRow(const SmoothShape& shape, Surface& surface, const TurningMeasure& 
       truthOurs.push_back(fromTruth(shape.surface, ours, oursAt) / geometry.diagonal);
       truthZero.push_back(fromTruth(shape.surface, zero, zeroAt) / geometry.diagonal);
     } catch (const std::exception&) {
-      // The smooth surface has no shortest path that a search finds.
+      // The search finds no shortest path on the smooth surface.
     }
   }
   const auto inPercent = [&](int count) { return 100.0 * count / polygons; };
@@ -198,7 +199,7 @@ void study(const Options& options) {
       Surface surface(importMesh(shape.mesh(triangles)).mesh);
       const TurningMeasure measure(surface.mesh());
       for (const double spacing : kSpacings) {
-        // On the saddle far points do not fit.
+        // Distant points do not fit on the saddle.
         if (shape.name == "saddle" && spacing > kFarthestOnSaddle) continue;
         printRow(shape, surface, measure, spacing, options.polygons);
       }

@@ -37,7 +37,7 @@ TriangleMesh meshOf(const std::string& word) {
   return importMesh(makeShape(Shape::kTorus, std::stoi(word))).mesh;
 }
 
-/// Random points within a length of the first.
+/// Random points within a distance of the first.
 Array<SurfacePoint> pointsWithin(const TriangleMesh& mesh, double length, int count,
                                  Random& random) {
   Array<SurfacePoint> points{randomPoint(mesh, random)};

@@ -25,7 +25,7 @@ constexpr int kCurves = 3;
 constexpr int kChecked = 4;
 constexpr int kAlong = 200;
 
-/// A closed polygon of geodesics round a place.
+/// A closed polygon of geodesics around a place.
 SurfacePath randomPolygon(const Geometry& geometry, Random& random) {
   const SurfacePoint middle = randomPoint(*geometry.mesh, random);
   Array<SurfacePoint> corners;
@@ -76,7 +76,7 @@ void add(const Geometry& geometry, const SurfacePath& curve, double distance, Ra
     double least = kInfinity;
     const auto look = [&](double length) {
       const SurfacePoint on = pointAlong(*geometry.mesh, curve, length);
-      // Places in space are nearer than paths: most need none.
+      // Distances in space are at most those of paths, so that most points need no path.
       const Vec3 away = position(*geometry.mesh, on) - position(*geometry.mesh, point);
       if (away.norm() > std::min(least, 1.5 * distance)) return;
       const double found = shortestPath(geometry, point, on).length();

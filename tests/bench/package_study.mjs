@@ -17,7 +17,7 @@ const minus = (a, b) => a.map((x, k) => x - b[k]);
 const short = (value) => value.toPrecision(2);
 const middle = (values) => values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)];
 
-/** The median of a call's milliseconds of the processor, after one that warms it. */
+/** The median processor time of a call in milliseconds, after a first call without measurement. */
 function milliseconds(call, times = 7) {
   call();
   return middle(
@@ -126,7 +126,10 @@ function manyMeans() {
   }
 }
 
-/** The log map of all vertices beside the directions in which exact shortest paths leave the source. */
+/**
+ * The log map of all vertices against the directions in which exact shortest paths leave the
+ * source.
+ */
 async function logDirections() {
   for (const name of ['sphere', 'torus', 'knot']) {
     const mesh = karcher.shape(name, 5000);
@@ -154,7 +157,7 @@ async function logDirections() {
   }
 }
 
-/** Medians of three points of a plane, from which the points are seen at equal angles. */
+/** Medians of three points of a plane, seen from which the points are at equal angles. */
 async function medians(count) {
   const mesh = karcher.meshFromObj(grid(10));
   let most = 0;
@@ -193,7 +196,7 @@ async function derivatives(count) {
     byHessian = Math.max(byHessian, length([xx - 2 * total, xy, yy - 2 * total]));
     const center = mesh.centerOfMass(points, weights, { normalize: true });
     const moves = await weightDerivatives(mesh, points, weights, center.point).catch(() => null);
-    // A center on an edge has none.
+    // A center on an edge has no derivative.
     if (!moves) continue;
     const own = [...center.position];
     for (const [n, move] of moves.entries()) {

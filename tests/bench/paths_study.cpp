@@ -26,10 +26,10 @@ constexpr int kMoves = 20;
 
 struct Outcome {
   Array<double> excess;
-  Array<double> times;       ///< ms a pair
-  Array<double> legTimes;    ///< of those .18 to .22 of the diagonal apart
-  double crossings = 0;      ///< a path
-  double straightening = 0;  ///< ns a crossing
+  Array<double> times;       // milliseconds for each pair
+  Array<double> legTimes;    // milliseconds of pairs .18 to .22 of the diagonal apart
+  double crossings = 0;      // crossings of each path
+  double straightening = 0;  // nanoseconds for each crossing
   double moving = 0;
 };
 

@@ -95,7 +95,7 @@ void printCurve(const Input& input, const Placement& placement, const char* name
   std::fflush(stdout);
 }
 
-/// What a log map costs beside its own triangular solves, timed alone.
+/// The time of a log map, and that of its own triangular solves alone.
 std::string logMapTimes(const Geometry& geometry) {
   constexpr int kRuns = 15;
   const HeatOperators operators(geometry);
@@ -120,7 +120,8 @@ std::string logMapTimes(const Geometry& geometry) {
   return text;
 }
 
-/// Milliseconds of the embedding, and the microseconds of an average after it, of 100 a sample.
+/// Milliseconds of the embedding, and microseconds of an average after it, with 100 averages a
+/// sample.
 std::string averagesTimes(Surface& surface, const Array<SurfacePoint>& points) {
   constexpr int kAverages = 100;
   ComparedOptions options;

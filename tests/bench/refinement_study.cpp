@@ -33,7 +33,7 @@ struct Example {
   Vec3 start;
 };
 
-/// A cubic Bezier polygon whose legs are geodesics of about that length, turning left and right.
+/// A cubic Bezier polygon whose legs are geodesics of about this length, turning left and right.
 Array<Vec3> polygonOn(const SmoothSurface& smooth, const Vec3& start, double leg) {
   Array<Vec3> points = {smooth.project(start)};
   Vec3 ahead = Vec3(0.3, 0.9, 0.4);
@@ -43,7 +43,7 @@ Array<Vec3> polygonOn(const SmoothSurface& smooth, const Vec3& start, double leg
     const Vec3 flat = (ahead - ahead.dot(normal) * normal).normalized();
     const Vec3 way = std::cos(turn) * flat + std::sin(turn) * normal.cross(flat);
     points.push_back(smooth.exp(p, leg * way));
-    // Onwards in about the same direction.
+    // The next leg continues in about the same direction.
     ahead = -smooth.log(points.back(), p);
   }
   return points;
@@ -89,7 +89,7 @@ double lengthOf(const Array<Vec3>& line) {
   return sum;
 }
 
-/// Of all kinds of curves that take levels, the one farthest from the Euclidean curve.
+/// Prints, over all kinds of curves with levels, the largest distance from the Euclidean curve.
 void studyPlanes(int triangles) {
   std::printf(
       "\nOn the plane: the largest distance of samples from the Euclidean curve, as a part of the "

@@ -10,7 +10,7 @@ const karcher = await load();
 const row = (...cells) => console.log(`| ${cells.join(' | ')} |`);
 const random = randomFrom(7);
 
-/** The median of the milliseconds of the processor that calls of different numbers take. */
+/** The median processor time in milliseconds of calls with different indices. */
 function milliseconds(call, times) {
   const took = Array.from({ length: times }, (_, i) => {
     const before = process.cpuUsage();

@@ -24,7 +24,7 @@ double processorTime(const Work& work) {
   return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// A polygon of eight corners round a random point.
+/// A polygon of eight corners around a random point.
 SurfacePath randomPolygon(const Geometry& geometry, Random& random) {
   constexpr int kCorners = 8;
   const SurfacePoint middle = randomPoint(*geometry.mesh, random);
@@ -45,8 +45,8 @@ SurfacePath randomPolygon(const Geometry& geometry, Random& random) {
 }
 
 struct Crossings {
-  int edges = 0;  ///< of curves with edges of the mesh
-  int lines = 0;  ///< of curves: vertices inside faces at which four lines meet
+  int edges = 0;  // crossings of curves with edges of the mesh
+  int lines = 0;  // crossings of curves: vertices inside faces at which four lines meet
 };
 
 Crossings crossingsOf(const Arrangement& all) {
@@ -64,7 +64,7 @@ Crossings crossingsOf(const Arrangement& all) {
   return crossings;
 }
 
-/// What a row may take, in milliseconds; 0 where nothing is asked.
+/// The largest allowed time of a row, in milliseconds; 0 without a limit.
 struct Asked {
   double cells = 0;
   double cut = 0;

@@ -19,7 +19,7 @@ namespace karcher {
 namespace {
 
 constexpr int kOfEach = 20;
-/// A generator of its own for each mesh: numbered from here.
+/// The seed of the next mesh: each has a generator of its own.
 uint64_t seed = 1000;
 
 struct Row {
@@ -39,7 +39,7 @@ Vec3 placeInSoup(const TriangleSoup& soup, int face, const Vec3& bary) {
   return place;
 }
 
-/// How far points of the input triangles are from their place, there and back again.
+/// The largest distance of points of the input triangles from their place, in both directions.
 double farthestMoved(const TriangleSoup& soup, const ImportedMesh& imported) {
   double farthest = 0;
   for (int t = 0; t < soup.triangles.count(); ++t) {

@@ -29,7 +29,7 @@ Array<SurfacePoint> randomPoints(const TriangleMesh& mesh, int count, Random& ra
   return points;
 }
 
-/// The rows, of which those are measured whose names hold the text that was given.
+/// The rows of the table; only those whose names contain a given text are measured.
 class Rows {
  public:
   explicit Rows(std::string wanted) : wanted_(std::move(wanted)) {
@@ -146,7 +146,7 @@ void studyMany(const Rows& rows, const std::string& surfaceName, TriangleMesh me
   rows.measure(name + ", exact distances", [&] { findCenter(surface, points, options); });
 }
 
-/// A sphere of which three vertices in ten stand out by up to 20 of its radii.
+/// A sphere with three in ten vertices raised by up to 20 of its radii.
 TriangleSoup spikedSphere(int around, int along, Random& random) {
   TriangleSoup soup;
   const auto add = [&](double polar, double angle) {

@@ -21,9 +21,10 @@ Array<Vec3> positionsOf(const TriangleMesh& mesh, const Array<SurfacePoint>& pat
   return positions;
 }
 
-/// What a geodesic of some length that became another one allows the curve to leap: half the length
-/// times the curvature that it passed over. That of the vertices next to both, or where it slid
-/// farther than an edge, so that vertices between may be next to none, the angles between both.
+/// The largest leap that a curve may make when a geodesic of some length changes into another one:
+/// half of the length times the curvature between both. This is the curvature of vertices next to
+/// both geodesics; or, where they are farther than an edge apart, it follows from the angles
+/// between them.
 double allowedByPassing(const Geometry& geometry, double length, const Array<SurfacePoint>& before,
                         const Array<SurfacePoint>& after) {
   const TriangleMesh& mesh = *geometry.mesh;
@@ -41,7 +42,7 @@ double allowedByPassing(const Geometry& geometry, double length, const Array<Sur
   return length / 2 * curvature;
 }
 
-/// What passages of the legs between two tracings allow the curve to leap.
+/// The largest leap that passages of the legs between two tracings allow.
 double allowedLeap(const Geometry& geometry, const TracedCurve& before, const TracedCurve& after) {
   double sum = 0;
   for (int i = 0; i < std::min(before.legs.count(), after.legs.count()); ++i) {
@@ -52,7 +53,7 @@ double allowedLeap(const Geometry& geometry, const TracedCurve& before, const Tr
   return sum;
 }
 
-/// Appends the paths that the averages of a Bezier polygon lie on: the rows of de Casteljau's
+/// Appends the paths that carry the averages of a Bezier polygon: the rows of de Casteljau's
 /// pyramid under the legs, then those of its halves.
 void appendAveragedPaths(const Geometry& geometry, const LeggedPolygon& polygon, int levels,
                          AveragingWorkspace& workspace, Array<SurfacePath>& out) {
@@ -88,7 +89,7 @@ Array<SurfacePath> averagedPaths(const Geometry& geometry, const TracedCurve& cu
   return paths;
 }
 
-/// What passages of the averages' paths between two tracings allow the curve to leap.
+/// The largest leap that passages of the averages' paths between two tracings allow.
 double allowedByAverages(const Geometry& geometry, const TracedCurve& before,
                          const TracedCurve& after) {
   const Array<SurfacePath> from = averagedPaths(geometry, before);
@@ -100,7 +101,7 @@ double allowedByAverages(const Geometry& geometry, const TracedCurve& before,
   return sum;
 }
 
-/// Tells a step that counts, by its motion in steps of the hand.
+/// Records a step that counts, by its motion in steps of the hand.
 void tellStep(AverageFigures& figures, double motion, double allowed) {
   if (motion > DragFigures::kShiver) {
     if (motion <= allowed) {
@@ -121,7 +122,7 @@ void addStages(HandFigures& figures, const TracedCurve& traced) {
   figures.ms.push_back(traced.ms);
 }
 
-/// One drag of a variant, with its number among them.
+/// Measures one drag of a variant, which has this index.
 void measureDrag(Surface& surface, const SteadyVariant& variant, const Drag& drag, int number,
                  HandFigures& figures) {
   const Geometry& geometry = surface.geometry();
@@ -170,7 +171,7 @@ CurveFigures measureCurves(const TurningMeasure& measure, Surface& surface,
   CurveFigures figures;
   for (const Array<SurfacePoint>& polygon : polygons) {
     TracedCurve traced;
-    // With what a first tracing allocates and makes for the mesh.
+    // The measurement includes everything that a first tracing allocates and makes for the mesh.
     figures.ms.push_back(processorTimed([&] { traced = variant.trace(surface, polygon); }));
     figures.turnings.push_back(turning(measure, traced.polyline));
     figures.bridged.push_back(traced.bridged);

@@ -8,11 +8,11 @@
 #include "measures/turning.h"
 #include "steady_variants.h"
 
-/// What the study of steadiness measures of one variant on one mesh, with control points of one
+/// Measurements of the study of steadiness, for one variant on one mesh with control points of one
 /// spacing.
 namespace karcher {
 
-/// Of traced curves, an entry a polygon.
+/// Figures of traced curves, with an entry for each polygon.
 struct CurveFigures {
   Array<double> turnings;  ///< degrees
   Array<double> bridged;   ///< parts of the curve
@@ -44,22 +44,22 @@ struct Drag {
   Array<SurfacePoint> path;
 };
 
-/// In a random direction; drags that meet the boundary are drawn again.
+/// A drag in a random direction; drags that meet the boundary are drawn again.
 Drag randomDrag(const Geometry& geometry, Random& random, const ControlPolygonOptions& options,
                 int steps);
 
-/// Steps that shiver though no leg passed a vertex that allows it, told by the paths that the
-/// averages lie on: a geodesic between two averages ends to exist at a vertex of positive curvature
-/// as a leg does. The passages of a step, of legs and averages, add up.
+/// Steps that shiver although no leg passed a vertex that allows it, classified by the paths of the
+/// averages: like a leg, a geodesic between two averages may cease to exist at a vertex of positive
+/// curvature. The passages of legs and averages in a step add up.
 struct AverageFigures {
-  int passing = 0;  ///< the passages allow it to leap that far
-  /// The largest of their leaps, as a part of what the passages allow.
+  int passing = 0;  // steps that the passages explain
+  /// The largest of their leaps, as a part of the allowed one.
   double largestPassing = 0;
-  int unexplained = 0;     ///< the others
-  double largestLeap = 0;  ///< of all steps that count but these passing ones, in steps of the hand
+  int unexplained = 0;     // steps that the passages do not explain
+  double largestLeap = 0;  // the largest leap of all other steps that count, in steps of the hand
 };
 
-/// A step that leapt farther than it may. Lengths in steps of the hand.
+/// A step that leapt farther than allowed. Lengths are in steps of the hand.
 struct Leap {
   int drag = 0;
   int step = 0;
@@ -74,19 +74,18 @@ struct HandFigures {
   Array<double> ms;           ///< a step
   Array<double> allocations;  ///< a step
   std::map<std::string, Array<double>> stageMs;
-  Array<std::string> stages;  ///< their order
-  Array<Leap> leaps;          ///< the farthest first
+  Array<std::string> stages;  // in order
+  Array<Leap> leaps;          // in descending order
   double bridged = 0;         ///< sum over the steps
   int lost = 0;
-  /// How far release moves the curve, as a part of its length; a drag.
+  /// The distance by which release moves the curve, as a part of its length, for each drag.
   Array<double> released;
-  /// The same where the dragged curve was a draft of the one of automatic levels; none where it
-  /// cannot be.
+  /// The same from a draft to the curve of automatic levels; none if the variant has no drafts.
   Array<double> releasedToAutomatic;
 };
 
-/// By variant. Each drag is measured with all of them before the next, so that a machine whose
-/// speed drifts does not favour one.
+/// The figures by variant. Each drag is measured with all variants before the next, so that a
+/// machine whose speed drifts does not favour one.
 Array<HandFigures> measureDrags(Surface& surface, const Array<SteadyVariant>& variants,
                                 const Array<Drag>& drags);
 

@@ -37,7 +37,7 @@ namespace karcher {
 namespace {
 
 constexpr double kSpacings[] = {0.05, 0.1, 0.2, 0.3};
-/// Curves may turn so much more than the smoothest ones whatever these turn, degrees.
+/// Degrees by which curves may turn more than the smoothest ones without counting.
 constexpr double kFreeTurning = 5;
 
 struct Options {
@@ -60,7 +60,7 @@ struct Plots {
   Array<Series> ms;
 };
 
-/// How much more curves turn than those of another kind: (turning - kFreeTurning) / theirs.
+/// The excess turning of curves over those of another kind: (turning - kFreeTurning) / theirs.
 Array<double> excess(const Array<double>& turnings, const Array<double>& theirs) {
   Array<double> ratios;
   for (int i = 0; i < turnings.count(); ++i) {
@@ -102,7 +102,7 @@ void printCurves(Surface& surface, const TurningMeasure& measure, const Options&
   }
 }
 
-/// How far release to automatic levels moves a draft: median and largest.
+/// The distance by which release to automatic levels moves a draft: median and largest.
 std::string toAutomatic(const HandFigures& figures) {
   const Array<double>& parts = figures.releasedToAutomatic;
   if (parts.empty()) return "-";
@@ -255,7 +255,7 @@ void study(const std::string& name, const Options& options) {
   std::ofstream(stem + "-step.svg") << logLogPlot(meshName(name), x, "ms a step", plots.ms);
 }
 
-/// The variants of a list of names, divided by commas.
+/// The variants of a comma-separated list of names.
 Array<SteadyVariant> variantsOf(const std::string& names) {
   Array<SteadyVariant> variants;
   std::istringstream list(names);

@@ -77,7 +77,7 @@ SteadyVariant refined(const std::string& name, int levels) {
     return largestCorner(curve);
   };
   variant.hold = [levels](Surface& surface, const Array<SurfacePoint>& points) {
-    // The processor's own clock takes a microsecond to read: too long for stages.
+    // Reading the processor's clock takes a microsecond: too long for stages.
     const auto curve =
         std::make_shared<Curve>(surface, CurveValue{cubicBezier(levels), points, {}}, milliseconds);
     HeldCurve held;
@@ -85,12 +85,12 @@ SteadyVariant refined(const std::string& name, int levels) {
       const int64_t allocations = allocationsSoFar();
       const double ms = processorTimed([&] {
         if (levels == 0) {
-          // It has no use for legs.
+          // This variant does not use legs.
           curve->movePoint(i, place);
           return;
         }
         CurveValue value = withPointDragged(curve->value(), i, place, curve->legs());
-        // As the page does: a drag shows drafts, and keeps the most levels that it ever had.
+        // A drag shows drafts, as on the page, and keeps the most levels so far.
         if (levels == kAutomaticLevels) {
           value.options.leastLevels = curve->levels();
           value.options.levelsTolerance = kInfinity;
@@ -117,7 +117,7 @@ SteadyVariant refined(const std::string& name, int levels) {
   return variant;
 }
 
-/// The curve of subdivision, whose paths are all searched for anew.
+/// The curve of subdivision, with a new search for every path.
 TracedCurve subdivided(Surface& surface, const Array<SurfacePoint>& points) {
   const Geometry& geometry = surface.geometry();
   ParametricLine line;

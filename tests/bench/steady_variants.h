@@ -5,10 +5,10 @@
 
 #include "curves/curve.h"
 
-/// The curves that the study of steadiness compares, each as what it measures of them.
+/// The curves that the study of steadiness compares, with their measurements.
 namespace karcher {
 
-/// Of every curve that is compared.
+/// The number of samples of every curve.
 inline constexpr int kSteadySamples = 128;
 
 struct StageTime {
@@ -18,28 +18,28 @@ struct StageTime {
 
 struct TracedCurve {
   Array<Vec3> polyline;
-  /// Of the control polygon as the curve has them, consecutive points sharing a face; none where
-  /// the curve has no legs.
+  /// The legs of the control polygon in the curve's form, with consecutive points in a common face;
+  /// empty if the curve has no legs.
   Array<Array<SurfacePoint>> legs;
   int levels = 0;
   double bridged = 0;  ///< the part of the parameter over which the curve is no center of mass
   // Parts of the pieces.
-  double piecesSubdivided = 0;  ///< that are their own subdivision
-  double piecesBridged = 0;     ///< of the others, those that have a bridge
+  double piecesSubdivided = 0;  // those that are replaced by their subdivision
+  double piecesBridged = 0;     // those with a bridge among the others
   int lost = 0;                 ///< samples that neither converged nor lie on one of these
-  double ms = 0;                ///< of a step, the processor's
+  double ms = 0;                // processor time of the step
   Array<StageTime> stages;
-  int64_t allocations = 0;  ///< of the step of the hand
+  int64_t allocations = 0;  // those of the step of the hand
 };
 
-/// A curve under the hand.
+/// A curve during a drag.
 struct HeldCurve {
-  /// Moves a control point and carries it out.
+  /// Moves a control point and traces the curve.
   std::function<TracedCurve(int point, const SurfacePoint& place)> drag;
-  /// Lets go: what the curve is from then on.
+  /// Ends the drag and returns the final curve.
   std::function<TracedCurve()> release;
-  /// The same where it was a draft: the curve of automatic levels, with the legs as they are. None
-  /// where the curve is not the engine's.
+  /// The same for a draft: the curve of automatic levels with the present legs. Empty for curves of
+  /// other programs.
   std::function<TracedCurve()> releaseToAutomatic;
 };
 
@@ -49,13 +49,13 @@ struct SteadyVariant {
   std::function<TracedCurve(Surface&, const Array<SurfacePoint>&)> trace;
   /// Its largest angle at a joint of two pieces, degrees.
   std::function<double(Surface&, const Array<SurfacePoint>&)> corner;
-  /// Takes hold of it.
+  /// Begins a drag.
   std::function<HeldCurve(Surface&, const Array<SurfacePoint>&)> hold;
 };
 
-/// A number of levels, "auto", "averages": the engine's curve of subdivision, whose legs follow the
-/// hand, or "limit": the curve of subdivision to the end, for which every path is searched for at
-/// every step. Throws std::runtime_error for another name.
+/// The variant with this name: a number of levels, "auto", "averages" (the engine's curve of
+/// subdivision, whose legs are continued) or "limit" (the curve of subdivision to the end, with a
+/// search for every path at every step). Throws std::runtime_error for another name.
 SteadyVariant steadyVariant(const std::string& name);
 
 }  // namespace karcher

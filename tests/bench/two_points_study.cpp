@@ -31,7 +31,7 @@ struct PathPlace {
   Vec3 along = Vec3::Zero();
 };
 
-/// At a length from the path's start.
+/// The place at a length from the path's start.
 PathPlace placeAtLength(const TriangleMesh& mesh, const SurfacePath& path, double length) {
   Vec3 before = position(mesh, path.points.front());
   Vec3 along = Vec3::Zero();
@@ -57,7 +57,7 @@ Array<Pair> choosePairs(const Geometry& geometry) {
 
 struct Outcome {
   Array<double> errors;
-  Array<double> along;  ///< the part of an error in the path's direction, and the rest
+  Array<double> along;  // the component of an error along the path, and the rest
   Array<double> across;
   int lost = 0;
 };

@@ -8,7 +8,7 @@
 #include "mesh/triangle_soup.h"
 #include "rcm/point_field.h"
 
-/// How far a B-spline on a mesh of a smooth surface is from the true one on the surface.
+/// The deviation of a B-spline on a mesh of a smooth surface from the true one on the surface.
 namespace karcher {
 
 /// A family of meshes of one smooth surface, and control points on it.
@@ -23,7 +23,7 @@ struct AccuracyFamily {
 /// every run.
 Array<AccuracyFamily> accuracyFamilies();
 
-/// A mesh of a family with about so many triangles, and the true curve: 128 samples a segment.
+/// A mesh of a family with about this many triangles, and the true curve: 128 samples a segment.
 struct AccuracyCase {
   AccuracyCase(const AccuracyFamily& family, int triangles);
 
@@ -43,10 +43,11 @@ struct Accuracy {
   double diagonal = 0;
 };
 
-/// Of the engine's curve of some levels: where samples are lost, its bridges are measured.
+/// The accuracy of the engine's curve with some levels: where samples are lost, its bridges are
+/// measured.
 Accuracy measureAccuracy(AccuracyCase& example, const FieldOptions& options, int levels = 0);
 
-/// Of a curve's samples, segment by segment, only of those that converged.
+/// The accuracy of a curve's samples, given by segment; only converged ones count.
 Accuracy accuracyOfFound(const AccuracyCase& example, const Array<Array<CurveSample>>& segments);
 
 }  // namespace karcher

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kMostAttempts = 1000;
 
-/// None where a leg meets the boundary.
+/// One attempt; empty if a leg meets the boundary.
 Array<SurfacePoint> attempt(const Geometry& geometry, Random& random,
                             const ControlPolygonOptions& options) {
   Array<SurfacePoint> polygon = {randomPoint(*geometry.mesh, random)};

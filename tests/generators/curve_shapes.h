@@ -6,10 +6,10 @@
 
 namespace karcher {
 
-/// Every kind, open and closed where it can be, with uneven weights and betas for that many points.
+/// Every kind, open and closed if possible, with uneven weights and betas for that many points.
 Array<CurveShape> everyShape(int points);
 
-/// What makes each segment one center of mass, whatever is safe.
+/// Options that make each segment one center of mass, whether or not that is safe.
 CurveOptions ofLevelZero(const CurveShape& shape, int samples, const FieldOptions& field,
                          double tolerance = 0);
 

@@ -6,20 +6,20 @@
 #include "generators/random.h"
 #include "mesh/mesh_import.h"
 
-/// Meshes with the defects of files from the wild, made of sound ones.
+/// Meshes with the defects of real files, made from sound ones.
 namespace karcher {
 
 enum class Defect {
   kOnALine,          ///< a triangle on a line fills a vertex in the middle of an edge
   kRepeatedCorner,   ///< a face with one vertex at two corners
   kDuplicate,        ///< a face twice
-  kDuplicateTurned,  ///< a face, and the same turned over
-  kTurnedOver,       ///< a face in the other direction
+  kDuplicateTurned,  // a face and its reversed copy
+  kTurnedOver,       // a face with the opposite orientation
   kFin,              ///< a third face on an edge
   kBowTie,           ///< a tetrahedron that touches the surface at a vertex
   kShortEdge,        ///< two vertices at 1e-16 of the diagonal, with an edge
   kNotANumber,       ///< a vertex that is not finite, and that no face uses
-  kSeams,            ///< every triangle with vertices of its own, moved by 1e-9 of the diagonal
+  kSeams,            // separate vertices for every triangle, moved by 1e-9 of the diagonal
 };
 
 inline constexpr std::array kDefects = {Defect::kOnALine,    Defect::kRepeatedCorner,
@@ -28,27 +28,28 @@ inline constexpr std::array kDefects = {Defect::kOnALine,    Defect::kRepeatedCo
                                         Defect::kBowTie,     Defect::kShortEdge,
                                         Defect::kNotANumber, Defect::kSeams};
 
-/// "a triangle on a line".
+/// The defect's name, such as "a triangle on a line".
 const char* defectName(Defect defect);
 
-/// The repair that mends it.
+/// The repair of the defect.
 Repair::Kind repairOf(Defect defect);
 
 class DefectiveMesh {
  public:
-  /// Of a closed mesh without defects.
+  /// Takes a closed mesh without defects.
   DefectiveMesh(TriangleSoup sound, uint64_t seed);
 
-  /// Puts some of one kind in, apart from all others; kSeams goes last, and its count is of
-  /// vertices. Returns how many there are: less than `count` where the mesh is too small.
+  /// Inserts some defects of one kind, apart from all others; kSeams must be the last, and counts
+  /// vertices. Returns their number: less than `count` if the mesh is too small.
   int add(Defect defect, int count);
 
   const TriangleSoup& soup() const { return soup_; }
 
  private:
-  /// A vertex whose faces nothing has touched, and they are touched then; -1 where none was found.
+  /// A vertex whose faces are untouched, which marks these as touched; -1 if there is no such
+  /// vertex.
   int takeVertex();
-  /// A face with such a corner, its corners turned so that this is the first.
+  /// An untouched face with such a vertex, rotated so that the vertex comes first.
   int takeFace();
   void splitVertex(int v);
   void putOnALine(int f);

@@ -9,8 +9,8 @@
 namespace karcher {
 namespace {
 
-/// In the plane the side of a line is that of a determinant, and a circle's inside that of the
-/// paraboloid z = x^2 + y^2 (lifted from the point d, to keep digits).
+/// In the plane a determinant decides the side of a line, and the paraboloid z = x^2 + y^2 (lifted
+/// from the point d, to keep digits) the inside of a circle.
 struct PlanePredicates {
   const Array<Vec2>& points;
 
@@ -34,7 +34,7 @@ struct PlanePredicates {
   }
 };
 
-/// On the sphere a great circle takes the line's place, and a circle is cut out by a plane.
+/// On the sphere a great circle replaces the line, and a plane cuts out the circle.
 struct SpherePredicates {
   const Array<Vec3>& points;
 
@@ -46,7 +46,7 @@ struct SpherePredicates {
     const Vec3 u = points[a] - points[d];
     const Vec3 v = points[b] - points[d];
     const Vec3 w = points[c] - points[d];
-    // d lies above the plane of a, b, c.
+    // Whether d lies above the plane of a, b, c.
     const Vec3 n = v.cross(w);
     const double terms[3] = {-u.x() * n.x(), -u.y() * n.y(), -u.z() * n.z()};
     return PlanePredicates::exceedsRounding(terms);
@@ -91,7 +91,8 @@ class Insertion {
     if (t >= 0) twin_[t] = h;
   }
 
-  /// Walks over the first edge that p lies behind. Rounding might send the walk in circles.
+  /// Walks across the first edge that separates it from p. A bound ends walks that rounding sends
+  /// in circles.
   int locate(int p) {
     const int limit = 4 * faces_.count() + 100;
     for (int step = 0; step < limit; ++step) {
@@ -175,7 +176,8 @@ Array<Triangle> delaunay(const Array<Vec2>& points) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  // Inside a triangle so large that its circles through two hull points are as good as half planes.
+  // The points lie inside a triangle so large that its circles through two hull points approximate
+  // half planes.
   const int count = points.count();
   const Vec2 center = (low + high) / 2;
   const double size = 1e4 * (high - low).norm();

@@ -13,7 +13,7 @@ struct SideLine {
   Array<double> heights;
 };
 
-/// From low to high in steps of about `step`, those inside jittered.
+/// Values from low to high in steps of about `step`; inner ones are jittered.
 Array<double> jitteredSteps(double low, double high, double step, Random& random) {
   const int count = std::max(1, static_cast<int>(std::lround((high - low) / step)));
   Array<double> result;
@@ -89,7 +89,7 @@ FlatCone flatCone(int sides, double totalAngle, uint64_t seed) {
     const SideLine& left = lines[s];
     const SideLine& right = lines[(s + 1) % sides];
     result.soup.triangles.emplace_back(0, left.first, right.first);
-    // Seen from outside with the apex above, a side line runs down.
+    // Seen from outside with the apex at the top, a side line runs downwards.
     fillStrip(right, left, result.soup.triangles);
   }
   return result;

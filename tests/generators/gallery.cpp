@@ -20,7 +20,7 @@
 namespace karcher {
 namespace {
 
-/// Vertices by place, so that pieces that meet share them.
+/// Vertices by place, so that adjacent pieces share them.
 class SharedVertices {
  public:
   explicit SharedVertices(TriangleSoup& soup) : soup_(soup) {}
@@ -56,8 +56,8 @@ TriangleSoup sheared(TriangleSoup soup, double shear) {
   return soup;
 }
 
-/// Folded along random lines, one after another, upwards and downwards: creases cross, and all of
-/// them cut through triangles.
+/// A sheet folded along random lines, one after another, upwards and downwards: creases cross, and
+/// all of them cut through triangles.
 TriangleSoup crumpledSheet(int triangles, int folds, uint64_t seed) {
   TriangleSoup soup = tessellatedPlane(PlaneTessellation::kRandomDelaunay, triangles, seed);
   Random random(seed);
@@ -72,8 +72,8 @@ TriangleSoup crumpledSheet(int triangles, int folds, uint64_t seed) {
   return soup;
 }
 
-/// A needle or a cap in every fifth triangle: a vertex `height` of an edge from a corner, or from
-/// the middle of a side.
+/// The soup with a needle or a cap in every fifth triangle: a vertex `height` of an edge from a
+/// corner, or from the middle of a side.
 TriangleSoup withSlivers(TriangleSoup soup, double height, bool needles) {
   const int count = soup.triangles.count();
   for (int f = 0; f < count; f += 5) {
@@ -272,7 +272,7 @@ TriangleSoup fanSquares(int side, int q, double jitter, uint64_t seed) {
   TriangleSoup soup;
   Random random(seed);
   SharedVertices shared(soup);
-  // Vertices along the grid's lines, moved along them: by place before the move.
+  // Vertices on the grid's lines, moved along them, by their original place.
   std::map<int, Vec3> places;
   const auto onLine = [&](int x, int y, int dx, int dy) {
     const int before = soup.positions.count();

@@ -5,15 +5,15 @@
 #include "mesh/triangle_mesh.h"
 #include "mesh/triangle_soup.h"
 
-/// Meshes on which solvers of geodesic distances are wrong first: vertices of many and of acute
+/// Meshes that are hard for solvers of geodesic distances: with vertices of many or of acute
 /// corners, thin and obtuse triangles, sharp edges, tight tubes, and coordinates far from 1 and
-/// from the origin. Each is the same in every run, of some 500 to 10,000 triangles.
+/// from the origin. Each is the same in every run, and has some 500 to 10,000 triangles.
 namespace karcher {
 
 struct GalleryMesh {
   std::string name;
   TriangleSoup soup;
-  /// A convex piece of a plane: distances are straight.
+  /// Whether it is a convex piece of a plane: distances are then straight.
   bool isFlat = false;
 };
 
@@ -26,20 +26,20 @@ GalleryMesh randomSheet(uint64_t seed);
 /// The mesh of that name. Throws std::runtime_error if there is none.
 TriangleMesh galleryMesh(const std::string& name);
 
-/// A square of `side` x `side` squares, each a fan of 4 q triangles round its middle. `jitter`
-/// moves middles, and the vertices along sides, by that part of the room they have.
+/// A square of `side` x `side` squares, each a fan of 4 q triangles around its middle. `jitter`
+/// moves middles, and the vertices along sides, by that part of their free space.
 TriangleSoup fanSquares(int side, int q, double jitter, uint64_t seed);
 
-/// A closed tube of the given radius round a circle of radius 1, in `around` x `along` quads that
-/// are cut alike.
+/// A closed tube of the given radius around a circle of radius 1, in `around` x `along` quads with
+/// parallel diagonals.
 TriangleSoup ringTube(double radius, int around, int along);
 
-/// The surface of `columns` x `rows` x 1 unit cubes without those at odd places of both, each
-/// square cut in two: a plate with square holes.
+/// The surface of `columns` x `rows` x 1 unit cubes without those at odd places in both directions,
+/// each square cut in two: a plate with square holes.
 TriangleSoup plateWithHoles(int columns, int rows);
 
-/// A fan of `valence` triangles round a vertex that stands `height` above its rim, inside `rings`
-/// rings of quads: a disk where the height is 0, else a cone.
+/// A fan of `valence` triangles around a vertex `height` above its rim, inside `rings` rings of
+/// quads: a disk for height 0, otherwise a cone.
 TriangleSoup wheel(int valence, int rings, double height);
 
 /// A flat grid of x = 10^(k / 2), k = 0, ..., `columns`, and y = 0, ..., `rows`.

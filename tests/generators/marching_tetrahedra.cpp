@@ -16,7 +16,8 @@ class Marching {
       const int row = k / side_;
       const int layer = row / side_;
       const Vec3 cell(k % side_, row % side_, layer);
-      // Not symmetric about the middle: the zero of a symmetric function would go through corners.
+      // The grid is asymmetric about the middle: the zero of a symmetric function would pass
+      // through corners.
       const Vec3 corner = Vec3::Constant(-1) + 2 * (cell + Vec3(0.137, 0.231, 0.319)) / side_;
       corners_.push_back(corner);
       values_.push_back(function(corner));
@@ -58,7 +59,7 @@ class Marching {
     }
   }
 
-  /// A triangle that is counterclockwise seen from outside.
+  /// Adds a triangle that is counterclockwise as seen from outside.
   void add(int i, int j, int k, int inside) {
     const Vec3& p = soup_.positions[i];
     const Vec3 normal = (soup_.positions[j] - p).cross(soup_.positions[k] - p);

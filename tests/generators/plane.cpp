@@ -21,7 +21,7 @@ struct Grid {
       : columns(std::max(2, static_cast<int>(std::lround(std::sqrt(triangles / (2 * stretch)))))),
         rows(std::max(2, static_cast<int>(std::lround(triangles / (2.0 * columns))))) {}
 
-  /// The vertices, row by row, those inside moved by up to `jitter` along each axis.
+  /// The vertices, row by row; inner ones are moved by up to `jitter` along each axis.
   Array<Vec2> vertices(double jitter, Random& random) const {
     Array<Vec2> result;
     for (int j = 0; j <= rows; ++j) {

@@ -4,8 +4,8 @@
 
 namespace karcher {
 
-/// Tessellations of a piece of the plane z = 0. The piece is the unit square, but for
-/// kStretchedSheared, which shears it by x += y.
+/// Tessellations of a piece of the plane z = 0: the unit square, or for kStretchedSheared its image
+/// under the shear x += y.
 enum class PlaneTessellation {
   kRandomDelaunay,    ///< Delaunay of random points
   kJitteredDelaunay,  ///< Delaunay of a jittered grid
@@ -20,7 +20,7 @@ inline constexpr PlaneTessellation kPlaneTessellations[] = {
     PlaneTessellation::kRegularGrid,      PlaneTessellation::kStretched,
     PlaneTessellation::kStretchedSheared, PlaneTessellation::kStretchedRandom};
 
-/// As a table prints it: "Delaunay of random points".
+/// The name in tables, such as "Delaunay of random points".
 const char* tessellationName(PlaneTessellation tessellation);
 
 /// About `triangles` triangles (within a few per cent from 1,000 on), facing +z.

@@ -17,9 +17,9 @@ class Random {
   /// Uniform in [0, 1).
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
-  /// Uniform in 0, ..., count - 1.
+  /// Uniform among 0, ..., count - 1.
   int index(int count) { return static_cast<int>(uniform() * count); }
-  /// Into any order.
+  /// Permutes the values uniformly.
   void shuffle(Array<int>& values) {
     for (int i = values.count() - 1; i > 0; --i) std::swap(values[i], values[index(i + 1)]);
   }

@@ -6,10 +6,10 @@
 /// Random points of meshes.
 namespace karcher {
 
-/// In a random face, uniformly.
+/// A uniform random point in a random face.
 SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random);
 
-/// In a face, on an edge or at a vertex.
+/// A random point in a face, on an edge or at a vertex.
 SurfacePoint randomPlace(const TriangleMesh& mesh, Random& random);
 
 struct PointPair {
@@ -17,8 +17,8 @@ struct PointPair {
   SurfacePoint to;
 };
 
-/// Points `least` to `most` of the diagonal apart by exact distances (from the vertex of the second
-/// one's face), each as `choose` (one of the above) gives it.
+/// Pairs of points `least` to `most` of the diagonal apart by exact distances (from the vertex of
+/// the second one's face), each chosen by `choose`, one of the above.
 Array<PointPair> randomPairs(const Geometry& geometry, Random& random, int count,
                              SurfacePoint (*choose)(const TriangleMesh&, Random&),
                              double least = 0.05, double most = 0.2);

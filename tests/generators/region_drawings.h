@@ -15,18 +15,18 @@ struct Sheet {
   Geometry geometry;
 };
 
-/// Shortest paths from point to point.
+/// A chain of shortest paths from point to point.
 SurfacePath chain(const Geometry& geometry, const Array<SurfacePoint>& points, bool closed);
 
-/// On a mesh in the plane z = 0.
+/// A polygon on a mesh in the plane z = 0.
 SurfacePath polygonOn(const Geometry& geometry, const Array<Vec2>& corners, bool closed = true);
 
 double surfaceArea(const Geometry& geometry);
 
 class Random;
 
-/// One to four closed polygons that cross themselves and each other, and go the same way now and
-/// then.
+/// One to four closed polygons that cross themselves and each other, and now and then repeat a
+/// stretch.
 Array<SurfacePath> randomDrawing(const Geometry& geometry, Random& random);
 
 }  // namespace karcher

@@ -4,8 +4,8 @@
 
 namespace karcher {
 
-/// For each vertex the mean of its triangles' centroids, weighted with their areas: where to move
-/// it for a more even tessellation (a step towards a centroidal one).
+/// For each vertex the area-weighted mean of its triangles' centroids: moving it there makes the
+/// tessellation more even (a step towards a centroidal one).
 inline Array<Vec3> meanCentroids(const TriangleSoup& soup) {
   Array<Vec3> sum(soup.positions.size(), Vec3::Zero());
   Array<double> area(soup.positions.size(), 0);

@@ -5,16 +5,16 @@
 
 namespace karcher {
 
-/// A mesh with vertices and faces in another order, and each face from another corner.
+/// A mesh with vertices and faces in another order, and each face starting at another corner.
 struct Renumbered {
   TriangleMesh mesh;
-  Array<int> newFace;    ///< by the face's number before
-  Array<int> oldFace;    ///< by its new one
-  Array<int> rotations;  ///< by its new number: which corner comes first
+  Array<int> newFace;    // by the face's old index
+  Array<int> oldFace;    // by its new index
+  Array<int> rotations;  // by its new index: the corner that comes first
 
-  /// Where a point of the mesh before lies.
+  /// Converts a point of the old mesh to this one.
   SurfacePoint at(const SurfacePoint& point) const;
-  /// The same the other way round.
+  /// Converts a point of this mesh to the old one.
   SurfacePoint before(const SurfacePoint& point) const;
 };
 

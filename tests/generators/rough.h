@@ -5,8 +5,8 @@
 
 namespace karcher {
 
-/// A mesh as a noisy scan has it: every face cut into parts^2 triangles, then every vertex moved by
-/// a random vector, even in the cube of half width `noise` mean edges of the cut mesh (a tenth is
+/// A mesh like a noisy scan: every face is cut into parts^2 triangles, then every vertex moves by a
+/// random vector, uniform in the cube of half width `noise` mean edges of the cut mesh (a tenth is
 /// rough).
 TriangleSoup roughened(const TriangleMesh& mesh, int parts, uint64_t seed, double noise = 0.1);
 

@@ -5,7 +5,7 @@
 namespace karcher {
 namespace {
 
-/// Newton's method on differences.
+/// Newton's method with difference quotients.
 template <typename Function>
 Vec2 zeroNear(Vec2 x, const Function& function) {
   for (int i = 0; i < 30; ++i) {
@@ -122,7 +122,7 @@ struct Quadric {
     return x;
   }
 
-  /// What bends a path of velocity v along the surface: x'' = -(v' H v) / |g|^2 g, with H = 2 A.
+  /// The acceleration of a geodesic with velocity v: x'' = -(v' H v) / |g|^2 g, with H = 2 A.
   Vec3 bend(const Vec3& x, const Vec3& v) const {
     const Vec3 g = gradient(x);
     return -2 * v.dot(a.cwiseProduct(v)) / g.squaredNorm() * g;

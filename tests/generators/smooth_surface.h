@@ -4,8 +4,8 @@
 
 #include "mesh/types.h"
 
-/// Smooth surfaces with their exponential and logarithmic maps: the truth that meshes of them are
-/// measured against. Points and tangent vectors are given in space.
+/// Smooth surfaces with their exponential and logarithmic maps, as a reference for their meshes.
+/// Points and tangent vectors are given in space.
 namespace karcher {
 
 struct SmoothSurface {
@@ -15,8 +15,7 @@ struct SmoothSurface {
   std::function<Vec3(const Vec3& p)> normal;
   /// The end of the geodesic that leaves p along v, of length |v|.
   std::function<Vec3(const Vec3& p, const Vec3& v)> exp;
-  /// The tangent vector at p that leads to q along the shortest geodesic; q must not be so far away
-  /// that this is not unique.
+  /// The tangent vector at p that leads to q along the shortest geodesic, which must be unique.
   std::function<Vec3(const Vec3& p, const Vec3& q)> log;
 };
 

@@ -5,7 +5,7 @@
 /// Irregular tessellations of the unit sphere, about `triangles` triangles each.
 namespace karcher {
 
-/// Convex hull of random points, evenly distributed by area.
+/// The convex hull of random points, uniform by area.
 TriangleSoup randomSphere(int triangles, uint64_t seed);
 
 /// The same after the points moved apart: isotropic and irregular.

@@ -6,8 +6,9 @@
 namespace karcher {
 namespace {
 
-/// The plane of `conformalTorus`, x divided by the stretch; with its opposite sides joined it is
-/// the torus. Angles are kept, so its Delaunay triangulations are such on the surface.
+/// The plane of `conformalTorus` with x divided by the stretch; with its opposite sides identified
+/// it is the torus. The map is conformal, so that Delaunay triangulations of the plane are Delaunay
+/// on the surface.
 struct Rectangle {
   double width;
   double height = kTorusPeriod;
@@ -22,7 +23,7 @@ struct Rectangle {
   Vec3 onTorus(const Vec2& p) const { return conformalTorus(Vec2(stretch * p.x(), p.y())); }
 };
 
-/// Points of the plane that stand for points of the joined rectangle: all of it and a margin.
+/// Points of the plane that represent points of the torus: the whole rectangle and a margin.
 struct Unrolled {
   Array<Vec2> points;  ///< first those of the rectangle itself
   Array<int> original;
@@ -51,8 +52,8 @@ Unrolled unroll(const Rectangle& rectangle, const Array<Vec2>& points) {
   return result;
 }
 
-/// Of the copies of each triangle the one whose corner with the smallest number lies in the
-/// rectangle itself; corners are numbered in `unrolled`.
+/// Of the copies of each triangle, the one whose corner with the smallest index lies in the
+/// rectangle itself; corners have their indices in `unrolled`.
 Array<Triangle> periodicDelaunay(const Unrolled& unrolled, int count) {
   Array<Triangle> result;
   for (const Triangle& t : delaunay(unrolled.points)) {
@@ -68,7 +69,7 @@ Array<Triangle> periodicDelaunay(const Unrolled& unrolled, int count) {
 /// The ratio of lengths on the torus to lengths in the plane: the distance from the axis.
 double scaleAt(double y) { return conformalTorus({0, y}).x(); }
 
-/// Moves each point to the mean of its triangles' centroids, weighted with area on the surface.
+/// Moves each point to the mean of its triangles' centroids, weighted by area on the surface.
 void moveApart(const Rectangle& rectangle, const Unrolled& unrolled,
                const Array<Triangle>& triangles, Array<Vec2>& points) {
   Array<Vec2> sum(points.size(), Vec2::Zero());
@@ -100,7 +101,7 @@ TriangleSoup irregularTorus(int triangles, double stretch, uint64_t seed) {
   Array<Vec2> points;
   while (points.count() < count) {
     const Vec2 p(random.uniform(0, rectangle.width), random.uniform(0, rectangle.height));
-    // Kept with a probability proportional to the area that it stands for.
+    // A point is kept with a probability proportional to the area that it represents.
     const double density = scaleAt(p.y()) / (kTorusMajor + kTorusMinor);
     if (random.uniform() < density * density) points.push_back(p);
   }

@@ -1,5 +1,5 @@
-// Saved numbers are found again: `npm run check:long` computes the Paper page's report and the studies that
-// docs quote anew. Times are not compared, nor verdicts that rest on them.
+// Saved numbers are reproducible: `npm run check:long` computes the Paper page's report and the
+// studies that docs quote anew. It compares neither times nor verdicts that depend on them.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
@@ -11,15 +11,15 @@ import { differences, isNear, lineDifferences } from './near.mjs';
 const long = process.env.KARCHER_LONG === '1';
 const json = (path) => JSON.parse(readFileSync(inRoot(path), 'utf8'));
 
-describe('what is near', () => {
-  test('rounding is no difference, three of a hundred are', () => {
+describe('near values', () => {
+  test('rounding is no difference, three per cent are', () => {
     assert.ok(isNear(1, 1.019) && !isNear(1.5, 1.55));
     assert.ok(isNear(1e-14, 3e-8) && !isNear(0, 1e-3));
     assert.ok(isNear(5, 8) && !isNear(5, 9) && isNear(500, 509));
     assert.ok(isNear('holds', 'holds') && !isNear('holds', 'open') && !isNear(null, 1.5));
   });
 
-  test('a number that changed is found wherever it stands, a time is not', () => {
+  test('a changed number is found anywhere, a changed time is not', () => {
     const report = json('docs/paper-report.json');
     assert.deepEqual(differences(report, report), []);
     const other = structuredClone(report);
@@ -32,7 +32,7 @@ describe('what is near', () => {
     assert.equal(differences(other, report).length, 2);
   });
 
-  test('a cell of a table that changed is found, one of times is not', () => {
+  test('a changed cell of a table is found, one with a time is not', () => {
     const table = [
       ...['| a | exact: us | ns a vertex |', '| --- | --- | --- |', '| 1.5e-3 of 12 | 3.5 | 222 |'],
       'worst 4.8 %, in 3.5 ms, 2 s and 3 more',
@@ -49,9 +49,9 @@ describe('what is near', () => {
   });
 });
 
-describe('anew', { skip: !long }, () => {
+describe('saved numbers', { skip: !long }, () => {
   for (const { study, arguments: saved, lines } of savedStudies()) {
-    // Files are not the project's.
+    // The project has no mesh files.
     const { args, missing } = found(saved, process.env.KARCHER_MESHES);
     const skip =
       missing.length > 0 &&
@@ -74,7 +74,7 @@ describe('anew', { skip: !long }, () => {
     const where = `--save writes it anew: ${differing.length} differ`;
     assert.deepEqual(differing.slice(0, 10), [], where);
     for (const { id, verdict } of now.claims) {
-      // It needs a quiet machine, or meshes that are not the project's.
+      // It needs a quiet machine, or meshes outside the project.
       if (['open', 'not measured here'].includes(verdict)) continue;
       const before = saved.claims.find((claim) => claim.id === id);
       if (before.verdict !== 'open') assert.equal(verdict, before.verdict, id);

@@ -1,6 +1,6 @@
-// Residuals and energies of a uniform cubic B-spline's samples, reckoned apart from the ruler: weights by
-// the recursion of Cox and de Boor, directions from paths that end at the sample instead of beginning
-// there, in coordinates of the face's plane.
+// Residuals and energies of a uniform cubic B-spline's samples, computed independently of the
+// ruler: weights by the recursion of Cox and de Boor, directions from paths that end at the sample
+// instead of starting there, in coordinates of the face's plane.
 
 const samplesRead = 33;
 
@@ -15,7 +15,7 @@ function basis(i, degree, u) {
 
 /** The weights of a segment's four points at t in [0, 1]. */
 function weightsAt(t) {
-  // The basis is right-continuous: at the end its limit from the left is the next segment's start.
+  // The basis is right-continuous: its limit from the left at the end is the next segment's start.
   if (t === 1) return [0, ...weightsAt(0).slice(0, 3)];
   return [0, 1, 2, 3].map((i) => basis(i, 3, 3 + t));
 }
@@ -36,7 +36,7 @@ function inFace([a, b, c], point) {
   return [dot(from, x), dot(from, y)];
 }
 
-/** Sorted, in mean edges and squared mean edges: of the converged among 33 samples. */
+/** Values of the converged ones among 33 samples, sorted, in mean edges and squared mean edges. */
 export function residualsByBruteForce(mesh, points, samples) {
   const positions = mesh.positions();
   const triangles = mesh.triangles();

@@ -1,5 +1,5 @@
-// What captions tell in numbers is what their figures are made of, or is read from the saved report, and no
-// number is left unchecked.
+// Every number in a caption equals that of its figure, or comes from the saved report, and none is
+// left unchecked.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { before, test } from 'node:test';
@@ -25,7 +25,7 @@ function rings(figure, texts) {
   }
 }
 
-/** To three digits. */
+/** Checks numbers of triangles, to three digits. */
 async function triangles({ id, panels }, texts) {
   const counts = [];
   for (const { mesh } of panels) counts.push((await lab.mesh(mesh)).info.triangles);
@@ -41,7 +41,7 @@ async function triangles({ id, panels }, texts) {
 const curvesOf = ({ panels }, kind) =>
   panels.map(({ curve }) => curve).filter((curve) => curve.kind === kind);
 
-/** Which texts tell numbers, and what they are to be: one after the other, each of what is left. */
+/** Texts with numbers and their checks: applied in order, each to the rest of the caption. */
 const rules = [
   { text: /([\d,]+)(?: and of ([\d,]+))? triangles/g, check: triangles },
   {
@@ -87,7 +87,7 @@ const rules = [
     },
   },
   {
-    // Both of the paper's, of which one is drawn.
+    // The text gives both of the paper's values, and one is drawn.
     text: /of Î² it says (\d+\.\d+) in its text and 1\/4 in its caption, here it is (\d+\.\d+)/g,
     check(figure, [[, paper, here]]) {
       assert.equal(here, paper);
@@ -97,7 +97,7 @@ const rules = [
   },
 ];
 
-test('every number of a caption is checked, and is what the figure has', async () => {
+test('every number of a caption is checked, and equals that of the figure', async () => {
   let told = 0;
   for (const figure of figures) {
     let rest = figure.caption.replaceAll(/\{[^}]*\}/g, '');
@@ -139,11 +139,11 @@ test('a figure says which form of Eq. 3 and which seeds each line of the paperâ€
   assert.ok(named >= 12, `${named}`);
 });
 
-test('numbers in words: of segments, arcs and points', () => {
+test('numbers of segments, arcs and points in words', () => {
   const of = (id) => figures.find((figure) => figure.id === id);
   const resolution = of('resolution');
   assert.match(resolution.caption, /B-spline of four segments/);
-  // A uniform cubic B-spline has three control points more.
+  // A uniform cubic B-spline has three more control points than segments.
   for (const { points } of resolution.panels) {
     assert.equal(resolution.points[points].length, 4 + 3);
   }
@@ -162,7 +162,7 @@ test('numbers in words: of segments, arcs and points', () => {
   }
 });
 
-test('what a caption quotes is in the saved report, and is what a report that is made now has', async () => {
+test('numbers that a caption quotes are in the saved report and in a new one', async () => {
   const { captionOf } = await load('figures/captions.ts');
   const report = JSON.parse(readFileSync(inRoot('docs/paper-report.json'), 'utf8'));
   const far = figures.find(({ id }) => id === 'far');

@@ -30,12 +30,12 @@ describe('a drawing', () => {
     assert.equal(same.target.length, same.source.length);
     for (const [k, line] of same.target.entries()) {
       const most = Math.max(...line.map((x, i) => Math.abs(x - same.source[k][i])));
-      // Places are told in single precision.
+      // Places are stored in single precision.
       assert.ok(most < 1e-6 * info.diagonal, `${most}`);
     }
   });
 
-  test('carried to another surface is whole, with three and with four points', async () => {
+  test('carried to another surface is complete, with three and with four points', async () => {
     const { source, target } = carried.carriedSides;
     for (const count of [3, 4]) {
       const places = {
@@ -46,7 +46,7 @@ describe('a drawing', () => {
       assert.equal(found.carried, found.points, found.reason);
       assert.equal(found.target.length, 2);
       for (const line of found.target) {
-        // On the sphere's faces, between its vertices.
+        // The line lies on the sphere's faces, between its vertices.
         for (let i = 0; i < line.length; i += 3) {
           const radius = Math.hypot(...line.slice(i, i + 3));
           assert.ok(radius > 0.99 && radius < 1 + 1e-6, `${radius}`);
@@ -56,7 +56,7 @@ describe('a drawing', () => {
     }
   });
 
-  test('on planes is carried as by the map that is linear in the weights', async () => {
+  test('on planes is carried by the map that is linear in the weights', async () => {
     const plane = { kind: 'plane', tessellation: 'delaunay', triangles: 1000 };
     const middle = [0.5, 0.5, 0];
     const corners = [
@@ -64,7 +64,7 @@ describe('a drawing', () => {
       [0.9, 0.1, 0],
       [0.5, 0.9, 0],
     ];
-    // Half as large, and turned by a right angle.
+    // The target is half as large, and turned by a right angle.
     const turned = corners.map(([x, y]) => [0.5 - 0.5 * (y - 0.5), 0.5 + 0.5 * (x - 0.5), 0]);
     const found = await lab.carry({
       ...jobOf(plane, plane, { source: corners, target: turned }),
@@ -82,7 +82,7 @@ describe('a drawing', () => {
   });
 
   test('without weights says why', async () => {
-    // All on one point: seen from elsewhere along one line.
+    // All points coincide: seen from elsewhere they lie in one direction.
     const { points } = carried.carriedSides.source;
     const one = [points[0], points[0], points[0]];
     const found = await lab.carry(jobOf(torus, torus, { source: one, target: points.slice(0, 3) }));

@@ -19,7 +19,7 @@ before(async () => {
 });
 
 describe('claims', () => {
-  test('every section that claims something has a row, and every row a figure that exists', async () => {
+  test('every section with claims has a row, and every row an existing figure', async () => {
     const { figures } = await load('figures/index.ts');
     const known = [...figures.map(({ id }) => id), 'table', undefined];
     for (const { id, figure } of claims) assert.ok(known.includes(figure), id);
@@ -39,15 +39,15 @@ describe('claims', () => {
     }
   });
 
-  test('what was not measured has no verdict', () => {
+  test('a claim without measurements has no verdict', () => {
     for (const row of judge(nothing)) assert.equal(row.verdict, 'not measured here', row.id);
   });
 
-  test('the saved report has the claims as they are now, a verdict and numbers each', () => {
+  test('the saved report has the present claims, a verdict and numbers each', () => {
     const report = JSON.parse(readFileSync(inRoot('docs/paper-report.json'), 'utf8'));
     assert.match(report.date, /^\d{4}-\d{2}-\d{2}$/);
     for (const key of ['machine', 'version']) assert.ok(report[key].length > 3, key);
-    // Times of a busy machine are told to be that.
+    // Times of a busy machine are marked.
     assert.match(report.machine, /, load \d+\.\d$/);
     assert.ok(Number.isInteger(report.seed));
     const asNow = ({ id, where, claim, figure }) => ({ id, where, claim, figure });
@@ -62,9 +62,9 @@ describe('claims', () => {
   });
 });
 
-test('the saved verdicts follow from the saved numbers, and their sentences tell these', () => {
+test('the saved verdicts and their sentences follow from the saved numbers', () => {
   const report = JSON.parse(readFileSync(inRoot('docs/paper-report.json'), 'utf8'));
-  // A report from before they were kept has no meshes of a folder, which these rows tell of.
+  // Older reports have no meshes of a folder, which these rows need.
   const onMeshes = report.meshes === undefined ? ['against-averages'] : [];
   let followed = 0;
   for (const row of judge(measuredOf(report))) {
@@ -76,7 +76,7 @@ test('the saved verdicts follow from the saved numbers, and their sentences tell
   assert.ok(followed >= (report.studies ? report.claims.length : 12), `${followed}`);
 });
 
-test('a report that is kept says what it was judged by', () => {
+test('a saved report says what its verdicts depend on', () => {
   const studies = {
     ...{ oneCenter: { fieldsMs: 47.123456, centerMs: 0.0451234 }, roughness: [] },
     convergence: [{ error: 1 / 3 }],
@@ -93,18 +93,18 @@ test('a report that is kept says what it was judged by', () => {
 });
 
 describe('numbers older than the code that they judge', () => {
-  test('are told by the digest of the sources, or by the commit where none was saved', async () => {
+  test('are recognized by the digest of the sources, or by the commit if none was saved', async () => {
     const { isOlder } = await load('claims/saved.ts');
     const build = { version: '1.0.0 abc', sources: '12' };
     assert.equal(isOlder({ version: '1.0.0 abc', sources: '12' }, build), false);
-    // Commits that leave the sources as they are make nothing older.
+    // Commits that do not change the sources make nothing older.
     assert.equal(isOlder({ version: '0.9.0 def', sources: '12' }, build), false);
     assert.equal(isOlder({ version: '1.0.0 abc', sources: '34' }, build), true);
     assert.equal(isOlder({ version: '1.0.0 abc' }, build), false);
     assert.equal(isOlder({ version: '0.9.0 def' }, build), true);
   });
 
-  test('are not those of a report that is saved now, which has the digest of what it measured', async () => {
+  test('do not include a report that is saved now, which has the digest of its sources', async () => {
     const { isOlder } = await load('claims/saved.ts');
     const sources = sourcesDigest();
     const report = {
@@ -146,14 +146,14 @@ describe('numbers older than the code that they judge', () => {
     assert.match(sourcesDigest(), /^[0-9a-f]{64}$/);
   });
 
-  test('are told by the page, which is built with the digest of its sources', async () => {
+  test('are reported by the page, which is built with the digest of its sources', async () => {
     const command = { command: 'build', mode: 'production' };
     const { config } = await loadConfigFromFile(command, inRoot('vite.config.ts'));
     assert.equal(config.define.__KARCHER_SOURCES__, JSON.stringify(sourcesDigest()));
   });
 });
 
-/** What is quickly measured anew: the lines of each panel that these claims are judged by. */
+/** The quick measurements: the lines of each panel that these claims depend on. */
 const quickly = {
   'means/torus': ['paper', 'karcher'],
   'means/plane': ['paper', 'karcher'],
@@ -165,7 +165,7 @@ const quickly = {
 };
 const judgedByThese = ['four-points', 'regular', 'plane', 'bad-meshes'];
 
-test('the saved report says what is measured now', async () => {
+test('the saved report agrees with new measurements', async () => {
   const { figures } = await load('figures/index.ts');
   const { Lab } = await load('lab/lab.ts');
   const lab = new Lab(await loadPeers());
@@ -187,7 +187,7 @@ test('the saved report says what is measured now', async () => {
     assert.equal(row.measured.replaceAll(number, '#'), saved.measured.replaceAll(number, '#'));
     const [now, then] = [row.measured, saved.measured].map(numbersOf);
     for (const [k, value] of now.entries()) {
-      // Other rounding: searches that nearly fail do or do not, and what is nearly 0 is another number.
+      // Rounding differs: searches that nearly fail may succeed, and values near 0 change.
       const isCount = Number.isInteger(value) && Number.isInteger(then[k]);
       const rounding = isCount ? 20 : 1e-6;
       const most = Math.max(rounding, 0.1 * Math.max(value, then[k]));
@@ -212,7 +212,7 @@ describe('studies', () => {
     assert.equal(conditionOf(1, 0.1), 0.05);
   });
 
-  test('a mean in a small ball is found from all points, and it is one', async () => {
+  test('a mean in a small ball is found from all points, and is unique', async () => {
     const { radius } = await load('claims/radius.ts');
     const rows = radius(await loadPeers(), 2);
     assert.equal(rows.length, 48);
@@ -238,7 +238,7 @@ describe('studies', () => {
     assert.ok(steps('warm') < steps('cold'));
   });
 
-  test('noise moves vertices by no more than is said, and by the same for the same seed', async () => {
+  test('noise moves vertices by no more than its bound, and equally for equal seeds', async () => {
     const { roughened } = await load('claims/roughness.ts');
     const { karcher } = await loadPeers();
     const mesh = karcher.shape('torus', 500);
@@ -253,7 +253,7 @@ describe('studies', () => {
     assert.notDeepEqual(roughened(karcher, mesh, 0.2, 17).positions(), rough);
   });
 
-  test('a mesh of which nothing is known gets control points a tenth of its diagonal apart', async () => {
+  test('an unknown mesh gets control points a tenth of its diagonal apart', async () => {
     const { wanderingPoints } = await load('claims/meshes.ts');
     const { karcher } = await loadPeers();
     const mesh = karcher.shape('sphere', 2000);

@@ -4,7 +4,9 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { inRoot, load } from './load.mjs';
 
-/** A color of six hexadecimal digits in OKLab, where distances are as large as they look. */
+/**
+ * A color of six hexadecimal digits in OKLab, where distances correspond to visible differences.
+ */
 function oklab(hex) {
   const [r, g, b] = [1, 3, 5].map((at) => {
     const value = Number.parseInt(hex.slice(at, at + 2), 16) / 255;
@@ -20,7 +22,10 @@ function oklab(hex) {
   ];
 }
 
-/** Six times what is just told apart side by side: lines are thin, and far from their legend. */
+/**
+ * Six times the smallest visible difference side by side: lines are thin, and far from their
+ * legend.
+ */
 const leastApart = 6 * 0.02;
 
 test('the colors of lines of one panel differ, in the light theme and in the dark one', async () => {

@@ -31,8 +31,8 @@ async function computed(id) {
 }
 
 /**
- * Lines of a panel as the page has it, {line id: result}, without what is measured of them by exact paths:
- * that takes longest, and is not looked at here.
+ * The lines of a panel as the page has them, {line id: result}, without measurements by exact
+ * paths: these take longest, and are not needed here.
  */
 async function shown(panel, points, ids) {
   const lines = {};
@@ -46,7 +46,7 @@ async function shown(panel, points, ids) {
   return lines;
 }
 
-/** Checks what holds of any line, and returns it. */
+/** Checks the invariants of any line, and returns it. */
 function good(line) {
   assert.equal(line.reason, null, line.id);
   assert.equal(line.ok, true, line.id);
@@ -65,14 +65,16 @@ function near(line, { median = Infinity, max = Infinity, lost = 0 }) {
   return line;
 }
 
-/** A reference is itself near the centers of mass, and does not claim to be nearer than it is. */
+/**
+ * Checks that a reference is near the centers of mass, and does not claim to be nearer than it is.
+ */
 function honest(line) {
   const { residual, energy } = good(line).ruler;
   assert.ok(residual.median > 0 && residual.median < 0.05, `${residual.median}`);
   assert.equal(energy.excess, 0);
 }
 
-// Deviations are in mean edges; the bounds leave a factor of two or so above what the methods do.
+// Deviations are in mean edges; the bounds are about twice what the methods reach.
 describe('figures', () => {
   test('means: all methods find about the same center, on the plane ours finds the average', async () => {
     const { torus, plane } = await computed('means');
@@ -82,7 +84,7 @@ describe('figures', () => {
     }
     near(torus.karcher, { max: 0.03 });
     honest(torus.exactLogs);
-    // Sums of rounded numbers.
+    // The sums are of rounded numbers.
     near(plane.karcher, { max: 1e-9 });
     assert.equal(good(torus.spokes).polylines.length, 4);
     for (const line of Object.values(plane)) {
@@ -90,7 +92,7 @@ describe('figures', () => {
     }
   });
 
-  test('means: says whether the center is the only one, and where it is not', async () => {
+  test('means: says whether the center is unique, and where it is not', async () => {
     const { uniquenessWords } = await load('lab/center.ts');
     const figure = figures.find(({ id }) => id === 'means');
     const [torus, plane] = figure.panels;
@@ -99,7 +101,7 @@ describe('figures', () => {
     assert.equal(flat.uniqueness, 'certain');
     assert.deepEqual(flat.others, []);
     assert.equal((await at(torus)).uniqueness, 'likely');
-    // Around the equator the energy is the same above and below it, but for the mesh.
+    // Around the equator the energy is symmetric, up to the mesh.
     const ring = [
       [1.4, 0, 0],
       [0, 1.4, 0],
@@ -117,7 +119,7 @@ describe('figures', () => {
     );
   });
 
-  test('paths: ours follow the exact path, the coarser the mesh the more others leave it', async () => {
+  test('paths: ours follow the exact path, others deviate more on coarser meshes', async () => {
     const { fine, coarse, close } = await computed('paths');
     near(fine.karcherExact, { median: 0.1, max: 0.3 });
     near(coarse.karcherExact, { median: 0.1, max: 0.3 });
@@ -160,7 +162,7 @@ describe('figures', () => {
         near(panel[id], { max: 1, lost: 5 });
       assert.ok(panel.paperGraph6.prepareMs > 0);
     }
-    // On few triangles paths are short: what the figure shows is true of its own meshes.
+    // On few triangles paths are short: the figure's statement holds for its own meshes.
     const { figures: full } = await load('figures/index.ts');
     const { panels, points } = full.find(({ id }) => id === 'graph');
     for (const panel of panels) {
@@ -192,7 +194,7 @@ describe('figures', () => {
     }
   });
 
-  test('averages: another curve than that of log vectors', async () => {
+  test('averages: the curve differs from that of log vectors', async () => {
     const { averages } = await computed('averages');
     near(averages.weightedAverages, { max: 0.5 });
     near(averages.karcher, { max: 0.2 });
@@ -220,7 +222,7 @@ describe('figures', () => {
         return Math.min(...distances);
       };
       const on = line === equal.karcher ? [points[0], points[3]] : points;
-      // The mesh is that far from the torus.
+      // The mesh deviates from the torus by this much.
       for (const place of on) assert.ok(away(place) < 0.01, `${line.id}: ${away(place)}`);
     }
     const places = ([line]) => line.slice(0, 3);
@@ -238,7 +240,7 @@ describe('figures', () => {
     // The linear one has a kink at every edge.
     assert.ok(isolineLinear.turningNoise > circle.circleArcs.turningNoise);
     assert.equal(isolineExact.turningNoise, 0);
-    // One closed line each.
+    // Each has one closed line.
     for (const { polylines } of [isolineLinear, isolineExact]) {
       assert.equal(polylines.length, 1);
       assert.deepEqual(polylines[0].slice(0, 3), polylines[0].slice(-3));
@@ -260,7 +262,8 @@ describe('figures', () => {
       for (const id of ['weightedAverages', 'bSurf', 'bridged', 'leveled']) {
         assert.equal(good(panel[id]).lost, 0, id);
       }
-      // It takes the better one of the centers to which both ends lead, by exact paths: no reference decides.
+      // The bridge takes the better one of the centers to which both ends lead, by exact paths,
+      // without a reference.
       const [bridged, own] = [panel.bridged, panel.karcher].map(({ ruler }) => ruler);
       assert.ok(bridged.energy.median <= own.energy.median, JSON.stringify([bridged, own]));
       assert.ok(bridged.residual.median < 1.5 * own.residual.median);
@@ -268,21 +271,21 @@ describe('figures', () => {
     }
   });
 
-  test('far: as its authors run it the paper’s method loses samples, ours leaps, b/Surf does neither', async () => {
+  test('far: the paper’s method loses samples with its authors’ settings, ours leaps, b/Surf does neither', async () => {
     const { figures: full } = await load('figures/index.ts');
     const { panels, points } = full.find(({ id }) => id === 'far');
     for (const panel of panels) {
       const ids = ['paper', 'karcher', 'bSurf'];
       const { paper, karcher, bSurf } = await shown(panel, points[panel.points], ids);
       assert.ok(paper.lost > 0 && paper.lost < paper.samples / 2, `${paper.lost} lost`);
-      // It starts again where a search fails, as in the engine, and then is at another center.
+      // A failed search starts again, as in the engine, and then finds another center.
       assert.equal(karcher.lost, 0);
       assert.ok(karcher.breaks > 0 && karcher.deviation.max > 3, `${karcher.breaks}`);
       assert.deepEqual([bSurf.lost, bSurf.breaks], [0, 0]);
     }
   });
 
-  test('far: the curves turn as sharply as the saved report has it, with levels and without', async () => {
+  test('far: the curves turn as sharply as in the saved report, with levels and without', async () => {
     const { figures: full } = await load('figures/index.ts');
     const { panels, points } = full.find(({ id }) => id === 'far');
     const panel = panels.find(({ id }) => id === 'bezier');
@@ -290,7 +293,7 @@ describe('figures', () => {
     const report = JSON.parse(readFileSync(inRoot('docs/paper-report.json'), 'utf8'));
     for (const [id, { sharpestTurn }] of Object.entries(now)) {
       const saved = report.panels['far/bezier'].find((line) => line.id === id).sharpestTurn;
-      // It is kept to four digits.
+      // It is stored with four digits.
       assert.ok(Math.abs(saved.degrees - sharpestTurn.degrees) < 0.06, `${id}: ${saved.degrees}`);
       assert.ok(Math.abs(saved.t - sharpestTurn.t) < 6e-4, `${id}: ${saved.t}`);
     }
@@ -298,7 +301,7 @@ describe('figures', () => {
     assert.ok(now.bridged.breaks > 0);
   });
 
-  test('plane: where the paper’s method loses samples, there are centers: by brute force at 99 of 99 parameters', async () => {
+  test('plane: centers exist where the paper’s method loses samples: by brute force at 99 of 99 parameters', async () => {
     const { figures: whole } = await load('figures/index.ts');
     const { makeMesh } = await load('../model/made_mesh.ts');
     const { NearestPoints } = await load('lab/nearest.ts');
@@ -341,10 +344,11 @@ describe('figures', () => {
     assert.equal(found, 99);
   });
 
-  test('plane: ours is exact on every tessellation, the paper’s where rings are symmetric', async () => {
+  test('plane: ours is exact on every tessellation, the paper’s on symmetric rings', async () => {
     const { delaunay, grid, anisotropic } = await computed('plane');
     for (const panel of [delaunay, grid, anisotropic]) {
-      // Of the bounding box with the fast solver at most 1e-9, of which an edge is a hundredth.
+      // The bound is 1e-9 of the bounding box with the fast solver; an edge is a hundredth of the
+      // box.
       near(panel.karcher, { max: 1e-7 });
       assert.ok(panel.karcher.turningNoise < 1e-7);
     }

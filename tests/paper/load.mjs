@@ -1,4 +1,4 @@
-// The page's own code in Node, as Vite reads it.
+// Loads the page's own code in Node, as Vite reads it.
 import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
 

@@ -1,12 +1,13 @@
-// Whether numbers that were measured anew are those that were saved.
+// Compares new measurements with saved ones.
 
-/** What a clock or the machine decides, and words that are made of the numbers. */
+/** Fields that depend on a clock or the machine, and words made of the numbers. */
 const apart =
   /ms$|memory|^(date|machine|version|sources|load|seconds|measured|on|reason|most|renewed)$/i;
 
 /**
- * Other compilers round otherwise: searches that nearly fail do or do not, and what is nearly 0 is another
- * number. So two parts of a hundred, three of a count, and rounding are no difference.
+ * Whether two numbers agree. Other compilers round differently: searches that nearly fail may
+ * succeed, and values near 0 change. So two per cent, three per cent of a count, and rounding are
+ * no difference.
  */
 export function isNear(a, b) {
   if (typeof a !== 'number' || typeof b !== 'number') return a === b;
@@ -15,7 +16,10 @@ export function isNear(a, b) {
   return Math.abs(a - b) <= Math.max(most, isCount ? 3 : 1e-6);
 }
 
-/** Where two values of numbers, lists and objects differ, as paths; times and the like are left out. */
+/**
+ * The paths at which two values of numbers, lists and objects differ; times and similar fields are
+ * left out.
+ */
 export function differences(now, saved, path = '') {
   if (now === null || saved === null || typeof now !== 'object' || typeof saved !== 'object') {
     return isNear(now, saved) ? [] : [`${path}: ${saved} was saved, now ${now}`];
@@ -30,12 +34,12 @@ const number = /-?\d[\d,]*(?:\.\d+)?(?:e[-+]?\d+)?/g;
 const numbersOf = (text) =>
   (text.match(number) ?? []).map((one) => Number(one.replaceAll(',', '')));
 
-/** Columns that are rounding by themselves, or times. */
+/** Columns that consist of rounding errors or times. */
 const ofRounding = /^(rotated|both ways|exact, in these|time)$|\b[mun]s\b/;
-/** Times wherever they stand. */
+/** Times anywhere in a line. */
 const times = /\d[\d,.]* [mun]?s\b/g;
 
-/** Where the lines that a study printed differ from those that were saved, all but times. */
+/** The differences between the lines of a study and the saved ones, except times. */
 export function lineDifferences(now, saved) {
   if (now.length !== saved.length) return [`${saved.length} lines were saved, now ${now.length}`];
   let heads = [];

@@ -1,4 +1,4 @@
-// What is plotted of convergence and roughness.
+// The plots of convergence and roughness.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { loadPeers } from 'karcher/peers';
@@ -36,7 +36,7 @@ describe('the smooth curves', () => {
     );
   });
 
-  test('on the torus it lies on the circle of the points, and is projected to itself', () => {
+  test('on the torus the center lies on the circle of the points, which is projected to itself', () => {
     const { points, center, project } = study.torusCurve();
     const near = (a, b) => assert.ok(Math.hypot(...a.map((x, c) => x - b[c])) < 1e-14);
     near(center([1, 0, 0, 0]), points[0]);

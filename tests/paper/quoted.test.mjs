@@ -1,5 +1,5 @@
-// What README and docs quote of studies is what the studies printed when they were kept in docs/studies
-// (`npm run study -- --save NAME`), and what one text quotes of another stands there.
+// Quotations of studies in README and docs equal the output saved in docs/studies (`npm run study
+// -- --save NAME`), and quotations of one text in another equal the original.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
@@ -11,14 +11,14 @@ const linesOf = (name) => readFileSync(inRoot(name), 'utf8').split('\n');
 const textOf = (name) => linesOf(name).join(' ').replaceAll(/\s+/g, ' ');
 const readme = textOf('README.md');
 
-/** The parts of a text between brackets of the pattern, which it must have. */
+/** The parts of a text in the groups of the pattern, which must match. */
 function told(name, pattern) {
   const found = pattern.exec(textOf(name));
   assert.ok(found, `${name} has another sentence: this test is to read it: ${pattern}`);
   return found.slice(1);
 }
 
-describe('tables are what the study printed', () => {
+describe('tables equal the output of the study', () => {
   for (const table of quotedTables) {
     const { doc, head, at = 0 } = table;
     test(`${doc}: ${head}${at > 0 ? `, ${at + 1}` : ''}`, () => {
@@ -35,7 +35,7 @@ describe('accuracy', () => {
     if (value < 1e-4) return value.toExponential(0);
     return `${Number(value.toPrecision(value < 1e-3 ? 1 : 2))}`;
   };
-  /** By the finest mesh: the distance in mean edges, and what was lost. */
+  /** The distance in mean edges and the lost samples on the finest mesh. */
   const at = (surface, fields) => {
     const rows = saved.filter(([one, , other]) => one === surface && other === fields);
     assert.equal(rows.length, 3, `${surface}: ${fields}`);
@@ -52,7 +52,7 @@ describe('accuracy', () => {
     'torus, stretched 8:1': 'torus: stretched 8:1',
   };
 
-  test('the table of methods has what the study printed', () => {
+  test('the table of methods equals the output of the study', () => {
     let samples = ' of 384 samples';
     const expected = Object.entries(meshes).map(([name, surface]) => {
       const cells = columns.map((fields) => {
@@ -67,7 +67,7 @@ describe('accuracy', () => {
     assert.deepEqual(quotedRows({ doc: 'docs/methods.md', head: '| mesh | paper' }), expected);
   });
 
-  test('README quotes it', () => {
+  test('README quotes it correctly', () => {
     const [plane, lost, sphere, paper] = told(
       'README.md',
       /stretched 20:1 are off by (\S+) mean edges, where the paper's fields lose (\d+) of 384 samples\. On a sphere of relaxed random points the default is off by (\S+) mean edges, the paper's fields by (\d\.\d+)/,
@@ -98,7 +98,7 @@ describe('the gallery', () => {
     return [all[0], all.at(-1), all[Math.floor(all.length / 2)]];
   };
 
-  test('what is told of the fast solver’s errors is the worst of it', () => {
+  test('the stated errors of the fast solver are its worst ones', () => {
     const [worst, mesh, mean, ofMean] = told(
       'docs/gallery.md',
       /the worst error is (\S+) % \((.*?)\), the largest mean (\S+) \((.*?)\)/,
@@ -121,7 +121,7 @@ describe('the gallery', () => {
     );
   });
 
-  test('what rotations change is told of the worst, and of all others', () => {
+  test('the stated changes by rotations are the worst one, and those of all others', () => {
     const [ofNeedles, ofOthers] = told(
       'docs/gallery.md',
       /Fast distances change by up to (\S+) of the diagonal on rough sheets with needles of 1e-10, by up to (\S+) on other meshes/,
@@ -135,7 +135,7 @@ describe('the gallery', () => {
     assert.equal(Number(most('exactRotated')[9]), Number(exact));
   });
 
-  test('what converged promises is what the study of centers counted', () => {
+  test('the promise of `converged` equals the count of the study of centers', () => {
     const counted =
       /in all: (\d+) converged, (\d+) indefinite, no minimum: unchecked (\d+) \(lower by (\S+) h2 at most\), checked (\d+) .*; moved (\d+), ties (\d+), .*; renumbered: moved (\d+), ties (\d+), farthest (\S+)$/;
     const words = told(
@@ -168,13 +168,13 @@ describe('the gallery', () => {
   });
 });
 
-test('the orders of convergence, and how near exact centers are, are those of the table', () => {
+test('the orders of convergence, and the distances of exact centers, are those of the table', () => {
   const rows = rowsOf(savedLines('convergence'));
   const number = (cell) => Number(cell.split(' ')[0]);
   const families = [...new Set(rows.map(([name]) => name))].filter(
     (name) => !name.includes('stretched'),
   );
-  /** A mesh's edges are as the inverse root of its triangles. */
+  /** A mesh's edges are proportional to the inverse root of its number of triangles. */
   const order = (column) => {
     const orders = families.map((name) => {
       const of = rows.filter(([one]) => one === name);
@@ -204,21 +204,21 @@ test('the orders of convergence, and how near exact centers are, are those of th
   assert.equal(rows.filter((row) => number(row[7]) < number(row[4])).length, Number(won));
 });
 
-test('half of the kinks of refined curves at joints are as told', () => {
+test('half of the kinks of refined curves at joints are as stated', () => {
   const saved = rowsOf(savedLines('joints'));
   const [half, most] = told(
     'docs/steady-curves.md',
     /half of the kinks of refined curves are under (\S+) degrees, 95 of 100 under (\.\d+)/,
   );
   for (const [mesh, , kind, spacing, levels, , kinks] of saved) {
-    // Level 0 has joints of its kind.
+    // Level 0 has joints of another kind.
     if (Number(levels) < 1) continue;
     const [median, most95] = kinks.split(' / ').map(Number);
     assert.ok(median < Number(half) && most95 < Number(most), `${mesh} ${kind} ${spacing}`);
   }
 });
 
-test('how near the default is to the paper’s curve is the same wherever it is told', () => {
+test('the distance of the default from the paper’s curve is the same in all texts', () => {
   const [first, second] = ['README.md', 'docs/methods.md'].map(
     (name) => told(name, /the default is that curve, to (\S+) mean edges/)[0],
   );

@@ -1,5 +1,5 @@
-// One ruler for all methods: what the page, `karcher compare` and an independent reckoning say of the same
-// curves.
+// One ruler for all methods: the page, `karcher compare` and an independent computation agree on
+// the same curves.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { loadPeers, Ruler, runMethod, standardOptions } from 'karcher/peers';
@@ -8,7 +8,7 @@ import { residualsByBruteForce } from './brute_force.mjs';
 import { load } from './load.mjs';
 
 const samples = 33;
-/** The names of `compare` and the page's lines that are set up alike. */
+/** The names of `compare` with the page's lines of the same settings. */
 const alike = {
   vectorHeat: 'vectorHeat',
   affineHeat: 'affineHeat',
@@ -72,12 +72,12 @@ test('page, command line and brute force agree to 1e-9 h', async () => {
       assert.equal(measured, brute.residual.length, method);
       near(residual.median, brute.residual[Math.floor(measured / 2)], 'median');
       near(residual.max, brute.residual.at(-1), 'largest');
-      // Of some hundred squared edges, to so many digits.
+      // The values are some hundred squared edges, with limited digits.
       near(energy.median / 1e3, brute.energy[Math.floor(measured / 2)] / 1e3, 'energy');
     }
     near(onPage.energy.excess, inCli.energy.excess, 'excess');
     assert.equal(compared.methods[method].lost, lost, method);
-    // Samples that are lost are not measured.
+    // Lost samples are not measured.
     if (lost === 0) assert.equal(brute.residual.length, 33, method);
   }
   mesh.dispose();
@@ -90,7 +90,7 @@ test('a center of mass has a residual of 0 on a plane, another point has its dis
   const corners = [0, 1, 2, 3].map((vertex) => ({ vertex }));
   const table = { points: 4, t: Float64Array.of(0), weights: Float64Array.of(0.1, 0.4, 0.3, 0.2) };
   const ruler = new Ruler(mesh, { points: corners, first: [0], table });
-  // The average is (2.8, 2), in face 0 off its sides; the other point is 1 to the right of it.
+  // The average is (2.8, 2), inside face 0; the other point is 1 to the right of it.
   const at = (x, y) => ({
     count: 1,
     segment: Int32Array.of(0),
@@ -104,7 +104,7 @@ test('a center of mass has a residual of 0 on a plane, another point has its dis
   for (const [x, y, residual] of [
     [2.8, 2, 0],
     [3.8, 2, 1],
-    // On the side that both faces have, whence paths leave on both sides.
+    // On the common side of both faces, from which paths leave on both sides.
     [2.5, 2.5, Math.hypot(0.3, 0.5)],
   ]) {
     const read = await ruler.measure(at(x, y));
@@ -120,15 +120,15 @@ test('a center of mass has a residual of 0 on a plane, another point has its dis
   mesh.dispose();
 });
 
-test('over a sharp edge, directions are laid flat', async () => {
+test('across a sharp edge, directions are unfolded', async () => {
   const { karcher } = lab.peers;
-  // A roof of a right angle: two squares that meet along the y axis.
+  // A roof with a right angle: two squares that meet along the y axis.
   const positions = Float64Array.of(0, 0, 0, 0, 4, 0, 4, 0, 0, 4, 4, 0, 0, 0, 4, 0, 4, 4);
   const triangles = Int32Array.of(0, 2, 1, 1, 2, 3, 0, 1, 4, 1, 5, 4);
   const mesh = karcher.meshFromArrays(positions, triangles);
   const table = { points: 2, t: Float64Array.of(0), weights: Float64Array.of(0.5, 0.5) };
   const ruler = new Ruler(mesh, { points: [{ vertex: 3 }, { vertex: 5 }], first: [0], table });
-  // In the middle of the edge: flat, the corners are at (4, 2) and (-4, 2) from there.
+  // The middle of the edge: unfolded, the corners are at (4, 2) and (-4, 2) from there.
   const middle = {
     count: 1,
     segment: Int32Array.of(0),
@@ -143,7 +143,7 @@ test('over a sharp edge, directions are laid flat', async () => {
   mesh.dispose();
 });
 
-test('compare says what finds distances, and what was left out', () => {
+test('compare reports the solver of distances, and what was left out', () => {
   const { methods, reference } = compared;
   assert.equal(
     methods.paper.solver,
@@ -158,12 +158,12 @@ test('compare says what finds distances, and what was left out', () => {
     if (name === 'descent') continue;
     assert.ok(deviation.samples <= all - lost, name);
     assert.ok(lostByOwnRule <= lost, name);
-    // A curve without half of its samples is not dragged.
+    // A curve that lost half of its samples is not dragged.
     assert.equal(drag?.steps, lost > all / 2 ? undefined : 20, name);
     if (!drag) continue;
     assert.ok(drag.leaps <= drag.steps && (drag.most > 5 || drag.leaps === 0), name);
     assert.equal(logMaps !== null, /Heat/.test(name), name);
   }
-  // It searches: many more evaluations than vertices that it comes by.
+  // The method searches: it evaluates far more log maps than there are vertices on its way.
   assert.ok(methods.vectorHeat.logMaps.asked > 2 * methods.vectorHeat.logMaps.made);
 });

@@ -1,4 +1,4 @@
-// What is measured in a figure is measured apart from what else the figure shows.
+// The measurements of a figure do not depend on what else the figure shows.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { loadPeers } from 'karcher/peers';
@@ -6,7 +6,7 @@ import { load } from './load.mjs';
 
 const spec = { kind: 'shape', name: 'torus', triangles: 2_000 };
 
-/** Peers that note the mesh of each preparation. */
+/** Peers that record the mesh of each preparation. */
 async function notingPeers() {
   const peers = await loadPeers();
   const prepared = [];
@@ -36,14 +36,14 @@ test('every method has a mesh of its own, and was run before on a small one', as
     const [first] = prepared.filter((one) => one.key === key);
     assert.ok(first.triangles < 1_000, key);
   }
-  // Prepared once.
+  // Each method was prepared once.
   const count = prepared.length;
   await scene.method(lineStyles.paper.options, {});
   assert.equal(prepared.length, count);
   await scene.dispose();
 });
 
-test('Table 1 measures nothing that runs for the first time', async () => {
+test('Table 1 measures no code that runs for the first time', async () => {
   const { runTable } = await load('table/run.ts');
   const { smallRows } = await load('table/rows.ts');
   const { noting, prepared } = await notingPeers();
@@ -60,7 +60,7 @@ test('Table 1 measures nothing that runs for the first time', async () => {
   await runTable(noting, { rows: [row], methods, samples: 5, budgetMs: 60_000 }, events);
   assert.equal(triangles.length, methods.length);
   const keys = [...new Set(prepared.map(({ key }) => key))];
-  // Both have exact distances for two points.
+  // Both methods have exact distances for two points.
   assert.deepEqual(keys, ['["paper","exact",null]', '["karcher","exact",null]']);
   for (const wanted of keys) {
     const [first] = prepared.filter(({ key }) => key === wanted);

@@ -35,7 +35,7 @@ async function measured(chosen, options = {}, signal = undefined) {
   return { cells, events };
 }
 
-/** A worker that is told by the test what to answer. */
+/** A worker with scripted answers. */
 class StandIn {
   ended = false;
   jobs = [];
@@ -74,7 +74,7 @@ class StandIn {
   }
 }
 
-/** What a worker told has arrived where it is awaited. */
+/** Waits until a worker's messages have arrived. */
 const settled = () => new Promise((resolve) => setImmediate(resolve));
 
 describe('the table on a page', () => {
@@ -104,7 +104,7 @@ describe('the table on a page', () => {
     return { client, workers, cells, ends: () => ends };
   }
 
-  test('goes on with a new worker where one fails, and says why', async () => {
+  test('continues with a new worker after a failure, and says why', async () => {
     const { workers, cells, ends } = started(1e6);
     const [first, second] = rows.tableRows.map(({ id }) => id);
     workers[0].begin('vectorHeat');
@@ -123,7 +123,7 @@ describe('the table on a page', () => {
     workers[1].tell({ result: undefined });
     await settled();
     assert.equal(workers[1].jobs[1].rows[0].id, second);
-    // No mesh: no method has anything to measure.
+    // The mesh is missing: no method can be measured.
     workers[1].tell({ failure: { message: 'no such mesh', fatal: false } });
     await settled();
     assert.equal(ends(), 1);
@@ -212,7 +212,7 @@ describe('the table', () => {
     assert.equal(rows.tableRows.filter(({ points }) => points.length === 2).length, 2);
   });
 
-  test('leaves empty what a method did not do, and says why', async () => {
+  test('leaves missing values empty, and says why', async () => {
     const [row] = rows.smallRows(0.02).slice(2, 3);
     const { cells } = await measured([row], { budgetMs: -1, samples: 20_000 });
     const heat = cells.find(({ method }) => method === 'vectorHeat');
@@ -226,7 +226,7 @@ describe('the table', () => {
     assert.match(lines[1], /Vector heat,false,stopped after -?0 s,[0-9.]*,,,/);
   });
 
-  test('has a chart with a gap where nothing was measured', async () => {
+  test('has a chart with gaps for missing values', async () => {
     const { seriesOf } = await load('table/series.ts');
     const cell = (triangles, method, result) => ({
       row: '',
@@ -237,7 +237,7 @@ describe('the table', () => {
     });
     const cells = [
       cell(500, 'karcher', { ok: true, traceMs: 2 }),
-      // Less than a clock's step.
+      // The time is below a clock's step.
       cell(1000, 'karcher', { ok: true, traceMs: 0 }),
       cell(2000, 'karcher', { ok: false, traceMs: 3 }),
       cell(2000, 'paper', { ok: true, traceMs: 4 }),
@@ -248,7 +248,7 @@ describe('the table', () => {
     assert.deepEqual(series[rows.tableMethods.indexOf('paper')], [null, null, 4]);
   });
 
-  test('ends when it is told to', async () => {
+  test('ends when it is aborted', async () => {
     const signal = AbortSignal.abort(new Error('enough'));
     await assert.rejects(measured(rows.smallRows(0.02), {}, signal), /enough/);
   });
@@ -263,18 +263,18 @@ test('the report names every figure and every line', async () => {
     assert.ok(text.includes(`## ${name}: ${title}`));
     for (const panel of panels) assert.ok(text.includes(`### ${panel.title}, `));
   }
-  // Five numbers, those by exact paths first, then the counts; the default stands beside level 0.
+  // Five numbers, first those by exact paths, then the counts; the default stands beside level 0.
   const row = (name) =>
     new RegExp(`\\| ${name} \\| (?:[^|]+ \\| ){5}0 of 15 \\| 0 \\| 0 \\| [^|]+ \\| – \\|`);
   assert.match(text, /\| {2}\| residual h \| energy − reference’s h² \| median h \|/);
   for (const name of ['Karcher, level 0', 'Karcher, default']) assert.match(text, row(name));
-  // What the claims are judged by.
+  // The measurements that the claims depend on.
   const karcher = panels['plane/grid'].find(({ id }) => id === 'karcher');
   assert.ok(karcher.ruler.residual.median < 1e-9);
   assert.equal('polylines' in karcher, false);
 });
 
-test('npm run paper refuses what is no number, and leaves the last report', () => {
+test('npm run paper refuses invalid numbers, and keeps the last report', () => {
   const report = inRoot('build/paper.md');
   const before = existsSync(report) ? readFileSync(report, 'utf8') : null;
   for (const [args, reason] of [

@@ -9,10 +9,10 @@ before(async () => {
   ({ pyramid, transportInto } = await load('figures/transport.ts'));
 });
 
-/** The difference of two angles, up to whole turns. */
+/** The difference of two angles, modulo full turns. */
 const apart = (a, b) => Math.abs(Math.atan2(Math.sin(a - b), Math.cos(a - b)));
 
-test('on a flat star a vector stays the same in space', () => {
+test('on a flat star a vector is unchanged in space', () => {
   const star = pyramid(0);
   for (let t = 0; t < star.ring.length; t++) {
     const { rotation, defect } = transportInto(star, t);
@@ -30,7 +30,7 @@ test('it keeps its angle with the segment to the centroid', () => {
     const { rotation, thetaVt, thetaTv, centroid, distance, defect } = transportInto(star, t);
     assert.ok(defect > 0.5);
     for (const angle of [0, 1, 2.5, 4]) {
-      // On from v at the centroid is the way back, turned by half a turn.
+      // The direction from v continues at the centroid, opposite to the direction back.
       assert.ok(apart(angle - thetaVt, angle + rotation - (thetaTv + Math.PI)) < 1e-12);
     }
     assert.ok(apart(thetaTv + Math.PI, Math.atan2(centroid[1], centroid[0])) < 1e-12);

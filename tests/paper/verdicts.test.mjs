@@ -1,4 +1,4 @@
-// Verdicts follow the numbers: each rule on lines that are made up.
+// Verdicts follow from the numbers: each rule is tested on invented lines.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { load } from './load.mjs';
@@ -13,7 +13,7 @@ before(async () => {
 
 const rowOf = (measured, id) => judge({ ...nothing, ...measured }).find((row) => row.id === id);
 
-/** A line with nothing in it but what is said. */
+/** An empty line with the given fields. */
 const line = (id, more) => ({
   ...{ id, ok: true, reason: null, prepareMs: 1, traceMs: 1, samples: 100, lost: 0 },
   ...{ lostByOwnRule: 0, deviation: null, turningNoise: null, breaks: 0, ruler: null },
@@ -24,7 +24,7 @@ const residual = (median) => ({
 });
 const deviation = (median, max = median) => ({ deviation: { median, max, samples: 100 } });
 
-/** A method that failed before it had samples, and one that lost all of them. */
+/** Lines of a method that failed before its first sample, and of one that lost all samples. */
 const failed = (id) =>
   line(id, {
     ...{ ok: false, reason: 'it gave up', prepareMs: null, traceMs: null, samples: null },
@@ -39,8 +39,8 @@ describe('descent on coarse meshes', () => {
   });
   const of = (...descent) => rowOf({ studies: { descent } }, 'paths-descent');
 
-  test('is judged by how many of many pairs are worse, beside what chance gives', () => {
-    // Two deviations of 40 throws are 6.3.
+  test('is judged by the number of worse pairs, compared with chance', () => {
+    // Two standard deviations of 40 throws are 6.3.
     assert.equal(of(found('coarse', 27), found('fine', 20)).verdict, 'holds');
     assert.equal(of(found('coarse', 13), found('fine', 20)).verdict, 'does not');
     const row = of(found('coarse', 17), found('fine', 34));
@@ -74,7 +74,7 @@ describe('more accurate than weighted averages, and slightly slower', () => {
     result: { ok: true, traceMs },
   });
 
-  test('who is nearer is counted panel by panel', () => {
+  test('the nearer method is counted panel by panel', () => {
     assert.equal(of({ 'a/b': panel(1, 2), 'a/c': panel(1, 3) }).verdict, 'holds');
     assert.equal(of({ 'a/b': panel(2, 1), 'a/c': panel(3, 1) }).verdict, 'does not');
     const mixed = of({ 'a/b': panel(2, 1), 'a/c': panel(1, 3) });
@@ -157,7 +157,7 @@ describe('more stable than vector heat', () => {
   const table = [cell('paper', 1, null), cell('vectorHeat', 100, { made: 1, asked: 100 })];
   const of = (...lines) => rowOf({ panels: { 'a/b': lines }, table }, 'against-vector-heat');
 
-  test('more samples lost decide, and as many are not fewer', () => {
+  test('more lost samples decide, and equally many are not fewer', () => {
     const two = (heat, paper) =>
       of(line('vectorHeat', { lost: heat, lostByOwnRule: heat }), line('paper', { lost: paper }));
     assert.equal(two(5, 4).verdict, 'holds');
@@ -165,13 +165,13 @@ describe('more stable than vector heat', () => {
     assert.equal(two(4, 5).verdict, 'does not');
   });
 
-  test('fewer by one rule alone depend on the rule', () => {
+  test('fewer lost samples by one rule alone depend on the rule', () => {
     const row = of(line('vectorHeat', { lost: 5, lostByOwnRule: 3 }), line('paper', { lost: 4 }));
     assert.equal(row.verdict, 'depends');
     assert.match(row.on, /counted: by its library’s rule vector heat loses fewer/);
   });
 
-  test('the times are told apart: as the library has it, and with log maps kept', () => {
+  test('the times are distinguished: as in the library, and with log maps kept', () => {
     const lines = [line('vectorHeat', { lost: 5, lostByOwnRule: 5 }), line('paper', { lost: 4 })];
     const timed = (traceMs, asked) =>
       rowOf(
@@ -215,13 +215,13 @@ describe('a B-spline on a coarse and on a fine mesh', () => {
       'resolution',
     );
 
-  test('holds where all of its parts do, and says the limits', () => {
+  test('holds if all of its parts do, and states the limits', () => {
     const row = of({}, {});
     assert.equal(row.verdict, 'holds');
     assert.match(row.measured, /0\.5°, 0\.5°, 0\.4°, 0° on coarse; .* up to 1° counts as smooth/);
   });
 
-  test('has a reason for each part that does not', () => {
+  test('has a reason for each part that fails', () => {
     assert.match(of({ paper: 1.1, heat: 1.1 }, {}).on, /^the mesh: the paper’s curve .* coarse$/);
     assert.match(of({}, { averages: 1.1 }).on, /^the mesh: weighted averages’ is not on fine$/);
     assert.match(of({ heat: 0.2 }, {}).on, /^the mesh: vector heat’s does not turn .* on coarse$/);
@@ -254,7 +254,7 @@ describe('most stable on fairly regular triangles with exact distances', () => {
       'regular',
     );
 
-  test('holds where it is so on each mesh, and tells what decides', () => {
+  test('holds if it does on each mesh, and names the deciding numbers', () => {
     const row = of(lines([0, 1]), lines([2, 3]), lines([4, 5]));
     assert.equal(row.verdict, 'holds');
     assert.match(
@@ -263,7 +263,7 @@ describe('most stable on fairly regular triangles with exact distances', () => {
     );
   });
 
-  test('a tie of lost samples is settled by residuals, and one of both by nobody', () => {
+  test('a tie of lost samples is settled by residuals, and a tie of both by none', () => {
     assert.equal(of(lines([0, 0]), lines([2, 3]), lines([4, 5])).verdict, 'holds');
     const tie = of(lines([0, 0], [0.1, 0.1]), lines([2, 3]), lines([4, 5]));
     assert.equal(tie.verdict, 'depends');
@@ -309,7 +309,7 @@ describe('Figure 8', () => {
       'plane',
     );
 
-  test('is judged with the graph, as the paper has it, and the numbers that decide are told', () => {
+  test('is judged with the graph, as in the paper, and names the deciding numbers', () => {
     const row = of({});
     assert.equal(row.verdict, 'holds');
     assert.match(
@@ -329,13 +329,13 @@ describe('Figure 8', () => {
   });
 });
 
-test('ours on bad meshes is no good where it failed', () => {
+test('a failure on bad meshes counts against ours', () => {
   const good = line('karcher', residual(0.01));
   const of = (one) => {
     const panels = { 'plane/anisotropic': [one, line('paper')], 'plane/delaunay': [good] };
     return rowOf({ panels: { ...panels, 'resolution/coarse': [good] } }, 'bad-meshes');
   };
-  // The paper leaves it open: it is no claim that holds.
+  // The paper leaves the question open, so no claim holds.
   assert.equal(of(good).verdict, 'settled here');
   for (const one of [failed, allLost]) {
     assert.equal(of(one('karcher')).verdict, 'depends');
@@ -343,7 +343,7 @@ test('ours on bad meshes is no good where it failed', () => {
   }
 });
 
-test('a circle of arcs: nearer and smoother are told apart', () => {
+test('a circle of arcs: nearer and smoother are judged separately', () => {
   const of = (arcs, linear) =>
     rowOf(
       {
@@ -367,7 +367,7 @@ test('a circle of arcs: nearer and smoother are told apart', () => {
   assert.equal(of([1, 0.3], [2, 0.3]).verdict, 'does not');
 });
 
-test('too far: leaps under a drag are told where they were measured', () => {
+test('too far: leaps in a drag are named if they were measured', () => {
   const ids = ['vectorHeat', 'weightedAverages', 'bSurf', 'paper', 'karcher', 'bridged', 'leveled'];
   const of = (drag) => {
     const lines = ids.map((id) => line(id, { breaks: 1, drag }));
@@ -383,7 +383,7 @@ test('the armadillo needs a mesh of that name', () => {
     const methods = [{ method: 'weightedAverages', result }];
     return rowOf({ meshes: [{ name: 'armadillo.obj', triangles: 7, methods }] }, 'table').verdict;
   };
-  // Another program's success says nothing of the authors' own.
+  // Another program's success says nothing about that of the authors.
   assert.equal(of(3), 'depends');
   assert.equal(of(null), 'holds');
   assert.equal(of(null, 'stopped after 120 s'), 'not measured here');
@@ -411,7 +411,7 @@ describe('resilient to roughness', () => {
     return rowOf({ panels, studies: { roughness, spread }, meshes }, 'roughness');
   };
 
-  test('the armadillo counts where it is at hand', () => {
+  test('the armadillo counts if it is available', () => {
     assert.equal(of(0, null).verdict, 'holds');
     assert.equal(of(0, 0).verdict, 'holds');
     assert.equal(of(0, 1).on, 'how rough: some samples are lost on the armadillo');
@@ -460,10 +460,10 @@ describe('scales better than both', () => {
     assert.equal(worse.verdict, 'does not');
   });
 
-  test('a row that failed decides nothing', () => {
+  test('a failed row decides nothing', () => {
     const lost = [...heat.slice(0, 2), null];
     const row = of({ vectorHeat: lost, weightedAverages: averages, paper, karcher });
-    // By the two sizes that are there.
+    // The two available sizes decide.
     assert.match(row.on, /against vector heat it does not; against weighted/);
     assert.match(row.measured, /vector heat 800 ms, 3,000 ms, failed/);
     const never = [800, null, null];
@@ -482,7 +482,7 @@ describe('scales better than both', () => {
   });
 });
 
-test('on a busy machine what rests on other numbers is judged as ever', () => {
+test('on a busy machine claims without times are judged as usual', () => {
   const oneCenter = { fieldsMs: 100, centerMs: 1 };
   assert.equal(rowOf({ studies: { oneCenter } }, 'one-center').verdict, 'holds');
   for (const load of [busy, null]) {
@@ -503,12 +503,12 @@ test('on a busy machine what rests on other numbers is judged as ever', () => {
   assert.doesNotMatch(of(1).measured, /quiet/);
 });
 
-test('a method that failed on a large mesh says nothing of time', () => {
+test('a failure on a large mesh says nothing about time', () => {
   const large = [{ method: 'paper', triangles: 9, prepareMs: null, dragMs: null, reason: 'no' }];
   assert.equal(rowOf({ studies: { large } }, 'interactive').verdict, 'not measured here');
 });
 
-test('rational curves: leaps are told, and none is a reason', () => {
+test('rational curves: leaps are named, and none is a reason', () => {
   const of = (breaks) => {
     const panels = Object.fromEntries(
       ['equal', 'pulled', 'barycentric', 'loose'].map((name) => [
@@ -524,7 +524,7 @@ test('rational curves: leaps are told, and none is a reason', () => {
   assert.match(of(1).on, /^the part: the curves leap; subdivision/);
 });
 
-test('Karcher’s condition: how many times its radius all centers are found and alike', () => {
+test('Karcher’s condition: the multiple of its radius up to which all centers are found and equal', () => {
   const at = (noise, radius, found, same, condition = noise > 0 ? 0.1 : 0.5) => ({
     ...{ surface: 'sphere', noise, condition, radius, cases: 12, found, same },
   });
@@ -568,7 +568,7 @@ describe('Newton’s method', () => {
     );
   });
 
-  test('depends on the mesh, of which each part is named', () => {
+  test('depends on the mesh, and names each part', () => {
     const three = [row('a torus'), row('a sphere'), row('a knot')];
     assert.equal(
       of(...three, row('a plane', { converged: 99, inside: 99, stuck: 4 })).on,
@@ -584,11 +584,11 @@ describe('Newton’s method', () => {
     assert.match(of(row('b', stuck)).on, /on all$/);
   });
 
-  test('does not hold where searches are lost, or take many steps, everywhere', () => {
+  test('does not hold if searches are lost, or take many steps, everywhere', () => {
     const lost = { converged: 60, inside: 60 };
     assert.equal(of(row('a', lost), row('b', lost)).verdict, 'does not');
     assert.equal(of(row('a', { nearlyAll: 30 })).verdict, 'does not');
-    // What cold starts take decides nothing.
+    // Cold starts decide nothing.
     assert.equal(of(row('a'), row('a', { start: 'cold', nearlyAll: 30 })).verdict, 'holds');
     assert.equal(of(row('a', { start: 'cold' })).verdict, 'not measured here');
   });

@@ -51,10 +51,7 @@ export class Viewer {
   #edges = false;
   #fileColors = true;
   #relief = true;
-  /**
-   * The stage's size in CSS pixels: reading it from the page causes a layout, which takes too long
-   * with a thousand handles.
-   */
+  /** The stage's size in CSS pixels, kept since reading it from the page causes a slow layout. */
   #size = { width: 1, height: 1 };
   /** The stage's place in the window; null until a caller measures it again. */
   #box: DOMRect | null = null;
@@ -236,10 +233,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /**
-   * Shows parts of the surface instead of the whole, each with or without a color over it; null
-   * shows the whole.
-   */
+  /** Shows parts of the surface, each with or without a color over it; null shows the whole. */
   showParts(parts: Parameters<Surface['showParts']>[0]): void {
     this.#surface?.showParts(parts);
     this.#ground.forget();
@@ -373,10 +367,7 @@ export class Viewer {
     };
   }
 
-  /**
-   * The place of a point of the scene on the stage, in CSS pixels, and whether the surface hides
-   * it.
-   */
+  /** The place of a scene's point on the stage, in CSS pixels, and whether the surface hides it. */
   project(position: Vector3): { x: number; y: number; hidden: boolean } {
     return this.#vantage.project(position);
   }
@@ -437,10 +428,7 @@ export class Viewer {
     this.stage.classList.toggle('moving', moves);
   }
 
-  /**
-   * Zooms to points of the surface; if most of them are hidden, from a direction in which they are
-   * visible.
-   */
+  /** Zooms to points of the surface; turns to where they are visible if most are hidden. */
   zoomTo(points: readonly SurfacePoint[], around: readonly Vector3[] = []): void {
     const surface = this.#surface;
     if (!surface || points.length === 0) return;
@@ -484,10 +472,7 @@ export class Viewer {
     return picture;
   }
 
-  /**
-   * The surface's outline in the present view: x, y of its lines' points, in CSS pixels of the
-   * stage.
-   */
+  /** The surface's outline in the present view: x, y of its points, in the stage's CSS pixels. */
   outline(signal: AbortSignal): Promise<Float32Array[]> {
     return requestOutline(this.#surface!, this.#view.camera, this.#size, signal);
   }
