@@ -1,8 +1,8 @@
 /**
- * Fills parts of faces that are given by their sides. A face is swept from left to right, and where the sweep meets a
- * vertex it is joined to those that it sees (S. Hertel and K. Mehlhorn, "Fast triangulation of simple polygons", 1983).
- * Triangles have no other corners than the ends of sides, so neighbors have whole edges in common, also across faces:
- * no pixel between them is missed.
+ * Fills parts of faces given by their sides. A sweep from left to right joins each vertex that it
+ * meets to those that this vertex sees (S. Hertel, K. Mehlhorn, "Fast triangulation of simple
+ * polygons", 1983). Triangles have corners only at ends of sides, so neighbors have whole edges in
+ * common, also across faces, and no pixel between them is missed.
  */
 
 type Place = readonly [x: number, y: number];
@@ -13,15 +13,19 @@ interface Side {
   right: Place;
 }
 
-/** The front of what is filled between a side and the next one above: places from the lower to the upper side. */
+/**
+ * The border of the triangles so far between a side and the next one above: places from the lower
+ * to the upper side.
+ */
 type Front = Place[];
 
-/** The numbers are whole multiples of this. */
+/** Weights are multiples of its inverse. */
 const scale = 2 ** 40;
 
 /**
- * `faces` has the face of each side, in order, and `sides` four numbers each: second and third weight of one end and of
- * the other. Gives triangles: their faces, and of each corner the two weights.
+ * `faces` has the face of each side, in order, and `sides` four numbers each: second and third
+ * weight of one end and of the other. Returns triangles: their faces, and the two weights of each
+ * corner.
  */
 export function filledSides(
   faces: Int32Array,
@@ -69,7 +73,7 @@ function fillFace(sides: Float64Array, add: Add): void {
   const places = all.flatMap(({ left, right }) => [left, right]);
   places.sort((a, b) => a[0] - b[0] || a[1] - b[1]);
   all.sort((a, b) => a.left[0] - b.left[0] || a.left[1] - b.left[1]);
-  /** The sides that the sweep meets, from below; between the first and the second of a pair it is filled. */
+  /** The sides that the sweep meets, from below; each pair of them encloses filling. */
   let open: Side[] = [];
   const fronts = new Map<Side, Front>();
   let next = 0;
@@ -88,7 +92,7 @@ function fillFace(sides: Float64Array, add: Add): void {
     const before = (under && fronts.get(under)) ?? [];
     const rows = ended.map((side) => fronts.get(side) ?? []);
     for (const side of ended) fronts.delete(side);
-    // What ends at the place is closed: all between two ended sides, and it bounds what is below and above.
+    // Filling between two ended sides closes at the place; that below and above goes on from it.
     for (const [k, row] of rows.slice(0, -1).entries())
       if ((k % 2 === 1) === isFilled) close(row, place, add);
     let lower: Front = [];
