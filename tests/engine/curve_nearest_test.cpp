@@ -54,8 +54,8 @@ TEST(CurveNearest, OfAPlaceOnTheCurveIsThatPlace) {
       const Vec3 place = position(mesh, pointAt(curve, t).point);
       const NearestOnCurve nearest = nearestOnCurve(curve, line, place);
       worst = std::max(worst, nearest.distance / diagonal);
-      // The parameter is accurate to 1e-12, and the curve crosses the diagonal in at least 1e-2 of
-      // it.
+      // The parameter is accurate to 1e-12, and the curve takes at least 1e-2 of it to cross the
+      // diagonal.
       EXPECT_LT(nearest.distance, 1e-10 * diagonal) << "t " << t;
       const CurvePoint there = pointAt(curve, nearest.at.parameter);
       EXPECT_EQ(position(mesh, there.point), position(mesh, nearest.at.point));

@@ -8,8 +8,8 @@
 namespace karcher {
 namespace {
 
-// In the coordinates of a face, the second and the third weight: what is nearer than the first to a
-// side lies on it, and what is nearer than the second to a path is not told.
+// Tolerances in the coordinates of a face, the second and the third weight: a point nearer to a
+// side than the first lies on it, and a point nearer to a path than the second has no label.
 constexpr double kOnSide = 1e-8;
 constexpr double kTooNear = 1e-8;
 constexpr int kTrials = 200;
@@ -116,7 +116,8 @@ void CountedSides::placeMiddles(Random& random) {
   }
 }
 
-/// Adds what changes on a straight way: left of a path is one more. False where it is too near.
+/// Adds the change along a straight line: left of a path is one more. False if the line is too
+/// near.
 bool CountedSides::count(int f, const Vec2& from, const Vec2& to, Array<int>& counts) const {
   const Vec2 way = to - from;
   for (const Piece& piece : pieces_[f]) {
@@ -152,7 +153,7 @@ Array<int> CountedSides::change(int h, Random& random) const {
     const Vec2 across = onSide(cornerOf(twin), 1 - t);
     if (!isFree(f, place) || !isFree(other, across)) continue;
     if (!count(f, middle_[f], place, counts)) continue;
-    // Left of the smaller half-edge is its own face.
+    // The face of the smaller half-edge is on its left.
     bool isNear = false;
     const double part = h < twin ? t : 1 - t;
     for (const Run& run : runs) {

@@ -7,22 +7,22 @@
 #include "intrinsic/geometry.h"
 #include "intrinsic/surface_path.h"
 
-/// Sides of paths by crossings that are counted one by one, face by face.
+/// The sides of paths, by counting single crossings face by face.
 namespace karcher {
 
-/// A point in each face, and ways from it over each side of the face to the neighbor's. Per path
-/// the crossings on these ways tell how often more a point lies left of it than another one; where
-/// two ways between the same faces disagree, the path does not bound.
+/// A point in each face, and lines from it across each side of the face to the neighbor's point.
+/// For each path the crossings along these lines give the winding of one point relative to another;
+/// if two lines between the same faces disagree, the path does not bound a region.
 class CountedSides {
  public:
-  /// Throws std::runtime_error where no place is far enough from the paths to count.
+  /// Throws std::runtime_error if every place is too near to the paths.
   CountedSides(const Geometry& geometry, std::span<const SurfacePath> paths, Random& random);
 
-  /// Whether paths (a range of them) bound together, where they end nowhere; by parity, or counted.
+  /// Whether paths (a range of them) bound a region together; by parity, or with multiplicity.
   bool bound(int first, int count, bool byParity) const;
 
-  /// Per path how much more the point lies left of it than the first face's; none where a path
-  /// is too near to tell.
+  /// For each path the winding of the point relative to the first face's point; none if a path is
+  /// too near.
   std::optional<Array<int>> labels(const SurfacePoint& point) const;
 
  private:
@@ -31,7 +31,7 @@ class CountedSides {
     Vec2 from;
     Vec2 to;
   };
-  /// Along an edge, from and to being parts of it.
+  /// A run along an edge, between two fractions of it.
   struct Run {
     int path;
     double from;
@@ -42,16 +42,16 @@ class CountedSides {
   bool count(int f, const Vec2& from, const Vec2& to, Array<int>& counts) const;
   bool isFree(int f, const Vec2& place) const;
   void placeMiddles(Random& random);
-  /// What changes from a face's point to its neighbor's over the half-edge.
+  /// The change from a face's point to its neighbor's, across the half-edge.
   Array<int> change(int h, Random& random) const;
 
   const TriangleMesh& mesh_;
   int paths_;
-  Array<Array<Piece>> pieces_;  ///< per face
-  Array<Array<Run>> runs_;      ///< per half-edge, of an edge's two the smaller one
-  Array<Vec2> middle_;          ///< per face
-  Array<Array<int>> labels_;    ///< per face
-  Array<Array<int>> defects_;   ///< of the ways that labels were not taken by, where not all are 0
+  Array<Array<Piece>> pieces_;  // by face
+  Array<Array<Run>> runs_;      // by half-edge: the smaller one of the edge's two
+  Array<Vec2> middle_;          // by face
+  Array<Array<int>> labels_;    // by face
+  Array<Array<int>> defects_;   // changes along lines that gave no labels, if not all are 0
 };
 
 }  // namespace karcher

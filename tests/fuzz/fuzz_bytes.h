@@ -5,9 +5,8 @@
 
 #include "mesh/types.h"
 
-/// The bytes that a fuzzer changes, read as numbers; after the end all are 0. A byte always means
-/// the same thing in the same place, so that a small change of the bytes is a small change of what
-/// they say.
+/// The bytes of a fuzzer, read as numbers; after the end all are 0. A byte always has the same
+/// meaning in the same place, so that a small change of the bytes is a small change of the case.
 namespace karcher {
 
 using Bytes = std::span<const uint8_t>;

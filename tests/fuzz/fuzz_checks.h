@@ -33,13 +33,13 @@ void fuzzRepairs(Bytes bytes);
 /// that is refused changes nothing. Shortest paths are as long in both directions.
 void fuzzCurve(Bytes bytes);
 
-/// Throws FuzzFinding unless it holds.
+/// Throws FuzzFinding unless the condition holds.
 void expect(bool holds, const std::string& what);
 
-/// Throws FuzzFinding unless an error's sentence is one: printable, of a readable length.
+/// Throws FuzzFinding unless an error has a printable sentence of readable length.
 void expectSentence(const Error& error);
 
-/// Throws FuzzFinding unless adjacency is that of the faces, numbers are in range, and positions
+/// Throws FuzzFinding unless the adjacency matches the faces, indices are in range, and positions
 /// are finite.
 void expectSoundMesh(const ImportedMesh& imported);
 

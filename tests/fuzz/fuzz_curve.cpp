@@ -14,10 +14,10 @@ namespace {
 
 constexpr int kMostPoints = 7;
 constexpr int kMostEdits = 6;
-/// Of the diagonal.
+/// The tolerance, as a part of the diagonal.
 constexpr double kSame = 1e-9;
 
-/// A sheet of squares whose corners are at heights of the fuzzer's: flat, folded or steep.
+/// A sheet of squares with heights from the fuzzer: flat, folded or steep.
 TriangleSoup sheet(FuzzBytes& bytes) {
   const int columns = 1 + bytes.index(6);
   const int rows = 1 + bytes.index(6);
@@ -36,7 +36,7 @@ TriangleSoup sheet(FuzzBytes& bytes) {
   return soup;
 }
 
-/// The shapes are made once: a surface keeps what is derived from it.
+/// The shapes are made once: a surface keeps its derived data.
 Surface& shapeOf(int number) {
   static Array<std::unique_ptr<Surface>> shapes;
   if (shapes.empty()) {
@@ -53,7 +53,7 @@ Surface& shapeOf(int number) {
 
 SurfacePoint readPoint(FuzzBytes& bytes, const TriangleMesh& mesh) {
   const int face = bytes.index(mesh.faceCount());
-  // In the face, on its edges and at its corners.
+  // A place in the face, on its edges or at its corners.
   const int where = bytes.index(8);
   double b1 = bytes.unit();
   double b2 = bytes.unit();
@@ -99,7 +99,7 @@ CurveOptions readOptions(FuzzBytes& bytes, int points) {
   return options;
 }
 
-/// The components are one: only what was asked for may be refused.
+/// The surface is connected: only the requested edit may be refused.
 void expectRefusal(const Error& error) {
   expectSentence(error);
   expect(error.code() == ErrorCode::kBadArgument || error.code() == ErrorCode::kTooFewPoints,
@@ -222,7 +222,7 @@ class CurveCase {
 
   void checkSameAnew(Curve& curve) {
     CurveValue value = curve.value();
-    // Numbers that another kind has use for stay with a curve, but cannot be given.
+    // A curve keeps numbers that only another kind uses, but they cannot be set.
     CurveShape& shape = value.options.shape;
     if (!takesWeights(shape.kind)) shape.weights.clear();
     if (!takesBetas(shape.kind)) shape.betas.clear();

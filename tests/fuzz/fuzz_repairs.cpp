@@ -12,10 +12,10 @@ namespace {
 
 constexpr int kMostVertices = 48;
 constexpr int kMostTriangles = 96;
-/// Of the diagonal: what rounding may take from a path, or add. Distances of exact windows come to
-/// 1.2e-8 below straight lines where triangles are needles.
+/// The relative error of a path's length by rounding. Distances of exact windows are up to 1.2e-8
+/// below straight lines if triangles are needles.
 constexpr double kRounding = 1e-7;
-/// Of a distance: what fast ones, which are near exact ones, may be too short by (docs/gallery.md).
+/// The part by which fast distances, which are near exact ones, may be too short (docs/gallery.md).
 constexpr double kFastError = 0.05;
 
 struct Case {
@@ -23,7 +23,7 @@ struct Case {
   ImportOptions options;
 };
 
-/// Vertices of a coarse lattice, so that they coincide, each moved by 10^-1 to 10^-15 of it or not.
+/// Vertices of a coarse lattice, so that they coincide; some are moved by 10^-1 to 10^-15 of it.
 Case readCase(Bytes given) {
   FuzzBytes bytes(given);
   Case made;
@@ -45,7 +45,7 @@ Case readCase(Bytes given) {
   }
   while (!bytes.isAtEnd() && made.soup.triangles.count() < kMostTriangles) {
     Triangle triangle;
-    // One more than there are.
+    // One index is too large.
     for (int k = 0; k < 3; ++k) {
       const int corner = bytes.byte();
       triangle[k] = corner == 255 ? vertices : corner % vertices;
@@ -61,7 +61,7 @@ Vec3 placeInSoup(const TriangleSoup& soup, int face, const Vec3& bary) {
   return place;
 }
 
-/// How far vertices were moved onto others.
+/// The largest distance by which vertices were moved onto others.
 double farthestWeld(const Case& made, const ImportedMesh& imported) {
   double farthest = 0;
   for (int v = 0; v < made.soup.positions.count(); ++v) {
@@ -89,7 +89,7 @@ void checkPlaces(const Case& made, const ImportedMesh& imported) {
     const Vec3 place = position(imported.mesh, point);
     expect((placeInSoup(made.soup, back.face, back.bary) - place).norm() <= tolerance,
            "a point comes back elsewhere");
-    if (imported.numbering.engineFace[t] < 0) continue;  // left out, or in parts
+    if (imported.numbering.engineFace[t] < 0) continue;  // left out, or cut into parts
     expect((place - placeInSoup(made.soup, t, bary)).norm() <= tolerance,
            "a point is not at its place");
   }
@@ -172,15 +172,15 @@ void fuzzRepairs(Bytes bytes) {
   try {
     expectSoundMesh(importObj(asObj(imported.mesh)));
   } catch (const Error& error) {
-    // Edges that were parted lie on each other, and a file does not say that they are several: they
-    // are welded again, seldom another way, which may have one side only.
+    // Separated edges coincide, and a file does not say that they are several. Reading welds them
+    // again, rarely in another way, which may be one-sided.
     expect(error.code() == ErrorCode::kNotOrientable,
            "a mended mesh that was saved is refused: " + std::string(error.what()));
   }
   try {
     checkDistances(std::move(imported.mesh));
   } catch (const Error& error) {
-    // Edge lengths too far apart, a surface that is rounding noise.
+    // The edge lengths are too far apart, or the surface is only rounding noise.
     expectSentence(error);
     expect(error.code() == ErrorCode::kBadArgument, error.what());
   }

@@ -14,7 +14,8 @@ Seed asSeed(std::string_view text) { return {text.begin(), text.end()}; }
 
 void append(Seed& seed, int byte) { seed.push_back(static_cast<uint8_t>(byte)); }
 
-/// As `fuzzRepairs` reads it: with all repairs, on a lattice of 16 places along each axis.
+/// A case in the form of `fuzzRepairs`: with all repairs, on a lattice of 16 places along each
+/// axis.
 Seed ofMesh(std::initializer_list<Corner> places, std::initializer_list<Corner> triangles,
             bool isExploded = false) {
   Seed seed;
@@ -67,14 +68,14 @@ Array<Seed> repairsSeeds() {
   return {
       ofMesh(corners, tetrahedron),
       ofMesh(corners, tetrahedron, true),
-      // One face is turned over, one comes twice, one has a repeated corner.
+      // One face is reversed, one is repeated, one has a repeated corner.
       ofMesh(corners, {{0, 1, 2}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {1, 2, 3}, {1, 1, 3}}),
       // A fin.
       ofMesh({{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}, {4, 4, 12}},
              {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {1, 2, 4}}),
       // A bow tie.
       ofMesh({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {8, 0, 0}, {8, 4, 0}}, {{0, 1, 2}, {1, 3, 4}}),
-      // A triangle on a line.
+      // A degenerate triangle.
       ofMesh({{0, 0, 0}, {8, 0, 0}, {4, 0, 0}, {4, 8, 0}, {4, 0, 8}},
              {{0, 1, 3}, {0, 2, 1}, {0, 4, 2}, {2, 4, 1}}),
       // A strip that closes with half a turn, and one with a whole one.
@@ -82,7 +83,7 @@ Array<Seed> repairsSeeds() {
              {{0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {2, 5, 4}, {2, 3, 5}, {3, 0, 5}}),
       ofMesh({{0, 0, 0}, {8, 0, 0}, {4, 8, 0}, {0, 0, 4}, {8, 0, 4}, {4, 8, 4}},
              {{0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {2, 5, 4}, {2, 0, 5}, {0, 3, 5}}),
-      // Two sides of a sheet.
+      // The two sides of a sheet.
       ofMesh({{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}, {4, 4, 0}},
              {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {1, 0, 4}, {2, 1, 4}}, true),
   };

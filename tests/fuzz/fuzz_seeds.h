@@ -2,7 +2,7 @@
 
 #include "fuzz/fuzz_bytes.h"
 
-/// What fuzzers start from: small cases that reach most of what they are to change.
+/// The seeds of fuzzers: small cases that reach most of the code under test.
 namespace karcher {
 
 using Seed = Array<uint8_t>;

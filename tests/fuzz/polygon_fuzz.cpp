@@ -81,7 +81,7 @@ class Fuzz {
   SurfacePoint another(const Array<SurfacePoint>& points) {
     const double distance = kSpacings[spacing_] * geometry_.diagonal;
     if (distance > 0 && !points.empty()) return near(geometry_, points.back(), distance, dice_);
-    // On the first point's component.
+    // The point must lie on the first point's component.
     for (int tries = 0; tries < 100; ++tries) {
       const SurfacePoint point = somewhere(mesh_, dice_);
       if (points.empty() || component(point) == component(points[0])) return point;
@@ -101,7 +101,7 @@ class Fuzz {
   }
 
   void check(const CurveShape& shape, const Array<SurfacePoint>& points) {
-    // Every fourth with exact fields, which are cut finer than faces and cost more.
+    // Every fourth polygon has exact fields, which are cut finer than faces and cost more.
     const Solver solver = seed_ % 4 == 3 ? Solver::kExact : Solver::kFast;
     CurveOptions options = ofLevelZero(shape, kSamples, {Method::kKarcher, solver, 6});
     options.levels = levels_;
@@ -171,7 +171,7 @@ class Fuzz {
     }
   }
 
-  /// Divides a step wherever it is long, all the way down.
+  /// Divides a step recursively wherever it is long.
   void checkStep(const std::string& where, const Curve::Piece& piece, FieldBlend& blend,
                  const CurveSample& from, const CurveSample& to) {
     Array<std::pair<CurveSample, CurveSample>> stack;

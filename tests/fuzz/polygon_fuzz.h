@@ -4,15 +4,15 @@
 
 #include "curves/curve.h"
 
-/// Random control polygons, and what must hold of every curve however its points lie.
+/// Random control polygons, and the properties that every curve must have.
 namespace karcher {
 
-/// How far apart the control points of a random polygon lie, as a part of the bounding box's
-/// diagonal; 0 stands for anywhere on the surface.
+/// The distance of a random polygon's control points, as a part of the bounding box's diagonal; 0
+/// stands for anywhere on the surface.
 inline constexpr double kSpacings[] = {0.01, 0.03, 0.1, 0.3, 0};
 inline constexpr int kSpacingCount = 5;
 
-/// What was found, summed over curves.
+/// Findings, summed over curves.
 struct FuzzTally {
   struct OfSpacing {
     int polygons = 0;

@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kPoints = 100;
 
-/// Without the faces round some vertices that are not each other's neighbors.
+/// The mesh without the faces around some vertices, no two of them neighbors.
 TriangleSoup pierced(const TriangleMesh& mesh, int holes, uint64_t seed) {
   Random random(seed);
   Array<uint8_t> isNear(static_cast<size_t>(mesh.vertexCount()), 0);
@@ -96,7 +96,7 @@ class Drawings {
     return points;
   }
 
-  /// Also a point of a path that is drawn.
+  /// A place anywhere, or a point of a drawn path.
   SurfacePoint anyPlace() {
     if (paths.empty() || random_.index(3) > 0) return randomPlace(mesh_, random_);
     const Array<SurfacePoint>& points = paths[random_.index(paths.count())].points;
@@ -105,7 +105,7 @@ class Drawings {
 
   SurfacePath polygon() {
     const SurfacePoint middle = anyPlace();
-    // From within a face to round much of the surface.
+    // The size ranges from within a face to much of the surface.
     const double size = geometry_.diagonal * std::pow(10, random_.uniform(-2.5, -0.4));
     Array<SurfacePoint> points;
     const int corners = 3 + random_.index(5);
@@ -116,13 +116,13 @@ class Drawings {
       const Vec2 way = size * random_.uniform(0.3, 1) * unitVector(2 * kPi * turn);
       points.push_back(traceStraightest(geometry_, middle, way).path.end());
       if (random_.index(12) == 0) points.push_back(anyPlace());
-      // Goes the same way twice.
+      // Now and then the path repeats a stretch.
       if (random_.index(10) == 0) points.push_back(points[random_.index(points.count())]);
     }
     return chain(geometry_, points, true);
   }
 
-  /// Round faces that touch each other: along edges, and along the rim where they come to it.
+  /// The boundary of some adjacent faces: along edges, and along the rim.
   SurfacePath alongEdges() {
     Array<uint8_t> isIn(static_cast<size_t>(mesh_.faceCount()), 0);
     Array<int> faces{random_.index(mesh_.faceCount())};
@@ -155,7 +155,7 @@ class Drawings {
     return pathThrough(mesh_, std::move(points));
   }
 
-  /// A stretch of another path, closed another way.
+  /// A stretch of another path, closed in another way.
   SurfacePath withStretch() {
     const SurfacePath& other = paths[random_.index(paths.count())];
     SurfacePath path;
@@ -168,7 +168,7 @@ class Drawings {
     return pathThrough(mesh_, std::move(points));
   }
 
-  /// The last path, moved by less or more than what becomes one.
+  /// The last path, moved by slightly less or more than the distance of merging.
   SurfacePath copied() {
     SurfacePath path = paths.back();
     const double size = kTogether * std::pow(10, random_.uniform(-6, 2));
@@ -268,7 +268,7 @@ class Fuzz {
     if (!(error <= 1e-9)) fault("curvature and turns of a region miss the theorem");
   }
 
-  /// A third of the points in faces that paths cross.
+  /// Places a third of the points in faces that paths cross.
   void placePoints(const CountedSides& counted) {
     for (int trial = 0; points_.count() < kPoints; ++trial) {
       if (trial == 100 * kPoints) return fault("points are all too near to paths");
@@ -318,7 +318,7 @@ class Fuzz {
     }
   }
 
-  /// By parity what is inside on one side is outside on the other.
+  /// By parity the inside on one side is the outside on the other.
   void checkSides(const PathRange& range, FillRule rule) {
     const std::optional<int> cell = cellBeside(all_, range, rule, PathSide::kLeft);
     if (!cell || !cellBeside(all_, range, rule, PathSide::kRight)) return;

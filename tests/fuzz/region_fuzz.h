@@ -5,8 +5,8 @@
 
 #include "intrinsic/geometry.h"
 
-/// Random drawings on surfaces of genus 0 to 3 and with rims, and what must hold of their cells and
-/// regions whatever the paths do.
+/// Random drawings on surfaces of genus 0 to 3 and with rims, and the properties that their cells
+/// and regions must have for any paths.
 namespace karcher {
 
 struct RegionSurface {
@@ -24,15 +24,15 @@ struct RegionSurface {
 /// with some of its vertices taken out; and sheets.
 Array<std::unique_ptr<RegionSurface>> regionSurfaces();
 
-/// What was found, summed over drawings.
+/// Findings, summed over drawings.
 struct RegionTally {
   int drawings = 0;
   int paths = 0;
   int cells = 0;
-  int regions = 0;    ///< that sets of paths bound
-  int unbounded = 0;  ///< sets of paths that bound none
+  int regions = 0;    // regions that sets of paths bound
+  int unbounded = 0;  // sets of paths that bound no region
   int points = 0;
-  double largestAreaError = 0;    ///< of the cells' sum, as a part of the surface's area
+  double largestAreaError = 0;    // of the cells' sum, as a part of the surface's area
   double largestBonnetError = 0;  ///< of a region's curvature and turns
   Array<std::string> faults;      ///< sentences
 };

@@ -34,7 +34,7 @@ int64_t karcher::bytesHeld() { return bytesTaken - bytesGivenBack; }
 
 #ifdef KARCHER_ADDRESS_SANITIZER
 
-// The sanitizer's own operator new stays, which knows more.
+// The sanitizer keeps its own operator new, which reports more.
 #include <sanitizer/allocator_interface.h>
 
 namespace {
@@ -51,7 +51,7 @@ const int kInstalled = __sanitizer_install_malloc_and_free_hooks(
 
 namespace {
 
-/// Before each piece of memory stands its size, so far before it that the alignment stays.
+/// The size of each piece of memory stands before it, at a distance that keeps the alignment.
 constexpr size_t kHeader = alignof(std::max_align_t);
 static_assert(kHeader >= sizeof(size_t));
 

@@ -2,17 +2,17 @@
 
 #include <cstdint>
 
-/// What the program takes by `new`; with the address sanitizer by `malloc`, too. A program that
-/// asks has its operator new replaced.
+/// Counts the memory that the program takes by `new`; with the address sanitizer also by `malloc`.
+/// A program that uses these functions has its operator new replaced.
 namespace karcher {
 
-/// How often the program has taken memory so far.
+/// The number of allocations of the program so far.
 int64_t allocationsSoFar();
 
-/// How many bytes it has taken so far, also those that it has given back.
+/// The number of bytes it has taken so far, including freed ones.
 int64_t bytesTakenSoFar();
 
-/// How many bytes it holds now.
+/// The number of bytes it holds now.
 int64_t bytesHeld();
 
 }  // namespace karcher

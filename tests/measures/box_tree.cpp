@@ -16,7 +16,7 @@ BoxTree::BoxTree(const Array<Box>& boxes) {
   build(boxes, 0, boxes.count());
 }
 
-/// Halves the items by their middles along the longest side of the box around these.
+/// Splits the items at the median of their middles along the longest side of their box.
 int BoxTree::build(const Array<Box>& boxes, int from, int to) {
   const int number = nodes_.count();
   nodes_.emplace_back();

@@ -4,8 +4,8 @@
 
 #include "mesh/types.h"
 
-/// Which of many things in space is nearest to a place: a tree of boxes around them, of which only
-/// those are opened that may hold something nearer than what was found.
+/// Finds the item in space that is nearest to a place: a tree of boxes around the items, which
+/// opens only boxes that may contain a nearer one.
 namespace karcher {
 
 struct Box {
@@ -35,8 +35,8 @@ class BoxTree {
     double squaredDistance = kInfinity;
   };
 
-  /// `squaredDistance` of an item's number and q gives the squared distance between them. `best`
-  /// is what is known already; it is returned where nothing is nearer.
+  /// `squaredDistance` returns the squared distance between an item, by its index, and q. `best` is
+  /// the result so far; it is returned if no item is nearer.
   template <class SquaredDistance>
   Nearest nearest(const Vec3& q, const SquaredDistance& squaredDistance, Nearest best) const {
     open(0, nodes_[0].box.squaredDistance(q), q, squaredDistance, best);
@@ -51,8 +51,8 @@ class BoxTree {
   /// Its first child is the next node.
   struct Node {
     Box box;
-    int second = -1;  ///< child; -1 at a leaf
-    int from = 0;     ///< of a leaf's items
+    int second = -1;  // the second child; -1 at a leaf
+    int from = 0;     // first item of a leaf
     int to = 0;
   };
 

@@ -2,11 +2,11 @@
 
 #include "curves/curve.h"
 
-/// How smooth a curve is at its joints.
+/// The smoothness of a curve at its joints.
 namespace karcher {
 
-/// The angle between the directions of a curve just before and just behind a parameter, degrees.
-/// Not a number where these lie in faces that share no edge.
+/// The angle between the directions of a curve just before and after a parameter, in degrees. Not a
+/// number if these lie in faces without a common edge.
 double cornerAt(Curve& curve, double parameter);
 
 }  // namespace karcher

@@ -9,7 +9,7 @@
 namespace karcher {
 namespace {
 
-/// The ends of the edges that a path crosses, by the side on which they lie.
+/// The ends of the edges that a path crosses, by their side of the path.
 struct Sides {
   std::set<int> left;
   std::set<int> right;
@@ -29,7 +29,7 @@ Sides sidesOf(const TriangleMesh& mesh, const Array<SurfacePoint>& path) {
   return sides;
 }
 
-/// The unit vector along the first piece that has a length.
+/// The unit vector along the first piece with positive length.
 Vec3 directionAlong(const TriangleMesh& mesh, const Array<SurfacePoint>& path, bool backwards) {
   const int n = path.count();
   const Vec3 from = position(mesh, path[backwards ? n - 1 : 0]);

@@ -5,12 +5,12 @@
 #include "intrinsic/geometry.h"
 #include "measures/polyline_distance.h"
 
-/// How still a curve is under the hand: while a control point is dragged in small steps, how far
-/// the whole curve moves a step.
+/// The steadiness of a curve in a drag: while a control point moves in small steps, how far the
+/// whole curve moves in each step.
 namespace karcher {
 
-/// A vertex of positive curvature that came from one side of a leg to the other. No geodesic passes
-/// through it, so the leg's middle leaps by about length * curvature / 4 there.
+/// A vertex of positive curvature that changed from one side of a leg to the other. No geodesic
+/// passes through it, so the leg's middle leaps by about length * curvature / 4 there.
 struct VertexPassage {
   int vertex = -1;
   double curvature = 0;  ///< 2 pi less the vertex's total angle
@@ -33,14 +33,14 @@ struct DragFigures {
   static constexpr double kShiver = 5;
   static constexpr double kTolerance = 1e-2;
 
-  int steps = 0;  ///< that count
+  int steps = 0;  // the steps that count
   int shivers = 0;
   double largestLeap = 0;
-  /// Steps that do not count: a leg passed over vertices that allow it to leap that far.
+  /// Steps that do not count: a leg passed vertices that explain the leap.
   int passing = 0;
   /// The largest of their leaps, as a part of what the passages allow.
   double largestPassing = 0;
-  int beyond = 0;  ///< of them, those that leapt farther than that
+  int beyond = 0;  // those among them that leapt farther
 
   double shiverShare() const { return steps > 0 ? static_cast<double>(shivers) / steps : 0; }
   double beyondShare() const {

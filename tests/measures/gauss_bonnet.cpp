@@ -22,7 +22,7 @@ GaussBonnet gaussBonnet(const Geometry& geometry, const Arrangement& all, const 
   for (int h = 0; h < all.halfedgeCount(); ++h) {
     if (!isIn(h)) continue;
     const bool border = isBorder[h] != 0;
-    // Edges are counted, interior ones once.
+    // Edges are counted; interior ones are counted once.
     if (border || h < all.twin[h]) --result.euler;
     if (!border) corners.unite(h, all.next[all.twin[h]]);
   }
@@ -33,7 +33,7 @@ GaussBonnet gaussBonnet(const Geometry& geometry, const Arrangement& all, const 
     const Vec2 corner = placeIn(mesh, all.added, f, all.tail[after]);
     const Vec2 way = placeIn(mesh, all.added, f, all.head(after)) - corner;
     const Vec2 back = placeIn(mesh, all.added, f, all.tail[h]) - corner;
-    // At the tip of a line the piece lies all around.
+    // At the tip of a line the piece surrounds it.
     const double between = angleBetween(inFrame(geometry, f, way), inFrame(geometry, f, back));
     angle[corners.find(after)] += exactCross(way, back) > 0 ? between : 2 * kPi - between;
     if (isBorder[after] != 0) onBorder[corners.find(after)] = 1;
@@ -43,7 +43,7 @@ GaussBonnet gaussBonnet(const Geometry& geometry, const Arrangement& all, const 
     ++result.euler;
     result.curvature += (onBorder[h] != 0 ? kPi : 2 * kPi) - angle[h];
   }
-  // The Euler characteristic of a piece with holes is less by their number.
+  // The number of holes of a piece reduces its Euler characteristic.
   Array<int> loopsOfPiece(static_cast<size_t>(all.pieceCount()), 0);
   Array<uint8_t> isSeen(static_cast<size_t>(all.halfedgeCount()), 0);
   for (int first = 0; first < all.halfedgeCount(); ++first) {

@@ -14,10 +14,10 @@ Array<Box> boxesOfPieces(const Array<Vec3>& points) {
   return boxes;
 }
 
-/// A point of the one polyline, and how far it is from the other.
+/// A point of one polyline, and its distance from the other.
 struct Probe {
   Vec3 place;
-  int piece = 0;  ///< of the other one, nearest
+  int piece = 0;  // the nearest piece of the other polyline
   double distance = 0;
 };
 

@@ -72,7 +72,7 @@ double turning(const TurningMeasure& measure, const Array<Vec3>& curve, int piec
     const Vec3 normal = measure.normals.at(measure.nearest.at(places[i]));
     const Vec3 before = places[i] - places[i - 1];
     const Vec3 after = places[i + 1] - places[i];
-    // In the tangent plane: what is along the normal is left out.
+    // The direction is projected to the tangent plane.
     const Vec3 in = before - before.dot(normal) * normal;
     const Vec3 out = after - after.dot(normal) * normal;
     sum += std::atan2(std::abs(in.cross(out).dot(normal)), in.dot(out));

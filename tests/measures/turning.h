@@ -3,7 +3,7 @@
 #include "measures/box_tree.h"
 #include "mesh/surface_point.h"
 
-/// How much a curve on a mesh turns to the sides, by its positions alone: one measure for curves of
+/// The sideways turning of a curve on a mesh, by its positions alone: one measure for curves of
 /// every origin.
 namespace karcher {
 
@@ -19,8 +19,8 @@ class NearestOnMesh {
   BoxTree tree_;
 };
 
-/// Unit normals of a mesh taken for smooth: those at the vertices are the sums of the normals of
-/// the faces around, weighted by area, and inside faces they are interpolated.
+/// Unit normals of a mesh that approximates a smooth surface: at vertices the area-weighted sums of
+/// the surrounding faces' normals, interpolated inside faces.
 class SmoothNormals {
  public:
   /// The mesh must outlive the object.

@@ -17,7 +17,8 @@
 #include "rcm/field_options.h"
 #include "rcm/mean.h"
 
-/// What docs/cpp.md promises of threads. `npm run check:long` runs it under ThreadSanitizer.
+/// The promises of docs/cpp.md about threads. `npm run check:long` runs the test under
+/// ThreadSanitizer.
 namespace karcher {
 namespace {
 

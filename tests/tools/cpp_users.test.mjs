@@ -1,5 +1,6 @@
-// Karcher in the CMake projects of C++ users: as a folder, fetched and installed. The program is the
-// one of docs/cpp.md. Only against the installed library is it linked and run: the engine is compiled already.
+// Karcher in the CMake projects of C++ users: as a folder, fetched and installed. The program is
+// that of docs/cpp.md. It is linked and run only with the installed library, whose engine is
+// compiled already.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import {
@@ -23,7 +24,7 @@ const { version } = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
 const program = () =>
   /^```cpp\n([\s\S]*?)^```$/m.exec(readFileSync(inRoot('docs/cpp.md'), 'utf8'))[1];
 
-/** What a user's project has in front of Karcher, and behind it: no variable of CMake's has changed. */
+/** A user's project around Karcher checks that no CMake variable has changed. */
 const head = `cmake_minimum_required(VERSION 3.24)
 project(user LANGUAGES CXX)
 get_cmake_property(names VARIABLES)
@@ -61,7 +62,7 @@ describe('a C++ project', { concurrency: true }, () => {
     try {
       return (await promisify(execFile)(command, args, options)).stdout;
     } catch ({ message, stdout }) {
-      // The message has the command and what it said on standard error.
+      // The message includes the command's output and errors.
       throw new Error(`${message}\n${stdout}`);
     }
   };
@@ -74,13 +75,16 @@ describe('a C++ project', { concurrency: true }, () => {
     await run(name, 'cmake', '-S', '.', '-B', 'build', '-G', 'Ninja', ...options, ...args);
   };
 
-  /** How a file is compiled. */
+  /** The command that compiles a file. */
   const commandOf = (name, file) =>
     JSON.parse(readFileSync(join(folder, name, 'build/compile_commands.json'), 'utf8')).find(
       (entry) => entry.file.endsWith(file),
     )?.command;
 
-  /** Of a project that compiles the engine: how, that nothing else is built, and that the program compiles. */
+  /**
+   * Checks a project that compiles the engine: the flags, that it builds no other target, and that
+   * the program compiles.
+   */
   const checkWithEngine = async (name) => {
     const engine = commandOf(name, '/src/curves/curve.cpp');
     // CMake may write flags in any order.
@@ -153,7 +157,7 @@ FetchContent_MakeAvailable(karcher)
       join(folder, 'found/reader.cpp'),
       '#define TINYOBJLOADER_IMPLEMENTATION\n#include "tiny_obj_loader.h"\n',
     );
-    // The plug-in is a shared library: the engine's code can lie anywhere in memory.
+    // The plug-in is a shared library: the engine's code must be position-independent.
     await configure(
       'found',
       `find_package(karcher ${version} REQUIRED)\n`,

@@ -1,4 +1,4 @@
-// How files of tests are run and counted: a file that ends without having told what it counts has failed.
+// The runner of test files and its counts: a file that ends without reporting its count has failed.
 import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -60,7 +60,7 @@ describe('a file of node:test', () => {
   });
 });
 
-test('what took long before, and what is new, is begun first', async () => {
+test('slow and new files begin first', async () => {
   const times = join(folder, 'times.json');
   writeFileSync(times, JSON.stringify({ short: 1, long: 9, middle: 5, gone: 20 }));
   const begun = [];

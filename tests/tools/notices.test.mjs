@@ -1,4 +1,4 @@
-// What others wrote is named with its terms, in the package and on the page.
+// The package and the page name the work of others with its terms.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
@@ -9,7 +9,7 @@ const engine = ['Eigen', 'tinyobjloader', 'Emscripten', 'musl', 'libc\\+\\+'];
 const formats = ['draco3d', 'meshoptimizer'];
 const page = [...['three', 'three-mesh-bvh', 'uplot', 'delaunator', 'robust-predicates'], 'bunny'];
 
-test('the package and the page have the terms of what others wrote', () => {
+test('the package and the page have the terms of third-party work', () => {
   for (const [what, names, file] of [
     ['package', [...engine, ...formats], 'dist/third-party-notices.txt'],
     ['page', [...engine, ...formats, ...page], 'build/page/third-party-notices.txt'],

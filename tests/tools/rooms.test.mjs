@@ -28,7 +28,7 @@ const files = {
     "import { readFile } from 'node:fs/promises';\nimport { a } from './model/figure';\n",
 };
 
-/** What is wrong with these files, some of them with another text. */
+/** The faults of these files, some of them with another text. */
 const wrong = (changed = {}, markdown = tables) =>
   wrongUses(
     readRooms(markdown),
@@ -108,7 +108,7 @@ describe('rooms', () => {
     });
   }
 
-  test('find files that lead back to themselves', () => {
+  test('find cyclic imports', () => {
     const read = 'web/model/link/read.ts';
     const circle = { [read]: `${files[read]}import type { B } from '../figure';\n` };
     const [sentence, ...more] = wrong(circle);
@@ -118,14 +118,14 @@ describe('rooms', () => {
     assert.deepEqual(wrong(worker), []);
   });
 
-  test('are of every file, and of at least one', () => {
+  test('contain every file, and each at least one file', () => {
     assert.deepEqual(wrong({ 'web/panels/tools.ts': '' }), ['web/panels/tools.ts: in no room']);
     assert.match(wrong({ 'web/main.ts': "import './panels/tools.ts';\n" })[0], /in no room/);
     const more = `${tables}| \`web/panels\` | controls | |\n`;
     assert.deepEqual(wrong({}, more), ['web/panels: a room without a file']);
   });
 
-  test('do not lead back to themselves, and are named once', () => {
+  test('have no cycles, and are named once', () => {
     const circle = `${head}| \`web/a\` | a | \`web/b\` |\n| \`web/b\` | b | all above |\n`;
     assert.throws(() => readRooms(circle), /rooms use each other: web\/a -> web\/b -> web\/a/);
     assert.throws(() => readRooms(`${tables}| \`src/mesh\` | again | |\n`), /named twice/);
@@ -135,7 +135,7 @@ describe('rooms', () => {
     );
   });
 
-  test('come with a text whose files are there', () => {
+  test('come with a text whose files exist', () => {
     const text = 'See `src/mesh/mesh.h`, `exact.h`, `a.b()` and `link/read.ts`, not `mesh/gone.h`.';
     assert.deepEqual(namesOfNoFile(text, Object.keys(files)), ['mesh/gone.h']);
     assert.deepEqual(namesOfNoFile('`esh.h` `src/exact.h`', Object.keys(files)), [
@@ -144,7 +144,7 @@ describe('rooms', () => {
     ]);
   });
 
-  test('of this project keep the engine free of what is built on it', () => {
+  test('of this project keep the engine free of the code that is built on it', () => {
     const rooms = readRooms(readFileSync(inRoot('ARCHITECTURE.md'), 'utf8'));
     const uses = Object.fromEntries(rooms.map(({ name, uses: used }) => [name, [...used.keys()]]));
     for (const [name, used] of Object.entries(uses)) {

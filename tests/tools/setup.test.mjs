@@ -1,4 +1,4 @@
-// What the commands say where they cannot work: a sentence and status 1, and no stack.
+// Commands that cannot work print a sentence without a stack, and end with status 1.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import {
@@ -27,7 +27,7 @@ function run(args, { env = {}, cwd = root } = {}) {
   return { status, stdout, stderr };
 }
 
-test('a port that is none', () => {
+test('an invalid port', () => {
   for (const port of ['99999', 'abc', '-1', '']) {
     const { status, stderr } = run([join(root, '.tools/start.mjs'), `--port=${port}`]);
     assert.equal(status, 1);
@@ -36,7 +36,7 @@ test('a port that is none', () => {
   }
 });
 
-/** A PATH with these programs only, as scripts. */
+/** A PATH with only these programs, as scripts. */
 function pathWith(name, programs) {
   const path = join(folder, name);
   mkdirSync(path);
@@ -48,7 +48,7 @@ function pathWith(name, programs) {
   return path;
 }
 
-test('each command asks for what it needs, and for no more', () => {
+test('each command requires only what it needs', () => {
   const path = pathWith('bare', { 'apt-get': 'exit 0' });
   const asked = (...purposes) => {
     const env = { PATH: path, KARCHER_NO_INSTALL: '1', CHROMIUM_PATH: '' };
@@ -65,7 +65,7 @@ test('each command asks for what it needs, and for no more', () => {
   assert.doesNotMatch(asked('build'), /GoogleTest|Chromium|clang/);
 });
 
-test('goes on without what only makes it faster', (t) => {
+test('continues without programs that only save time', (t) => {
   const programs = 'emcc emcmake python3 cmake ninja c++ g++ clang++ ld env'.split(' ');
   const found = programs.map((name) => spawnSync('which', [name], { encoding: 'utf8' }).stdout);
   const path = pathWith('slow', { 'apt-get': 'exit 1', chromium: 'exit 0' });
@@ -79,7 +79,7 @@ test('goes on without what only makes it faster', (t) => {
   assert.match(stdout, /Chromium without windows is not installed: the tests .* take longer/);
 });
 
-test('without root and sudo the commands that are told are those of root', {
+test('without root and sudo the printed commands are those for root', {
   skip: !process.getuid,
 }, () => {
   const path = pathWith('nobody', { 'apt-get': 'exit 0' });
@@ -94,7 +94,7 @@ test('without root and sudo the commands that are told are those of root', {
   assert.doesNotMatch(stderr, /\bsudo env/);
 });
 
-test('who installs the package from git gets no packages of the system', () => {
+test('an installation of the package from git installs no system packages', () => {
   const called = join(folder, 'called');
   const path = pathWith('git', { 'apt-get': `touch ${called}`, sudo: `touch ${called}` });
   const env = { PATH: path, KARCHER_NO_INSTALL: '', npm_lifecycle_event: 'prepack' };
@@ -114,12 +114,12 @@ test('what CMake downloads has a hash', () => {
   assert.doesNotMatch(texts, /GIT_REPOSITORY|ExternalProject|file\(DOWNLOAD/);
 });
 
-test('a folder that cannot be written to', () => {
+test('a folder without write permission', () => {
   const copy = join(folder, 'copy');
   mkdirSync(join(copy, '.tools'), { recursive: true });
   cpSync(join(root, '.tools'), join(copy, '.tools'), { recursive: true });
   symlinkSync(join(root, 'package.json'), join(copy, 'package.json'));
-  // Root may write anywhere but where the system refuses it: the call itself is what is refused.
+  // Root may write almost anywhere, so the test refuses the call itself.
   const code = `import fs from 'node:fs'; import { syncBuiltinESMExports } from 'node:module';
     const before = fs.accessSync;
     fs.accessSync = (path, mode) => {

@@ -1,4 +1,4 @@
-// How the engine's sources are compiled: each on its own.
+// The build compiles each source of the engine on its own.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, test } from 'node:test';

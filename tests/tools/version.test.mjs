@@ -1,4 +1,4 @@
-// The version stands in package.json; CMake reads it there, and what cannot read has the same.
+// package.json has the version. CMake reads it there; files that cannot read it have the same.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';

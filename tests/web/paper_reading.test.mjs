@@ -119,7 +119,7 @@ describe('the Paper page for readers', () => {
     const release = await open({ query: '?antialias=off&detail=0.02', held: true });
     for (const id of ids.slice(0, 10)) {
       await goTo(id);
-      // Waits until the page has noticed that it is near.
+      // Waits until the page has noticed that the figure is near.
       await page.waitForFunction(
         (wanted) =>
           ['transport', 'carried'].includes(wanted) ||

@@ -254,7 +254,7 @@ async function unfold(controls) {
   }
 }
 
-/** Waits until an open check-up has its answer, which moves the elements below it. */
+/** Waits until an open check-up has its answer, since the answer moves the elements below. */
 const checkedUp = (page) =>
   page.waitForFunction(() => {
     const [details, found] = ['checkup', 'checkup-found'].map((id) => document.getElementById(id));

@@ -20,7 +20,7 @@ import { parseView, viewRange } from './view_place';
  */
 export const mostLinkPoints = 1000;
 
-/** A field as it is checked. */
+/** A field with the properties that its check needs. */
 type Rule = Pick<Field<unknown>, 'read' | 'range' | 'instead'>;
 
 const number = (text: string) => (text.trim() === '' ? Number.NaN : Number(text));

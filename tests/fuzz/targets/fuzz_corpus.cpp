@@ -1,5 +1,4 @@
-// Writes what the targets start from: FOLDER/obj/0, ..., FOLDER/curve/47.
-//
+// Writes the seeds of the targets: FOLDER/obj/0, ..., FOLDER/curve/47.
 //   fuzz_corpus FOLDER
 #include <cstdio>
 #include <exception>

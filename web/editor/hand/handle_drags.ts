@@ -196,7 +196,7 @@ export class HandleDrags {
     else editor.commitDrag();
   }
 
-  /** Makes one step of the history of the moves by keys. */
+  /** Records the moves by keys as one step of the history. */
   #endNudge(): void {
     if (this.#nudges) this.editor.commitDrag();
     this.#nudges = false;
