@@ -110,6 +110,17 @@ const leaps = () =>
     return onceNamed(name, table);
   });
 
+/** Of each mesh: how far its offsets are off, as parts of their distances. */
+const offsets = () => {
+  const rows = rowsOf(savedLines('offsets', ['of-files']));
+  const names = [...new Set(rows.map(([name]) => name))];
+  return names.map((name) => {
+    const own = rows.filter((row) => row[0] === name);
+    const of = (column) => own.map((row) => row[column]);
+    return [withoutSuffix(name), thousands(own[0][1]), ...of(6), of(7).join('; ')];
+  });
+};
+
 const memoryStudies = [
   ['--memory', '--triangles', '100000'],
   ['--memory', 'of-files'],
@@ -133,6 +144,7 @@ const steady = 'docs/steady-curves.md';
 const levelsOf = '| surface | triangles | spacing';
 
 export const quotedTables = [
+  { doc: 'docs/methods.md', head: '| mesh | triangles | at .002', rows: offsets },
   { doc: 'docs/gallery.md', head: '| mesh | triangles | worst', rows: printed('gallery') },
   {
     doc: 'docs/convergence.md',

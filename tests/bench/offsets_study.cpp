@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -23,7 +24,9 @@ namespace {
 constexpr double kDistances[] = {0.002, 0.01, 0.03};
 constexpr int kCurves = 3;
 constexpr int kChecked = 4;
-constexpr int kAlong = 200;
+/// Samples of a curve for each distance of the offset along it: the nearest one finds the nearest
+/// place.
+constexpr int kAlong = 10;
 
 /// A closed polygon of geodesics around a place.
 SurfacePath randomPolygon(const Geometry& geometry, Random& random) {
@@ -71,7 +74,8 @@ void add(const Geometry& geometry, const SurfacePath& curve, double distance, Ra
   for (int i = 0; i < kChecked && !lines.empty(); ++i) {
     const Array<SurfacePoint>& points = lines[random.index(lines.count())].points;
     const SurfacePoint point = points[random.index(points.count())];
-    const double step = curve.length() / kAlong;
+    const int samples = static_cast<int>(std::ceil(kAlong * curve.length() / distance));
+    const double step = curve.length() / samples;
     double nearest = 0;
     double least = kInfinity;
     const auto look = [&](double length) {
@@ -83,7 +87,7 @@ void add(const Geometry& geometry, const SurfacePath& curve, double distance, Ra
       if (found < least) nearest = length;
       least = std::min(least, found);
     };
-    for (int k = 0; k < kAlong; ++k) look(k * step);
+    for (int k = 0; k < samples; ++k) look(k * step);
     for (double part = step / 2; part > 1e-5 * distance; part /= 2) {
       const double middle = nearest;
       look(middle - part);
