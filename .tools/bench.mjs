@@ -47,7 +47,7 @@ function readArguments() {
   return { kind, mesh, points: points.map((path) => resolve(path)), ...rest };
 }
 
-/** The timings of both programs, and how they compare. */
+/** Prints the timings of both programs, and their ratios. */
 async function benchSteps(mesh, points, samples) {
   const cli = [inRoot('dist/cli.js'), 'bench', mesh, '--points', points];
   const programs = {

@@ -16,10 +16,11 @@ import { notices } from './notices.mjs';
 import { setUp } from './setup.mjs';
 import { cores, inRoot, root, run } from './shell.mjs';
 
-// Debian's Emscripten finds its JavaScript optimizer's libraries there, if Node is not Debian's own.
+// The folder in which Debian's Emscripten finds its JavaScript optimizer's libraries, if Node is
+// not Debian's own.
 const debianNodeModules = '/usr/share/nodejs';
 
-/** The program of an npm package, run with this Node. */
+/** Runs the program of an npm package with this Node. */
 const runNpmProgram = (path, ...args) =>
   run(process.execPath, [inRoot(`node_modules/${path}`), ...args]);
 
@@ -30,7 +31,10 @@ export async function buildNative(preset, ...targets) {
   await compile(preset, named);
 }
 
-/** Two cores that 25 programs share take more than half an hour. */
+/**
+ * The limit for compiling, in minutes. On two cores that 25 programs share it takes more than half
+ * an hour.
+ */
 const compileMinutes = 240;
 
 async function compile(preset, more, env) {
@@ -44,7 +48,7 @@ const emscriptenEnv = () => (existsSync(debianNodeModules) ? { NODE_PATH: debian
 export const configureWasm = (...args) =>
   run('emcmake', ['cmake', '--preset', 'wasm', ...args], { env: emscriptenEnv() });
 
-/** The engine as dist/karcher-engine.mjs and .wasm. */
+/** Builds the engine as dist/karcher-engine.mjs and .wasm. */
 export async function buildWasm() {
   const env = emscriptenEnv();
   await configureWasm();
@@ -52,7 +56,7 @@ export async function buildWasm() {
   await minify('dist/karcher-engine.mjs', 'dist/peers/karcher-peers.mjs');
 }
 
-/** Emscripten writes its own JavaScript out in full. */
+/** Minifies the JavaScript that Emscripten writes. */
 async function minify(...names) {
   const { minifySync } = await import('rolldown/utils');
   for (const name of names) {
@@ -62,15 +66,18 @@ async function minify(...names) {
   }
 }
 
-/** The facade and the command line program: wasm/*.ts to dist/*.js and .d.ts. A page need not load
- * the comments: these are for readers of the types. */
+/**
+ * Builds the facade and the command line program: wasm/*.ts to dist/*.js and .d.ts. Comments stay
+ * only in the types, since a page need not load them.
+ */
 export async function buildFacade() {
   const typescript = 'typescript/bin/tsc';
   await runNpmProgram(typescript, '-p', 'wasm', '--emitDeclarationOnly');
   await runNpmProgram(
     ...[typescript, '-p', 'wasm', '--declaration', 'false', '--removeComments', '--noCheck'],
   );
-  // The declarations name types of the modules, whose own declarations the compiler does not write.
+  // The declarations name types of the modules, but the compiler does not write the modules' own
+  // declarations.
   const modules = ['karcher-engine', 'peers/karcher-peers'];
   for (const name of [...modules, 'formats/draco_decoder', 'formats/meshopt_decoder']) {
     copyFileSync(inRoot(`wasm/${name}.d.mts`), inRoot(`dist/${name}.d.mts`));
@@ -81,8 +88,9 @@ export async function buildFacade() {
 }
 
 /**
- * The decoders of compressed glTF files, as modules that need nothing beside them, in Node and in browsers.
- * Draco's is a script for either: it gets what it requires of Node, and its WebAssembly module as text.
+ * Writes the decoders of compressed glTF files as modules without dependencies, for Node and
+ * browsers. Draco's is a script for either: it gets the modules that it requires from Node, and its
+ * WebAssembly module as text.
  */
 function writeDecoders() {
   const from = (path) => inRoot(`node_modules/${path}`);
@@ -102,18 +110,21 @@ function writeDecoders() {
   writeFileSync(inRoot('dist/formats/draco_decoder.mjs'), module.join('\n'));
 }
 
-/** The page in build/page. */
+/** Builds the page in build/page. */
 export async function buildPage() {
   await runNpmProgram('vite/bin/vite.js', 'build', '--logLevel', 'warn');
 }
 
-/** The book in build/page/book, from the facade's types and docs/. The page's build removes it. */
+/**
+ * Builds the book in build/page/book, from the facade's types and docs/. The page's build removes
+ * it.
+ */
 export async function buildBook() {
   const { makeBook } = await import('../docs/book/make.mjs');
   await makeBook();
 }
 
-/** The npm package's bunny as build/data/bunny.obj, every digit kept. */
+/** Writes the npm package's bunny to build/data/bunny.obj, with all digits. */
 export async function writeBunny() {
   const { default: bunny } = await import('bunny');
   const lines = [

@@ -1,4 +1,4 @@
-// Stops with one sentence when Node is too old. Written so that any Node can read it.
+// Stops with one sentence if Node is too old. Any Node can read this script.
 var version = process.versions.node.split('.').map(Number);
 if (version[0] < 20 || (version[0] === 20 && version[1] < 19)) {
   console.error(

@@ -1,8 +1,9 @@
-// `npm run check:packages`: packs what would be published, installs it into fresh folders as a new user would,
-// tries it there and prints a table. With --short only what needs no other package, as `npm test` does; with words
-// only the trials whose names have one of them.
+// `npm run check:packages`: packs the files for publishing, installs the package into fresh folders
+// as a new user would, tries it there and prints a table. With --short it makes only the trials
+// that need no other package, as `npm test` does; with words, only those whose names contain one of
+// them.
 //
-// CMake projects of users are tried by tests/tools/cpp_users.test.mjs, which is run with them.
+// tests/tools/cpp_users.test.mjs, which runs with these trials, tries CMake projects of users.
 import { mkdirSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -12,7 +13,7 @@ import { layPackage, packageFolder } from './package.mjs';
 import { attempt, run, trials } from './package_trials.mjs';
 import { inRoot, root } from './shell.mjs';
 
-/** The files that would be published, and the outcome of each trial: `problem` is empty where it passed. */
+/** The files for publishing, and the outcome of each trial: `problem` is empty if it passed. */
 export async function checkPackages({ short = false, words = [] } = {}) {
   const folder = mkdtempSync(join(tmpdir(), 'karcher packages '));
   try {
@@ -46,7 +47,7 @@ export async function checkPackages({ short = false, words = [] } = {}) {
   }
 }
 
-/** Projects of C++ users: as a folder, fetched and installed. */
+/** Tries projects of C++ users, with Karcher as a folder, fetched and installed. */
 async function checkProjects() {
   try {
     await buildNative('native', 'karcher');

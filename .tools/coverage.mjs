@@ -1,7 +1,8 @@
-// `npm run coverage`: builds the engine with gcov's counters, runs its tests, and prints which share of
-// the lines of src they run, by folder, and each line that they do not, with the reason that
-// docs/coverage.md gives for its function. Fails under 95 %, and where a function has no reason. Ends of
-// functions and heads of classes stand for the clean-up where an error passes through; they need none.
+// `npm run coverage`: builds the engine with gcov's counters and runs its tests. It prints the
+// share of the lines of src that they run, by folder, and each line that they do not run, with the
+// reason that docs/coverage.md gives for its function. It fails under 95 %, and if a function has
+// no reason. Ends of functions and heads of classes stand for the clean-up after an error; they
+// need no reason.
 import { spawnSync } from 'node:child_process';
 import { existsSync, readFileSync, rmSync } from 'node:fs';
 import { dirname, relative, resolve } from 'node:path';
@@ -14,7 +15,9 @@ const leastPercent = 95;
 const folder = 'build/coverage';
 const mostOutput = 1 << 30;
 
-/** By file and line of src: the function, and how often the line was run. */
+/**
+ * The function of each line of src, and the number of times that the line ran, by file and line.
+ */
 function readCounts() {
   const counts = new Map();
   for (const data of filesBelow(folder, /\.gcda$/)) {
@@ -41,7 +44,7 @@ function readCounts() {
   return counts;
 }
 
-/** The name of a function without what it takes and gives, and without our namespace. */
+/** The name of a function without its parameters, its result and our namespace. */
 function shortName(demangled) {
   const plain = demangled
     .replaceAll('(anonymous namespace)::', '')
@@ -84,7 +87,7 @@ function printFolders(counts) {
   return whole;
 }
 
-/** Prints each function with lines that are not run, and counts those without a reason. */
+/** Prints each function with lines that do not run, and counts those without a reason. */
 function printUncovered(counts) {
   const reasons = readReasons();
   let without = 0;
@@ -110,7 +113,7 @@ async function main() {
   await writeBunny();
   await buildNative('coverage', 'karcher_tests');
   for (const data of filesBelow(folder, /\.gcda$/)) rmSync(data);
-  // Processes that end at once wait for each other where they add to the same counters.
+  // Processes that end at the same time wait for each other, since they add to the same counters.
   const { failed } = await runGoogleTest(inRoot(`${folder}/karcher_tests`), {
     reports: inRoot('build/reports/coverage'),
     minutes: 60,

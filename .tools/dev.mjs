@@ -1,5 +1,5 @@
-// `npm run dev`: sets up, builds the engine, and serves the page from its sources, reloaded as they
-// change. Takes the options of Vite's server, such as --port.
+// `npm run dev`: sets up, builds the engine, and serves the page from its sources, reloading it
+// when they change. It takes the options of Vite's server, such as --port.
 import { buildFacade, buildWasm } from './build.mjs';
 import { setUp } from './setup.mjs';
 import { inRoot, run } from './shell.mjs';

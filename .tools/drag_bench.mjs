@@ -9,7 +9,7 @@ import { basename } from 'node:path';
 import { inRoot, run } from './shell.mjs';
 
 const spacings = ['.05', '.1', '.2', '.3'];
-/** Native code and WebAssembly take turns: what else the computer does comes to both. */
+/** Native code and WebAssembly take turns, so that other work of the computer affects both. */
 const rounds = 3;
 const native = inRoot('build/native/tests/bench/drag_bench');
 
@@ -37,7 +37,9 @@ async function timeDrag(mesh, plan, levels) {
   };
 }
 
-/** Prints a row a polygon, at the levels of 'auto' and at level 0. Both programs are built. */
+/**
+ * Prints a row for each polygon, at the levels of 'auto' and at level 0. Both programs are built.
+ */
 export async function benchDrags(mesh, points) {
   mkdirSync(inRoot('build/bench'), { recursive: true });
   const plan = inRoot('build/bench/drag.txt');

@@ -1,4 +1,4 @@
-// Formats every source file, or with --check says which ones are not.
+// Formats every source file, or with --check lists those that are not formatted.
 import { setUp } from './setup.mjs';
 import { filesBelow, inRoot, run } from './shell.mjs';
 

@@ -1,7 +1,7 @@
-// `npm run fuzz -- [MINUTES] [TARGET...]`: libFuzzer on the targets in tests/fuzz, each that long (by
-// default a minute), as many at a time as there are cores, with the address and undefined-behaviour
-// sanitizers. What was worth keeping stays in build/fuzz/corpus, where the next run goes on; an input that
-// is a finding goes to build/fuzz/findings.
+// `npm run fuzz -- [MINUTES] [TARGET...]`: libFuzzer on the targets in tests/fuzz, with the address
+// and undefined-behaviour sanitizers. Each runs for the given time (by default a minute), as many
+// at a time as there are cores. Useful inputs stay in build/fuzz/corpus, where the next run
+// continues; an input that is a finding goes to build/fuzz/findings.
 import { mkdirSync, readdirSync } from 'node:fs';
 import { basename } from 'node:path';
 import { buildNative } from './build.mjs';
@@ -9,9 +9,11 @@ import { setUp } from './setup.mjs';
 import { closeWith, countAll, filesBelow, inRoot, run, runStages } from './shell.mjs';
 
 const usage = 'Usage: npm run fuzz -- [MINUTES] [TARGET...]';
-/** Seconds that an input may take, on a busy machine; ordinary ones take milliseconds. */
+/**
+ * The longest time, in seconds, for an input on a busy machine. Ordinary inputs take milliseconds.
+ */
 const patience = 300;
-/** Bytes of an input: as many as a case of each target can use. */
+/** The largest input, in bytes. No case of a target uses more. */
 const mostBytes = 1024;
 
 const targets = filesBelow('tests/fuzz/targets', /^fuzz_target_\w+\.cpp$/).map(
@@ -33,7 +35,7 @@ const folder = (name) => {
   return path;
 };
 
-/** Runs a target, which counts as one check, and prints how many inputs it tried. */
+/** Runs a target, which counts as one check, and prints the number of inputs that it tried. */
 async function fuzz(name, minutes) {
   const corpus = folder(`corpus/${name}`);
   const findings = folder('findings');
@@ -75,7 +77,7 @@ try {
   const { minutes, names } = readArguments();
   const build = async () => {
     await setUp('build', 'fuzz');
-    // The engine is the one that the tests watch with the sanitizers.
+    // The engine is the one of the tests with sanitizers.
     await buildNative('sanitize', 'fuzz_corpus', ...targets.map((name) => `fuzz_target_${name}`));
     await run(inRoot('build/sanitize/fuzz_corpus'), [folder('seeds')]);
   };

@@ -1,5 +1,5 @@
-// Runs a program of GoogleTest in parts: the tests of each source file in a process of its own, as they
-// share what is costly to set up.
+// Runs a program of GoogleTest in parts. The tests of each source file run in a separate process,
+// since they share data that is costly to set up.
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { runLongestFirst } from './longest_first.mjs';
@@ -7,7 +7,7 @@ import { run } from './shell.mjs';
 
 const readJson = (path) => JSON.parse(readFileSync(path, 'utf8'));
 
-/** The names of the tests by the source file they are in. */
+/** The names of the tests of each source file. */
 async function testsByFile(program, report) {
   await run(program, ['--gtest_list_tests', `--gtest_output=json:${report}`], { quiet: true });
   const byFile = new Map();
@@ -21,7 +21,10 @@ async function testsByFile(program, report) {
   return byFile;
 }
 
-/** Runs some tests, prints what they say or why they failed, and returns what their report counted. */
+/**
+ * Runs some tests, prints their output or the reason of their failure, and returns the counts of
+ * their report.
+ */
 async function runTests(program, tests, { report, env, minutes }) {
   rmSync(report, { force: true });
   const args = [`--gtest_filter=${tests.join(':')}`, `--gtest_output=json:${report}`];
@@ -33,7 +36,8 @@ async function runTests(program, tests, { report, env, minutes }) {
     problem = error;
     output = error.output ?? '';
   }
-  // Of a good run only what the tests print themselves; of a bad one also which test was last.
+  // After a good run only the tests' own output is printed; after a bad one also the name of the
+  // last test.
   const lines = output
     .split('\n')
     .filter(
@@ -59,7 +63,9 @@ async function runTests(program, tests, { report, env, minutes }) {
   return counts;
 }
 
-/** Runs all tests of a program and returns what they counted. `reports` is a folder for what it writes. */
+/**
+ * Runs all tests of a program and returns their counts. `reports` is the folder for its reports.
+ */
 export async function runGoogleTest(program, { reports, env, minutes }) {
   mkdirSync(reports, { recursive: true });
   const byFile = await testsByFile(program, join(reports, 'list.json'));

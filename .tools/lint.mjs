@@ -8,8 +8,8 @@ import { setUp } from './setup.mjs';
 import { closeWith, countAll, inRoot, run, runStages } from './shell.mjs';
 
 /**
- * Writes how the bindings are compiled to build/clang-wasm, in clang's words: clang-tidy does not know
- * what Emscripten's compiler adds to them.
+ * Writes the compile commands of the bindings to build/clang-wasm, in clang's form, since
+ * clang-tidy does not know the options that Emscripten's compiler adds.
  */
 async function writeWasmCommands() {
   await configureWasm('-B', inRoot('build/clang-wasm'), '-DKARCHER_PRECOMPILE=OFF');
@@ -24,7 +24,7 @@ async function writeWasmCommands() {
   writeFileSync(inRoot('build/clang-wasm/lint/compile_commands.json'), JSON.stringify(commands));
 }
 
-/** How each source file of the engine and of the bindings is compiled, in clang's words. */
+/** The compile commands of each source file of the engine and of the bindings, in clang's form. */
 async function readCommands() {
   await run('cmake', ['--preset', 'clang'], { quiet: true });
   await writeWasmCommands();
@@ -38,7 +38,7 @@ async function readCommands() {
   ];
 }
 
-/** Runs a program on a file, which counts as one check, and prints what it found. */
+/** Runs a program on a file, which counts as one check, and prints its findings. */
 async function checkFile(file, program, args, options = {}) {
   try {
     await run(program, args, { ...options, quiet: true });
@@ -50,8 +50,9 @@ async function checkFile(file, program, args, options = {}) {
 }
 
 /**
- * Compiles each file of the bindings on its own, without precompiled headers: a missing include is noticed.
- * The engine's are compiled so by clang for `npm test`, with the sanitizers.
+ * Compiles each file of the bindings separately, without precompiled headers, so that a missing
+ * include is noticed. For `npm test`, clang compiles the engine's files in this way, with the
+ * sanitizers.
  */
 async function compileAlone() {
   const bindings = (await readCommands()).filter(({ file }) => file.startsWith(inRoot('wasm/')));
@@ -61,7 +62,7 @@ async function compileAlone() {
   });
 }
 
-/** The names that a source file declares at its margin. */
+/** The names that a source file declares at the start of a line. */
 function namesOf(file) {
   const text = readFileSync(file, 'utf8');
   const declared = [
@@ -74,7 +75,7 @@ function namesOf(file) {
 
 const mostInBatch = 12;
 
-/** Files of one folder, a dozen together, none with a name that another one of its batch has. */
+/** Batches of a dozen files from one folder. No two files of a batch declare the same name. */
 function batchesOf(commands) {
   const batches = [];
   for (const entry of commands) {
@@ -96,8 +97,8 @@ function batchesOf(commands) {
 }
 
 /**
- * Runs clang-tidy on the files, a batch at a time, as most of its time goes into the headers that all
- * include. Of a batch that fails each file is checked on its own, and counts.
+ * Runs clang-tidy on the files, a batch at a time, since most of its time goes into the headers
+ * that all files include. If a batch fails, each of its files is checked separately, and counts.
  */
 async function clangTidy() {
   const folder = inRoot('build/clang-tidy');

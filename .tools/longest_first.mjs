@@ -1,11 +1,11 @@
-// Runs files of tests, as many at a time as there are cores, the longest first: so that both ends of a
-// stage keep every core busy.
+// Runs files of tests, as many at a time as there are cores, the longest first, so that every core
+// stays busy until the end of a stage.
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { countAll } from './shell.mjs';
 
 /**
- * Calls `runFile` with each name and returns the sums of what it resolves to, `{ passed, failed }`. How
- * long each took is kept at `timesPath` for the next run's order; one that is not told there comes first.
+ * Calls `runFile` with each name and returns the sums of its results, `{ passed, failed }`. The
+ * durations are kept at `timesPath` for the order of the next run; a file without one comes first.
  */
 export async function runLongestFirst(names, timesPath, runFile) {
   const before = existsSync(timesPath) ? JSON.parse(readFileSync(timesPath, 'utf8')) : {};

@@ -1,17 +1,17 @@
-// Runs files of node:test, each in a process of its own.
+// Runs files of node:test, each in a separate process.
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { runLongestFirst } from './longest_first.mjs';
 import { run } from './shell.mjs';
 
-/** What a file's report counts, which node:test writes at its end. */
+/** The counts in a file's report, which node:test writes at its end. */
 function countsOf(report) {
   const tap = readFileSync(report, 'utf8');
   const count = (key) => Number([...tap.matchAll(new RegExp(`^# ${key} (\\d+)$`, 'gm'))].at(-1)[1]);
   return { passed: count('pass'), failed: count('fail') + count('cancelled') };
 }
 
-/** Runs a file, prints what it says, and returns what its report counted. */
+/** Runs a file, prints its output, and returns the counts of its report. */
 async function runFile(file, { report, env, minutes }) {
   rmSync(report, { force: true });
   const reporters = ['spec', 'stdout', 'tap', report];
@@ -41,7 +41,9 @@ async function runFile(file, { report, env, minutes }) {
   return counts;
 }
 
-/** Runs the files of a folder and returns what they counted. `reports` is a folder for what it writes. */
+/**
+ * Runs the files of a folder and returns their counts. `reports` is the folder for their reports.
+ */
 export function runNodeTests(files, { reports, env, minutes }) {
   mkdirSync(reports, { recursive: true });
   const byName = new Map(files.map((file) => [basename(file), file]));

@@ -1,4 +1,4 @@
-// What others wrote of what the package and the page hold, with the licences that it is under.
+// The works of others that the package and the page contain, with their licences.
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { inRoot } from './shell.mjs';
 
@@ -7,7 +7,10 @@ const apache = 'Apache License, version 2.0: https://www.apache.org/licenses/LIC
 const mit = 'MIT License: https://opensource.org/license/mit';
 const llvm = 'Apache License, version 2.0, with LLVM exceptions: https://llvm.org/LICENSE.txt';
 
-/** Of the engine's module: `file` is where a system has the terms, `otherwise` names them where it has not. */
+/**
+ * The works in the engine's module. `file` is the path of the terms on a system, and `otherwise`
+ * names the terms for systems without it.
+ */
 const ofEngine = [
   {
     ...{ name: 'Eigen', where: 'https://eigen.tuxfamily.org' },
@@ -25,10 +28,10 @@ const ofEngine = [
   },
 ];
 
-/** Decoders of compressed glTF files: packages of npm. */
+/** The decoders of compressed glTF files, which are packages of npm. */
 const ofFormats = ['draco3d', 'meshoptimizer'];
 
-/** Of the page; `bunny` is the mesh that it opens with. */
+/** The works in the page. `bunny` is the mesh with which it opens. */
 const ofPage = [
   ...['three', 'three-mesh-bvh', 'uplot', 'delaunator', 'robust-predicates'],
   'bunny',
@@ -51,7 +54,7 @@ function termsOf(name) {
 const entry = (name, where, terms) =>
   [`${'='.repeat(78)}\n${name}`, where, '', terms.trim(), ''].join('\n');
 
-/** As text: of the package, or of the page, which has all of it, too. */
+/** The notices as text: of the package, or of the page, which also contains the package's works. */
 export function notices(what) {
   const engine = ofEngine.map(({ name, where, file, otherwise }) =>
     entry(name, where, existsSync(file) ? readFileSync(file, 'utf8') : otherwise),

@@ -1,16 +1,16 @@
-// What is published: a folder with the files that package.json names, a README of its own, and the addresses of
-// .tools/addresses.json, which whoever publishes fills in.
+// The published package: a folder with the files that package.json names, a separate README, and
+// the addresses of .tools/addresses.json, which the publisher fills in.
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { inRoot } from './shell.mjs';
 
-/** Where the published folder is laid. */
+/** The folder of the published package. */
 export const packageFolder = inRoot('build/package');
 
 const read = (path) => readFileSync(inRoot(path), 'utf8');
 
 export const addresses = () => JSON.parse(read('.tools/addresses.json'));
 
-/** The published package.json: what a user of the package needs. */
+/** The published package.json, with what a user of the package needs. */
 function manifest({ repository, issues, book }) {
   const {
     private: _,
@@ -25,7 +25,7 @@ function manifest({ repository, issues, book }) {
   return own;
 }
 
-/** Lays the package's files in `packageFolder`, as they are built in dist/. */
+/** Copies the package's files, as built in dist/, to `packageFolder`. */
 export function layPackage() {
   const known = addresses();
   const { files } = JSON.parse(read('package.json'));

@@ -1,5 +1,6 @@
-// What a new user tries with the packed file: in Node and other runtimes, with TypeScript, bundlers and a plain page.
-// Each trial has a folder of its own, in which the packed file and the packages that it names are installed.
+// The trials of a new user with the packed file: in Node and other runtimes, with TypeScript,
+// bundlers and a plain page. Each trial has a separate folder with the packed file and the packages
+// that it names.
 import { spawn, spawnSync } from 'node:child_process';
 import {
   copyFileSync,
@@ -36,7 +37,7 @@ const { status } = await mesh.centerOfMass([{ vertex: 1 }, { vertex: 5 }], [0.5,
 console.log(status + ' ' + (mesh.info.triangles > 0));
 karcher.dispose();
 `;
-/** In a page: the engine, a file's reader and a worker; the title says how that went. */
+/** The trial in a page: the engine, a file's reader and a worker. The title shows the result. */
 const paged = `import { loadInWorker } from 'karcher/worker';
 import { meshFromFile } from 'karcher/formats';
 async function tried() {
@@ -70,7 +71,7 @@ const mesh = karcher.shape('torus', 2000);
 export const curve: Curve = mesh.curve({ kind: 'bspline', points: [1, 3, 5, 7].map((vertex) => ({ vertex })) });
 export const tried = [checkUp(mesh), meshFromFile, loadInWorker, KarcherError, loadPeers, huberMean, median];
 `;
-// `DOM` and the types of Node have a compiled module without members, which any value is.
+// In `DOM` and the types of Node a compiled module has no members, so that any value is one.
 const refused = `// @ts-expect-error
 export const wrong = load({ wasm: 3 });
 `;
@@ -79,7 +80,7 @@ import { useKarcher } from 'karcher/react';
 export const tried = [Surface, SurfaceCurve, useKarcher];
 `;
 
-/** Runs a program there; its output, or an error that has it. */
+/** Runs a program in a folder. Returns its output, or throws an error that contains it. */
 export function run(folder, command, ...args) {
   const env = { ...process.env, NEXT_TELEMETRY_DISABLED: '1' };
   const options = { cwd: folder, encoding: 'utf8', timeout: 300_000, env };
@@ -103,13 +104,16 @@ function write(folder, files) {
   }
 }
 
-/** The engine's module lies beside what the bundler wrote. */
+/** Checks that the engine's module lies beside the bundler's output. */
 function checkWasm(folder) {
   const files = readdirSync(folder, { recursive: true }).map(String);
   if (!files.some((file) => file.endsWith('.wasm'))) throw new Error(`no .wasm in ${files}`);
 }
 
-/** A page of that address says in its title that all went well; otherwise what it complained about. */
+/**
+ * Checks that the title of a page at that address reports success. Otherwise throws what the page
+ * reports.
+ */
 async function checkPage(address) {
   const browser = await chromium.launch({
     executablePath: chromiumPath(),
@@ -136,7 +140,7 @@ async function checkPage(address) {
 
 const types = { '.html': 'text/html', '.wasm': 'application/wasm', '.css': 'text/css' };
 
-/** What a folder of a plain server of files holds works in a browser. */
+/** Checks that the files of a folder work in a browser, from a plain file server. */
 async function checkServed(folder) {
   const server = createServer(({ url }, response) => {
     const path = decodeURIComponent(new URL(url, 'http://page').pathname);
@@ -157,7 +161,10 @@ async function checkServed(folder) {
   }
 }
 
-/** What a development server serves works in a browser; it says its address when it has started. */
+/**
+ * Checks that the files of a development server work in a browser. The server prints its address
+ * when it has started.
+ */
 async function checkServer(folder, command, ...args) {
   const child = spawn(command, args, { cwd: folder, detached: true });
   let output = '';
@@ -191,7 +198,7 @@ function compile(folder, text, lib, types) {
   run(folder, process.execPath, inRoot('node_modules/typescript/bin/tsc'), '-p', folder);
 }
 
-/** Beside a bundle for Node, what that loads from its own folder. */
+/** Runs a bundle for Node beside the files that it loads from its own folder. */
 function runBundle(folder) {
   const wasm = 'karcher-engine.wasm';
   copyFileSync(join(folder, 'node_modules/karcher/dist', wasm), join(folder, 'dist', wasm));
@@ -200,7 +207,10 @@ function runBundle(folder) {
 
 const dom = ['ES2022', 'DOM', 'DOM.Iterable'];
 
-/** Each with the packages that it needs beside Karcher. Those without any are part of `npm test`. */
+/**
+ * The trials, each with the packages that it needs beside Karcher. `npm test` makes those without
+ * packages.
+ */
 export const trials = [
   { name: 'Node, import', try: (folder) => check(node(folder, 'main.mjs')) },
   {
@@ -259,7 +269,7 @@ export const trials = [
       '@types/react',
       'react-dom',
       '@react-three/fiber',
-      '@react-three/drei', // most have it, with peers of its own
+      '@react-three/drei', // most users have it, with its own peers
     ],
     try(folder) {
       try {
@@ -394,6 +404,6 @@ export async function attempt({ packages = [], try: attempted }, folder, tarball
   const offline = packages.length === 0 ? ['--offline'] : [];
   run(folder, 'npm', 'install', '--no-audit', '--no-fund', ...offline, tarball, ...packages);
   await attempted(folder);
-  // A trial's packages take hundreds of MB.
+  // The packages of a trial take hundreds of MB.
   rmSync(folder, { recursive: true, force: true });
 }

@@ -46,7 +46,7 @@ const load = async (path) => {
   return (await runnerImport(inRoot(`web/paper/${path}`), config)).module;
 };
 
-/** An option's number. Throws an error that says what it should be. */
+/** The number of an option. Throws an error that describes the permitted ones. */
 function numberOf(options, name, fits, what) {
   const value = Number(options[name].trim() || Number.NaN);
   if (fits(value)) return value;
@@ -56,7 +56,7 @@ function numberOf(options, name, fits, what) {
 /** The command line's options, checked before anything is built. */
 function readOptions() {
   const options = parseArgs({ options: known }).values;
-  // One figure is asked for to be seen soon.
+  // A single figure is meant to be ready soon.
   options.table ??= options.figure === undefined ? '20000' : '0';
   const count = (least) => (value) => Number.isInteger(value) && value >= least;
   return {
@@ -111,8 +111,8 @@ async function meshesPart({ meshes, points }, seed) {
 }
 
 /**
- * The most that the machine had to do so far: its load over a minute, in threads that wanted to run, this
- * program's own among them.
+ * The largest load of the machine so far: the mean number of threads that wanted to run over a
+ * minute, including this program's own.
  */
 let mostLoad = 0;
 const lookAtLoad = () => {
@@ -125,12 +125,12 @@ const tellBusy = (what) => {
   tell(what);
 };
 
-/** Of what is measured, from the beginning: it may be edited meanwhile. */
+/** The digest is taken first, since the sources may be edited meanwhile. */
 const sources = sourcesDigest();
 
 const about = (seed) => aboutReport({ seed, sources, load: lookAtLoad().most });
 
-/** What the page plots, without the rest. */
+/** The parts of the report that the page plots. */
 async function plotsOnly() {
   const { studySeed } = await load('claims/seed.ts');
   const { convergence } = await load('claims/convergence.ts');
@@ -145,7 +145,7 @@ async function plotsOnly() {
   };
 }
 
-/** Measures what is plotted; the report of everything keeps the rest. */
+/** Measures the plotted numbers again. The full report keeps the others. */
 async function renewPlots({ save }) {
   const plots = await plotsOnly();
   mkdirSync(inRoot('build'), { recursive: true });
@@ -157,7 +157,10 @@ async function renewPlots({ save }) {
   writeFileSync(path, keptJson({ ...report, plots }));
 }
 
-/** Measures one study; the report of everything keeps the rest, and its rows tell what is of another day. */
+/**
+ * Measures one study again. The full report keeps the others, and its rows name those of another
+ * day.
+ */
 async function renewStudy({ study }) {
   const { runStudies, studyNames } = await load('claims/studies.ts');
   if (!studyNames.includes(study)) {
@@ -175,8 +178,8 @@ async function renewStudy({ study }) {
 }
 
 /**
- * Judges the numbers of the last report anew; a row that they do not suffice for stays as it is. Those that
- * rest on a study that is newer say so.
+ * Judges the numbers of the last report again. A row for which they do not suffice stays unchanged.
+ * Rows that depend on a newer study name it.
  */
 async function judgeAnew(report, study, newer) {
   const { judge } = await load('claims/judge.ts');
@@ -212,7 +215,7 @@ async function everything(options) {
   if (!wantsClaims) return { parts: parts.length > 0 ? [head, ...parts] : [] };
   const { judge } = await load('claims/judge.ts');
   const { claimsReport } = await load('report.ts');
-  // By the numbers that are kept: what follows from them follows from the report alone.
+  // The verdicts use the kept numbers, so that they follow from the report alone.
   const numbers = kept({
     ...{ panels: figures.panels, studies, meshes: meshes.found, load: lookAtLoad() },
     table: { samples: Number(options.samples), cells: table.cells },

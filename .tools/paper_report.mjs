@@ -1,12 +1,14 @@
-// How a report on the paper's claims is kept (paper.mjs): what its numbers depend on, and how it is written.
+// The form of a kept report on the paper's claims (paper.mjs): the conditions of its numbers, and
+// its file.
 import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { arch, cpus, type } from 'node:os';
 import { inRoot } from './shell.mjs';
 
 /**
- * Where and when: what the numbers depend on; times also on what else the machine had to do, its greatest
- * load. `sources` is the digest of what was measured (sources.mjs).
+ * The place and time of a report, on which its numbers depend. Times also depend on the machine's
+ * other work, given by its greatest load. `sources` is the digest of the measured sources
+ * (sources.mjs).
  */
 export function aboutReport({ seed, sources, load }) {
   const { version } = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
@@ -24,14 +26,17 @@ export function aboutReport({ seed, sources, load }) {
 
 export const jsonOf = (value) => `${JSON.stringify(value, null, 2)}\n`;
 
-/** Numbers as they are kept: the page shows no more than four digits, and more would only be long. */
+/**
+ * Numbers in the form of a kept report. The page shows at most four digits, so that more would only
+ * take space.
+ */
 export function kept(numbers) {
   const fewDigits = (_, value) =>
     typeof value === 'number' && !Number.isInteger(value) ? Number(value.toPrecision(4)) : value;
   return JSON.parse(JSON.stringify(numbers, fewDigits));
 }
 
-/** A report as it is kept: its long lists of numbers in lines of their own. */
+/** A report as JSON for keeping, with its long lists of numbers on separate lines. */
 export function keptJson(report) {
   const { panels = {}, table = null, studies, meshes, ...rest } = report;
   const whole = jsonOf({ ...rest, numbers: 0 });
@@ -41,7 +46,7 @@ export function keptJson(report) {
   return whole.replace('"numbers": 0', () => numbers);
 }
 
-/** What the verdicts of a kept report are judged by. */
+/** The numbers by which the verdicts of a kept report are judged. */
 export function measuredOf({
   panels = {},
   table,

@@ -14,10 +14,10 @@ import { inRoot } from './shell.mjs';
 const usage =
   'Usage: npm run pictures -- [--size laptop|desk|phone] [--theme light|dark] [--save] [--built]';
 const themes = ['light', 'dark'];
-/** The README's picture takes no more, in bytes. */
+/** The largest size of the README's picture, in bytes. */
 const mostBytes = 300_000;
 
-/** The names that are meant by an option: all without one. */
+/** The names chosen by an option; all without it. */
 function chosen(name, value, names) {
   if (value === undefined) return names;
   if (names.includes(value)) return [value];
@@ -40,7 +40,7 @@ async function replay({ sitDown }, sitting, viewport, theme, path) {
   return count;
 }
 
-/** The drawing that the page opens with, without the page about it. */
+/** Saves the drawing with which the page opens, without the page around it. */
 async function savePicture({ sitDown }) {
   const { browser, tab } = await sitDown({ width: 1180, height: 700 }, { asUsers: true });
   const path = inRoot('docs/drawing.jpg');

@@ -1,10 +1,13 @@
-// Tables of docs that are what a study printed: where each stands, and its rows by the saved study. A test holds
-// docs to it (tests/paper/quoted.test.mjs), and `npm run study -- --save` and `--again` write them.
+// Tables of docs that quote the output of a study: the place of each, and its rows by the saved
+// study. A test compares them (tests/paper/quoted.test.mjs), and `npm run study -- --save` and
+// `--again` write them.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { rowsOf, savedLines } from './saved_study.mjs';
 import { inRoot } from './shell.mjs';
 
-/** Each part of what a study of several meshes printed, below a head with the mesh's name. */
+/**
+ * The parts of the output of a study of several meshes. Each follows a head with the mesh's name.
+ */
 function meshesOf(lines) {
   const heads = lines.flatMap((line, i) => (line.startsWith('## ') ? [i] : []));
   return heads.map((from, k) => {
@@ -16,7 +19,7 @@ function meshesOf(lines) {
 
 const printed = (name, args) => () => rowsOf(savedLines(name, args));
 
-/** A name in the first row of its mesh only. */
+/** The rows of a mesh, with its name only in the first. */
 const onceNamed = (name, rows) => rows.map((row, i) => [i === 0 ? name : '', ...row]);
 
 const everywhere = () =>
@@ -26,7 +29,9 @@ const everywhere = () =>
     return onceNamed(`${name} (${size}; ${veryFirst})`, rowsOf(part));
   });
 
-/** Of each spacing: how many levels the default has, and how the kinds of curves turn and are bridged. */
+/**
+ * For each spacing, the levels of the default, and the turning and bridges of each kind of curve.
+ */
 const steadiness = () =>
   meshesOf(
     savedLines('steadiness', ['--drags', '0', '--levels', '0,auto,limit', 'torus', 'of-files']),
@@ -42,14 +47,19 @@ const steadiness = () =>
     return onceNamed(name, table);
   });
 
-/** Numbers as running text has them: without the nought before the point, and without noughts behind it. */
+/**
+ * Numbers in the form of running text: without a zero before the point, and without trailing zeros.
+ */
 const short = (cell) =>
   cell.replaceAll(/\d+\.\d+(?!\d*e)/g, (value) => `${Number(value)}`.replace(/^0\./, '.'));
 
 const withoutSuffix = (name) => name.replace(/\.obj$/, '');
 const thousands = (count) => Number(count).toLocaleString('en');
 
-/** How near `auto` comes to level 0 and to the truth, by what a study of 200 or fewer polygons a row printed. */
+/**
+ * The distances of `auto` from level 0 and from the truth, from a study of at most 200 polygons for
+ * each row.
+ */
 const levels = (args) => () =>
   rowsOf(savedLines('levels', args)).map((row) => {
     const [name, triangles, spacing, mean, zeros, unsafe, fromZero, , ours, theirs, ms] = row;
@@ -62,7 +72,9 @@ const levels = (args) => () =>
     ];
   });
 
-/** Of each mesh and spacing: what the fast solver and the exact one break, and by what. */
+/**
+ * The curves that the fast and the exact solver break, and the reasons, for each mesh and spacing.
+ */
 const breaks = () => {
   const rows = rowsOf(savedLines('breaks', ['--polygons', '20', 'of-files']));
   const fast = rows.filter(([, , solver]) => solver === 'fast');
@@ -79,7 +91,7 @@ const roughSteps =
   '--polygons 0 --drags 20 --steps 20 --rough 4 --levels auto,averages,limit of-files';
 const manyDrags = '--polygons 0 --drags 200 --levels auto torus of-files';
 
-/** What studies of drags printed of each mesh; roughened ones have another name. */
+/** The results of studies of drags for each mesh. Roughened meshes have another name. */
 const dragged = (args) =>
   meshesOf(savedLines('steadiness', args.split(' '))).map(({ name, triangles, part }) => {
     const isRough = args.includes('--rough');
@@ -87,7 +99,9 @@ const dragged = (args) =>
     return { name: isRough ? `${name}, ${rough}` : name, rows: rowsOf(part) };
   });
 
-/** Of each mesh: the median steps of a drag at all spacings, beside the subdivision curve's. */
+/**
+ * The median steps of a drag at all spacings for each mesh, beside those of the subdivision curve.
+ */
 const stepCosts = () =>
   [steps, roughSteps].flatMap(dragged).map(({ name, rows }) => {
     const of = (variant, column) =>
@@ -102,7 +116,7 @@ const stepCosts = () =>
     ];
   });
 
-/** Of each mesh and spacing: the steps that leap, and whether they may. */
+/** The steps that leap for each mesh and spacing, and whether they may. */
 const leaps = () =>
   [manyDrags, roughSteps].flatMap(dragged).flatMap(({ name, rows }) => {
     const auto = rows.filter((row) => row[1] === 'auto');
@@ -128,7 +142,7 @@ const memoryStudies = [
   ['--memory', '--triangles', '10000000'],
 ];
 
-/** What a refined curve takes in and holds, the first and the second on a mesh. */
+/** The memory that the first and the second refined curve on a mesh take. */
 const memory = () =>
   memoryStudies.flatMap((args) => {
     const rows = rowsOf(savedLines('joints', args));
@@ -175,7 +189,7 @@ export const quotedTables = [
   },
 ];
 
-/** Where a table's rows stand in lines: its first, and the one after its last. */
+/** The place of a table's rows in lines: the first, and the one after the last. */
 function placeOf(lines, { doc, head, at = 0 }) {
   const heads = lines.flatMap((line, i) => (line.startsWith(head) ? [i] : []));
   if (heads[at] === undefined) throw new Error(`${doc} has no table '${head}'.`);
@@ -184,13 +198,13 @@ function placeOf(lines, { doc, head, at = 0 }) {
   return [first, count < 0 ? lines.length : first + count];
 }
 
-/** The rows as the doc has them. */
+/** The rows in the doc. */
 export function quotedRows(table) {
   const lines = readFileSync(inRoot(table.doc), 'utf8').split('\n');
   return rowsOf(['', ...lines.slice(...placeOf(lines, table))]);
 }
 
-/** Writes the tables as the saved studies have them; returns the docs that changed. */
+/** Writes the tables by the saved studies. Returns the docs that changed. */
 export function quoteStudies() {
   const changed = new Set();
   for (const table of quotedTables) {

@@ -1,5 +1,5 @@
-// `npm run release`: builds what would be published, packs it, installs the packed file into empty folders, tries it
-// there, and prints what would be published and what is missing. It publishes nothing.
+// `npm run release`: builds and packs the files for publishing, installs the packed file into empty
+// folders, tries it there, and prints its content and what is missing. It publishes nothing.
 import { readFileSync } from 'node:fs';
 import { checkPackages } from './check_packages.mjs';
 import { addresses, packageFolder } from './package.mjs';

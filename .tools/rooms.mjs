@@ -18,7 +18,9 @@ const namesIn = (cell) =>
     typesOnly: types !== undefined,
   }));
 
-/** The rows of every table whose first column is headed 'room', a list of rows for each. */
+/**
+ * The rows of every table whose first column has the head 'room', a list of rows for each table.
+ */
 function tablesOf(markdown) {
   const tables = [];
   let inTable = false;
@@ -34,9 +36,9 @@ function tablesOf(markdown) {
 }
 
 /**
- * The rooms of a text with such tables: `{ name, paths, uses }`, where `uses` is a map from the names
- * that may be used to whether only their types may be. Throws an error on what it cannot read, on a
- * room that is there twice or not at all, and on rooms that lead back to themselves.
+ * The rooms of a text with such tables: `{ name, paths, uses }`, where `uses` maps the names that
+ * may be used to whether only their types may be. Throws an error for text that it cannot read, for
+ * a room that occurs twice or not at all, and for rooms that use each other in a circle.
  */
 export function readRooms(markdown) {
   const rooms = [];
@@ -82,7 +84,7 @@ function throwIfCircular(rooms) {
   if (circle) throw new Error(`rooms use each other: ${circle.join(' -> ')}`);
 }
 
-/** The ways that lead from names by what they use back to themselves, one for each use that closes one. */
+/** The circles of uses among names, one for each use that closes one. */
 function circlesIn(names, usesOf) {
   const circles = [];
   const done = new Set();
@@ -97,7 +99,7 @@ function circlesIn(names, usesOf) {
   return circles;
 }
 
-/** What a file of C++ includes: `{ target, quoted }`. */
+/** The includes of a C++ file: `{ target, quoted }`. */
 const includesOf = (text) =>
   [...text.matchAll(/^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)/gm)].map(([, own, other]) => ({
     target: own ?? other,
@@ -105,8 +107,8 @@ const includesOf = (text) =>
   }));
 
 /**
- * What a file of TypeScript imports, or names by its address, such as a worker that it starts:
- * `{ target, typesOnly, isStarted }`.
+ * The imports of a TypeScript file, and the files whose address it names, such as a worker that it
+ * starts: `{ target, typesOnly, isStarted }`.
  */
 function importsOf(text) {
   const statement =
@@ -123,7 +125,7 @@ function importsOf(text) {
   return [...named, ...called];
 }
 
-/** The name of the package that an import or include is of; undefined for the standard library. */
+/** The name of the package of an import or include; undefined for the standard library. */
 function packageOf(target, isCpp) {
   if (target.startsWith('node:')) return 'node';
   if (target === 'tiny_obj_loader.h') return 'tinyobjloader';
@@ -133,9 +135,9 @@ function packageOf(target, isCpp) {
 }
 
 /**
- * What is wrong, a sentence each, with the files `{ path, text }` of a project with these rooms:
- * uses that no table allows, files in no room, rooms without a file, and files that lead back to
- * themselves by what they include or import, types as well; a worker is another program.
+ * The faults of the files `{ path, text }` of a project with these rooms, a sentence each: uses
+ * that no table allows, files in no room, rooms without a file, and files that include or import
+ * each other in a circle, also by types. A worker is another program.
  */
 export function wrongUses(rooms, files) {
   const named = new Map(rooms.flatMap((room) => room.paths.map((path) => [path, room])));
@@ -205,7 +207,7 @@ export function namesOfNoFile(markdown, paths) {
     .filter((name) => !paths.some((path) => `/${path}`.endsWith(`/${name}`)));
 }
 
-/** Checks the project's own files, prints what is wrong, and returns what it counted. */
+/** Checks the project's own files, prints the faults, and returns their count. */
 export function checkRooms() {
   const markdown = readFileSync(inRoot('ARCHITECTURE.md'), 'utf8');
   const rooms = readRooms(markdown);

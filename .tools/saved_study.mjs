@@ -1,6 +1,7 @@
-// Studies whose numbers docs quote, as they are kept in docs/studies: what was run, when, where, of which
-// sources, and what it printed. A test compares the docs with them (tests/paper/quoted.test.mjs), and
-// `npm run check:long` runs the studies anew and compares them with it (tests/paper/anew.test.mjs).
+// Studies whose numbers docs quote, as docs/studies keeps them: the command, time, machine and
+// sources of each, and its output. A test compares the docs with them
+// (tests/paper/quoted.test.mjs). `npm run check:long` runs the studies again and compares their
+// output with them (tests/paper/anew.test.mjs).
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
 import { basename, join, parse } from 'node:path';
@@ -9,10 +10,13 @@ import { inRoot, run } from './shell.mjs';
 import { sourcesDigest } from './sources.mjs';
 
 const folder = 'docs/studies';
-/** What a study's numbers depend on. Its seeds are constants there. */
+/** The digest of the sources on which a study's numbers depend. Its seeds are constants there. */
 const sourcesOf = () => sourcesDigest(['src', 'tests/bench', 'tests/generators', 'tests/measures']);
 
-/** Meshes in files are not the project's: their names stand for them. */
+/**
+ * Whether an argument is the file of a mesh. Such meshes do not belong to the project, and their
+ * names stand for them.
+ */
 export const isMeshFile = (argument) => /\.(obj|stl|ply|off|glb|gltf)$/i.test(argument);
 
 const fileOf = (name, args) => {
@@ -26,7 +30,10 @@ const fileOf = (name, args) => {
 
 const program = (name) => inRoot(`build/native/tests/bench/${name}_study`);
 
-/** The studies read OBJ files: the path of one, read as the package reads files, in build/study. */
+/**
+ * The path of an OBJ file in build/study with the mesh of a file, as the package reads it. The
+ * studies read OBJ files.
+ */
 async function toObj(path) {
   if (/\.obj$/i.test(path)) return path;
   const { load } = await import('karcher');
@@ -44,8 +51,8 @@ async function toObj(path) {
 }
 
 /**
- * A study's arguments with its meshes as files of a folder, or below it: with their paths, and the names of
- * those that are not there.
+ * The arguments of a study with the paths of its meshes in a folder or below it, and the names of
+ * the missing ones.
  */
 export function found(args, folder) {
   const files = new Map(
@@ -70,7 +77,7 @@ export async function studyLines(name, args) {
   return output.trimEnd().split('\n');
 }
 
-/** Runs a study and keeps what it printed; returns where. */
+/** Runs a study and keeps its output. Returns the path. */
 export async function saveStudy(name, args) {
   const sources = sourcesOf();
   const load = loadavg()[0];
@@ -83,7 +90,7 @@ export async function saveStudy(name, args) {
   return path;
 }
 
-/** All that are kept. */
+/** All kept studies. */
 export function savedStudies() {
   if (!existsSync(inRoot(folder))) return [];
   const names = readdirSync(inRoot(folder)).filter((name) => name.endsWith('.json'));
@@ -92,12 +99,12 @@ export function savedStudies() {
     .map((name) => JSON.parse(readFileSync(inRoot(`${folder}/${name}`), 'utf8')));
 }
 
-/** What a study with these arguments printed when it was kept; 'of-files' stands for any files. */
+/** The kept output of a study with these arguments. 'of-files' stands for any files. */
 export function savedLines(name, args = []) {
   return JSON.parse(readFileSync(inRoot(`${folder}/${fileOf(name, args)}`), 'utf8')).lines;
 }
 
-/** The rows of the tables in lines of Markdown, without their heads: cells as they are. */
+/** The rows of the tables in lines of Markdown, without their heads. Cells are unchanged. */
 export function rowsOf(lines) {
   const isRule = (line) => /^\|[\s|:-]+$/.test(line);
   return lines.flatMap((line, i) => {

@@ -16,7 +16,9 @@ function cmakeIsNewEnough() {
   return major > kOldestCmake[0] || (+major === kOldestCmake[0] && minor >= kOldestCmake[1]);
 }
 
-/** Whether clang++ can link a program with these; their runtime is a package apart. */
+/**
+ * Whether clang++ can link a program with these sanitizers. Their runtime is a separate package.
+ */
 function clangHas(sanitizers, program) {
   const args = ['-x', 'c++', `-fsanitize=${sanitizers}`, '-', '-o', '/dev/null'];
   return !!which('clang++') && spawnSync('clang++', args, { input: program }).status === 0;
@@ -32,7 +34,7 @@ const clangHasFuzzer = () =>
 const includeFolders = ['/usr/include', '/usr/local/include', '/opt/homebrew/include'];
 const hasHeader = (name) => includeFolders.some((folder) => existsSync(`${folder}/${name}`));
 
-/** Chromium without windows: it opens pages with less work. */
+/** Chromium without windows, which opens pages with less work. */
 const headless = 'chromium-headless-shell';
 
 /** The browser that the page's tests drive, or undefined. */
@@ -46,8 +48,9 @@ export function chromiumPath() {
   );
 }
 
-// `for`: what it is needed for: `native` are the native library, its benchmarks and studies, `test` all
-// tests. `optional`: what happens where it is not installed. Ubuntu has Chromium only as a snap.
+// The needs. `for` is their purpose: `native` stands for the native library, its benchmarks and
+// studies, `test` for all tests. `optional` describes the consequence of not installing them.
+// Ubuntu has Chromium only as a snap.
 const needs = [
   {
     what: 'Emscripten (emcc)',
@@ -144,7 +147,7 @@ const needs = [
   },
 ];
 
-/** 'debian', 'ubuntu' (or what is made from it), or undefined where there is no apt. */
+/** 'debian', 'ubuntu' (or a system derived from it), or undefined without apt. */
 function aptSystem() {
   if (!which('apt-get') || !existsSync('/etc/os-release')) return undefined;
   const release = readFileSync('/etc/os-release', 'utf8');
@@ -152,7 +155,10 @@ function aptSystem() {
   return /^(ID|ID_LIKE)=.*debian/m.test(release) ? 'debian' : undefined;
 }
 
-/** How to become root: nothing as root; sudo that does not ask where nobody could answer. */
+/**
+ * The prefix for running a command as root: empty for root, and a sudo that does not ask if nobody
+ * could answer.
+ */
 function rootPrefix() {
   if (process.getuid?.() === 0) return [];
   if (!which('sudo')) return undefined;
@@ -180,7 +186,7 @@ async function installByApt(packages, noInstall) {
   console.log(`Installing system packages (up to 600 MB to download, some minutes):\n${script}`);
   for (const [program, ...args] of [update, install]) {
     const { status } = spawnSync(program, args, { stdio: ['ignore', 'inherit', 'inherit'] });
-    // Without a fresh list the packages may still be found; the installation itself must work.
+    // Without a fresh list the packages may still be found, but the installation itself must work.
     if (status !== 0 && args.includes('install')) {
       throw new SetupError(
         `apt-get could not install them: see its message above. The commands are, as root:\n${script.replaceAll(/sudo (-n )?/g, '')}`,
@@ -221,7 +227,7 @@ async function installSystemPackages(purposes, noInstall) {
   throw new SetupError(`Still missing; install these and run this again:\n${list.join('\n')}`);
 }
 
-/** Whether all that package.json names is installed, as the lock file has it. */
+/** Whether all packages that package.json names are installed, in the versions of the lock file. */
 function npmPackagesAreThere() {
   const installed = inRoot('node_modules/.package-lock.json');
   const lock = inRoot('package-lock.json');
@@ -237,7 +243,7 @@ function npmPackagesAreThere() {
 
 async function installNpmPackages(noInstall) {
   if (npmPackagesAreThere()) return;
-  // With NODE_ENV=production npm would leave out what the build is made with.
+  // With NODE_ENV=production npm would omit the packages of the build.
   const args = ['ci', '--include=dev'];
   const command = `npm ${args.join(' ')}`;
   if (noInstall) {
@@ -254,7 +260,7 @@ const notWanted = () =>
     ? 'npm is making the package'
     : 'KARCHER_NO_INSTALL is set';
 
-/** Ends the process with a sentence where nothing can be built in the project's folder. */
+/** Ends the process with a sentence if the project's folder is not writable. */
 function checkWritable() {
   try {
     accessSync(root, constants.W_OK);
@@ -267,13 +273,13 @@ function checkWritable() {
 }
 
 /**
- * Makes the machine ready for `purposes` ('build', 'native', 'test', 'fuzz', 'format', 'lint'); returns at once where it is.
- * Prints what is wrong and ends the process where it cannot.
+ * Makes the machine ready for `purposes` ('build', 'native', 'test', 'fuzz', 'format', 'lint'), or
+ * returns at once if it is. If it cannot, it prints the reason and ends the process.
  */
 export async function setUp(...purposes) {
   checkWritable();
   const { KARCHER_NO_INSTALL, npm_lifecycle_event } = process.env;
-  // Who installs a package has not asked for packages of the system.
+  // A user who installs a package has not asked for system packages.
   const installsPackage = npm_lifecycle_event === 'prepack';
   const noInstall = installsPackage || (!!KARCHER_NO_INSTALL && KARCHER_NO_INSTALL !== '0');
   let ready = true;
@@ -287,7 +293,7 @@ export async function setUp(...purposes) {
       console.error(error.message);
       ready = false;
     }
-    // Where commands are only printed, print all of them.
+    // If commands are only printed, all of them are printed.
     if (!ready && !noInstall) break;
   }
   if (!ready) process.exit(1);

@@ -1,4 +1,4 @@
-// Running programs, finding them, and counting what passed.
+// Functions that run programs, find them, and count checks.
 import { spawn } from 'node:child_process';
 import { accessSync, constants, existsSync, readdirSync, statSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
@@ -10,7 +10,7 @@ export const root = fileURLToPath(new URL('..', import.meta.url));
 
 export const cores = availableParallelism();
 
-/** The project's path of `relative`. */
+/** The path of `relative` in the project. */
 export const inRoot = (relative) => join(root, relative);
 
 /** The full path of a program on PATH, or undefined. */
@@ -21,13 +21,16 @@ export function which(program) {
       accessSync(path, constants.X_OK);
       if (statSync(path).isFile()) return path;
     } catch {
-      // Not in this folder.
+      // The program is not in this folder.
     }
   }
   return undefined;
 }
 
-/** Every file below `folder` (relative to the project) whose name matches, sorted; none if there is no such folder. */
+/**
+ * The files below `folder` (relative to the project) whose names match, sorted; none if the folder
+ * does not exist.
+ */
 export function filesBelow(folder, pattern) {
   if (!existsSync(inRoot(folder))) return [];
   return readdirSync(inRoot(folder), { recursive: true, withFileTypes: true })
@@ -36,16 +39,15 @@ export function filesBelow(folder, pattern) {
     .sort();
 }
 
-/** A program that did not end with status 0. */
+/** The error of a program that did not end with status 0. */
 export class CommandError extends Error {}
 
 /**
  * Runs a program in the project's folder, without standard input, and waits for it.
  *
- * Its output goes to ours, or with `quiet` into the resolved string; then we say now and then that it
- * goes on. Throws a `CommandError` (with
- * the collected `output`) when it cannot start, fails, or takes longer than `minutes`; then it and
- * what it started are ended.
+ * Its output goes to ours, or with `quiet` into the resolved string; a line then appears now and
+ * then while it runs. Throws a `CommandError` (with the collected `output`) when it cannot start,
+ * fails, or takes longer than `minutes`; it and its children are then ended.
  */
 export function run(program, args, { env = {}, quiet = false, minutes = 30 } = {}) {
   return new Promise((resolve, reject) => {
@@ -63,11 +65,11 @@ export function run(program, args, { env = {}, quiet = false, minutes = 30 } = {
       try {
         process.kill(-child.pid, signal);
       } catch {
-        // Already gone.
+        // The process has already ended.
       }
     };
-    // The child leads its own process group, so that all of it can be ended; then Ctrl-C has to be
-    // passed on by hand.
+    // The child leads its own process group, so that the whole group can be ended. Therefore Ctrl-C
+    // has to be passed on here.
     const passOn = (signal) => {
       endGroup(signal);
       process.exit(1);
@@ -118,11 +120,11 @@ export async function countAll(entries, work) {
 }
 
 /**
- * Runs stages one after another, prints each one's time and a table at the end.
+ * Runs stages one after another, prints the time of each, and a table at the end.
  *
- * A stage is `{ name, run, isBuild }`. `run` may return `{ passed, failed }`, the tests it counted;
- * else the stage counts as one. A stage that throws, or counts no test, has failed; the ones after it
- * still run. Returns the sums, and the seconds of builds apart.
+ * A stage is `{ name, run, isBuild }`. `run` may return `{ passed, failed }`, the counts of its
+ * tests; otherwise the stage counts as one. A stage that throws, or counts no test, has failed;
+ * later stages still run. Returns the sums, with the seconds of builds apart.
  */
 export async function runStages(stages) {
   const rows = [];

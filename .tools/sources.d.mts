@@ -1,2 +1,2 @@
-/** The SHA-256, in hexadecimal, of the sources that decide the Paper page's numbers. */
+/** The SHA-256, in hexadecimal, of the sources that determine the Paper page's numbers. */
 export function sourcesDigest(): string;

@@ -1,11 +1,14 @@
-// The sources that decide the numbers of the Paper page, or of a study, as one digest: numbers that were saved
-// with another are of another version of the code.
+// The sources that determine the numbers of the Paper page, or of a study, as one digest. Numbers
+// saved with another digest belong to another version of the code.
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { relative, sep } from 'node:path';
 import { filesBelow, root } from './shell.mjs';
 
-/** The engine, the methods that it is compared with, and the studies; the bindings between only pass on. */
+/**
+ * The engine, the methods that it is compared with, and the studies. The bindings between them only
+ * pass values on.
+ */
 const ofReport = ['src', 'wasm/peers', 'web/paper'];
 
 /** The SHA-256 of files: `[name, text]` pairs, in any order and with any line ends. */
@@ -14,13 +17,13 @@ export function digestOf(files) {
   const byName = (a, b) => (a[0] < b[0] ? -1 : 1);
   for (const [name, text] of files.toSorted(byName)) {
     const lines = text.replaceAll('\r\n', '\n');
-    // Lengths keep the end of one file from passing for the beginning of the next.
+    // Lengths keep the end of one file from being mistaken for the beginning of the next.
     hash.update(`${name}\n${lines.length}\n${lines}`);
   }
   return hash.digest('hex');
 }
 
-/** The digest of this checkout's sources, which needs no Git: the same on every machine. */
+/** The digest of this checkout's sources. It needs no Git and is the same on every machine. */
 export function sourcesDigest(folders = ofReport) {
   const paths = folders.flatMap((folder) => filesBelow(folder, /\.(cpp|h|ts)$/));
   const nameOf = (path) => relative(root, path).replaceAll(sep, '/');

@@ -23,7 +23,7 @@ const suffix = '_study';
 const names = filesBelow('tests/bench', /_study\.cpp$/).map((file) =>
   basename(file, `${suffix}.cpp`),
 );
-/** What they print is not kept. */
+/** The studies that are scripts, whose output is not kept. */
 const scripts = filesBelow('tests/bench', /_study\.mjs$/).map((file) =>
   basename(file, `${suffix}.mjs`),
 );

@@ -1,8 +1,8 @@
-// `npm test`: sets up, builds everything and runs the tests, always the same ones. With --long it runs also
-// those that are too long for that, and tests take the large numbers of random cases that they keep for
-// KARCHER_LONG=1, but not those of the engine with the sanitizers, which would take hours; saved studies of
-// meshes in files are computed anew with `--meshes FOLDER`, where these are. With names of files of tests/wasm,
-// tests/paper and tests/web it runs only these.
+// `npm test`: sets up, builds everything and runs the tests, always the same ones. With --long it
+// also runs the longer tests, and tests use the large numbers of random cases that they reserve for
+// KARCHER_LONG=1, except those of the engine with the sanitizers, which would take hours. With
+// `--meshes FOLDER`, saved studies of meshes in files are computed again, if these are in the
+// folder. With names of files of tests/wasm, tests/paper and tests/web it runs only these.
 import { mkdirSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
@@ -21,7 +21,7 @@ const longCases = {
   ...(long && { KARCHER_LONG: '1' }),
   ...(meshes && { KARCHER_MESHES: resolve(process.env.INIT_CWD ?? '.', meshes) }),
 };
-// A stage that takes longer hangs, on a busy machine too.
+// The limit for a stage, in minutes. A longer one hangs, even on a busy machine.
 const minutes = long ? 120 : 40;
 const reports = inRoot('build/reports');
 
@@ -33,7 +33,7 @@ const runNative = (preset, more, program = 'karcher_tests') =>
 
 const nodeFiles = (folder) => filesBelow(folder, /\.test\.m?js$/);
 
-/** Runs files of node:test and returns what they counted. */
+/** Runs files of node:test and returns their counts. */
 function runNode(folder, env = {}, files = nodeFiles(folder)) {
   if (files.length === 0) throw new Error(`there are no tests in ${folder}`);
   return runNodeTests(files, {
@@ -64,7 +64,7 @@ const packageBuilds = [
   build('the page', buildPage),
   build('the book', buildBook),
 ];
-/** Too long for `npm test`: the engine is compiled once more. */
+/** This is too long for `npm test`, since the engine is compiled once more. */
 const threads = [
   build('the engine’s tests of threads, g++ with ThreadSanitizer', () =>
     buildNative('threads', 'karcher_thread_tests'),
@@ -87,7 +87,7 @@ const everything = [
   tests('the page', () => runNode('tests/web', { CHROMIUM_PATH: chromiumPath(), ...longCases })),
 ];
 
-/** The stages of some files of tests/wasm, tests/paper and tests/web alone. */
+/** The stages for only some files of tests/wasm, tests/paper and tests/web. */
 function stagesOf(files) {
   const known = ['tests/wasm', 'tests/paper', 'tests/web'].flatMap(nodeFiles);
   const unknown = files.find((file) => !known.includes(inRoot(file)));

@@ -16,6 +16,6 @@ for (const line of [path, curve.path()]) {
   lines.push(`l ${Array.from({ length: line.count }, (_, i) => first + i).join(' ')}`);
   first += line.count;
 }
-// Neighbouring points lie in one face: a mesh is cut by inserting them.
+// Neighbouring points share a face, so that inserting them cuts a mesh.
 console.log(`${path.count} points of the path, ${curve.path().count} of the curve`);
 console.log(lines.slice(0, 3).join('\n'));

@@ -1,4 +1,5 @@
-// A curve that is dragged over a GLB of one's own. The lines between the two marks are those that use Karcher.
+// A curve that is dragged over your own GLB. The lines between the two marks are those that use
+// Karcher.
 import { load } from 'karcher';
 import { CurveDrag, SurfaceCurve, surfaceFromGeometry } from 'karcher/three';
 import {

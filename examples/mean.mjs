@@ -1,4 +1,4 @@
-// The center of mass of four points, whether it is the only one, and weights that make it another point.
+// The center of mass of four points, whether it is unique, and weights that give another point.
 import { load } from 'karcher';
 
 const karcher = await load();

@@ -1,4 +1,5 @@
-// A seam allowance: a panel's outline on a surface, the line at a distance outside it, and both cut out.
+// A seam allowance: a panel's outline on a surface, a line at a distance outside it, and the parts
+// cut along both.
 import { load } from 'karcher';
 import { solidOf } from 'karcher/checkup';
 
@@ -11,12 +12,12 @@ const corners = [
   [0, -0.5, 1],
 ].map((place) => mesh.nearestPoint(place).point);
 
-// The panel is what a closed line through the corners encloses.
+// The panel is the region that a closed line through the corners encloses.
 const outline = mesh.curve({ kind: 'catmullrom', points: corners, closed: true });
 const [panel] = mesh.regions([outline.path()]);
 console.log(`panel: area ${panel.area.toFixed(4)}, perimeter ${panel.perimeter.toFixed(4)}`);
 
-// Outside it lies the seam, at a distance from the outline that is measured on the surface.
+// The seam lies outside it, at a distance from the outline that is measured on the surface.
 const distance = 0.05;
 const seam = mesh.offset(panel.boundary(), { distance, side: 'right' });
 const [withSeam] = mesh.regions(seam);

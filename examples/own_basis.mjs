@@ -1,4 +1,5 @@
-// A curve with a basis of its own: trigonometric weights, which draw a closed loop through no point twice.
+// A curve with its own basis: trigonometric weights, which draw a closed loop through no point
+// twice.
 import { load } from 'karcher';
 
 const karcher = await load();

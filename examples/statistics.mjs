@@ -5,7 +5,7 @@ const karcher = await load();
 const mesh = karcher.shape('sphere', 5000);
 const { point: center } = mesh.nearestPoint([0, 0, 1]);
 
-// A sample about a point: vectors of its tangent plane, laid on the surface.
+// A sample about a point: vectors of its tangent plane, mapped to the surface.
 let state = 1;
 const random = () => {
   state = (state * 16807) % 2147483647;
@@ -21,7 +21,7 @@ const mean = mesh.centerOfMass(points, equal);
 console.log(`mean ${mean.position.map((x) => x.toFixed(3))}`);
 console.log(`standard deviation ${Math.sqrt(mean.energy).toFixed(4)}`);
 
-// Each row of weights is a sample of the sample; fields are made once for all of them.
+// Each row of weights is a sample of the sample. Fields are computed once for all of them.
 const rows = Array.from({ length: 2000 }, () => {
   const row = points.map(() => 0);
   for (let i = 0; i < points.length; i++) row[Math.floor(random() * points.length)] += 1;

@@ -1,5 +1,5 @@
-// A drawing carried to another mesh of the same shape: control points go to the nearest points there, and what is
-// drawn is made anew on that mesh.
+// A drawing transferred to another mesh of the same shape: control points go to the nearest points
+// there, and the curves are traced again on that mesh.
 import { load } from 'karcher';
 
 const karcher = await load();
@@ -11,7 +11,9 @@ const drawing = [
   { kind: 'catmullrom', points: [50, 260, 480].map((vertex) => ({ vertex })), closed: true },
 ];
 
-/** The same curve's options on another mesh, and how far its points lie from where they were. */
+/**
+ * The same curve's options on another mesh, and the distances of its points from their old places.
+ */
 function carried({ points, ...options }, from, to) {
   const found = points.map((point) => to.nearestPoint(from.position(point)));
   const away = found.map(({ position }, i) => {

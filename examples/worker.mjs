@@ -1,4 +1,5 @@
-// The engine in a worker, in Node and in a page: progress, a call given up, and the end of the worker.
+// The engine in a worker, in Node and in a page: progress, a cancelled call, and the end of the
+// worker.
 import { loadInWorker } from 'karcher/worker';
 
 const karcher = await loadInWorker();
