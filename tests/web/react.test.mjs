@@ -105,7 +105,7 @@ describe('hooks of react-three-fiber', () => {
       const dragged = await pointsOf(page);
       await page.evaluate((value) => window.page.show(value), { ...shown, worker });
       assert.deepEqual(await pointsOf(page), dragged);
-      // Other options make another curve in the same object.
+      // Other options change the curve, and keep the object.
       const made = await page.evaluate(() => window.page.seen.made.size);
       const closed = { ...shown, worker, options: { ...shown.options, closed: true } };
       await page.evaluate((value) => window.page.show(value), closed);

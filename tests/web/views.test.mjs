@@ -133,7 +133,7 @@ describe('links of the page', () => {
     await second.page.reload();
     await second.settled();
     assert.ok(farthest(turned, await seen(second)) < 1, 'also after a reload');
-    // On the visible surface: the same drawing from elsewhere.
+    // A link to the visible surface shows the same drawing from elsewhere.
     await second.page.evaluate((text) => {
       location.hash = text;
     }, `${link}&view=top`);

@@ -102,7 +102,7 @@ function objectFields(
 
 const encodeName = (name: string) => encodeURIComponent(shortened(name, longestName));
 
-/** Reads a link; null unless the fragment names a surface. Other faulty parts are left out. */
+/** Reads a link; null unless the fragment names a surface. Faulty fields are left out. */
 export function parseLink(fragment: string): Link | null {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const mesh = fields.get('mesh');

@@ -1,4 +1,7 @@
-/** Fields of links that are one value each: how they are read and written, and what a link may say there. */
+/**
+ * Fields of links with a single value: their readers, their writers, and the values that a link may
+ * have.
+ */
 import type { CurveLevels } from 'karcher';
 import { dashes, defaultStyle, leastOpacity, surfaceWidths, widthRange } from './drawing';
 import {
@@ -18,27 +21,27 @@ import { parseNumbers } from './link_numbers';
 import { isColor } from './saved_drawing';
 
 export interface Field<Value> {
-  /** Null for a text that is no value of the field. */
+  /** Reads a text; null if it is no value of the field. */
   read(text: string): Value | null;
   write(value: Value): string;
-  /** The value of a link without the field. */
+  /** The value if the link lacks the field. */
   unsaid: Value;
-  /** The values in words, and what takes the place of others. */
+  /** The allowed values in words, and the value that replaces others. */
   range: string;
   instead: string;
 }
 
-/** The fields of values, by their names in a link and in the order there. */
+/** Fields by their names in a link, in the order of the link. */
 type Fields<Values> = { readonly [Name in keyof Values]: Field<Values[Name]> };
 
-/** The values that a link says. */
+/** The values in a link. */
 export function readFields<Values>(fields: Fields<Values>, link: URLSearchParams): Values {
   const all = Object.entries<Field<unknown>>(fields as Record<string, Field<unknown>>);
   const said = all.map(([name, { read, unsaid }]) => [name, read(link.get(name) ?? '') ?? unsaid]);
   return Object.fromEntries(said) as Values;
 }
 
-/** The fields of values that are not those of a link without them. */
+/** The fields whose values differ from the defaults of a link. */
 export function writtenFields<Values>(fields: Fields<Values>, values: Values): string[] {
   const names = Object.keys(fields) as (keyof Values & string)[];
   const said = names.filter((name) => values[name] !== fields[name].unsaid);
@@ -47,7 +50,7 @@ export function writtenFields<Values>(fields: Fields<Values>, values: Values): s
 
 export const shown = (value: number) => (value >= 1 ? value.toLocaleString('en') : `${value}`);
 
-/** A number of a range, or a whole one. */
+/** A number within a range, or an integer within it. */
 export const within = <Unsaid>(
   { least, most }: { least: number; most: number },
   unsaid: Unsaid,
@@ -112,7 +115,8 @@ const { type, arcs } = defaultCircleForm;
 const arcsRange = { least: fewestArcs, most: mostArcs };
 export const circleFields = {
   circletype: oneOf<CircleType>(['arcs', 'linear', 'exact'], type),
-  // Links once named no arcs where there were seven: these circles keep nearer to their radius now.
+  // Older links did not name the default of seven arcs: these circles now keep nearer to their
+  // radius.
   arcs: within(arcsRange, arcs, 'as many as keep to the radius', true),
 };
 
@@ -121,7 +125,10 @@ export const kindFields = {
   inside: oneOf(['left', 'right'], null, 'the smaller side'),
 };
 
-/** The look of an object: a `band` is a width in the surface's unit, a pattern's field its spacing. */
+/**
+ * The look of an object: `band` is a width in the surface's unit, and the field of a pattern its
+ * spacing.
+ */
 export const lookFields = {
   color: color('the default color'),
   band: within(surfaceWidths, null, 'a width in pixels'),

@@ -25,7 +25,7 @@ type Rule = Pick<Field<unknown>, 'read' | 'range' | 'instead'>;
 
 const number = (text: string) => (text.trim() === '' ? Number.NaN : Number(text));
 
-/** The rule of a text of several parts. */
+/** The rule for a text of several parts. */
 const all = (allows: (text: string) => boolean, range: string, instead: string): Rule => ({
   read: (text) => allows(text) || null,
   range,
