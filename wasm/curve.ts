@@ -16,11 +16,10 @@ import type {
   EngineCurveParts,
   EngineViewOptions,
 } from './karcher-engine.mjs';
-import { curveOptionNames } from './options.js';
+import { curveOptionNames, inDouble } from './options.js';
 import { Path } from './path.js';
 import type { CurveLeg } from './path_types.js';
 import { toSurfacePoints, wirePoint, wirePoints, withPoint } from './points.js';
-import { inDouble } from './polyline.js';
 import type {
   BridgedInterval,
   CurveKind,

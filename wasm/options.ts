@@ -9,7 +9,6 @@ import {
 } from './check.js';
 import { KarcherError } from './errors.js';
 import type { EngineFieldOptions } from './karcher-engine.mjs';
-import type { RegionShape } from './path_types.js';
 import type {
   ArcOptions,
   CenterOptions,
@@ -26,6 +25,7 @@ import type {
   MeshOptions,
   Method,
   OffsetOptions,
+  PolylineOptions,
   RegionOptions,
   Solver,
   Star,
@@ -36,6 +36,7 @@ import type {
 const field = { method: true, solver: true, rings: true, star: true } as const;
 export const fieldOptionNames = namesOf<FieldOptions>(field);
 export const distanceOptionNames = namesOf<DistanceOptions>({ solver: true, rings: true });
+const polylineOptionNames = namesOf<PolylineOptions>({ bits: true });
 const longWorkOptionNames = namesOf<LongWorkOptions>({ progress: true, signal: true });
 const meshOptionNames = namesOf<MeshOptions>({ repair: true, weld: true });
 const start = { start: true, normalize: true } as const;
@@ -96,7 +97,6 @@ export const isolineOptionNames = namesOf<IsolineOptions>({
   rings: true,
 });
 export const regionOptionNames = namesOf<RegionOptions>({ rule: true, combine: true });
-export const regionShapeNames = namesOf<RegionShape>({ outlines: true, inside: true });
 
 /** The names that callers may give; the first method is the default. */
 export const methods: readonly Method[] = ['karcher', 'paper'];
@@ -187,6 +187,12 @@ export function engineMeshOptions(options: MeshOptions): { repair: boolean; weld
     throw new KarcherError('badArgument', "a tolerance of welding has no use with repair: 'none'");
   }
   return { repair, weld };
+}
+
+/** Whether a polyline is requested in 64 bits. */
+export function inDouble(options: PolylineOptions): boolean {
+  checkOptions(options, polylineOptionNames);
+  return checkOneOf(options.bits ?? 32, [32, 64], 'the bits of a polyline') === 64;
 }
 
 export function checkLongWork(work: LongWorkOptions): void {

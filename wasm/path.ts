@@ -1,5 +1,5 @@
 import type { EnginePath } from './karcher-engine.mjs';
-import { asPolyline } from './polyline.js';
+import { inDouble } from './options.js';
 import type { PolylineOptions, SurfacePoint } from './types.js';
 
 /**
@@ -49,7 +49,8 @@ export class Path {
   polyline(options: { bits: 64 }): Float64Array;
   polyline(options?: PolylineOptions): Float32Array | Float64Array;
   polyline(options: PolylineOptions = {}): Float32Array | Float64Array {
-    return asPolyline(this.#data.position, options);
+    const { position } = this.#data;
+    return inDouble(options) ? position.slice() : new Float32Array(position);
   }
 
   /** @internal The path's data, which must not be changed. */

@@ -1,12 +1,14 @@
-import { checkArray, checkOneOf, checkOptions, checkPointLike, shown } from './check.js';
+import { checkArray, checkOneOf, checkOptions, checkPointLike, namesOf, shown } from './check.js';
 import type { MeshHandle } from './engine.js';
 import { KarcherError } from './errors.js';
 import type { EngineRegion } from './karcher-engine.mjs';
-import { regionOptionNames, regionShapeNames } from './options.js';
+import { regionOptionNames } from './options.js';
 import { Path } from './path.js';
 import type { Outline, RegionShape } from './path_types.js';
 import { wirePoint, wirePointArrays, wirePoints } from './points.js';
 import type { RegionOptions, SurfacePoint } from './types.js';
+
+const shapeNames = namesOf<RegionShape>({ outlines: true, inside: true });
 
 /** A part of the surface. A region keeps its data, needs no mesh and is not disposed of. */
 export class Region {
@@ -125,7 +127,7 @@ function wireShapes(shapes: unknown) {
       insides.push(new Float64Array(0));
       return;
     }
-    checkOptions(shape, regionShapeNames);
+    checkOptions(shape, shapeNames);
     const { outlines: own, inside } = shape as { outlines: unknown; inside?: unknown };
     const listed = checkArray(own, `the outlines of shape ${i}`);
     if (listed.length === 0) {

@@ -4,7 +4,6 @@ import { Path } from '../path.js';
 import { Region } from '../region.js';
 import type { CurveOptions, LongWorkOptions } from '../types.js';
 import { CurveView } from '../view.js';
-import { copyOf, isGone, type Origin, withoutWork } from './origin.js';
 import {
   type Call,
   errorOf,
@@ -17,6 +16,26 @@ import {
   type WorkerLike,
 } from './protocol.js';
 import { type RemoteCurve, type RemoteMesh, remoteCurve, remoteMesh } from './remote.js';
+
+/**
+ * A mesh or curve in the worker, and the data from which another worker creates it again: a mesh by
+ * its original call, a curve from its mesh by its last value.
+ */
+interface Origin {
+  /** Its number in its present or last worker. */
+  target: number;
+  /** Its worker, or null once it is disposed of. */
+  worker: WorkerLike | null;
+  /** The mesh or curve from which it was created; null if there was none. */
+  readonly of: Origin | null;
+  readonly call: string;
+  /** The arguments of its call, which nobody else changes. */
+  args: readonly unknown[];
+  /** The duration of the call in milliseconds. */
+  readonly took: number;
+  /** Whether it is disposed of, or is about to be. */
+  isDisposed: boolean;
+}
 
 interface Pending {
   resolve(result: unknown): void;
@@ -379,7 +398,9 @@ export class WorkerClient {
       if (part.sent === 'view') return new CurveView(part.data);
       if (part.sent !== 'mesh' && part.sent !== 'curve') return undefined;
       const object: RemoteMesh | RemoteCurve =
-        part.sent === 'mesh' ? remoteMesh(this, part.info) : remoteCurve(this);
+        part.sent === 'mesh'
+          ? remoteMesh(this, part.names, part.info)
+          : remoteCurve(this, part.names);
       if (part.sent === 'mesh') meshes++;
       const origin = this.#originOf(part, pending);
       this.#origins.set(object, origin);
@@ -400,8 +421,7 @@ export class WorkerClient {
     const worker = this.#worker;
     if (sent === 'mesh') {
       const took = performance.now() - begun;
-      const kept = this.#start ? withoutWork(args) : [];
-      return { target, worker, of, call, args: kept, took, isDisposed: false };
+      return { target, worker, of, call, args: this.#start ? args : [], took, isDisposed: false };
     }
     // A curve created by another curve has the same mesh.
     const mesh = of?.call === 'curve' ? of.of : of;
@@ -415,7 +435,7 @@ export class WorkerClient {
   #keep({ value }: { value?: CurveOptions }, pending: Pending | undefined): void {
     const of = pending?.of;
     if (!of) return;
-    if (pending.call === 'set') of.args = withoutWork(pending.args).slice(0, 1);
+    if (pending.call === 'set') of.args = pending.args.slice(0, 1);
     else if (value) of.args = [value];
   }
 }
@@ -425,6 +445,14 @@ function checkedWorker(worker: WorkerLike): WorkerLike {
   if (typeof postMessage === 'function' && typeof terminate === 'function') return worker;
   throw new KarcherError('badArgument', `the worker must be a Worker, not ${shown(worker)}`);
 }
+
+/** Whether an object was disposed of, either itself or, if it is a curve, with its mesh. */
+const isGone = ({ isDisposed, call, of }: Origin): boolean =>
+  isDisposed || (call === 'curve' && of !== null && of.isDisposed);
+
+/** A copy of a view alone, without the rest of its buffer. */
+const copyOf = (view: ArrayBufferView): unknown =>
+  'slice' in view ? (view as Uint8Array).slice() : structuredClone(view);
 
 const gone = () => new KarcherError('disposed', 'the mesh or curve has been disposed of');
 

@@ -62,12 +62,18 @@ export interface Failure {
   fatal: boolean;
 }
 
+/** The names of a class's methods, and of its other properties. */
+export interface ClassNames {
+  methods: string[];
+  facts: string[];
+}
+
 /** Values that cannot be cloned. */
 export type Sent =
   | { sent: 'signal' }
   | { sent: 'callback'; callback: number }
-  | { sent: 'mesh'; target: number; info: Readonly<MeshInfo> }
-  | { sent: 'curve'; target: number; value?: CurveOptions }
+  | { sent: 'mesh'; target: number; names: ClassNames; info: Readonly<MeshInfo> }
+  | { sent: 'curve'; target: number; names: ClassNames; value?: CurveOptions }
   /** The number of an object in the worker, where it stays. */
   | { sent: 'object'; target: number }
   | { sent: 'path'; data: EnginePath }

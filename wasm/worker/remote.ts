@@ -8,6 +8,7 @@ import type { Mesh } from '../mesh.js';
 import { frozenInfo } from '../mesh_info.js';
 import { checkLongWork } from '../options.js';
 import type { LongWorkOptions, MeshInfo, PolylineOptions } from '../types.js';
+import type { ClassNames } from './protocol.js';
 
 /** A sender of calls to the worker: of a method of an object there, or of the engine. */
 interface Caller {
@@ -57,7 +58,6 @@ interface Polyline {
 
 type CurveMethod = Exclude<MethodsOf<Curve>, 'edits'>;
 type CurveFact = Exclude<keyof Curve & string, MethodsOf<Curve>>;
-type MeshMethod = MethodsOf<Mesh>;
 
 /** A curve in a worker: the methods of `Curve`, and its properties as promises. */
 export type RemoteCurve = Remotely<Curve, Exclude<CurveMethod, 'polyline'>> &
@@ -66,7 +66,7 @@ export type RemoteCurve = Remotely<Curve, Exclude<CurveMethod, 'polyline'>> &
   Disposable;
 
 /** A mesh in a worker: the methods of `Mesh`. */
-export type RemoteMesh = Remotely<Mesh, MeshMethod> &
+export type RemoteMesh = Remotely<Mesh, MethodsOf<Mesh>> &
   Disposable & { readonly info: Readonly<MeshInfo> };
 
 /** An engine in a worker, without the client that calls it. */
@@ -79,92 +79,6 @@ export type RemoteEngine = Remotely<Karcher, MethodsOf<Karcher>> &
     ): Promise<{ mesh: RemoteMesh; file: FileInfo }>;
     dispose(): void;
   };
-
-const curveMethods = namesOf<Record<CurveMethod, true>>({
-  value: true,
-  set: true,
-  view: true,
-  points: true,
-  samples: true,
-  bridged: true,
-  legs: true,
-  path: true,
-  polyline: true,
-  unconverged: true,
-  knots: true,
-  weights: true,
-  betas: true,
-  times: true,
-  movePoint: true,
-  dragPoint: true,
-  setPoints: true,
-  addPoint: true,
-  insertPoint: true,
-  removePoint: true,
-  insertOnCurve: true,
-  split: true,
-  join: true,
-  movePointInOrder: true,
-  reverse: true,
-  setKind: true,
-  setClosed: true,
-  setWeight: true,
-  setWeights: true,
-  setBeta: true,
-  setBetas: true,
-  pointAt: true,
-  tangentAt: true,
-  nearest: true,
-  lengthAt: true,
-  pointAtLength: true,
-  equallySpaced: true,
-  dispose: true,
-});
-
-const curveFacts = namesOf<Record<CurveFact, true>>({
-  length: true,
-  kind: true,
-  closed: true,
-  degree: true,
-  parametrization: true,
-  segmentCount: true,
-  levels: true,
-  deviation: true,
-  fieldsComputed: true,
-});
-
-const meshMethods = namesOf<Record<MeshMethod, true>>({
-  positions: true,
-  triangles: true,
-  fileMarks: true,
-  subdivide: true,
-  surfacePoint: true,
-  position: true,
-  positionsOf: true,
-  normal: true,
-  nearestPoint: true,
-  prepare: true,
-  centerOfMass: true,
-  centersOfMass: true,
-  weightsOf: true,
-  centerOfMassOfDistances: true,
-  curve: true,
-  circle: true,
-  ellipse: true,
-  isolines: true,
-  offset: true,
-  distanceFromPaths: true,
-  regions: true,
-  cut: true,
-  distance: true,
-  shortestPath: true,
-  straightest: true,
-  logMap: true,
-  expMap: true,
-  transport: true,
-  mirror: true,
-  dispose: true,
-});
 
 const karcherMethods = namesOf<Record<MethodsOf<Karcher> | 'meshFromFile', true>>({
   meshFromFile: true,
@@ -222,20 +136,24 @@ function withDispose<Item extends { dispose(): void | Promise<void> }>(item: Ite
   return Object.defineProperty(item, Symbol.dispose, { value });
 }
 
-export function remoteCurve(client: Caller): RemoteCurve {
+export function remoteCurve(client: Caller, { methods, facts }: ClassNames): RemoteCurve {
   const curve = {};
-  const calls = calling(client, curveMethods, curve);
+  const calls = calling(client, methods, curve);
   const set = withoutBasis(calls.set!);
   // The properties are not enumerable, so that copying or printing a curve makes no call.
-  for (const name of curveFacts) {
+  for (const name of facts) {
     Object.defineProperty(curve, name, { get: () => client.call(name, [], curve) });
   }
   return withDispose(Object.assign(curve, calls, { set }) as unknown as RemoteCurve);
 }
 
-export function remoteMesh(client: Caller, info: Readonly<MeshInfo>): RemoteMesh {
+export function remoteMesh(
+  client: Caller,
+  { methods }: ClassNames,
+  info: Readonly<MeshInfo>,
+): RemoteMesh {
   const mesh = { info: frozenInfo(info) };
-  const calls = calling(client, meshMethods, mesh);
+  const calls = calling(client, methods, mesh);
   const curve = withoutBasis(calls.curve!);
   return withDispose(Object.assign(mesh, calls, { curve }) as unknown as RemoteMesh);
 }

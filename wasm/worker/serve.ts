@@ -8,6 +8,7 @@ import { Region } from '../region.js';
 import { CurveView } from '../view.js';
 import {
   type Call,
+  type ClassNames,
   failureOf,
   isSent,
   type Reply,
@@ -40,6 +41,19 @@ export function serve(root: object | Promise<object>): void {
 }
 
 const arraysOf = ({ face, bary, position, lengths }: EnginePath) => [face, bary, position, lengths];
+
+/** The names of what a class has for its users. */
+function namesIn(prototype: object, internal: string): ClassNames {
+  const own = Object.entries(Object.getOwnPropertyDescriptors(prototype)).filter(
+    ([name]) => name !== 'constructor' && name !== internal,
+  );
+  const names = (ofMethods: boolean) =>
+    own.filter(([, { get }]) => (get === undefined) === ofMethods).map(([name]) => name);
+  return { methods: names(true), facts: names(false) };
+}
+
+const meshNames = namesIn(Mesh.prototype, 'handle');
+const curveNames = namesIn(Curve.prototype, 'edits');
 
 class Server {
   readonly #root: object | Promise<object>;
@@ -193,8 +207,8 @@ class Server {
       const target = ++this.#lastObject;
       this.#objects.set(target, part);
       return part instanceof Mesh
-        ? { sent: 'mesh', target, info: part.info }
-        : { sent: 'curve', target, ...(keeps && { value: part.value() }) };
+        ? { sent: 'mesh', target, names: meshNames, info: part.info }
+        : { sent: 'curve', target, names: curveNames, ...(keeps && { value: part.value() }) };
     });
   }
 }
