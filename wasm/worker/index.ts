@@ -57,8 +57,9 @@ const workerOptionNames = namesOf<WorkerOptions>({ worker: true, wasm: true, sig
  * once with its reason. A waiting call is then not begun; files, graphs and check-ups stop. Any
  * other running call may continue for about as long as creating all meshes and curves again takes.
  * Then it is interrupted: a new worker replaces this one, the calls that were not aborted are sent
- * to it, and meshes and curves are created again as they were. For this purpose the data of meshes
- * is copied, which takes a small part of their memory in the engine.
+ * to it, and each mesh and curve is created again, as it was, before the first call that needs it.
+ * For this purpose the data of meshes is copied, which takes a small part of their memory in the
+ * engine.
  *
  * In Node the worker keeps the process alive only while a call is pending.
  *

@@ -3,7 +3,7 @@ import type { State } from '../editor/state/state';
 import type { View } from '../editor/engine/view';
 import { handleNames, withRadius } from '../model/circle';
 import { type CircleType, fewestArcs, isRound } from '../model/figure';
-import { byId, make, write } from './elements';
+import { byId, fill, write } from './elements';
 import { NumberField } from './number_field';
 
 const typeNames: Record<CircleType, string> = {
@@ -40,9 +40,7 @@ export class CircleSettings {
   #view: View | null = null;
 
   constructor(editor: Editor) {
-    for (const [type, label] of Object.entries(typeNames)) {
-      this.#type.append(make('option', label, { value: type }));
-    }
+    fill(this.#type, typeNames);
     this.#type.addEventListener('change', () =>
       editor.setCircleForm({ type: this.#type.value as CircleType }),
     );

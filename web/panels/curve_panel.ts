@@ -7,7 +7,7 @@ import { isCurve, isEmpty, isRound, isSpline, type Kind } from '../model/figure'
 import { type MethodId, methods } from '../model/methods';
 import type { Joint } from '../model/pen';
 import { CircleSettings } from './circle_settings';
-import { byId, make, write } from './elements';
+import { byId, choices, make, write } from './elements';
 import { FineSettings } from './fine_settings';
 import { Folds } from './folds';
 import { kindGroups, kindNames, kindNotes } from './kind_names';
@@ -30,9 +30,7 @@ export class CurvePanel {
   readonly #join = byId<HTMLButtonElement>('join');
   readonly #goOn = byId<HTMLButtonElement>('go-on');
   readonly #reverse = byId<HTMLButtonElement>('reverse');
-  readonly #kinds = kindGroups.flatMap(({ kinds }) =>
-    kinds.length > 1 ? kinds.map(makeKind) : [],
-  );
+  readonly #kinds: readonly HTMLInputElement[];
   readonly #settings: SettingsPanel;
   readonly #circle: CircleSettings;
   readonly #fine: FineSettings;
@@ -47,9 +45,8 @@ export class CurvePanel {
     this.#settings = new SettingsPanel(editor, edits, (joint) => events.setJoint(joint));
     this.#circle = new CircleSettings(editor);
     this.#fine = new FineSettings(editor, edits);
-    for (const input of this.#kinds) {
-      input.addEventListener('change', () => editor.setKind(input.value as Kind));
-    }
+    const kinds = kindGroups.flatMap((group) => (group.kinds.length > 1 ? group.kinds : []));
+    this.#kinds = choices('kind', kinds, kindNames, (kind) => editor.setKind(kind), kindNotes);
     for (const { id, label } of methods) this.#method.append(make('option', label, { value: id }));
     this.#method.addEventListener('change', () => {
       events.chooseMethod(this.#method.value as MethodId);
@@ -106,14 +103,6 @@ export class CurvePanel {
     const place = byId(kinds.some(isSpline) ? 'kind-advanced' : 'kind-place');
     if (row.parentElement !== place) place.append(row);
   }
-}
-
-function makeKind(kind: Kind): HTMLInputElement {
-  const label = make('label', '', { title: kindNotes[kind] });
-  const input = make('input', '', { type: 'radio', name: 'kind', value: kind });
-  label.append(input, make('span', kindNames[kind]));
-  byId('kind').append(label);
-  return input;
 }
 
 const pointsTitles: Partial<Record<Kind, string>> = {

@@ -23,7 +23,7 @@ import {
 } from '../model/derived';
 import { objectOf } from '../model/drawing';
 import type { Unit } from '../model/units';
-import { byId, make, write } from './elements';
+import { byId, choices, make, write } from './elements';
 import { kindNames, kindNotes } from './kind_names';
 import { NumberField } from './number_field';
 import { nameOf } from './object_rows';
@@ -150,21 +150,4 @@ export class DerivedPanel {
     const made = withCorners(changed, changed.corners ?? 'round');
     editor.perform(remaking(editor.state.drawing, { offset: made }));
   }
-}
-
-/** A choice between options, as radio buttons in an element with a given name. */
-function choices<Choice extends string>(
-  name: string,
-  all: readonly Choice[],
-  names: Record<Choice, string>,
-  choose: (choice: Choice) => void,
-): HTMLInputElement[] {
-  return all.map((choice) => {
-    const label = make('label');
-    const input = make('input', '', { type: 'radio', name, value: choice });
-    input.addEventListener('change', () => choose(choice));
-    label.append(input, make('span', names[choice]));
-    byId(name).append(label);
-    return input;
-  });
 }

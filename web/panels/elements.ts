@@ -18,6 +18,28 @@ export function make<Name extends keyof HTMLElementTagNameMap>(
   return Object.assign(element, properties);
 }
 
+/** A choice of one of several, as radio buttons in the element with an id, which is their name. */
+export function choices<Choice extends string>(
+  id: string,
+  all: readonly Choice[],
+  names: Readonly<Record<Choice, string>>,
+  choose: (choice: Choice) => void,
+  notes?: Readonly<Record<Choice, string>>,
+): HTMLInputElement[] {
+  return all.map((choice) => {
+    const label = make('label', '', notes && { title: notes[choice] });
+    const input = make('input', '', { type: 'radio', name: id, value: choice });
+    input.addEventListener('change', () => choose(choice));
+    label.append(input, make('span', names[choice]));
+    byId(id).append(label);
+    return input;
+  });
+}
+
+/** Appends options to a menu: the text of each by its value. */
+export const fill = (menu: HTMLSelectElement, texts: Readonly<Record<string, string>>): void =>
+  menu.append(...Object.entries(texts).map(([value, text]) => make('option', text, { value })));
+
 const integers = new Intl.NumberFormat('en');
 
 export const formatCount = (count: number, one: string, many = `${one}s`) =>

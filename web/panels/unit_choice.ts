@@ -1,7 +1,7 @@
 import { meshLabel } from '../model/meshes';
 import { recall, remember } from '../model/storage';
-import { guessUnit, isUnit, type Unit, units } from '../model/units';
-import { byId, make } from './elements';
+import { guessUnit, isUnit, type Unit } from '../model/units';
+import { byId, fill } from './elements';
 
 const names: Record<Unit, string> = {
   '': 'none',
@@ -20,7 +20,7 @@ export class UnitChoice {
   #key = '';
 
   constructor(private readonly changed: (unit: Unit) => void) {
-    this.#select.append(...units.map((unit) => make('option', names[unit], { value: unit })));
+    fill(this.#select, names);
     this.#select.addEventListener('change', () => {
       remember(`unit.${this.#key}`, this.#select.value);
       changed(this.#select.value as Unit);
