@@ -4,10 +4,11 @@ import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { countAll } from './shell.mjs';
 
 /**
- * Calls `runFile` with each name and returns the sums of its results, `{ passed, failed }`. The
- * durations are kept at `timesPath` for the order of the next run; a file without one comes first.
+ * Calls `runFile` with each name and returns the sums of what it resolves to, `{ passed, failed }`. How
+ * long each took is kept at `timesPath` for the next run's order; one that is not told there comes first.
+ * `atOnce` run at a time, by default as many as there are cores.
  */
-export async function runLongestFirst(names, timesPath, runFile) {
+export async function runLongestFirst(names, timesPath, runFile, atOnce) {
   const before = existsSync(timesPath) ? JSON.parse(readFileSync(timesPath, 'utf8')) : {};
   const expected = (name) => before[name] ?? Number.POSITIVE_INFINITY;
   const seconds = {};
@@ -19,6 +20,7 @@ export async function runLongestFirst(names, timesPath, runFile) {
       seconds[name] = Math.round(performance.now() - start) / 1000;
       return counts;
     },
+    atOnce,
   );
   writeFileSync(timesPath, JSON.stringify(seconds));
   const longest = Object.entries(seconds).sort(([, a], [, b]) => b - a);

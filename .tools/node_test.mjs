@@ -1,8 +1,8 @@
-// Runs files of node:test, each in a separate process.
+// Runs files of node:test, each in a process of its own, or several in one where they share what is costly to load.
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { runLongestFirst } from './longest_first.mjs';
-import { run } from './shell.mjs';
+import { inRoot, run } from './shell.mjs';
 
 /** The counts in a file's report, which node:test writes at its end. */
 function countsOf(report) {
@@ -11,8 +11,9 @@ function countsOf(report) {
   return { passed: count('pass'), failed: count('fail') + count('cancelled') };
 }
 
-/** Runs a file, prints its output, and returns the counts of its report. */
-async function runFile(file, { report, env, minutes }) {
+/** Runs files in one process, prints what they say, and returns what their report counted. */
+async function runFiles(files, { report, env, minutes }) {
+  const names = files.map((file) => basename(file)).join(', ');
   rmSync(report, { force: true });
   const reporters = ['spec', 'stdout', 'tap', report];
   const args = reporters.map(
@@ -21,12 +22,13 @@ async function runFile(file, { report, env, minutes }) {
   let problem;
   let output;
   try {
-    output = await run(process.execPath, [...args, file], { env, quiet: true, minutes });
+    const started = files.length === 1 ? files : [inRoot('.tools/together.mjs'), ...files];
+    output = await run(process.execPath, [...args, ...started], { env, quiet: true, minutes });
   } catch (error) {
     problem = error;
     output = error.output;
   }
-  console.log(`${basename(file)}\n${output.replace(/^ℹ (\w+) [\d.]+\n/gm, '')}`);
+  console.log(`${names}\n${output.replace(/^ℹ (\w+) [\d.]+\n/gm, '')}`);
   let counts = { passed: 0, failed: 0 };
   try {
     counts = countsOf(report);
@@ -35,19 +37,39 @@ async function runFile(file, { report, env, minutes }) {
   }
   if (counts.passed + counts.failed === 0) problem ??= new Error('no test ran');
   if (problem && counts.failed === 0) {
-    console.error(`${basename(file)}: ${problem.message}`);
+    console.error(`${names}: ${problem.message}`);
     counts.failed = 1;
   }
   return counts;
 }
 
 /**
- * Runs the files of a folder and returns their counts. `reports` is the folder for their reports.
+ * Runs groups of files, each a name and files that share a process, and returns what they counted. `reports` is a
+ * folder for what it writes; `atOnce` groups run at a time, by default as many as there are cores.
  */
-export function runNodeTests(files, { reports, env, minutes }) {
+export function runGroups(groups, { reports, env, minutes, atOnce }) {
   mkdirSync(reports, { recursive: true });
-  const byName = new Map(files.map((file) => [basename(file), file]));
-  return runLongestFirst([...byName.keys()], join(reports, 'seconds.json'), (name) =>
-    runFile(byName.get(name), { report: join(reports, `${name}.tap`), env, minutes }),
-  );
+  const byName = new Map(groups.map((group) => [group.name, group]));
+  const runGroup = (name) => {
+    const group = byName.get(name);
+    const report = join(reports, `${name}.tap`);
+    return runFiles(group.files, { report, env: { ...env, ...group.env }, minutes });
+  };
+  return runLongestFirst([...byName.keys()], join(reports, 'seconds.json'), runGroup, atOnce);
 }
+
+/** Each file as a group of its own, with more for its environment. */
+export const alone = (files, env = {}) =>
+  files.map((file) => ({ name: basename(file), files: [file], env }));
+
+/** Files dealt out to groups of about `size`. */
+export function dealt(files, size) {
+  const count = Math.ceil(files.length / size);
+  return Array.from({ length: count }, (_, group) => ({
+    name: `group-${group + 1}-of-${count}`,
+    files: files.filter((_, i) => i % count === group),
+  }));
+}
+
+/** Runs files, each in a process of its own, and returns what they counted. */
+export const runNodeTests = (files, options) => runGroups(alone(files), options);

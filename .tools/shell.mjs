@@ -104,8 +104,8 @@ export function run(program, args, { env = {}, quiet = false, minutes = 30 } = {
   });
 }
 
-/** Calls `work` with each entry, `cores` at a time, and sums the checks that it counts. */
-export async function countAll(entries, work) {
+/** Calls `work` with each entry, `atOnce` at a time, and sums the checks that it counts. */
+export async function countAll(entries, work, atOnce = cores) {
   const counts = { passed: 0, failed: 0 };
   const waiting = [...entries];
   const worker = async () => {
@@ -115,7 +115,7 @@ export async function countAll(entries, work) {
       counts.failed += failed;
     }
   };
-  await Promise.all(Array.from({ length: cores }, worker));
+  await Promise.all(Array.from({ length: atOnce }, worker));
   return counts;
 }
 

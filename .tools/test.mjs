@@ -1,22 +1,24 @@
-// `npm test`: sets up, builds everything and runs the tests, always the same ones. With --long it
-// also runs the longer tests, and tests use the large numbers of random cases that they reserve for
-// KARCHER_LONG=1, except those of the engine with the sanitizers, which would take hours. With
-// `--meshes FOLDER`, saved studies of meshes in files are computed again, if these are in the
-// folder. With names of files of tests/wasm, tests/paper and tests/web it runs only these.
-import { mkdirSync } from 'node:fs';
+// `npm test`: sets up, builds everything and runs the tests, always the same ones. With --long it runs also
+// those that are too long for that, and tests take the large numbers of random cases that they keep for
+// KARCHER_LONG=1, but not those of the engine with the sanitizers, which would take hours; saved studies of
+// meshes in files are computed anew with `--meshes FOLDER`, where these are. With names of files of tests/wasm,
+// tests/paper and tests/web it runs only these. With --whole it runs everything, and of such files also what
+// is too long for `npm test`.
+import { mkdirSync, readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { buildBook, buildFacade, buildNative, buildPage, buildWasm, writeBunny } from './build.mjs';
 import { runGoogleTest } from './gtest.mjs';
-import { runNodeTests } from './node_test.mjs';
+import { alone, dealt, runGroups } from './node_test.mjs';
 import { chromiumPath, setUp } from './setup.mjs';
-import { closeWith, filesBelow, inRoot, runStages } from './shell.mjs';
+import { closeWith, cores, filesBelow, inRoot, runStages } from './shell.mjs';
 
 const { values: options, positionals: named } = parseArgs({
-  options: { long: { type: 'boolean' }, meshes: { type: 'string' } },
+  options: { long: { type: 'boolean' }, meshes: { type: 'string' }, whole: { type: 'boolean' } },
   allowPositionals: true,
 });
 const { long, meshes } = options;
+const whole = options.whole ? named.map(inRoot) : [];
 const longCases = {
   ...(long && { KARCHER_LONG: '1' }),
   ...(meshes && { KARCHER_MESHES: resolve(process.env.INIT_CWD ?? '.', meshes) }),
@@ -33,13 +35,29 @@ const runNative = (preset, more, program = 'karcher_tests') =>
 
 const nodeFiles = (folder) => filesBelow(folder, /\.test\.m?js$/);
 
-/** Runs files of node:test and returns their counts. */
+/** Whether a file's tests drive the page by browser.mjs. */
+const drivesPage = (file) => readFileSync(file, 'utf8').includes("from './browser.mjs'");
+
+/** How many files share a process and its browsers: starting both takes as long as opening the page thrice. */
+const sharing = 5;
+
+/** Runs files of node:test and returns what they counted. */
 function runNode(folder, env = {}, files = nodeFiles(folder)) {
   if (files.length === 0) throw new Error(`there are no tests in ${folder}`);
-  return runNodeTests(files, {
+  const asWhole = files.filter((file) => whole.includes(file));
+  const others = files.filter((file) => !whole.includes(file));
+  const pages = others.filter(drivesPage);
+  const groups = [
+    ...alone(asWhole, { KARCHER_LONG: '1' }),
+    ...alone(others.filter((file) => !pages.includes(file))),
+    ...(long ? alone(pages) : dealt(pages, sharing)),
+  ];
+  return runGroups(groups, {
     reports: `${reports}/${folder.replaceAll('/', '-')}`,
     env,
     minutes,
+    // A page waits for frames and timers, so that one more keeps the cores busy.
+    ...(pages.length > 0 && { atOnce: cores + 1 }),
   });
 }
 
@@ -87,12 +105,16 @@ const everything = [
   tests('the page', () => runNode('tests/web', { CHROMIUM_PATH: chromiumPath(), ...longCases })),
 ];
 
-/** The stages for only some files of tests/wasm, tests/paper and tests/web. */
-function stagesOf(files) {
+/** Throws where a name is no file of tests/wasm, tests/paper or tests/web. */
+function checkNames() {
   const known = ['tests/wasm', 'tests/paper', 'tests/web'].flatMap(nodeFiles);
-  const unknown = files.find((file) => !known.includes(inRoot(file)));
+  const unknown = named.find((file) => !known.includes(inRoot(file)));
   if (unknown)
     throw new Error(`${unknown} is no file of tests in tests/wasm, tests/paper or tests/web`);
+}
+
+/** The stages of some files of tests/wasm, tests/paper and tests/web alone. */
+function stagesOf(files) {
   const run = () =>
     runNode(
       'long',
@@ -103,4 +125,6 @@ function stagesOf(files) {
 }
 
 mkdirSync(reports, { recursive: true });
-closeWith(await runStages(named.length > 0 ? stagesOf(named) : everything));
+checkNames();
+const some = named.length > 0 && !options.whole;
+closeWith(await runStages(some ? stagesOf(named) : everything));

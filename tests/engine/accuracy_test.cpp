@@ -5,6 +5,8 @@
 #include <cctype>
 #include <string>
 
+#include "support.h"
+
 namespace karcher {
 namespace {
 
@@ -35,6 +37,7 @@ std::string testName(const testing::TestParamInfo<Asked>& asked) {
 }
 
 TEST_P(AccuracyOnSmoothSurfaces, IsAPartOfTheMeanEdge) {
+  SKIP_WHERE_SANITIZED();
   const Asked asked = GetParam();
   constexpr int kTriangles = 20480;
   bool found = false;

@@ -299,7 +299,8 @@ Array<SurfacePoint> pointsOnCircle(const TriangleMesh& mesh, double leg) {
 
 TEST(CurveLevels, OfTheirOwnAreNoneOnASmoothSurfaceWhereTheyWouldMoveTheCurve) {
   // On the sphere far points have no level on any mesh, near ones as many as stay quick.
-  for (const int triangles : {8000, 32000}) {
+  const int sizes[] = {8000, 32000};
+  for (const int triangles : casesOf(sizes, 1)) {
     Surface surface(meshOf(makeShape(Shape::kSphere, triangles)));
     const double edge = surface.geometry().meanEdge;
     for (const double leg : {0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.8, 0.9}) {

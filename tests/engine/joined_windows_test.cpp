@@ -5,6 +5,7 @@
 #include <string>
 #include <tuple>
 
+#include "cases.h"
 #include "distance/window_distance.h"
 #include "generators/gallery.h"
 #include "generators/plane.h"
@@ -89,7 +90,8 @@ TEST(JoinedWindows, AreNearExactOnRingTubesOfAnyProportion) {
   const uint64_t seed = 71;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
-  for (int i = 0; i < 60; ++i) {
+  const int tubes = casesOf(60, 10);
+  for (int i = 0; i < tubes; ++i) {
     const double radius = std::exp(random.uniform(std::log(0.004), std::log(0.6)));
     const int around = 4 + random.index(20);
     const int along = 20 + random.index(60);
@@ -112,10 +114,17 @@ TEST(JoinedWindows, AreNearExactOnTheGallery) {
   const uint64_t seed = 5;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
-  for (const char* const name :
-       {"ring tube, r = 0.1, quads 20:1", "ring tube, r = 0.03, quads 33:1", "torus",
-        "torus, stretched 8:1", "rough sheet", "rough sheet, sheared 10", "very rough sheet",
-        "crumpled sheet, 6 folds", "plate with 50 holes", "sphere, random"}) {
+  const char* const names[] = {"ring tube, r = 0.1, quads 20:1",
+                               "ring tube, r = 0.03, quads 33:1",
+                               "torus",
+                               "torus, stretched 8:1",
+                               "rough sheet",
+                               "rough sheet, sheared 10",
+                               "very rough sheet",
+                               "crumpled sheet, 6 folds",
+                               "plate with 50 holes",
+                               "sphere, random"};
+  for (const char* const name : casesOf(names, 3)) {
     SCOPED_TRACE(name);
     const TriangleMesh mesh = galleryMesh(name);
     for (int i = 0; i < 3; ++i) expectNearExact(mesh, randomPlace(mesh, random));
@@ -151,7 +160,7 @@ TEST(JoinedWindows, AreStraightOnStretchedAndShearedPlanes) {
   Random random(seed);
   for (const double stretch : {1.0, 2.5, 10.0, 20.0}) {
     for (const double shear : {0.0, 0.7 * stretch}) {
-      for (int mesh = 0; mesh < (longRun() ? 60 : 4); ++mesh) {
+      for (int mesh = 0; mesh < (longRun() ? 60 : casesOf(4, 1)); ++mesh) {
         SCOPED_TRACE("stretch " + std::to_string(stretch) + ", shear " + std::to_string(shear));
         constexpr int kSide = 20;
         const TriangleMesh cells = randomCells(kSide, stretch, shear, random);

@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { runLongestFirst } from '../../.tools/longest_first.mjs';
-import { runNodeTests } from '../../.tools/node_test.mjs';
+import { dealt, runGroups, runNodeTests } from '../../.tools/node_test.mjs';
 
 let folder;
 before(() => {
@@ -60,7 +60,34 @@ describe('a file of node:test', () => {
   });
 });
 
-test('slow and new files begin first', async () => {
+test('files that share a process are counted together, also where one of them ends it', async () => {
+  const imports = "import { test } from 'node:test';\n";
+  const texts = {
+    'a.test.mjs': 'test("a", () => {}); globalThis.shared = true;',
+    'b.test.mjs':
+      'test("b", () => { if (!globalThis.shared) throw new Error(); }); test("c", () => { throw new Error(); });',
+    'd.test.mjs': 'test("d", () => process.exit(0));',
+  };
+  const files = Object.keys(texts).map((name) => join(folder, name));
+  for (const file of files) writeFileSync(file, imports + texts[file.slice(folder.length + 1)]);
+  const options = { reports: folder, env: { NODE_TEST_CONTEXT: undefined }, minutes: 5 };
+  const count = (some, size) => runGroups(dealt(some, size), options);
+  assert.deepEqual(await count(files.slice(0, 2), 2), { passed: 2, failed: 1 });
+  assert.deepEqual(await count(files.slice(0, 2), 1), { passed: 1, failed: 2 });
+  assert.ok((await count(files, 3)).failed > 0);
+});
+
+test('files are dealt out to groups, each to one', () => {
+  const files = ['a', 'b', 'c', 'd', 'e', 'f', 'g'];
+  const groups = dealt(files, 3).map((group) => group.files);
+  assert.deepEqual(groups.flat().sort(), files);
+  assert.deepEqual(
+    groups.map((group) => group.length),
+    [3, 2, 2],
+  );
+});
+
+test('what took long before, and what is new, is begun first', async () => {
   const times = join(folder, 'times.json');
   writeFileSync(times, JSON.stringify({ short: 1, long: 9, middle: 5, gone: 20 }));
   const begun = [];

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, openBrowser, Tab, touchOf } from './browser.mjs';
+import { inLongRun } from './part.mjs';
 
 const at = (faces) => faces.map((face) => `${face},0.3,0.3`).join(';');
 const other = (faces, name) =>
@@ -117,46 +118,49 @@ describe('the order of objects, and the menu at a place', () => {
     await tab.close();
   });
 
-  test('a group whose members are not neighbors has a row above each run, and is one group', async () => {
-    const grouped = (faces, name) => `${other(faces, name)}${encodeURIComponent('&group=A')}`;
-    const lines = `mesh=sphere:1500&kind=polyline&points=${at([20, 40])}&name=Third&group=A&place=2`;
-    const tab = await Tab.open(
-      browser,
-      [lines, grouped([60, 90], 'First'), other([10, 500], 'Second')].join('&'),
-    );
-    const { page } = tab;
-    const objects = async () => (await tab.state()).drawing.objects;
-    const told = async () => (await objects()).map(({ name, group }) => `${name} ${group}`);
-    const groupRows = page.locator('#objects .group-row');
-    const before = await objects();
-    assert.deepEqual(await told(), ['First A', 'Second null', 'Third A']);
-    assert.equal(await groupRows.count(), 2);
-    for (const row of [0, 1]) {
-      await groupRows.nth(row).locator('.group-name').click();
-      assert.deepEqual((await tab.state()).chosen, [1, 3]);
-    }
-    for (const copy of ['Control+d', 'Control+c']) {
-      await page.keyboard.press(copy);
-      if (copy === 'Control+c') await page.keyboard.press('Control+v');
-      await page.waitForFunction(() => window.karcherPage.state().drawing.objects.length === 5);
-      await tab.settled();
-      assert.deepEqual((await told()).slice(0, 3), ['First A', 'Second null', 'Third A']);
-      assert.equal(new Set((await objects()).slice(3).map(({ group }) => group)).size, 1);
-      assert.equal(await groupRows.count(), 3);
+  inLongRun(
+    'a group whose members are not neighbors has a row above each run, and is one group',
+    async () => {
+      const grouped = (faces, name) => `${other(faces, name)}${encodeURIComponent('&group=A')}`;
+      const lines = `mesh=sphere:1500&kind=polyline&points=${at([20, 40])}&name=Third&group=A&place=2`;
+      const tab = await Tab.open(
+        browser,
+        [lines, grouped([60, 90], 'First'), other([10, 500], 'Second')].join('&'),
+      );
+      const { page } = tab;
+      const objects = async () => (await tab.state()).drawing.objects;
+      const told = async () => (await objects()).map(({ name, group }) => `${name} ${group}`);
+      const groupRows = page.locator('#objects .group-row');
+      const before = await objects();
+      assert.deepEqual(await told(), ['First A', 'Second null', 'Third A']);
+      assert.equal(await groupRows.count(), 2);
+      for (const row of [0, 1]) {
+        await groupRows.nth(row).locator('.group-name').click();
+        assert.deepEqual((await tab.state()).chosen, [1, 3]);
+      }
+      for (const copy of ['Control+d', 'Control+c']) {
+        await page.keyboard.press(copy);
+        if (copy === 'Control+c') await page.keyboard.press('Control+v');
+        await page.waitForFunction(() => window.karcherPage.state().drawing.objects.length === 5);
+        await tab.settled();
+        assert.deepEqual((await told()).slice(0, 3), ['First A', 'Second null', 'Third A']);
+        assert.equal(new Set((await objects()).slice(3).map(({ group }) => group)).size, 1);
+        assert.equal(await groupRows.count(), 3);
+        await page.keyboard.press('Control+z');
+        assert.deepEqual(await objects(), before);
+        await groupRows.first().locator('.group-name').click();
+      }
+      await page.keyboard.press('Delete');
+      assert.deepEqual(await told(), ['Second null', ' null']);
       await page.keyboard.press('Control+z');
       assert.deepEqual(await objects(), before);
-      await groupRows.first().locator('.group-name').click();
-    }
-    await page.keyboard.press('Delete');
-    assert.deepEqual(await told(), ['Second null', ' null']);
-    await page.keyboard.press('Control+z');
-    assert.deepEqual(await objects(), before);
-    await groupRows.nth(1).locator('.group-name').click();
-    await page.keyboard.press('Control+g');
-    assert.deepEqual(await told(), ['Second null', 'First Group 1', 'Third Group 1']);
-    assert.equal(await groupRows.count(), 1);
-    await tab.close();
-  });
+      await groupRows.nth(1).locator('.group-name').click();
+      await page.keyboard.press('Control+g');
+      assert.deepEqual(await told(), ['Second null', 'First Group 1', 'Third Group 1']);
+      assert.equal(await groupRows.count(), 1);
+      await tab.close();
+    },
+  );
 
   test('a group has a row, which selects, folds, renames, hides, locks and moves its members', async () => {
     const tab = await Tab.open(browser, fragment);
@@ -254,7 +258,7 @@ describe('the order of objects, and the menu at a place', () => {
     await tab.close();
   });
 
-  test('a resting finger opens the menu, and adds no point', async () => {
+  inLongRun('a resting finger opens the menu, and adds no point', async () => {
     const tab = await Tab.open(browser, fragment);
     const { page } = tab;
     const { x, y } = await tab.middle();
@@ -270,7 +274,7 @@ describe('the order of objects, and the menu at a place', () => {
     await tab.close();
   });
 
-  test('a finger drags rows by their grips, and scrolls elsewhere', async () => {
+  inLongRun('a finger drags rows by their grips, and scrolls elsewhere', async () => {
     const phone = await openBrowser({ viewport: { width: 390, height: 844 }, hasTouch: true });
     try {
       const tab = await Tab.open(phone, fragment);

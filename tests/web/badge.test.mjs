@@ -3,8 +3,8 @@
 // sphere.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
+import { inLongRun } from './part.mjs';
 
 const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
@@ -17,7 +17,7 @@ const lattice = Array.from({ length: 200_000 }, (_, i) => {
 });
 const areaWhere = (isInside) => (4 * Math.PI * lattice.filter(isInside).length) / lattice.length;
 
-test('a badge of three booleans is filled, offset, cut out and saved', async () => {
+inLongRun('a badge of three booleans is filled, offset, cut out and saved', async () => {
   const tab = await Tab.open(browser, 'mesh=sphere:6000');
   const { page } = tab;
   const { x, y } = await tab.middle();

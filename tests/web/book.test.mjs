@@ -6,6 +6,7 @@ import { describe, test } from 'node:test';
 import axe from 'axe-core';
 import { filesBelow, inRoot } from '../../.tools/shell.mjs';
 import { browserOfSuite, isComplaint, openBrowser, until } from './browser.mjs';
+import { part } from './part.mjs';
 
 const built = inRoot('build/page');
 const book = join(built, 'book');
@@ -136,7 +137,7 @@ describe('in a browser the book', () => {
     await page.close();
   });
 
-  for (const path of live) {
+  for (const path of part(live, 4)) {
     test(`shows ${relative(book, path)}`, async () => {
       const { page, complaints } = await open(relative(book, path));
       await page.locator('canvas, pre:not(:empty)').first().waitFor();

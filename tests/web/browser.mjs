@@ -41,11 +41,17 @@ const flags = [
     ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup'],
   ]}`,
 ];
-/** The module's code is compiled once, without optimization. */
-const quickFlags = ['--js-flags=--liftoff-only'];
+/**
+ * The module's code is compiled once, without optimization. Tabs of a suite share a process, which has compiled the
+ * page's scripts before.
+ */
+const quickFlags = ['--js-flags=--liftoff-only', '--process-per-site'];
 export const launching = { executablePath: chromiumPath(), args: flags };
-/** The limit of waits is generous: software graphics on a busy machine start slowly. */
-const patience = 60_000;
+/**
+ * The limit of waits is generous: software graphics on a busy machine start slowly, and more files run at once than
+ * there are cores.
+ */
+const patience = 120_000;
 
 /** Polls a condition that the page cannot await; fails if it never holds. */
 export async function until(condition, what) {
@@ -109,30 +115,79 @@ function unfold() {
   }
 }
 
+/** The browsers that run, one `asUsers` have it and one that draws nothing, with the number of their windows. */
+const shared = new Map();
+/** A browser without a window waits that long for the next suite, in milliseconds. */
+const lingering = 1000;
+
+const argsOf = (asUsers) => (asUsers ? flags : [...flags, ...quickFlags]);
+
+/** Starts a browser that suites share until it is closed, or has crashed. */
+function share(asUsers) {
+  const launched = chromium.launch({ ...launching, args: argsOf(asUsers) });
+  const entry = { launched, windows: 0, end: undefined };
+  entry.forget = () => {
+    if (shared.get(asUsers) === entry) shared.delete(asUsers);
+  };
+  launched.then((browser) => browser.once('disconnected', entry.forget), entry.forget);
+  shared.set(asUsers, entry);
+  return entry;
+}
+
+/** A new window, with a storage of its own, of a browser that all suites of a process share. */
+async function openWindow(asUsers, settings) {
+  const entry = shared.get(asUsers) ?? share(asUsers);
+  clearTimeout(entry.end);
+  entry.windows++;
+  const browser = await entry.launched;
+  const context = await browser.newContext(settings);
+  const close = async () => {
+    await context.close();
+    if (--entry.windows > 0) return;
+    entry.end = globalThis.setTimeout(() => {
+      entry.forget();
+      browser.close();
+    }, lingering);
+  };
+  return { context, close };
+}
+
+/** A window of a browser of its own, whose storage is on disk. */
+async function openProfile(asUsers, settings) {
+  const folder = mkdtempSync(join(tmpdir(), 'karcher-page-'));
+  const started = { ...launching, args: argsOf(asUsers) };
+  const context = await chromium.launchPersistentContext(folder, { ...started, ...settings });
+  const close = async () => {
+    await context.close();
+    rmSync(folder, { recursive: true, force: true });
+  };
+  return { context, close };
+}
+
 /**
- * Serves the page and opens a browser with a storage of its own, in memory, or with `profile` on disk;
+ * Serves the page and opens a window with a storage of its own, in memory, or with `profile` on disk;
  * without a service worker, which would answer in place of what a test serves. Tests that look at the
  * picture, compute much or measure times ask for a browser `asUsers` have it. To others nothing is drawn and
  * no module's code is optimized: drawing without a graphics card and compiling took a fifth of the
- * processor's time. What is folded for a new user is open, but with `unfolded: false`.
+ * processor's time. What is folded for a new user is open, but with `unfolded: false`. With `manyTabs` the
+ * process of its tabs lives on between them, so that it is not started, and the scripts are not compiled, for each tab.
  */
 export async function openBrowser({
   profile = false,
   asUsers = false,
   unfolded = true,
+  manyTabs = false,
   ...options
 } = {}) {
   const server = await servePage();
   const settings = { viewport: { width: 900, height: 640 }, serviceWorkers: 'block', ...options };
-  const folder = profile ? mkdtempSync(join(tmpdir(), 'karcher-page-')) : null;
-  const started = asUsers ? launching : { ...launching, args: [...flags, ...quickFlags] };
-  const context = folder
-    ? await chromium.launchPersistentContext(folder, { ...started, ...settings })
-    : await (await chromium.launch(started)).newContext(settings);
+  const open = profile ? openProfile : openWindow;
+  const { context, close } = await open(asUsers, settings);
   context.setDefaultTimeout(patience);
   if (!asUsers) await context.addInitScript(drawNothing);
   if (unfolded) await context.addInitScript(unfold);
   const address = `http://127.0.0.1:${server.address().port}/`;
+  if (manyTabs && !asUsers) await (await context.newPage()).goto(`${address}icon.svg`);
   return {
     context,
     address,
@@ -142,11 +197,8 @@ export async function openBrowser({
       server.closeAllConnections();
     },
     async close() {
-      const browser = context.browser();
-      await context.close();
-      await browser?.close();
+      await close();
       server.close();
-      if (folder) rmSync(folder, { recursive: true, force: true });
     },
   };
 }
@@ -157,7 +209,7 @@ export async function openBrowser({
 export function browserOfSuite(options) {
   const browser = {};
   before(async () => {
-    Object.assign(browser, await openBrowser(options));
+    Object.assign(browser, await openBrowser({ manyTabs: true, ...options }));
   });
   after(() => browser.close());
   return browser;

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
+import { inLongRun, part } from './part.mjs';
 
 describe('without a mouse', () => {
   const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
@@ -36,7 +37,7 @@ describe('without a mouse', () => {
     p: { kind: 'pen', points: 4 },
     w: { kind: 'center', points: 4 },
   };
-  for (const [tool, { kind, points }] of Object.entries(drawing)) {
+  for (const [tool, { kind, points }] of part(Object.entries(drawing), 2)) {
     test(`tool ${tool} places points, which keys move, delete and restore`, async () => {
       const { tab, page, keys, figure } = await open();
       await keys(tool);
@@ -63,7 +64,7 @@ describe('without a mouse', () => {
     });
   }
 
-  test('a circle is placed and enlarged', async () => {
+  inLongRun('a circle is placed and enlarged', async () => {
     const { tab, page, keys, figure } = await open();
     await keys('o', 'Enter');
     const { rim } = (await figure()).circle;
@@ -99,7 +100,7 @@ describe('without a mouse', () => {
     await tab.close();
   });
 
-  test('several points are selected in their list, moved together and deleted', async () => {
+  inLongRun('several points are selected in their list, moved together and deleted', async () => {
     const { tab, page, keys, figure } = await open();
     await keys('b');
     for (let count = 0; count < 6; count++) {

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
 import { farthestFromSurface } from './on_surface.mjs';
+import { inLongRun } from './part.mjs';
 import { lengthOf } from './polylines.mjs';
 
 describe('a center of mass', () => {
@@ -105,7 +106,7 @@ describe('a center of mass', () => {
     await tab.close();
   });
 
-  test('says whether it is the only one while points are dragged', async () => {
+  inLongRun('says whether it is the only one while points are dragged', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=center');
     await tab.click([-30, -30], [30, -25], [20, 40]);
     const words = () => tab.page.locator('#status-length').textContent();

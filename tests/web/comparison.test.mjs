@@ -4,6 +4,7 @@ import { before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
 import { browserOfSuite, Tab } from './browser.mjs';
+import { inLongRun } from './part.mjs';
 import { lengthOf } from './polylines.mjs';
 
 describe('the distance of two polylines', () => {
@@ -129,29 +130,32 @@ describe('a comparison', () => {
     await tab.close();
   });
 
-  test('with a method of the same curve finds no distance, and ends when the methods are equal', async () => {
-    const tab = await Tab.open(browser);
-    const { page } = tab;
-    await tab.click([-60, 40], [-20, -30], [30, 30], [70, -30]);
-    await page.locator('#compare').selectOption('karcher-exact');
-    await answered(tab);
-    await page.waitForFunction(() => window.karcherPage.view().quality === 'exact');
-    await answered(tab);
-    const [largest] = await numbers(tab, 'largest');
-    assert.ok(largest <= 1e-4, `${largest}`);
-    await page.locator('#method').selectOption('karcher-exact');
-    await page.locator('#comparison').waitFor({ state: 'hidden' });
-    // An object without a curve says so.
-    await page.locator('#compare').selectOption('karcher');
-    await page.keyboard.press('Escape');
-    await page.locator('#clear').click();
-    await page.waitForFunction(() =>
-      /no curve to compare/.test(document.getElementById('compare-problem').textContent),
-    );
-    await tab.close();
-  });
+  inLongRun(
+    'with a method of the same curve finds no distance, and ends when the methods are equal',
+    async () => {
+      const tab = await Tab.open(browser);
+      const { page } = tab;
+      await tab.click([-60, 40], [-20, -30], [30, 30], [70, -30]);
+      await page.locator('#compare').selectOption('karcher-exact');
+      await answered(tab);
+      await page.waitForFunction(() => window.karcherPage.view().quality === 'exact');
+      await answered(tab);
+      const [largest] = await numbers(tab, 'largest');
+      assert.ok(largest <= 1e-4, `${largest}`);
+      await page.locator('#method').selectOption('karcher-exact');
+      await page.locator('#comparison').waitFor({ state: 'hidden' });
+      // An object without a curve says so.
+      await page.locator('#compare').selectOption('karcher');
+      await page.keyboard.press('Escape');
+      await page.locator('#clear').click();
+      await page.waitForFunction(() =>
+        /no curve to compare/.test(document.getElementById('compare-problem').textContent),
+      );
+      await tab.close();
+    },
+  );
 
-  test('keeps its layout while it fills, with every method', async () => {
+  inLongRun('keeps its layout while it fills, with every method', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:5000&method=karcher');
     const { page } = tab;
     await tab.click([-150, 40], [-60, -90], [60, 100], [150, -30]);

@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { openBrowser, Tab } from './browser.mjs';
 import { gridStl } from './large_file.mjs';
+import { inLongRun } from './part.mjs';
 
 /** The limit in bytes: more than a drawing has, and far less than the mesh. */
 const most = 1 << 16;
@@ -73,29 +74,32 @@ describe('the page’s main thread', () => {
       return page?.state().mesh.startsWith('file:') && page.triangles > least && page.settled;
     }, triangles - 1000);
 
-  test('stays free of every file that is opened, drawn on, checked, kept and opened again', async () => {
-    const tab = await Tab.open(browser);
-    const { page } = tab;
-    await page.locator('#file').setInputFiles(file);
-    await opened(tab);
-    await page.keyboard.press('2');
-    await tab.click([-90, 20], [-30, -40], [30, 20], [90, -30]);
-    await tab.dragHandle('Control point 2 of 4', 25, 10);
-    // A second engine computes the exact curve on the same mesh.
-    assert.equal(await page.locator('#status-quality').textContent(), 'exact');
-    assert.equal(tab.engines().length, 2);
-    await page.locator('#facts-line').click();
-    await page.getByText('Check-up').click();
-    await page.locator('#checkup-found > *').first().waitFor();
-    await page.waitForFunction(() => window.passed.kept.length > 0);
-    assert.equal(await checked(tab, { reads: true }), 1);
+  inLongRun(
+    'stays free of every file that is opened, drawn on, checked, kept and opened again',
+    async () => {
+      const tab = await Tab.open(browser);
+      const { page } = tab;
+      await page.locator('#file').setInputFiles(file);
+      await opened(tab);
+      await page.keyboard.press('2');
+      await tab.click([-90, 20], [-30, -40], [30, 20], [90, -30]);
+      await tab.dragHandle('Control point 2 of 4', 25, 10);
+      // A second engine computes the exact curve on the same mesh.
+      assert.equal(await page.locator('#status-quality').textContent(), 'exact');
+      assert.equal(tab.engines().length, 2);
+      await page.locator('#facts-line').click();
+      await page.getByText('Check-up').click();
+      await page.locator('#checkup-found > *').first().waitFor();
+      await page.waitForFunction(() => window.passed.kept.length > 0);
+      assert.equal(await checked(tab, { reads: true }), 1);
 
-    await tab.pastSaving();
-    await page.reload();
-    await opened(tab);
-    assert.equal(await checked(tab, { reads: false }), 0);
-    await tab.close();
-  });
+      await tab.pastSaving();
+      await page.reload();
+      await opened(tab);
+      assert.equal(await checked(tab, { reads: false }), 0);
+      await tab.close();
+    },
+  );
 
   test('stays free of the surface when its outline is saved', async () => {
     const tab = await Tab.open(browser, 'mesh=torus:80000');

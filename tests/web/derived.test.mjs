@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
+import { inLongRun } from './part.mjs';
 import { fitsFile } from './schema.mjs';
 
 describe('objects made of others', () => {
@@ -160,37 +161,40 @@ describe('objects made of others', () => {
     await tab.close();
   });
 
-  test('copies keep their own sources; an object without sources is removed with the last one', async () => {
-    const { tab } = await withCircle();
-    await maker(tab, 'Offset').click();
-    await tab.settled();
-    await tab.page.keyboard.press('Escape');
-    await tab.page.locator('#stage').focus();
-    await tab.page.keyboard.press('Control+a');
-    await tab.page.keyboard.press('Control+d');
-    await tab.settled();
-    const { objects } = await drawingOf(tab);
-    const sources = objects.map(({ figure }) => figure.derived?.sources ?? []);
-    assert.deepEqual(
-      objects.map(({ id }) => id),
-      [1, 2, 3, 4],
-    );
-    assert.deepEqual(sources, [[], [1], [], [3]]);
-    await tab.page.locator('#objects [data-id="1"] .object').click();
-    await tab.page.locator('#stage').focus();
-    await tab.page.keyboard.press('Delete');
-    await tab.settled();
-    const left = (await drawingOf(tab)).objects.filter(
-      ({ figure }) => figure.circle || figure.derived,
-    );
-    assert.deepEqual(
-      left.map(({ id }) => id),
-      [3, 4],
-    );
-    await tab.page.keyboard.press('Control+z');
-    assert.equal((await drawingOf(tab)).objects.length, 4);
-    await tab.close();
-  });
+  inLongRun(
+    'copies keep their own sources; an object without sources is removed with the last one',
+    async () => {
+      const { tab } = await withCircle();
+      await maker(tab, 'Offset').click();
+      await tab.settled();
+      await tab.page.keyboard.press('Escape');
+      await tab.page.locator('#stage').focus();
+      await tab.page.keyboard.press('Control+a');
+      await tab.page.keyboard.press('Control+d');
+      await tab.settled();
+      const { objects } = await drawingOf(tab);
+      const sources = objects.map(({ figure }) => figure.derived?.sources ?? []);
+      assert.deepEqual(
+        objects.map(({ id }) => id),
+        [1, 2, 3, 4],
+      );
+      assert.deepEqual(sources, [[], [1], [], [3]]);
+      await tab.page.locator('#objects [data-id="1"] .object').click();
+      await tab.page.locator('#stage').focus();
+      await tab.page.keyboard.press('Delete');
+      await tab.settled();
+      const left = (await drawingOf(tab)).objects.filter(
+        ({ figure }) => figure.circle || figure.derived,
+      );
+      assert.deepEqual(
+        left.map(({ id }) => id),
+        [3, 4],
+      );
+      await tab.page.keyboard.press('Control+z');
+      assert.equal((await drawingOf(tab)).objects.length, 4);
+      await tab.close();
+    },
+  );
 
   test('a drag of its line moves its sources, and is one step', async () => {
     const { tab } = await withCircle();
@@ -264,35 +268,38 @@ describe('objects made of others', () => {
     await tab.close();
   });
 
-  test('an intersection of separate regions is empty and says so, and expanding makes independent curves', async () => {
-    const tab = await withTwo();
-    await maker(tab, 'Difference').click();
-    await tab.settled();
-    const { length } = (await tab.view()).isolines;
-    await tab.page.locator('#expand').click();
-    await tab.settled();
-    const { objects, active } = await drawingOf(tab);
-    const expanded = objects.find(({ id }) => id === active).figure;
-    assert.equal(expanded.kind, 'pen');
-    assert.ok(expanded.settings.closed && expanded.derived === undefined);
-    assert.ok(expanded.points.length < 40, `${expanded.points.length} anchors`);
-    near((await tab.view()).curve.length, length, 0.01, 'the curve');
-    await tab.page.keyboard.press('Control+z');
-    await tab.settled();
-    assert.equal((await tab.view()).isolines.length, length);
-    // Its operand moves far away.
-    await tab.page.locator('#objects [data-id="2"] .object').click();
-    await tab.settled();
-    const center = await tab.handle('Center of the circle');
-    await tab.page.locator('#objects [data-id="3"] .object').click();
-    await tab.page.locator('#kind').getByText('Intersection', { exact: true }).click();
-    await tab.settled();
-    assert.equal((await tab.view()).problem, null);
-    await tab.page.locator('#objects [data-id="2"] .object').click();
-    await tab.drag(center, { x: center.x + 60, y: center.y + 60 });
-    await tab.page.locator('#objects [data-id="3"] .object').click();
-    await tab.settled();
-    assert.match((await tab.view()).problem, /no part in common/);
-    await tab.close();
-  });
+  inLongRun(
+    'an intersection of separate regions is empty and says so, and expanding makes independent curves',
+    async () => {
+      const tab = await withTwo();
+      await maker(tab, 'Difference').click();
+      await tab.settled();
+      const { length } = (await tab.view()).isolines;
+      await tab.page.locator('#expand').click();
+      await tab.settled();
+      const { objects, active } = await drawingOf(tab);
+      const expanded = objects.find(({ id }) => id === active).figure;
+      assert.equal(expanded.kind, 'pen');
+      assert.ok(expanded.settings.closed && expanded.derived === undefined);
+      assert.ok(expanded.points.length < 40, `${expanded.points.length} anchors`);
+      near((await tab.view()).curve.length, length, 0.01, 'the curve');
+      await tab.page.keyboard.press('Control+z');
+      await tab.settled();
+      assert.equal((await tab.view()).isolines.length, length);
+      // Its operand moves far away.
+      await tab.page.locator('#objects [data-id="2"] .object').click();
+      await tab.settled();
+      const center = await tab.handle('Center of the circle');
+      await tab.page.locator('#objects [data-id="3"] .object').click();
+      await tab.page.locator('#kind').getByText('Intersection', { exact: true }).click();
+      await tab.settled();
+      assert.equal((await tab.view()).problem, null);
+      await tab.page.locator('#objects [data-id="2"] .object').click();
+      await tab.drag(center, { x: center.x + 60, y: center.y + 60 });
+      await tab.page.locator('#objects [data-id="3"] .object').click();
+      await tab.settled();
+      assert.match((await tab.view()).problem, /no part in common/);
+      await tab.close();
+    },
+  );
 });

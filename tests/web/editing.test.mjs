@@ -100,7 +100,7 @@ describe('editing a curve', () => {
     await tab.close();
   });
 
-  test('buttons and keys move points in their order, and back', async () => {
+  inLongRun('buttons and keys move points in their order, and back', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=rational');
     const { page } = tab;
     await tab.click(...places);
@@ -159,7 +159,7 @@ describe('editing a curve', () => {
     await tab.page.close();
   });
 
-  test('keys alone place, move and remove points', async () => {
+  inLongRun('keys alone place, move and remove points', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await page.locator('#stage').focus();
@@ -238,7 +238,7 @@ describe('editing a curve', () => {
     await tab.close();
   });
 
-  test('a circle wider than the surface gives a sentence, and can be undone', async () => {
+  inLongRun('a circle wider than the surface gives a sentence, and can be undone', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=circle&circle=0,0.3,0.3;9,1,0,0');
     const { problem, curve, legs } = await tab.view();
     assert.equal(curve, null);

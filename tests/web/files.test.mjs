@@ -156,47 +156,50 @@ describe('files of surfaces', () => {
     await tab.close();
   });
 
-  test('the page names the files that it did not open and that belong to no opened file', async () => {
-    const tab = await Tab.open(browser);
-    const notes = ['notes.txt', encode('hello')];
-    const scene = ['scene.blend', encode('hello')];
-    const log = ['log', encode('hello')];
-    const surface = ['cut box.obj', objFile(cutBox)];
-    const material = ['cut box.mtl', encode('newmtl red')];
-    for (const [files, words] of [
-      [[notes, surface, material], 'notes.txt is no surface or drawing, and is left out.'],
-      [
-        [notes, material, surface, scene],
-        'notes.txt and scene.blend are no surfaces or drawings, and are left out.',
-      ],
-      [
-        [scene, surface, notes, log],
-        'scene.blend and 2 more are no surfaces or drawings, and are left out.',
-      ],
-    ]) {
-      await tab.dropFiles(files);
-      await tab.page.getByText(words, { exact: true }).waitFor();
-      await opened(tab, 'cut box.obj');
+  inLongRun(
+    'the page names the files that it did not open and that belong to no opened file',
+    async () => {
+      const tab = await Tab.open(browser);
+      const notes = ['notes.txt', encode('hello')];
+      const scene = ['scene.blend', encode('hello')];
+      const log = ['log', encode('hello')];
+      const surface = ['cut box.obj', objFile(cutBox)];
+      const material = ['cut box.mtl', encode('newmtl red')];
+      for (const [files, words] of [
+        [[notes, surface, material], 'notes.txt is no surface or drawing, and is left out.'],
+        [
+          [notes, material, surface, scene],
+          'notes.txt and scene.blend are no surfaces or drawings, and are left out.',
+        ],
+        [
+          [scene, surface, notes, log],
+          'scene.blend and 2 more are no surfaces or drawings, and are left out.',
+        ],
+      ]) {
+        await tab.dropFiles(files);
+        await tab.page.getByText(words, { exact: true }).waitFor();
+        await opened(tab, 'cut box.obj');
+        await tab.settled();
+      }
+      // The surfaces that were not chosen are named too, and both names can be read whole.
+      const long = 'the relic as it was scanned, cleaned and decimated, version';
+      const two = [1, 2].map((version) => [`${long} ${version}.obj`, objFile(cutBox)]);
+      await tab.dropFiles([...two, notes]);
+      const buttons = tab.page.getByRole('dialog').locator('li button');
+      await buttons.first().waitFor();
+      for (const button of await buttons.all()) {
+        const hidden = await button.evaluate((one) => [
+          one.scrollWidth - one.clientWidth,
+          one.scrollHeight - one.clientHeight,
+        ]);
+        assert.deepEqual(hidden, [0, 0]);
+      }
+      await buttons.last().click();
+      await opened(tab, `${long} 2.obj`);
       await tab.settled();
-    }
-    // The surfaces that were not chosen are named too, and both names can be read whole.
-    const long = 'the relic as it was scanned, cleaned and decimated, version';
-    const two = [1, 2].map((version) => [`${long} ${version}.obj`, objFile(cutBox)]);
-    await tab.dropFiles([...two, notes]);
-    const buttons = tab.page.getByRole('dialog').locator('li button');
-    await buttons.first().waitFor();
-    for (const button of await buttons.all()) {
-      const hidden = await button.evaluate((one) => [
-        one.scrollWidth - one.clientWidth,
-        one.scrollHeight - one.clientHeight,
-      ]);
-      assert.deepEqual(hidden, [0, 0]);
-    }
-    await buttons.last().click();
-    await opened(tab, `${long} 2.obj`);
-    await tab.settled();
-    await tab.close();
-  });
+      await tab.close();
+    },
+  );
 
   test('a file that is no surface gives a sentence, and the visible surface stays', async () => {
     const tab = await Tab.open(browser);
@@ -322,56 +325,59 @@ describe('files of surfaces', () => {
     await tab.page.close();
   });
 
-  test('one of the pieces of a file without parts can be chosen, even after a reload', async () => {
-    const tab = await Tab.open(browser);
-    // Two tetrahedra and a square, far from each other.
-    const corners = [
-      ...[0, 5].flatMap((x) => [`v ${x} 0 0`, `v ${x + 1} 0 0`, `v ${x} 1 0`, `v ${x} 0 1`]),
-      ...['v 9 0 0', 'v 10 0 0', 'v 10 1 0', 'v 9 1 0'],
-    ];
-    const faces = [
-      ...['f 9 10 11', 'f 9 11 12'],
-      ...[1, 5].flatMap((i) =>
-        [
-          [0, 2, 1],
-          [0, 1, 3],
-          [1, 2, 3],
-          [2, 0, 3],
-        ].map((face) => `f ${face.map((corner) => i + corner).join(' ')}`),
-      ),
-    ];
-    await tab.drop('pieces.obj', [...corners, ...faces].join('\n'));
-    await tab.page.waitForFunction(() => window.karcherPage.triangles === 10);
-    const part = tab.page.getByRole('combobox', { name: 'Part of the file' });
-    assert.deepEqual(await part.locator('option').allTextContents(), [
-      ...['All 3 parts', 'Piece 1 · 4', 'Piece 2 · 4', 'Piece 3 · 2'],
-    ]);
-    for (const [value, triangles, least] of [
-      ['2', 2, 9],
-      ['0', 4, 0],
-      ['1', 4, 5],
-    ]) {
-      await part.selectOption(value);
-      await tab.page.waitForFunction(
-        async ([count, from]) => {
-          const { triangles } = window.karcherPage;
-          if (triangles !== count || !window.karcherPage.settled) return false;
-          const { positions } = await window.karcherPage.mesh();
-          return Math.min(...positions.filter((_, i) => i % 3 === 0)) === from;
-        },
-        [triangles, least],
-      );
-    }
-    await tab.pastSaving();
-    await tab.page.reload();
-    await tab.page.waitForFunction(() => window.karcherPage?.triangles === 4);
-    await tab.settled();
-    assert.equal(await part.inputValue(), '1');
-    assert.equal(await part.locator('option').count(), 4);
-    await tab.close();
-  });
+  inLongRun(
+    'one of the pieces of a file without parts can be chosen, even after a reload',
+    async () => {
+      const tab = await Tab.open(browser);
+      // Two tetrahedra and a square, far from each other.
+      const corners = [
+        ...[0, 5].flatMap((x) => [`v ${x} 0 0`, `v ${x + 1} 0 0`, `v ${x} 1 0`, `v ${x} 0 1`]),
+        ...['v 9 0 0', 'v 10 0 0', 'v 10 1 0', 'v 9 1 0'],
+      ];
+      const faces = [
+        ...['f 9 10 11', 'f 9 11 12'],
+        ...[1, 5].flatMap((i) =>
+          [
+            [0, 2, 1],
+            [0, 1, 3],
+            [1, 2, 3],
+            [2, 0, 3],
+          ].map((face) => `f ${face.map((corner) => i + corner).join(' ')}`),
+        ),
+      ];
+      await tab.drop('pieces.obj', [...corners, ...faces].join('\n'));
+      await tab.page.waitForFunction(() => window.karcherPage.triangles === 10);
+      const part = tab.page.getByRole('combobox', { name: 'Part of the file' });
+      assert.deepEqual(await part.locator('option').allTextContents(), [
+        ...['All 3 parts', 'Piece 1 · 4', 'Piece 2 · 4', 'Piece 3 · 2'],
+      ]);
+      for (const [value, triangles, least] of [
+        ['2', 2, 9],
+        ['0', 4, 0],
+        ['1', 4, 5],
+      ]) {
+        await part.selectOption(value);
+        await tab.page.waitForFunction(
+          async ([count, from]) => {
+            const { triangles } = window.karcherPage;
+            if (triangles !== count || !window.karcherPage.settled) return false;
+            const { positions } = await window.karcherPage.mesh();
+            return Math.min(...positions.filter((_, i) => i % 3 === 0)) === from;
+          },
+          [triangles, least],
+        );
+      }
+      await tab.pastSaving();
+      await tab.page.reload();
+      await tab.page.waitForFunction(() => window.karcherPage?.triangles === 4);
+      await tab.settled();
+      assert.equal(await part.inputValue(), '1');
+      assert.equal(await part.locator('option').count(), 4);
+      await tab.close();
+    },
+  );
 
-  test('the menu at a place shows only the piece there, and all pieces again', async () => {
+  inLongRun('the menu at a place shows only the piece there, and all pieces again', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     const square = (x) => [`v ${x} 0 0`, `v ${x + 4} 0 0`, `v ${x + 4} 4 0`, `v ${x} 4 0`];

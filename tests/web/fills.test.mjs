@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, openBrowser, openPhone, Tab, touchOf } from './browser.mjs';
+import { inLongRun } from './part.mjs';
 
 describe('fills', () => {
   const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
@@ -266,7 +267,7 @@ describe('fills', () => {
     await tab.close();
   });
 
-  test('change the side by a button, and keep it when the curve is reversed', async () => {
+  inLongRun('change the side by a button, and keep it when the curve is reversed', async () => {
     const tab = await nearHalf();
     const whole = 4 * Math.PI;
     const before = await filled(tab);
@@ -328,7 +329,7 @@ describe('fills', () => {
     await tab.close();
   });
 
-  test('of an open line are empty, and the page says so', async () => {
+  inLongRun('of an open line are empty, and the page says so', async () => {
     const tab = await Tab.open(browser);
     await tab.click(...square);
     await set(tab, 40);
@@ -344,7 +345,7 @@ describe('fills', () => {
 });
 
 describe('fills on a phone', () => {
-  test('are picked by a tap inside', async () => {
+  inLongRun('are picked by a tap inside', async () => {
     const browser = await openPhone();
     try {
       const tab = await Tab.open(browser);

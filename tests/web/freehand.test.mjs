@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, openPhone, Tab, touchOf } from './browser.mjs';
+import { inLongRun } from './part.mjs';
 
 const bytesOf = async (tab) => JSON.stringify((await tab.state()).drawing);
 const strokeAt = ({ x, y }) =>
@@ -86,7 +87,7 @@ describe('freehand', () => {
     await tab.close();
   });
 
-  test('draws with one finger, and two turn to the view', async () => {
+  inLongRun('draws with one finger, and two turn to the view', async () => {
     const phone = await openPhone();
     const tab = await Tab.open(phone);
     const { page } = tab;

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
-import { inLongRun } from './part.mjs';
+import { inLongRun, part } from './part.mjs';
 
 /** Two rectangles side by side, each 4 wide and 6 high, with a gap between them. */
 const rectangle = (x) => `v ${x} 0 0\nv ${x + 4} 0 0\nv ${x + 4} 6 0\nv ${x} 6 0\n`;
@@ -165,7 +165,7 @@ describe('what is held', () => {
     },
   );
 
-  test('a handle’s nudge whose key is released elsewhere stays, as one step', async () => {
+  inLongRun('a handle’s nudge whose key is released elsewhere stays, as one step', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click([-110, 40], [-40, -10], [40, 50], [110, -10]);
@@ -244,7 +244,7 @@ describe('what is held', () => {
     await tab.close();
   });
 
-  test('a handle is released when its anchor is removed', async () => {
+  inLongRun('a handle is released when its anchor is removed', async () => {
     const tab = await drawn();
     const { x, y } = await tab.handle('Handle after anchor 2');
     await tab.page.mouse.move(x, y);
@@ -271,7 +271,7 @@ describe('what is held', () => {
   ];
   const drawingOf = async (tab) => JSON.stringify((await tab.state()).drawing);
 
-  for (const key of ['Delete', 'Control+x', 'Control+d', '7', 'n']) {
+  for (const key of part(['Delete', 'Control+x', 'Control+d', '7', 'n'], 2)) {
     test(`${key} during the drag of a line ends the drag, and undo finds the place before it`, async () => {
       const tab = await Tab.open(browser);
       await tab.click(...places);

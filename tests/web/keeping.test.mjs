@@ -45,11 +45,12 @@ describe('no work is lost', () => {
     await tab.close();
   });
 
-  for (const [where, isFull] of [
+  const rooms = [
     ['where there is room', () => false],
     ['where the tab has little', (storage) => storage === sessionStorage],
     ['where nothing has any', () => true],
-  ]) {
+  ];
+  for (const [where, isFull] of part(rooms, 2)) {
     test(`a large drawing replaces a small one, ${where}: a reload shows it, or the page says that it is lost`, async () => {
       const tab = await Tab.open(browser);
       await tab.click(...places);

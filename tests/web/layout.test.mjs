@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab, touchOf } from './browser.mjs';
-import { part } from './part.mjs';
+import { inLongRun, part } from './part.mjs';
 
 describe('the layout of the page', () => {
   const browser = browserOfSuite({ viewport: { width: 390, height: 844 }, hasTouch: true });
@@ -18,7 +18,7 @@ describe('the layout of the page', () => {
     await tab.page.close();
   });
 
-  test('a narrow window has both legends in one strip, with all of their words', async () => {
+  inLongRun('a narrow window has both legends in one strip, with all of their words', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await tab.click([-80, -40], [-20, 60], [40, -40], [90, 50]);
@@ -118,7 +118,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     await tab.close();
   });
 
-  test('menus are as wide as the longest of their words', async () => {
+  inLongRun('menus are as wide as the longest of their words', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await page.setViewportSize({ width: 1280, height: 800 });
@@ -148,7 +148,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     await tab.close();
   });
 
-  for (const kind of ['bspline', 'pen', 'ellipse', 'center']) {
+  for (const kind of part(['bspline', 'pen', 'ellipse', 'center'], 2)) {
     test(`a finger hits every control, with a ${kind}: each has 44 pixels`, async () => {
       const tab = await Tab.open(browser, `mesh=sphere:1500&kind=${kind}`);
       await tab.click([-40, 0], [20, 30], [60, -20], [0, -50]);
@@ -221,7 +221,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
     await tab.close();
   });
 
-  test('the selected point has its weight in reach', async () => {
+  inLongRun('the selected point has its weight in reach', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=center');
     const { x, y } = await tab.middle();
     await tab.page.touchscreen.tap(x - 40, y);
@@ -317,7 +317,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
       HTMLCanvasElement.prototype.getContext = () => null;
     },
   };
-  for (const [name, remove] of Object.entries(lacks)) {
+  for (const [name, remove] of part(Object.entries(lacks), 1)) {
     test(`a browser without ${name} gets a page that says so`, async () => {
       const page = await browser.context.newPage();
       const errors = [];

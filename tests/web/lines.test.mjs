@@ -4,6 +4,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab, until } from './browser.mjs';
+import { inLongRun } from './part.mjs';
 
 const upper = [
   [-120, -90],
@@ -84,7 +85,7 @@ describe('lines', () => {
     await tab.close();
   });
 
-  test('that are dashed and selected have no white between their dashes', async () => {
+  inLongRun('that are dashed and selected have no white between their dashes', async () => {
     const tab = await two();
     await tab.page.keyboard.press('Control+a');
     await tab.page.locator('#width').fill('12');
@@ -104,7 +105,7 @@ describe('lines', () => {
     await tab.close();
   });
 
-  test('that differ have settings that say so in complete words', async () => {
+  inLongRun('that differ have settings that say so in complete words', async () => {
     const tab = await two();
     const { x, y } = await tab.onCurve(0.5);
     await tab.page.mouse.click(x, y);
@@ -198,36 +199,39 @@ describe('lines', () => {
     await tab.close();
   });
 
-  test('have the same width where the surface turns away and where it faces the view', async () => {
-    const tab = await Tab.open(browser, 'mesh=sphere:5000&kind=polyline');
-    const { y } = await tab.middle();
-    // The uppermost visible place of the sphere.
-    const top = await tab.page.evaluate(() => {
-      let least = Infinity;
-      for (let i = 0; i < 4000; i++) {
-        const height = 1 - (2 * i + 1) / 4000;
-        const [turn, ring] = [2.399963 * i, Math.sqrt(1 - height * height)];
-        const place = [ring * Math.cos(turn), ring * Math.sin(turn), height];
-        least = Math.min(least, window.karcherPage.seen(place)?.y ?? Infinity);
-      }
-      return least;
-    });
-    const up = 0.95 * (y - top);
-    await tab.click([-60, -up], [60, -up]);
-    await tab.page.locator('#width').fill('16');
-    await tab.page.keyboard.press('Enter');
-    await tab.page.locator('.swatch[data-color="#d9480f"]').click();
-    await tab.page.keyboard.press('v');
-    await tab.page.keyboard.press('Escape');
-    await tab.page.keyboard.press('Escape');
-    await tab.settled();
-    const place = await tab.onCurve(0.5);
-    const orange = (await column(tab, place, 24)).filter(
-      ([red, green, blue]) => red > 150 && green < 130 && blue < 80,
-    );
-    assert.ok(orange.length >= 14, `${orange.length} of 16 pixels`);
-    await tab.close();
-  });
+  inLongRun(
+    'have the same width where the surface turns away and where it faces the view',
+    async () => {
+      const tab = await Tab.open(browser, 'mesh=sphere:5000&kind=polyline');
+      const { y } = await tab.middle();
+      // The uppermost visible place of the sphere.
+      const top = await tab.page.evaluate(() => {
+        let least = Infinity;
+        for (let i = 0; i < 4000; i++) {
+          const height = 1 - (2 * i + 1) / 4000;
+          const [turn, ring] = [2.399963 * i, Math.sqrt(1 - height * height)];
+          const place = [ring * Math.cos(turn), ring * Math.sin(turn), height];
+          least = Math.min(least, window.karcherPage.seen(place)?.y ?? Infinity);
+        }
+        return least;
+      });
+      const up = 0.95 * (y - top);
+      await tab.click([-60, -up], [60, -up]);
+      await tab.page.locator('#width').fill('16');
+      await tab.page.keyboard.press('Enter');
+      await tab.page.locator('.swatch[data-color="#d9480f"]').click();
+      await tab.page.keyboard.press('v');
+      await tab.page.keyboard.press('Escape');
+      await tab.page.keyboard.press('Escape');
+      await tab.settled();
+      const place = await tab.onCurve(0.5);
+      const orange = (await column(tab, place, 24)).filter(
+        ([red, green, blue]) => red > 150 && green < 130 && blue < 80,
+      );
+      assert.ok(orange.length >= 14, `${orange.length} of 16 pixels`);
+      await tab.close();
+    },
+  );
 
   test('of the rubber band show the next piece, even out of a handle', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500');

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
 import { pageModule } from './page_module.mjs';
+import { inLongRun, part } from './part.mjs';
 
 describe('hollows', () => {
   let hollowsOf;
@@ -243,43 +244,46 @@ describe('looks', () => {
     await tab.page.close();
   });
 
-  test('the shadow lies below the surface in every position: on the ground of another upward axis', async () => {
-    const tab = await Tab.open(browser, 'mesh=sphere:320');
-    // A board: it stands on its rim with y up, and lies flat with z up.
-    const corners = [0, 1].flatMap((z) => [0, 1].flatMap((y) => [0, 1].map((x) => [x, y, z])));
-    const quads = ['1 2 4 3', '5 7 8 6', '1 5 6 2', '3 4 8 7', '1 3 7 5', '2 6 8 4'];
-    const board = [
-      ...corners.map(([x, y, z]) => `v ${10 * x} ${10 * y} ${2 * z}`),
-      ...quads.map((quad) => `f ${quad.split(' ').reverse().join(' ')}`),
-    ];
-    await tab.drop('board.obj', board.join('\n'));
-    await tab.page.getByText('12 triangles').first().waitFor();
-    await tab.settled();
-    await chooseLook(tab, 'ground-shadow');
-    // From directly above, the darker area is the shadow beside the board.
-    const shadowFrom = async (axis) => {
-      await tab.page.locator('#up').selectOption(axis);
+  inLongRun(
+    'the shadow lies below the surface in every position: on the ground of another upward axis',
+    async () => {
+      const tab = await Tab.open(browser, 'mesh=sphere:320');
+      // A board: it stands on its rim with y up, and lies flat with z up.
+      const corners = [0, 1].flatMap((z) => [0, 1].flatMap((y) => [0, 1].map((x) => [x, y, z])));
+      const quads = ['1 2 4 3', '5 7 8 6', '1 5 6 2', '3 4 8 7', '1 3 7 5', '2 6 8 4'];
+      const board = [
+        ...corners.map(([x, y, z]) => `v ${10 * x} ${10 * y} ${2 * z}`),
+        ...quads.map((quad) => `f ${quad.split(' ').reverse().join(' ')}`),
+      ];
+      await tab.drop('board.obj', board.join('\n'));
+      await tab.page.getByText('12 triangles').first().waitFor();
       await tab.settled();
-      await tab.page.locator('#view').click();
-      await tab.page.getByRole('menuitem', { name: 'Top' }).click();
-      await tab.still();
-      await tab.page.locator('#stage').focus();
-      for (let i = 0; i < 6; i++) await tab.page.keyboard.press('-');
-      await tab.still();
-      const places = Array.from({ length: 17 }, (_, i) => [0, 10 * i + 25]);
-      const shown = await brightness(tab, places);
       await chooseLook(tab, 'ground-shadow');
-      const plain = await brightness(tab, places);
-      await chooseLook(tab, 'ground-shadow');
-      return places.filter((_, i) => shown[i] < plain[i] - 2).map(([, y]) => y);
-    };
-    const [standing, lying] = [await shadowFrom('y'), await shadowFrom('z')];
-    assert.ok(standing.length > 0 && standing.every((y) => y > 20 && y < 80), `${standing}`);
-    assert.ok(lying.length > 0 && lying.every((y) => y > 120), `${lying}`);
-    await tab.page.close();
-  });
+      // From directly above, the darker area is the shadow beside the board.
+      const shadowFrom = async (axis) => {
+        await tab.page.locator('#up').selectOption(axis);
+        await tab.settled();
+        await tab.page.locator('#view').click();
+        await tab.page.getByRole('menuitem', { name: 'Top' }).click();
+        await tab.still();
+        await tab.page.locator('#stage').focus();
+        for (let i = 0; i < 6; i++) await tab.page.keyboard.press('-');
+        await tab.still();
+        const places = Array.from({ length: 17 }, (_, i) => [0, 10 * i + 25]);
+        const shown = await brightness(tab, places);
+        await chooseLook(tab, 'ground-shadow');
+        const plain = await brightness(tab, places);
+        await chooseLook(tab, 'ground-shadow');
+        return places.filter((_, i) => shown[i] < plain[i] - 2).map(([, y]) => y);
+      };
+      const [standing, lying] = [await shadowFrom('y'), await shadowFrom('z')];
+      assert.ok(standing.length > 0 && standing.every((y) => y > 20 && y < 80), `${standing}`);
+      assert.ok(lying.length > 0 && lying.every((y) => y > 120), `${lying}`);
+      await tab.page.close();
+    },
+  );
 
-  test('the rim of an open surface shows no specks of its inner side', async () => {
+  inLongRun('the rim of an open surface shows no specks of its inner side', async () => {
     const tab = await Tab.open(browser, 'mesh=bunny:2');
     const { positions, triangles } = await tab.mesh();
     const rows = (values, letter, add) =>
@@ -303,7 +307,7 @@ describe('looks', () => {
     await tab.page.close();
   });
 
-  for (const colorScheme of ['light', 'dark']) {
+  for (const colorScheme of part(['light', 'dark'], 1)) {
     test(`the status is legible before a surface that fills the view, ${colorScheme}`, async () => {
       const tab = await Tab.open(browser, 'mesh=sphere:5000&kind=polyline');
       await tab.page.emulateMedia({ colorScheme });
@@ -364,7 +368,7 @@ describe('looks', () => {
     await tab.page.close();
   });
 
-  for (const colorScheme of ['light', 'dark']) {
+  for (const colorScheme of part(['light', 'dark'], 1)) {
     test(`controls, handles and the default line are distinguishable, ${colorScheme}`, async () => {
       const tab = await Tab.open(browser, 'mesh=sphere:320');
       await tab.page.emulateMedia({ colorScheme });

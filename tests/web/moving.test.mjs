@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
 import { flatGrid } from './circle_views.mjs';
+import { inLongRun } from './part.mjs';
 
 const places = [
   [-110, 40],
@@ -98,7 +99,7 @@ describe('objects that are moved', () => {
     await tab.close();
   });
 
-  test('stop before one would leave the surface, and say so', async () => {
+  inLongRun('stop before one would leave the surface, and say so', async () => {
     const tab = await Tab.open(browser);
     await tab.drop('flat.obj', flatGrid(16));
     await tab.page.waitForFunction(() => window.karcherPage.triangles === 512);

@@ -248,7 +248,7 @@ describe('the Paper page', () => {
     assert.equal(await title.textContent(), 'Cubic, weights 1');
   });
 
-  test('says so where the editor cannot have the weights', async () => {
+  inLongRun('says so where the editor cannot have the weights', async () => {
     await open('rational');
     const panel = page.locator('#rational .panel-card').first();
     const slider = (i) => panel.locator('input[type="range"]').nth(i);
@@ -267,7 +267,7 @@ describe('the Paper page', () => {
     assert.deepEqual([await link.isVisible(), await why.isVisible()], [true, false]);
   });
 
-  test('every method has a residual by exact paths, even the reference', async () => {
+  inLongRun('every method has a residual by exact paths, even the reference', async () => {
     await open('gallery');
     const panel = page.locator('#gallery .panel-card').nth(2);
     await panel.locator('tr[data-line="exactLogs"] input').check();
@@ -280,7 +280,7 @@ describe('the Paper page', () => {
     assert.deepEqual([all.exactLogs[2], all.exactLogs[1]], ['–', '0']);
   });
 
-  test('a method that was off while a point moved is measured again', async () => {
+  inLongRun('a method that was off while a point moved is measured again', async () => {
     await open('circles');
     const panel = page.locator('#circles .panel-card').first();
     const box = panel.locator('tr[data-line="isolineLinear"] input');
@@ -422,7 +422,7 @@ describe('the Paper page', () => {
     assert.deepEqual(logged, []);
   });
 
-  test('Table 1 shows in a cell why its method failed', async () => {
+  inLongRun('Table 1 shows in a cell why its method failed', async () => {
     const section = page.locator('#table');
     await page.evaluate(() => {
       const { table } = window.karcherPaper;
@@ -472,10 +472,11 @@ describe('the Paper page', () => {
     assert.deepEqual(logged, []);
   });
 
-  for (const viewport of [
+  const viewports = [
     { width: 1280, height: 800 },
     { width: 390, height: 844 },
-  ]) {
+  ];
+  for (const viewport of part(viewports, 1)) {
     test(`a click hits every control, ${viewport.width} px wide`, async (t) => {
       await page.setViewportSize(viewport);
       await page.evaluate(() => {

@@ -140,7 +140,7 @@ describe('the paper, judged', () => {
     for (const [id, text] of await turning()) assert.doesNotMatch(text, /drag/, id);
   });
 
-  test('Figure 8: another anisotropy is another mesh, measured again', async () => {
+  inLongRun('Figure 8: another anisotropy is another mesh, measured again', async () => {
     await open('plane');
     const caption = await page.locator('#plane > .caption').textContent();
     assert.match(caption, /“Paper, 1-ring”: Eq\. 3 as printed/);

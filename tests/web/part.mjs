@@ -33,7 +33,7 @@ export function part(cases, count) {
   return Array.from({ length: count }, (_, i) => cases[Math.round(i * apart)]);
 }
 
-/** A test that resembles others of its file and runs only in a long run. */
+/** A test that runs only in a long run: it resembles others, or is a sitting of many steps. */
 export function inLongRun(name, run) {
   test(name, { skip: !long && 'in a long run' }, run);
 }

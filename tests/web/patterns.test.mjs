@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
+import { inLongRun } from './part.mjs';
 
 describe('patterns of fills', () => {
   const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
@@ -80,7 +81,7 @@ describe('patterns of fills', () => {
     await tab.close();
   });
 
-  test('stay solid if they would have too many lines', async () => {
+  inLongRun('stay solid if they would have too many lines', async () => {
     const tab = await drawn('plane:grid:200');
     await choose(tab, 'solid');
     await tab.page.locator('#fill').fill('50');

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, openPhone, Tab, touchOf } from './browser.mjs';
+import { inLongRun } from './part.mjs';
 
 const penOf = async (tab) => (await tab.state()).figure;
 const bytesOf = async (tab) => JSON.stringify((await tab.state()).drawing);
@@ -214,7 +215,7 @@ describe('the pen', () => {
     await tab.close();
   });
 
-  test('keeps handles to 45 degrees with Shift, and draws by keys alone', async () => {
+  inLongRun('keeps handles to 45 degrees with Shift, and draws by keys alone', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;
     await page.keyboard.press('p');
@@ -249,7 +250,7 @@ describe('the pen', () => {
     await tab.close();
   });
 
-  test('draws with a finger: taps are corners, and a drag makes a smooth anchor', async () => {
+  inLongRun('draws with a finger: taps are corners, and a drag makes a smooth anchor', async () => {
     const phone = await openPhone();
     const tab = await Tab.open(phone);
     const { page } = tab;

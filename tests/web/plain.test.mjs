@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
+import { inLongRun } from './part.mjs';
 
 const places = [
   [-110, 60],
@@ -94,17 +95,20 @@ describe('the panel of a new user', () => {
     await tab.close();
   });
 
-  test('has two columns if there is room, with the settings of objects beside their list', async () => {
-    const tab = await Tab.open(browser);
-    await tab.click(...places);
-    await tab.page.setViewportSize({ width: 1920, height: 1080 });
-    const left = async (id) => (await tab.page.locator(id).boundingBox()).x;
-    assert.equal(await left('#objects-title'), await left('#surface-title'));
-    assert.ok((await left('#object-name')) > (await left('#objects-title')) + 200);
-    await tab.close();
-  });
+  inLongRun(
+    'has two columns if there is room, with the settings of objects beside their list',
+    async () => {
+      const tab = await Tab.open(browser);
+      await tab.click(...places);
+      await tab.page.setViewportSize({ width: 1920, height: 1080 });
+      const left = async (id) => (await tab.page.locator(id).boundingBox()).x;
+      assert.equal(await left('#objects-title'), await left('#surface-title'));
+      assert.ok((await left('#object-name')) > (await left('#objects-title')) + 200);
+      await tab.close();
+    },
+  );
 
-  test('writes large counts of repaired places like its other numbers', async () => {
+  inLongRun('writes large counts of repaired places like its other numbers', async () => {
     const tab = await Tab.open(browser);
     const side = 40;
     const lines = [];

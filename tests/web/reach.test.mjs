@@ -1,9 +1,10 @@
 // Clicks hit every control of every panel, in a wide and a narrow window.
 import assert from 'node:assert/strict';
-import { describe, test } from 'node:test';
+import { describe } from 'node:test';
 import { cutBox, stlFile } from '../wasm/mesh_files.mjs';
 import { browserOfSuite, Tab } from './browser.mjs';
 import { Controls } from './controls.mjs';
+import { inLongRun } from './part.mjs';
 
 const sizes = {
   wide: { width: 1280, height: 800 },
@@ -59,7 +60,7 @@ describe('clicks hit every control', () => {
   }
 
   for (const [name, viewport] of Object.entries(sizes)) {
-    test(`in a ${name} window`, async (t) => {
+    inLongRun(`in a ${name} window`, async (t) => {
       const tab = await Tab.open(browser, fragment);
       const { page } = tab;
       const controls = await look(page, viewport);
@@ -162,7 +163,7 @@ describe('clicks hit every control', () => {
   }
 
   for (const [name, viewport] of Object.entries(sizes)) {
-    test(`of objects made of others, in a ${name} window`, async () => {
+    inLongRun(`of objects made of others, in a ${name} window`, async () => {
       const tab = await Tab.open(browser, twoCircles);
       const { page } = tab;
       const controls = await look(page, viewport);
@@ -198,7 +199,7 @@ describe('clicks hit every control', () => {
     });
   }
 
-  test('and no control or panel is left out', () => {
+  inLongRun('and no control or panel is left out', () => {
     assert.equal(looked.length, 4);
     const [names, panels, reached, withControls] = [
       looked.flatMap((one) => one.names),

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
+import { inLongRun, part } from './part.mjs';
 
 const two = [
   [
@@ -275,7 +276,7 @@ describe('the selection', () => {
     'a click on nothing': (tab) => tab.click(besideSurface),
     Escape: (tab) => tab.page.keyboard.press('Escape'),
   };
-  for (const [way, letGo] of Object.entries(ways)) {
+  for (const [way, letGo] of part(Object.entries(ways), 1)) {
     test(`an unfinished curve is removed once ${way} deselects it, and undo restores it`, async () => {
       const tab = await Tab.open(browser);
       await tab.page.locator('#tool-curve').click();
@@ -327,7 +328,7 @@ describe('the selection', () => {
     await tab.close();
   });
 
-  test('an unfinished curve stays where it was copied', async () => {
+  inLongRun('an unfinished curve stays where it was copied', async () => {
     const tab = await Tab.open(browser);
     await tab.click([-60, 20], [40, 30]);
     await tab.page.keyboard.press('Control+d');
@@ -364,7 +365,7 @@ describe('the selection', () => {
     await tab.close();
   });
 
-  test('a single anchor is removed once the next path begins', async () => {
+  inLongRun('a single anchor is removed once the next path begins', async () => {
     const tab = await Tab.open(browser);
     await tab.page.keyboard.press('p');
     await tab.click([-60, 20]);
@@ -376,7 +377,7 @@ describe('the selection', () => {
     await tab.close();
   });
 
-  test('shows no length once it is empty, whatever was undone before', async () => {
+  inLongRun('shows no length once it is empty, whatever was undone before', async () => {
     const tab = await drawn();
     const { page } = tab;
     const told = () => page.locator('#status-length').textContent();

@@ -1,7 +1,7 @@
 // The first half hour of users, from the first look to the file that they save.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { part } from './part.mjs';
+import { inLongRun, part } from './part.mjs';
 import {
   figureSitting,
   posterSitting,
@@ -17,7 +17,7 @@ const cases = ['laptop', 'phone'].flatMap((size) => [
   { size, name: 'poster', sitting: posterSitting },
 ]);
 
-for (const { size, name, sitting } of part(cases, 2)) {
+for (const { size, name, sitting } of part(cases, 1)) {
   test(`the sitting with a ${name}, on a ${size}`, async () => {
     const { browser, tab } = await sitDown(windows[size]);
     try {
@@ -29,7 +29,7 @@ for (const { size, name, sitting } of part(cases, 2)) {
   });
 }
 
-test('the sitting with figure 4, on a laptop', async () => {
+inLongRun('the sitting with figure 4, on a laptop', async () => {
   const { browser, tab } = await sitDown(windows.laptop);
   try {
     await figureSitting(tab);

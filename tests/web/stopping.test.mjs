@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
+import { inLongRun } from './part.mjs';
 
 const places = [
   [-150, 60],
@@ -69,7 +70,7 @@ describe('a computation without an end', () => {
     await tab.close();
   });
 
-  test('on a phone shows a button with a target of 44 pixels', async () => {
+  inLongRun('on a phone shows a button with a target of 44 pixels', async () => {
     const tab = await open();
     const { page } = tab;
     const from = await tab.handle('Control point 2 of 4');

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
 import { pageModule } from './page_module.mjs';
+import { inLongRun } from './part.mjs';
 
 /** An egg with a nose, symmetric in x only, as places and normals at directions. */
 function lopsided([x, y, z]) {
@@ -250,7 +251,7 @@ describe('mirroring in planes', () => {
     await tab.close();
   });
 
-  test('a surface without symmetry gives a sentence, and mirrors nothing', async () => {
+  inLongRun('a surface without symmetry gives a sentence, and mirrors nothing', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&kind=polyline');
     const { positions, triangles } = await tab.mesh();
     const places = [];

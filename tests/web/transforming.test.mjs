@@ -6,6 +6,7 @@ import { Vector3 } from 'three';
 import { browserOfSuite, Tab, touchOf } from './browser.mjs';
 import { flatGrid } from './circle_views.mjs';
 import { openPage } from './engine_in_node.mjs';
+import { inLongRun } from './part.mjs';
 
 /** Where surface points are. */
 const placesOf = (points, { positions, triangles }) =>
@@ -280,7 +281,7 @@ describe('the frame around the selection', () => {
     await tab.close();
   });
 
-  test('closes for a menu when a finger rests on a handle', async () => {
+  inLongRun('closes for a menu when a finger rests on a handle', async () => {
     const tab = await open();
     const { page } = tab;
     const whole = await bytesOf(tab);

@@ -6,6 +6,7 @@ import fc from 'fast-check';
 import { runnerImport } from 'vite';
 import { draws } from '../wasm/draws.mjs';
 import { openBrowser, Tab, until } from './browser.mjs';
+import { inLongRun } from './part.mjs';
 
 const load = async (path) => {
   const file = fileURLToPath(new URL(`../../web/${path}`, import.meta.url));
@@ -177,19 +178,22 @@ describe('links of the page', () => {
     await page.close();
   });
 
-  test('of older versions have the default view, and an impossible view is reported', async () => {
-    const tab = await Tab.open(browser, link);
-    const usual = await seen(tab);
-    await tab.page.close();
-    const wrong = await Tab.open(browser, `${link}&view=10,20,99,0,0,0`);
-    const alert = wrong.page.getByRole('alert');
-    assert.match(await alert.innerText(), /'view' must be .*not '10,20,99,0,0,0'/s);
-    assert.ok(farthest(usual, await seen(wrong)) < 1);
-    assert.equal((await wrong.state()).figure.points.length, 2, 'the drawing is there');
-    await wrong.close();
-  });
+  inLongRun(
+    'of older versions have the default view, and an impossible view is reported',
+    async () => {
+      const tab = await Tab.open(browser, link);
+      const usual = await seen(tab);
+      await tab.page.close();
+      const wrong = await Tab.open(browser, `${link}&view=10,20,99,0,0,0`);
+      const alert = wrong.page.getByRole('alert');
+      assert.match(await alert.innerText(), /'view' must be .*not '10,20,99,0,0,0'/s);
+      assert.ok(farthest(usual, await seen(wrong)) < 1);
+      assert.equal((await wrong.state()).figure.points.length, 2, 'the drawing is there');
+      await wrong.close();
+    },
+  );
 
-  test('show the same in a narrow window and in a wide one', async () => {
+  inLongRun('show the same in a narrow window and in a wide one', async () => {
     const wide = await Tab.open(browser, `${link}&view=30,40,0.9,0.05,0,0`);
     const inWide = (await seen(wide)).filter((place) => place !== null);
     await wide.page.close();
