@@ -356,6 +356,14 @@ void WindowDistance::carryAcross(int h) {
   if (leastMiss > tolerance) {
     arriveBent(apexVertex, top, h, apex, batch_[nearest], crossings_[nearest]);
   }
+  if (tolerance_ > 0) {
+    // Joint windows may miss the apex, which is no farther than along the edges to it.
+    const bool byTail = tail + leftLength <= head + rightLength;
+    const double end = byTail ? tail : head;
+    const double along = bentLength(end + (byTail ? leftLength : rightLength));
+    arrive(apexVertex, top, {along, end, byTail ? mesh_.tail(h) : mesh_.head(h)}, h,
+           byTail ? 0 : length);
+  }
   if (images_.areKept()) images_.addWindows(h, batch_, tail);
   if (target_.liesIn(faceOf(h))) {
     for (const Window& window : batch_) target_.arriveThrough(h, window);
