@@ -135,14 +135,14 @@ TEST(JoinedWindows, AreNearExactAtTheTipsOfNeedles) {
   const uint64_t seed = 7;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
-  for (const char* const name : {"rough sheet, needles 0.01", "rough sheet, needles 0.0001",
-                                 "rough sheet, needles 1e-06"}) {
+  for (const char* const name :
+       {"rough sheet, needles 0.01", "rough sheet, needles 0.0001", "rough sheet, needles 1e-06"}) {
     SCOPED_TRACE(name);
     const TriangleMesh mesh = galleryMesh(name);
     for (int i = 0; i < 16; ++i) {
       const SurfacePoint place = randomPlace(mesh, random);
-      expectNearExact(mesh, i % 2 == 0 ? place
-                                       : vertexPoint(mesh, random.index(mesh.vertexCount())));
+      expectNearExact(mesh,
+                      i % 2 == 0 ? place : vertexPoint(mesh, random.index(mesh.vertexCount())));
     }
   }
 }
