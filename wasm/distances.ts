@@ -120,14 +120,18 @@ export function offset(
 ): Path[] {
   checkOptions(options, offsetOptionNames);
   const outlines = wireOutlines(paths);
-  const distance = checkNumber(options.distance, 'the distance');
+  const given: unknown = options.distance;
+  const distances = Float64Array.from(
+    Array.isArray(given) ? checkArray(given, 'the distances') : [given],
+    (distance) => checkNumber(distance, 'the distance'),
+  );
   const side = checkOneOf(options.side ?? 'both', offsetSides, 'the side');
   const shape = checkOneOf(options.corners ?? 'round', cornerShapes, 'the corners');
   const corners = cornerShapes.indexOf(shape);
   const miterLimit = checkNumber(options.miterLimit ?? 4, 'the miterLimit');
   return mesh
     .call((target) =>
-      target.offset(outlines, distance, offsetSides.indexOf(side) - 1, corners, miterLimit),
+      target.offset(outlines, distances, offsetSides.indexOf(side) - 1, corners, miterLimit),
     )
     .map((line) => new Path(line));
 }

@@ -177,7 +177,7 @@ export interface EngineMesh {
   /** The side is 1 for the left, -1 for the right, 0 for both. */
   offset(
     outlines: Float64Array[],
-    distance: number,
+    distances: Float64Array,
     side: number,
     corners: number,
     miterLimit: number,

@@ -346,8 +346,17 @@ export class Mesh {
    * of the paths; there may be no line, or several. The inside of a region lies left of its boundary. Places
    * keep the distance to within a thousandth of it.
    *
-   * Throws `KarcherError` badArgument for a distance that is not positive, a path without length, consecutive
-   * points without a face in common, and a `miterLimit` below 1.
+   * With several distances the lines are the border of the disks round all places of a path, each with the
+   * distance there; beside a straight path they are straight. Places keep their distance to within a thousandth
+   * of the least one, or of a tenth of the greatest.
+   *
+   * @example
+   * ```ts
+   * const tapered = mesh.offset([path], { distance: [0.02, 0.05] });
+   * ```
+   *
+   * Throws `KarcherError` badArgument for a distance that is not positive, a path without length,
+   * consecutive points without a face in common, and a `miterLimit` below 1.
    */
   offset(paths: readonly Outline[], options: OffsetOptions): Path[] {
     return offset(this.#handle, paths, options);

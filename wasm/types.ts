@@ -214,8 +214,12 @@ export interface CutPart {
 
 /** The distance, the sides and the corners of an offset. */
 export interface OffsetOptions {
-  /** The distance from the paths, in units of the mesh. */
-  distance: number;
+  /**
+   * The distance from the paths, in units of the mesh; or several distances at equal parts of each path's
+   * length, linear between; one of them may be 0. Two are for the start and the end of an open path; on a closed
+   * path the first follows the last. Corners are round then.
+   */
+  distance: number | readonly number[];
   /** The side; `both` by default, which also goes round the ends of open paths. */
   side?: 'left' | 'right' | 'both';
   /**

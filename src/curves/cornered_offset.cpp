@@ -271,7 +271,7 @@ class CorneredOffset {
     piece.isOpenAtEnd = to == nullptr;
     piece.start = position(mesh_, path.points.front());
     piece.end = position(mesh_, path.points.back());
-    for (OffsetRun& run : offsetRuns(geometry_, *piece.field, distance_)) {
+    for (OffsetRun& run : offsetRuns(geometry_, *piece.field, distance_, distance_)) {
       if (run.side == SideOfPath::kEnd) {
         if (from == nullptr || to == nullptr) addLine(pathThrough(mesh_, run.points), 4);
         continue;

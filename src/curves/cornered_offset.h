@@ -42,7 +42,9 @@ struct OffsetRun {
   bool isClosed = false;
 };
 
-Array<OffsetRun> offsetRuns(const Geometry& geometry, const PathDistance& field, double distance);
+/// `scale` is what tolerances are parts of.
+Array<OffsetRun> offsetRuns(const Geometry& geometry, const PathDistance& field, double distance,
+                            double scale);
 
 Array<Isoline> corneredOffset(const Geometry& geometry, std::span<const SurfacePath> paths,
                               double distance, OffsetSide side, const OffsetCorners& corners);

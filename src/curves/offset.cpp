@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "curves/cornered_offset.h"
@@ -60,8 +59,12 @@ struct Strand {
 
 class OffsetTracer {
  public:
-  OffsetTracer(const Geometry& geometry, const PathDistance& field, double distance)
-      : geometry_(geometry), mesh_(*geometry.mesh), field_(field), distance_(distance) {}
+  OffsetTracer(const Geometry& geometry, const PathDistance& field, double distance, double scale)
+      : geometry_(geometry),
+        mesh_(*geometry.mesh),
+        field_(field),
+        distance_(distance),
+        scale_(scale) {}
 
   void trace() {
     for (const int face : field_.faces()) {
@@ -136,25 +139,23 @@ class OffsetTracer {
     // Beyond the limit of the field, distances are taken to be the limit.
     const double atMiddle = std::min(field_.at(face, middle).value, kOffsetReach * distance_);
     if (std::abs(atMiddle - distance_) > radius * (1 + 1e-9)) return;
-    int divided = lengths[longest] > kLongestSide * distance_ ? longest : -1;
-    Vec3 at = (corners[longest].bary + corners[(longest + 1) % 3].bary) / 2;
-    for (int k = 0; k < 3 && divided != longest; ++k) {
-      if (divided >= 0 && lengths[k] <= lengths[divided]) continue;
-      if (const auto hidden = hiddenBetween(face, corners[k], corners[(k + 1) % 3], lengths[k])) {
-        divided = k;
-        at = *hidden;
+    int halved = lengths[longest] > kLongestSide * scale_ ? longest : -1;
+    if (halved < 0) {
+      for (int k = 0; k < 3; ++k) {
+        if (halved >= 0 && lengths[k] <= lengths[halved]) continue;
+        if (hidesCrossings(face, corners[k], corners[(k + 1) % 3], lengths[k])) halved = k;
       }
     }
-    if (divided < 0) {
+    if (halved < 0) {
       traceIn(face, corners);
       return;
     }
-    const PieceCorner& a = corners[divided];
-    const PieceCorner& b = corners[(divided + 1) % 3];
-    const PieceCorner& c = corners[(divided + 2) % 3];
-    const PieceCorner between = cornerAt(face, at);
-    visit(face, {{a, between, c}});
-    visit(face, {{between, b, c}});
+    const PieceCorner& a = corners[halved];
+    const PieceCorner& b = corners[(halved + 1) % 3];
+    const PieceCorner& c = corners[(halved + 2) % 3];
+    const PieceCorner half = cornerAt(face, (a.bary + b.bary) / 2);
+    visit(face, {{a, half, c}});
+    visit(face, {{half, b, c}});
   }
 
   PieceCorner cornerAt(int face, const Vec3& bary) const {
@@ -233,16 +234,15 @@ class OffsetTracer {
     return field_.at(side.face, side.start + t * side.way).value;
   }
 
-  /// A point of a side that is not short, beyond the isoline seen from its corners, which are both
-  /// nearer or both farther: there both pieces at the side are divided.
-  std::optional<Vec3> hiddenBetween(int face, const PieceCorner& a, const PieceCorner& b,
-                                    double length) const {
+  /// Whether the isoline crosses a side that is not short, although its corners are both nearer or
+  /// both farther.
+  bool hidesCrossings(int face, const PieceCorner& a, const PieceCorner& b, double length) const {
     const bool nearer = isNearer(a.distance);
-    if (nearer != isNearer(b.distance) || length <= kShortestSide * distance_) return {};
+    if (nearer != isNearer(b.distance) || length <= kShortestSide * scale_) return false;
     // The distances of two points differ by at most the length of a path between them.
     const double known = std::min(a.distance, kOffsetReach * distance_) +
                          std::min(b.distance, kOffsetReach * distance_) - 2 * distance_;
-    if (std::abs(known) > length) return {};
+    if (std::abs(known) > length) return false;
     const Side side = sideBetween(face, a, b);
     const double golden = std::numbers::phi - 1;
     double low = side.from;
@@ -252,8 +252,7 @@ class OffsetTracer {
     double atLeft = valueOn(side, left);
     double atRight = valueOn(side, right);
     for (int i = 0; i < kExtremumSteps; ++i) {
-      if (isNearer(atLeft) != nearer) return placeOn(side, face, left);
-      if (isNearer(atRight) != nearer) return placeOn(side, face, right);
+      if (isNearer(atLeft) != nearer || isNearer(atRight) != nearer) return true;
       if (nearer ? atLeft > atRight : atLeft < atRight) {
         high = std::exchange(right, left);
         left = high - golden * (high - low);
@@ -264,24 +263,7 @@ class OffsetTracer {
         atLeft = std::exchange(atRight, valueOn(side, right));
       }
     }
-    return {};
-  }
-
-  /// The barycentric coordinates of a side's point: on an edge the same number in both of its
-  /// faces.
-  Vec3 placeOn(const Side& side, int face, double t) const {
-    if (side.halfedge >= 0) {
-      const bool isOwn = faceOf(side.halfedge) == face;
-      const int h = isOwn ? side.halfedge : mesh_.twin[side.halfedge];
-      Vec3 bary = Vec3::Zero();
-      bary[cornerOf(h)] = isOwn ? 1 - t : t;
-      bary[cornerOf(next(h))] = isOwn ? t : 1 - t;
-      return bary;
-    }
-    const auto& [_, first1, first2, second1, second2] = side.key;
-    const double second = first1 + t * (second1 - first1);
-    const double third = first2 + t * (second2 - first2);
-    return {1 - second - third, second, third};
+    return false;
   }
 
   /// The isoline's point between two corners, one of which is nearer.
@@ -337,14 +319,7 @@ class OffsetTracer {
   void refine(int face, const Vec2& from, const Vec2& to, int halvings, Array<LinePoint>& inner) {
     const Vec2 middle = (from + to) / 2;
     const double atMiddle = field_.at(face, middle).value;
-    const auto keeps = [&](double value) {
-      return std::abs(value - distance_) <= kOffsetTolerance * distance_;
-    };
-    // A chord may cross the line in its middle: its quarters are tested, too.
-    if (halvings == 0 || (keeps(atMiddle) && keeps(field_.at(face, (from + middle) / 2).value) &&
-                          keeps(field_.at(face, (middle + to) / 2).value))) {
-      return;
-    }
+    if (halvings == 0 || std::abs(atMiddle - distance_) <= kOffsetTolerance * scale_) return;
     const Vec2 chord = to - from;
     // If the middle is nearer, search away from the nearer points, else towards them.
     const double sign = isNearer(atMiddle) ? 1 : -1;
@@ -375,6 +350,7 @@ class OffsetTracer {
   const TriangleMesh& mesh_;
   const PathDistance& field_;
   double distance_;
+  double scale_;  ///< what is small is compared with it
   int64_t pieces_ = 0;
   std::map<CrossingKey, int> numbers_;
   Array<LinePoint> crossings_;
@@ -426,8 +402,9 @@ void appendRuns(const OffsetTracer& tracer, Array<LinePoint> line, bool closed,
 
 }  // namespace
 
-Array<OffsetRun> offsetRuns(const Geometry& geometry, const PathDistance& field, double distance) {
-  OffsetTracer tracer(geometry, field, distance);
+Array<OffsetRun> offsetRuns(const Geometry& geometry, const PathDistance& field, double distance,
+                            double scale) {
+  OffsetTracer tracer(geometry, field, distance, scale);
   tracer.trace();
   Array<OffsetRun> runs;
   for (Array<LinePoint>& line : tracer.lines()) {
@@ -438,18 +415,29 @@ Array<OffsetRun> offsetRuns(const Geometry& geometry, const PathDistance& field,
 }
 
 Array<Isoline> offsetLines(const Geometry& geometry, std::span<const SurfacePath> paths,
-                           double distance, OffsetSide side, const OffsetCorners& corners) {
-  if (!(distance > 0) || !std::isfinite(distance)) {
+                           std::span<const double> distances, OffsetSide side,
+                           const OffsetCorners& corners) {
+  double distance = 0;
+  double least = kInfinity;
+  for (const double one : distances) {
+    distance = std::max(distance, one);
+    least = one >= 0 && std::isfinite(one) ? std::min(least, one) : -1;
+  }
+  if (!(distance > 0) || !(least >= 0)) {
     throw Error(ErrorCode::kBadArgument, "the distance of an offset must be a positive number");
   }
   if (corners.shape != CornerShape::kRound) {
+    if (distances.size() > 1) {
+      throw Error(ErrorCode::kBadArgument, "corners of several distances must be round");
+    }
     return corneredOffset(geometry, paths, distance, side, corners);
   }
-  const PathDistance field(geometry, paths, kOffsetReach * distance);
+  const PathDistance field(geometry, paths, kOffsetReach * distance, distances);
+  const double scale = std::max(least, kNarrowestOffset * distance);
   const TriangleMesh& mesh = *geometry.mesh;
   Array<Isoline> lines;
   if (side == OffsetSide::kBoth) {
-    OffsetTracer tracer(geometry, field, distance);
+    OffsetTracer tracer(geometry, field, distance, scale);
     tracer.trace();
     for (const Array<LinePoint>& line : tracer.lines()) {
       const bool closed = samePlace(mesh, line.front().point, line.back().point);
@@ -458,7 +446,7 @@ Array<Isoline> offsetLines(const Geometry& geometry, std::span<const SurfacePath
     return lines;
   }
   const bool isLeft = side == OffsetSide::kLeft;
-  for (OffsetRun& run : offsetRuns(geometry, field, distance)) {
+  for (OffsetRun& run : offsetRuns(geometry, field, distance, scale)) {
     if (run.side != (isLeft ? SideOfPath::kLeft : SideOfPath::kRight)) continue;
     if (run.points.count() < 2) continue;
     if (isLeft) std::reverse(run.points.begin(), run.points.end());

@@ -30,14 +30,28 @@ struct OffsetCorners {
 /// Points lie at the distance up to rounding, and chords stay within kOffsetTolerance of it.
 /// Features narrower than a twelfth of the distance may be missed.
 ///
+/// Several distances are those at equal parts of the length of each path, linear between; on a
+/// closed path the first follows the last. The lines are then the border of all disks around places
+/// of the paths whose radii are the distances there. Along a straight piece it is straight, and
+/// touches the disks of both ends. Tolerances are parts of the least distance, or, if that is
+/// less, of kNarrowestOffset times the greatest.
+///
 /// Corners that are not round follow cornered_offset.h.
 ///
-/// Throws Error kBadArgument (distance not positive and finite, a path without length, points
+/// Throws Error kBadArgument (no distance that is positive, one that is negative or not finite,
+/// several with corners that are not round, a path without length, points
 /// without a face in common, a limit of mitres below 1, more than kMostOffsetPieces pieces of
 /// faces, or more corners that are not round than there is room for).
 Array<Isoline> offsetLines(const Geometry& geometry, std::span<const SurfacePath> paths,
-                           double distance, OffsetSide side, const OffsetCorners& corners = {});
+                           std::span<const double> distances, OffsetSide side,
+                           const OffsetCorners& corners = {});
+inline Array<Isoline> offsetLines(const Geometry& geometry, std::span<const SurfacePath> paths,
+                                  double distance, OffsetSide side,
+                                  const OffsetCorners& corners = {}) {
+  return offsetLines(geometry, paths, std::span(&distance, 1), side, corners);
+}
 inline constexpr double kOffsetTolerance = 5e-4;
+inline constexpr double kNarrowestOffset = 1.0 / 16;
 inline constexpr int64_t kMostOffsetPieces = 20'000'000;
 
 }  // namespace karcher

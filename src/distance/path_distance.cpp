@@ -39,20 +39,16 @@ bool trimFront(Window& window, double tailDistance, double headDistance, double 
 }  // namespace
 
 PathDistance::PathDistance(const Geometry& geometry, std::span<const SurfacePath> paths,
-                           double limit)
+                           double limit, std::span<const double> widths)
     : geometry_(geometry),
       mesh_(*geometry.mesh),
       limit_(limit),
       arrivals_(static_cast<size_t>(geometry.mesh->vertexCount())) {
+  Array<Source> sources;
   for (const SurfacePath& path : paths) {
-    for (const SurfacePoint& point : path.points) {
-      const PointLocation location = locate(mesh_, point);
-      if (location.simplex == Simplex::kVertex) {
-        arrivals_[location.vertex] = {0, 0, SideOfPath::kEnd, true};
-      }
-    }
+    sources.push_back(sourceOf(path, sources.count(), widths));
   }
-  for (size_t i = 0; i < paths.size(); ++i) leavePath(paths[i], static_cast<int>(i));
+  for (const Source& source : sources) leavePath(source);
   run();
   sortImages();
 }
@@ -106,7 +102,7 @@ void PathDistance::carryAcross(const Waiting& waiting) {
   const Vec2 source =
       waiting.isFront ? Vec2(window.sourceX, window.depth) : Vec2(window.sourceX, -window.depth);
   if (waiting.isFront) {
-    image.kind = Image::kFront;
+    image.isFront = true;
     image.source = rotate(along, source);
     image.offset = window.offset - image.source.dot(origin);
     image.right = origin + window.end * along;
@@ -217,25 +213,21 @@ PathDistance::Distance PathDistance::at(int face, const Vec2& place) const {
   const double gap = kChainRounding * geometry_.meanEdge;
   for (int i = firstOfFace_[number]; i < firstOfFace_[number + 1]; ++i) {
     const Image& image = images_[i];
-    const Vec2 way = place - image.source;
-    // The region beyond an edge along the image's border does not belong to the image.
+    // The region behind the line that an image comes from does not belong to the image.
     const auto offerBeyond = [&](double value) {
-      if (value >= image.least - gap) offer(value, image.side);
+      if (value >= image.least - gap) offer(std::max(value, image.least), image.side);
     };
-    if (image.kind == Image::kPiece) {
-      const Vec2 along = image.end - image.source;
-      const double part = way.dot(along) / along.squaredNorm();
-      // A point that is nearest to an end belongs to the end's fan.
-      if (part < -kChainRounding || part > 1 + kChainRounding) continue;
-      offer((way - part * along).norm(),
-            cross(along, way) >= 0 ? SideOfPath::kLeft : SideOfPath::kRight);
-    } else if (image.kind == Image::kFront) {
+    if (image.isFront) {
       const Vec2& forward = image.source;
-      if (cross(forward, place - image.right) < -gap || cross(forward, place - image.left) > gap) {
+      const Vec2 line = image.left - image.right;
+      const Vec2 fromRight = place - image.right;
+      if (cross(forward, fromRight) < -gap || cross(forward, place - image.left) > gap ||
+          cross(line, fromRight) > gap * line.norm()) {
         continue;
       }
       offerBeyond(image.offset + forward.dot(place));
     } else {
+      const Vec2 way = place - image.source;
       const double leg = way.norm();
       const double slack = kChainRounding * leg;
       if (cross(image.right, way) < -slack || cross(way, image.left) < -slack ||

@@ -8,7 +8,8 @@
 #include "intrinsic/point_fan.h"
 #include "intrinsic/surface_path.h"
 
-/// Exact geodesic distances from paths, up to a limit.
+/// Exact geodesic distances from paths, up to a limit. If the places of the paths have widths,
+/// distances are those from the disks around them with these radii, plus the greatest radius.
 ///
 /// A shortest connection to a path meets it at a right angle, or at a point where the path turns or
 /// ends, in the wedge between the right angles there. So each straight piece of a path sends out a
@@ -17,6 +18,10 @@
 /// curves on triangle meshes", 2007). Windows that vertices beat are trimmed or dropped, and
 /// vertices of negative curvature send out fans behind them, as in window_distance.h. Every face
 /// keeps the images of the paths that it sees, from which the distance of any point follows.
+///
+/// Where the width changes along a piece, its fronts are tilted: the cosine of their angle with the
+/// piece is the rate at which the width decreases. A piece along which the width changes by its
+/// length or more lies in the disk of one of its ends, whose fan takes the place of its fronts.
 namespace karcher {
 
 /// The side of a path from which a shortest connection arrives; kEnd if it arrives around an end.
@@ -32,7 +37,12 @@ class PathDistance {
   /// Finds the distances of all points that are at most `limit` away. The geometry must outlive the
   /// object. Throws Error kBadArgument if a path has no length, if consecutive points have no face
   /// in common, or if more than kMostWindowsPerFace windows for each face are needed.
-  PathDistance(const Geometry& geometry, std::span<const SurfacePath> paths, double limit);
+  ///
+  /// `widths` are those at equal parts of the length of each path, linear between; on a closed path
+  /// the first follows the last. The distance is then the least sum, over all places of the paths,
+  /// of the distance from the place and the difference between the greatest width and the place's.
+  PathDistance(const Geometry& geometry, std::span<const SurfacePath> paths, double limit,
+               std::span<const double> widths = {});
 
   struct Distance {
     double value = kInfinity;
@@ -49,19 +59,28 @@ class PathDistance {
   const Array<int>& faces() const { return faces_; }
 
  private:
-  /// An image of the paths in a face: a straight piece in it, a front, or the center of a fan.
+  /// An image of the paths in a face: a front, or the center of a fan.
   struct Image {
-    enum Kind : int8_t { kPiece, kFront, kFan };
     int face = -1;
-    Kind kind = kFan;
+    bool isFront = false;
     SideOfPath side = SideOfPath::kEnd;
     double offset = 0;
     double least = 0;            ///< a lower bound on the distances through it
-    Vec2 source = Vec2::Zero();  ///< of kPiece, its begin; of kFront, its direction, of length 1
-    Vec2 end = Vec2::Zero();     ///< of kPiece, its end
-    /// of kFront, a point on its right border; of kFan, a unit vector along it
+    Vec2 source = Vec2::Zero();  ///< of a front: its direction, of length 1
+    /// of a front, the right end of the line that it starts from; of a fan, a unit vector
     Vec2 right = Vec2::Zero();
     Vec2 left = Vec2::Zero();
+  };
+
+  /// A path with a point wherever the width has a bend, and what the distance starts from at each.
+  struct Source {
+    SurfacePath path;
+    Array<double> starts;
+    bool isClosed = false;
+
+    double growthAfter(int i) const {
+      return (starts[i + 1] - starts[i]) / (path.lengths[i + 1] - path.lengths[i]);
+    }
   };
 
   /// A window that waits to be propagated across the face of a half-edge. For a front, `sourceX`
@@ -87,10 +106,11 @@ class PathDistance {
     bool isOnPath = false;
   };
 
-  void leavePath(const SurfacePath& path, int number);
-  void leavePiece(int face, const Vec2& from, const Vec2& to);
-  void leaveFront(int face, const Vec2& from, const Vec2& to, SideOfPath side);
-  void leaveTurn(const SurfacePoint& point, const SurfacePoint* before, const SurfacePoint* after);
+  Source sourceOf(const SurfacePath& path, int number, std::span<const double> widths);
+  void leavePath(const Source& source);
+  void leaveFront(int face, const Vec2& from, const Vec2& to, double start, double growth,
+                  SideOfPath side);
+  void leaveTurn(const Source& source, int index);
   void leaveFan(const PointFan& fan, double from, double to, double offset, SideOfPath side);
   void leaveCorner(int face, const Vec2& middle, double from, double to, double offset,
                    SideOfPath side);

@@ -41,61 +41,106 @@ Array<SurfacePoint> pointsApart(const Geometry& geometry, const SurfacePath& pat
   return apart;
 }
 
-void PathDistance::leavePath(const SurfacePath& path, int number) {
-  const Array<SurfacePoint> points = pointsApart(geometry_, path, number);
+/// Adds the places where the width bends to a path, and sets the distances of the vertices on it.
+PathDistance::Source PathDistance::sourceOf(const SurfacePath& path, int number,
+                                            std::span<const double> widths) {
+  Source source;
+  source.path.points = pointsApart(geometry_, path, number);
+  source.isClosed = samePlace(mesh_, source.path.points.front(), source.path.points.back());
+  const SurfacePath given = pathThrough(mesh_, path.points);
+  const int count = static_cast<int>(widths.size());
+  const int parts = count < 2 ? 0 : source.isClosed ? count : count - 1;
+  const double part = given.length() / std::max(parts, 1);
+  const double greatest = parts > 0 ? *std::max_element(widths.begin(), widths.end()) : 0;
+  const auto startAt = [&](double length) {
+    if (parts == 0) return 0.0;
+    const double at = std::min(length / part, double(parts));
+    const int k = std::min(static_cast<int>(at), parts - 1);
+    const double here = widths[static_cast<size_t>(k)];
+    const double there = widths[static_cast<size_t>((k + 1) % count)];
+    return greatest - here - (there - here) * (at - k);
+  };
+  if (parts > 1) {
+    SurfacePath bent;
+    for (int i = 0, k = 1; i < given.points.count(); ++i) {
+      for (; k < parts && k * part < given.lengths[i]; ++k) {
+        bent.points.push_back(pointAlong(mesh_, given, k * part));
+      }
+      bent.points.push_back(given.points[i]);
+    }
+    source.path.points = pointsApart(geometry_, bent, number);
+  }
+  measure(mesh_, source.path);
+  for (const double length : source.path.lengths) source.starts.push_back(startAt(length));
+  for (int i = 0; i < given.points.count(); ++i) {
+    const PointLocation location = locate(mesh_, given.points[i]);
+    if (location.simplex != Simplex::kVertex) continue;
+    VertexArrival& arrival = arrivals_[location.vertex];
+    arrival.distance = std::min(arrival.distance, startAt(given.lengths[i]));
+    arrival.isOnPath = true;
+  }
+  return source;
+}
+
+/// Sends out the fronts of all straight pieces and the fans of all turns.
+void PathDistance::leavePath(const Source& source) {
+  const Array<SurfacePoint>& points = source.path.points;
   const int count = points.count();
-  const bool isClosed = samePlace(mesh_, points.front(), points.back());
   for (int i = 0; i + 1 < count; ++i) {
     const int face = commonFace(mesh_, points[i], points[i + 1]);
+    const double growth = source.growthAfter(i);
+    const auto leaveIn = [&](int one) {
+      const Vec2 from = pointInFace(geometry_, inFace(mesh_, points[i], one));
+      const Vec2 to = pointInFace(geometry_, inFace(mesh_, points[i + 1], one));
+      if (!((to - from).norm() > 0) || !(std::abs(growth) < 1)) return;
+      leaveFront(one, from, to, source.starts[i], growth, SideOfPath::kLeft);
+      leaveFront(one, from, to, source.starts[i], growth, SideOfPath::kRight);
+    };
+    leaveIn(face);
     const SurfacePoint a = inFace(mesh_, points[i], face);
     const SurfacePoint b = inFace(mesh_, points[i + 1], face);
-    leavePiece(face, pointInFace(geometry_, a), pointInFace(geometry_, b));
     for (int k = 0; k < 3; ++k) {
       if (a.bary[k] != 0 || b.bary[k] != 0) continue;
       const int other = mesh_.twin[next(3 * face + k)];
-      if (other < 0) continue;
-      const int across = faceOf(other);
-      leavePiece(across, pointInFace(geometry_, inFace(mesh_, a, across)),
-                 pointInFace(geometry_, inFace(mesh_, b, across)));
+      if (other >= 0) leaveIn(faceOf(other));
     }
   }
-  for (int i = 0; i < count; ++i) {
-    if (isClosed && i == count - 1) break;
-    const SurfacePoint* before = i > 0 ? &points[i - 1] : isClosed ? &points[count - 2] : nullptr;
-    const SurfacePoint* after = i + 1 < count ? &points[i + 1] : nullptr;
-    leaveTurn(points[i], before, after);
-  }
+  for (int i = 0; i < count - (source.isClosed ? 1 : 0); ++i) leaveTurn(source, i);
 }
 
-/// Sends out a front from a straight piece in a face to both sides, and adds the piece's image
-/// there.
-void PathDistance::leavePiece(int face, const Vec2& from, const Vec2& to) {
-  if (!((to - from).norm() > 0)) return;
+/// Sends out a front from a straight piece in a face to one side, and adds the front's image there.
+void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, double start,
+                              double growth, SideOfPath side) {
+  const double noHeight = kLocalRounding * geometry_.meanEdge;
+  const bool isLeft = side == SideOfPath::kLeft;
+  const Vec2 along = (to - from).normalized();
+  const Vec2 aside = (isLeft ? 1.0 : -1.0) * leftOf(along);
+  const double rise = std::sqrt((1 - growth) * (1 + growth));
+  const Vec2 way = growth * along + rise * aside;
+  // Across the way, in the direction of the piece.
+  const Vec2 across = rise * along - growth * aside;
+  const double width = across.dot(to - from);
   Image image;
   image.face = face;
-  image.kind = Image::kPiece;
-  image.source = from;
-  image.end = to;
+  image.isFront = true;
+  image.side = side;
+  image.offset = start - way.dot(from);
+  image.least = std::min(start, image.offset + way.dot(to));
+  image.source = way;
+  image.right = isLeft ? to : from;
+  image.left = isLeft ? from : to;
   images_.push_back(image);
-  leaveFront(face, from, to, SideOfPath::kLeft);
-  leaveFront(face, from, to, SideOfPath::kRight);
-}
-
-void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, SideOfPath side) {
-  const double width = (to - from).norm();
-  const Vec2 along = (to - from) / width;
-  const Vec2 way = (side == SideOfPath::kLeft ? 1.0 : -1.0) * leftOf(along);
-  const double noHeight = kLocalRounding * geometry_.meanEdge;
   for (int k = 0; k < 3; ++k) {
     const int h = 3 * face + k;
     const double length = geometry_.edgeLength[h];
     const Vec2 tail = cornerInFace(geometry_, face, k);
     const Vec2 edge = halfedgeInFace(geometry_, h) / length;
-    const double tailHeight = way.dot(tail - from);
-    const double foot = along.dot(tail - from);
+    const double tailHeight = aside.dot(tail - from);
+    const double atTail = start + way.dot(tail - from);
+    const double foot = across.dot(tail - from);
     if (tailHeight > noHeight && foot >= -kChainRounding * width &&
         foot <= (1 + kChainRounding) * width) {
-      arrive(mesh_.tail(h), tailHeight, directionAtTail(geometry_, h, -way), side);
+      arrive(mesh_.tail(h), atTail, directionAtTail(geometry_, h, -way), side);
     }
     // The part of the edge that lies over the piece.
     const double out = way.x() * edge.y() - way.y() * edge.x();
@@ -103,59 +148,73 @@ void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, SideOf
     if (t < 0 || !(out > 0)) continue;
     double begin = 0;
     double end = length;
-    const auto keepWhere = [&](double atTail, double slope) {
-      // atTail + slope x >= 0
-      if (slope > 0) begin = std::max(begin, -atTail / slope);
-      if (slope < 0) end = std::min(end, -atTail / slope);
-      if (slope == 0 && atTail < 0) end = begin;
+    const auto keepWhere = [&](double here, double slope) {
+      // here + slope x >= 0
+      if (slope > 0) begin = std::max(begin, -here / slope);
+      if (slope < 0) end = std::min(end, -here / slope);
+      if (slope == 0 && here < 0) end = begin;
     };
-    keepWhere(foot, along.dot(edge));
-    keepWhere(width - foot, -along.dot(edge));
-    keepWhere(tailHeight, way.dot(edge));
+    keepWhere(foot, across.dot(edge));
+    keepWhere(width - foot, -across.dot(edge));
+    keepWhere(tailHeight, aside.dot(edge));
     if (isTooNarrow({begin, end}, kNarrowestWindow * length)) continue;
-    if (!(tailHeight + way.dot(edge) * (begin + end) / 2 > noHeight)) continue;
-    const double offset = tailHeight + way.dot(edge) * length;
-    addWindow(t, {length - end, length - begin, -way.dot(edge), out, offset}, true, side);
+    if (!(tailHeight + aside.dot(edge) * (begin + end) / 2 > noHeight)) continue;
+    const double slope = way.dot(edge);
+    addWindow(t, {length - end, length - begin, -slope, out, atTail + slope * length}, true, side);
   }
 }
 
-/// Sends out the fans of a point where a path turns or ends: the directions between the
-/// perpendiculars to its pieces there.
-void PathDistance::leaveTurn(const SurfacePoint& point, const SurfacePoint* before,
-                             const SurfacePoint* after) {
-  const PointFan fan = fanAt(geometry_, point);
-  const double right = kPi / 2;
+/// Sends out the fans of a point where a path turns or ends: the directions between the fronts of
+/// its pieces there.
+void PathDistance::leaveTurn(const Source& source, int index) {
+  struct Piece {
+    double angle;    ///< its direction
+    double opening;  ///< the angle of its fronts with it
+  };
+  const Array<SurfacePoint>& points = source.path.points;
+  const int last = points.count() - 1;
+  const PointFan fan = fanAt(geometry_, points[index]);
+  const auto pieceTo = [&](int other, double growth) {
+    return Piece{angleTowards(geometry_, fan, points[index], points[other]),
+                 std::acos(std::clamp(growth, -1.0, 1.0))};
+  };
   // Adjacent windows of one front differ by rounding. The windows beside such a gap find paths
   // through it, with an error of second order.
   const auto leave = [&](double from, double to, SideOfPath side) {
-    if (to - from > kChainRounding) leaveFan(fan, from, to, 0, side);
+    if (to - from > kChainRounding) leaveFan(fan, from, to, source.starts[index], side);
   };
-  // The fan counterclockwise from one direction to another, on the surface.
-  const auto leaveBetween = [&](double from, double to, SideOfPath side) {
-    if (to > from) {
-      leave(from + right, to - right, side);
+  // The fan counterclockwise from one piece to another, on the surface. At a point of the boundary
+  // it may have two parts, the second one on the other side of a path that ends there.
+  const auto leaveBetween = [&](const Piece& one, const Piece& other, SideOfPath side,
+                                SideOfPath second) {
+    const double from = one.angle + one.opening;
+    const double to = other.angle - other.opening;
+    if (other.angle > one.angle) {
+      leave(from, to, side);
     } else if (fan.isRound) {
-      leave(from + right, to + fan.total - right, side);
+      leave(from, to + fan.total, side);
     } else {
-      leave(from + right, kInfinity, side);
-      leave(-kInfinity, to - right, side);
+      leave(from, kInfinity, side);
+      leave(-kInfinity, to, second);
     }
   };
-  if (before != nullptr && after != nullptr) {
-    const double back = angleTowards(geometry_, fan, point, *before);
-    const double ahead = angleTowards(geometry_, fan, point, *after);
-    leaveBetween(ahead, back, SideOfPath::kLeft);
-    leaveBetween(back, ahead, SideOfPath::kRight);
+  const bool isEnd = index == last;
+  if (source.isClosed || (index > 0 && !isEnd)) {
+    const int piece = index > 0 ? index - 1 : last - 1;
+    const Piece back = pieceTo(piece, -source.growthAfter(piece));
+    const Piece ahead = pieceTo(index + 1, source.growthAfter(index));
+    leaveBetween(ahead, back, SideOfPath::kLeft, SideOfPath::kLeft);
+    leaveBetween(back, ahead, SideOfPath::kRight, SideOfPath::kRight);
     return;
   }
-  const double only = angleTowards(geometry_, fan, point, after != nullptr ? *after : *before);
+  const Piece only = isEnd ? pieceTo(index - 1, -source.growthAfter(index - 1))
+                           : pieceTo(1, source.growthAfter(0));
   if (fan.isRound) {
-    leave(only + right, only + fan.total - right, SideOfPath::kEnd);
-    return;
+    leaveBetween(only, only, SideOfPath::kEnd, SideOfPath::kEnd);
+  } else {
+    leaveBetween(only, only, isEnd ? SideOfPath::kRight : SideOfPath::kLeft,
+                 isEnd ? SideOfPath::kLeft : SideOfPath::kRight);
   }
-  // At a point of the boundary the fan has two parts, one on each side of the path.
-  leave(only + right, kInfinity, after != nullptr ? SideOfPath::kLeft : SideOfPath::kRight);
-  leave(-kInfinity, only - right, after != nullptr ? SideOfPath::kRight : SideOfPath::kLeft);
 }
 
 void PathDistance::leaveFan(const PointFan& fan, double from, double to, double offset,

@@ -62,6 +62,40 @@ test('of a region’s boundary have the inside on the left', () => {
   near(smaller.area, (5.1 - 1.2) * (4.3 - 1.2), 5e-3);
 });
 
+test('at several distances the sides of a segment are the tangents of the disks at its ends', () => {
+  const [a, b] = [at([3, 4]), at([7, 7])];
+  const segment = mesh.shortestPath(a, b);
+  for (const [start, end] of [
+    [0.5, 1.7],
+    [1.2, 0],
+  ]) {
+    const distance = [start, end];
+    const tilt = Math.asin((end - start) / 5);
+    for (const side of ['left', 'right']) {
+      const [line, ...more] = mesh.offset([segment], { distance, side });
+      assert.equal(more.length, 0);
+      near(line.length, 5 * Math.cos(tilt), 2e-3);
+    }
+    const [around] = mesh.offset([segment], { distance });
+    assert.ok(around.closed);
+    const arcs = (Math.PI + 2 * tilt) * end + (Math.PI - 2 * tilt) * start;
+    near(around.length, 10 * Math.cos(tilt) + arcs, 5e-3);
+  }
+  // Of a closed path the first distance follows the last: equal ones are one.
+  const [one] = mesh.offset([square], { distance: 0.6, side: 'right' });
+  const [same] = mesh.offset([square], { distance: [0.6, 0.6, 0.6], side: 'right' });
+  near(same.length, one.length, 1e-9);
+  const bad = { name: 'KarcherError', code: 'badArgument' };
+  assert.throws(() => mesh.offset([segment], { distance: [1, 2], corners: 'miter' }), {
+    ...bad,
+    message: /must be round$/,
+  });
+  for (const distance of [[], [0, 0], [1, -1], [1, '2']]) {
+    assert.throws(() => mesh.offset([segment], { distance }), bad);
+  }
+  assert.throws(() => mesh.offset([segment], { distance: [1, NaN] }), { code: 'notFinite' });
+});
+
 test('report paths without an offset', () => {
   const bad = { name: 'KarcherError', code: 'badArgument' };
   assert.throws(() => mesh.offset([square], { distance: 0 }), { ...bad, message: /positive/ });
@@ -78,6 +112,8 @@ test('in a worker it is the same', async () => {
   const [expected] = mesh.offset([square], { distance: 0.4, side: 'right' });
   const [line] = await there.offset([square], { distance: 0.4, side: 'right' });
   assert.deepEqual(line.points(), expected.points());
+  const [tapered] = await there.offset([square], { distance: [0.4, 0.1] });
+  assert.deepEqual(tapered.points(), mesh.offset([square], { distance: [0.4, 0.1] })[0].points());
 });
 
 test('on the command line', async () => {
@@ -94,6 +130,9 @@ test('on the command line', async () => {
   for (const [x, y] of lines[0].polyline) {
     near(Math.min(x - 2.3, 7.4 - x, y - 2.2, 6.5 - y), 0.6, 6e-4);
   }
+  const tapered = await printed(...args, '--distance', '0.6,0.2', '--side', 'left');
+  const [inner] = mesh.offset([square], { distance: [0.6, 0.2], side: 'left' });
+  near(tapered.lines[0].length, inner.length, 1e-6);
   const { stdout } = await command(...args, '--distance', '0.6', '--format', 'obj');
   assert.equal(stdout.match(/^l /gm).length, 2);
   assert.match(await failure(...args), /^offset needs --distance D$/);

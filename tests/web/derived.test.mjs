@@ -124,6 +124,45 @@ describe('objects made of others', () => {
     await tab.close();
   });
 
+  test('an offset has another distance at the end; a step back, a link and a file know it', async () => {
+    const { tab, radius } = await withCircle();
+    await maker(tab, 'Offset').click();
+    await tab.settled();
+    await type(tab, '#offset-distance', '0.1');
+    const before = JSON.stringify(await drawingOf(tab));
+    const length = async () => (await tab.view()).isolines.length;
+    const least = await length();
+    await type(tab, '#offset-end', '0.3');
+    const offset = { distance: 0.1, end: 0.3, side: 'outwards' };
+    assert.deepEqual((await drawingOf(tab)).objects.at(-1).figure.derived.offset, offset);
+    assert.equal((await tab.view()).problem, null);
+    const wide = await length();
+    assert.ok(wide > least + 0.05 && wide < around(radius + 0.3));
+    assert.ok(await tab.page.locator('#offset-corners input[value=miter]').isDisabled());
+    // Inwards it is on the other side.
+    await side(tab, 'Inwards');
+    await tab.settled();
+    assert.ok((await length()) < around(radius - 0.1));
+    await tab.page.keyboard.press('Control+z');
+    await tab.settled();
+    const saved = await tab.save(/^JSON the whole/);
+    assert.ok(fitsFile(JSON.parse(saved.text)), JSON.stringify(fitsFile.errors));
+    await tab.pastSaving();
+    const other = await Tab.open(browser, tab.page.url().split('#')[1]);
+    near((await other.view()).isolines.length, wide, 1e-3, 'of the link');
+    await other.page.keyboard.press('Control+a');
+    await other.page.keyboard.press('Delete');
+    await other.drop('drawing.json', saved.text);
+    await other.page.waitForFunction(() => window.karcherPage.state().figure.derived);
+    await other.settled();
+    assert.deepEqual((await other.state()).figure.derived.offset, offset);
+    await other.close();
+    await tab.page.keyboard.press('Control+z');
+    await tab.settled();
+    assert.equal(JSON.stringify(await drawingOf(tab)), before);
+    await tab.close();
+  });
+
   test('each step can be undone and redone; a reload, a link and a file have the same result', async () => {
     const { tab } = await withCircle();
     const bare = JSON.stringify(await drawingOf(tab));

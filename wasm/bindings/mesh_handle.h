@@ -92,7 +92,8 @@ class MeshHandle {
   /// A list of paths (path.h): exact isolines, or piecewise linear ones of the solver's distances.
   val isolines(const val& center, double radius, bool exact, const val& field);
   /// A list of paths. `side` is 1 for the left, -1 for the right, 0 for both.
-  val offset(const val& outlines, double distance, int side, int corners, double miterLimit) const;
+  val offset(const val& outlines, const val& distances, int side, int corners,
+             double miterLimit) const;
   /// The distances of points from the nearest of the outlines; NaN for unreachable points.
   val distanceFromPaths(const val& outlines, const val& points) const;
   /// A list of {area, perimeter, boundary, share, triangles, sides}, one for each shape, with

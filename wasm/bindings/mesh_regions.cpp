@@ -163,7 +163,7 @@ val MeshHandle::cut(const val& outlines) const {
   return result;
 }
 
-val MeshHandle::offset(const val& outlines, double distance, int side, int corners,
+val MeshHandle::offset(const val& outlines, const val& distances, int side, int corners,
                        double miterLimit) const {
   const Array<SurfacePath> paths = pathsFromJs(numbering_, mesh(), outlines);
   const OffsetSide which = side > 0   ? OffsetSide::kLeft
@@ -172,7 +172,8 @@ val MeshHandle::offset(const val& outlines, double distance, int side, int corne
   val list = val::array();
   int count = 0;
   const OffsetCorners how{static_cast<CornerShape>(corners), miterLimit};
-  for (const Isoline& line : offsetLines(geometry(), paths, distance, which, how)) {
+  const Array<double> along = fromJs<double>(distances);
+  for (const Isoline& line : offsetLines(geometry(), paths, along, which, how)) {
     list.set(count++, pathToJs(numbering_, mesh(), line.points, line.length, line.closed));
   }
   return list;

@@ -11,7 +11,12 @@ export const offset: Command = {
     '{lines: [{closed, length, polyline: [[x, y, z], …]}, …]}: the points whose exact distance from the nearest curve it is; what runs into itself is trimmed',
   options: [
     ...outlineOptions,
-    { name: 'distance', value: 'D', help: 'in units of the mesh', required: true },
+    {
+      name: 'distance',
+      value: 'D',
+      help: 'in units of the mesh; several, with commas, are at equal parts of the length of each curve',
+      required: true,
+    },
     {
       name: 'side',
       value: 'both|left|right',
@@ -33,7 +38,7 @@ export const offset: Command = {
     formatOption,
   ],
   async run(args) {
-    const distance = args.number('distance');
+    const distance = args.numbers('distance');
     const side = args.choice<'both' | 'left' | 'right'>('side');
     const corners = args.choice<'round' | 'miter' | 'bevel'>('corners');
     const miterLimit = args.number('miter-limit');

@@ -19,6 +19,8 @@ export type CornerShape = (typeof cornerShapes)[number];
 
 export interface Offset {
   readonly distance: number;
+  /** The distance at the end of an open curve, and halfway round a closed one, if it is another. */
+  readonly end?: number | undefined;
   readonly side: OffsetSide;
   readonly corners?: CornerShape | undefined;
 }
@@ -49,12 +51,16 @@ export interface Derived {
 export const mostSources = 200;
 export const mostParts = 1000;
 
-/** An offset with another shape of corners. */
-export const withCorners = ({ distance, side }: Offset, corners: CornerShape): Offset => ({
-  distance,
-  side,
-  ...(corners !== 'round' && { corners }),
-});
+/** An offset without its defaults. If it has another distance at the end, its corners are round. */
+export function plainOffset({ distance, end = distance, side, corners = 'round' }: Offset): Offset {
+  const isEven = end === distance;
+  return {
+    distance,
+    ...(!isEven && { end }),
+    side,
+    ...(isEven && corners !== 'round' && { corners }),
+  };
+}
 
 export const isBoolean = (kind: string): kind is BooleanKind =>
   (booleans as readonly string[]).includes(kind);

@@ -6,7 +6,7 @@ import {
   mostSources,
   offsetSides,
   type PartChoice,
-  withCorners,
+  plainOffset,
 } from './derived';
 import type { Kind } from './figure';
 import { formatPoint, parsePoint } from './link_numbers';
@@ -23,6 +23,7 @@ export function derivedFields(
   return [
     `of=${sources.map(numberOf)}`,
     ...(offset ? [`distance=${offset.distance}`, `side=${offset.side}`] : []),
+    ...(offset?.end === undefined ? [] : [`end=${offset.end}`]),
     ...(offset?.corners ? [`corners=${offset.corners}`] : []),
     ...(choices.length > 0 ? [`parts=${choices.join(';')}`] : []),
     ...(thickness > 0 ? [`thickness=${thickness}`] : []),
@@ -42,8 +43,9 @@ export function parseDerived(kind: Kind, fields: URLSearchParams): Derived {
     // An offset needs a distance.
     const distance = positive('distance');
     const corners = cornerShapes.find((one) => one === fields.get('corners')) ?? 'round';
+    const end = fields.get('end') === '0' ? 0 : (positive('end') ?? undefined);
     return distance
-      ? { sources, offset: withCorners({ distance, side }, corners) }
+      ? { sources, offset: plainOffset({ distance, end, side, corners }) }
       : { sources: [] };
   }
   if (kind !== 'cut') return { sources };

@@ -61,6 +61,7 @@ const rules: Readonly<Record<string, Rule>> = {
     'the shortest path',
   ),
   distance: within(notNegative, null, 'no offset'),
+  end: within(notNegative, null, 'the same distance'),
   side: oneOf(offsetSides, offsetSides[0]!),
   thickness: within(notNegative, null, 'no thickness'),
   view: all((text) => parseView(text) !== null, viewRange, 'the view there is'),

@@ -4,6 +4,16 @@
  */
 import type { SurfacePoint } from 'karcher';
 import {
+  cornerShapes,
+  type Derived,
+  isDerived,
+  mostParts,
+  mostSources,
+  offsetSides,
+  type PartChoice,
+  plainOffset,
+} from './derived';
+import {
   type Dash,
   type Drawing,
   type DrawnObject,
@@ -17,16 +27,6 @@ import {
   widthRange,
 } from './drawing';
 import type { Tangent, Tangents } from './figure';
-import {
-  cornerShapes,
-  type Derived,
-  isDerived,
-  mostParts,
-  mostSources,
-  offsetSides,
-  type PartChoice,
-  withCorners,
-} from './derived';
 import {
   type Across,
   type CircleForm,
@@ -179,16 +179,17 @@ function readDerived(value: unknown, kind: Kind, of: string): Derived {
     ),
   };
   if (kind === 'offset') {
-    const { distance, side, corners = 'round' } = record(offset, `the offset of ${of}`);
+    const { distance, end, side, corners = 'round' } = record(offset, `the offset of ${of}`);
     return {
       ...told,
-      offset: withCorners(
-        {
-          distance: number(distance, Number.MIN_VALUE, Infinity, `the distance of ${of}`),
-          side: oneOf(side, offsetSides, `the side of ${of}`),
-        },
-        oneOf(corners, cornerShapes, `the corners of ${of}`),
-      ),
+      offset: plainOffset({
+        distance: number(distance, Number.MIN_VALUE, Infinity, `the distance of ${of}`),
+        ...(end !== undefined && {
+          end: number(end, 0, Infinity, `the distance at the end of ${of}`),
+        }),
+        side: oneOf(side, offsetSides, `the side of ${of}`),
+        corners: oneOf(corners, cornerShapes, `the corners of ${of}`),
+      }),
     };
   }
   if (kind !== 'cut') return told;

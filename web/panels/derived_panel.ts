@@ -19,13 +19,13 @@ import {
   type Offset,
   type OffsetSide,
   offsetSides,
-  withCorners,
+  plainOffset,
 } from '../model/derived';
 import { objectOf } from '../model/drawing';
 import type { Unit } from '../model/units';
 import { byId, choices, make, write } from './elements';
 import { kindNames, kindNotes } from './kind_names';
-import { NumberField } from './number_field';
+import { NumberField, positiveNumber } from './number_field';
 import { nameOf } from './object_rows';
 
 /** The first distance of an offset as a part of the surface's diagonal. */
@@ -43,11 +43,17 @@ const cornerNames: Record<CornerShape, string> = {
   bevel: 'Bevelled',
 };
 
+const atLeastZero = {
+  read: (text: string) => (Number(text.trim() || NaN) === 0 ? 0 : positiveNumber(text)),
+  write: (value: number) => `${Number(value.toPrecision(4))}`,
+};
+
 /** Objects that are made of others: the buttons that make them, and their settings. */
 export class DerivedPanel {
   readonly #makers: readonly HTMLButtonElement[];
   readonly #actions: readonly [name: string, act: () => void][];
   readonly #distance: NumberField;
+  readonly #end: NumberField;
   readonly #input = byId<HTMLInputElement>('offset-distance');
   readonly #sides: readonly HTMLInputElement[];
   readonly #corners: readonly HTMLInputElement[];
@@ -72,6 +78,11 @@ export class DerivedPanel {
     });
     byId('makers').append(...this.#makers);
     this.#distance = new NumberField(this.#input, (distance) => this.#remakeOffset({ distance }));
+    this.#end = new NumberField(
+      byId<HTMLInputElement>('offset-end'),
+      (end) => this.#remakeOffset({ end }),
+      atLeastZero,
+    );
     this.#sides = choices('offset-side', offsetSides, sideNames, (side) =>
       this.#remakeOffset({ side }),
     );
@@ -118,8 +129,12 @@ export class DerivedPanel {
     byId('expand').hidden = figure.kind === 'cut';
     byId('offset-settings').hidden = !offset;
     this.#distance.show(offset?.distance ?? null);
+    this.#end.show(offset?.end ?? offset?.distance ?? null);
     for (const input of this.#sides) input.checked = input.value === offset?.side;
-    for (const input of this.#corners) input.checked = input.value === (offset?.corners ?? 'round');
+    for (const input of this.#corners) {
+      input.checked = input.value === (offset?.corners ?? 'round');
+      input.disabled = offset?.end !== undefined && input.value !== 'round';
+    }
     const names = sources?.flatMap((id) => {
       const object = objectOf(drawing, id);
       return object ? [nameOf(object)] : [];
@@ -146,8 +161,7 @@ export class DerivedPanel {
     editor.interrupt();
     const { offset } = editor.state.figure.derived ?? {};
     if (!offset || editor.refuses()) return;
-    const changed = { ...offset, ...part };
-    const made = withCorners(changed, changed.corners ?? 'round');
+    const made = plainOffset({ ...offset, ...part });
     editor.perform(remaking(editor.state.drawing, { offset: made }));
   }
 }

@@ -1,6 +1,6 @@
 /** Lines that are made of other lines: their offsets, and booleans of their regions. */
 import { KarcherError, type Mesh, type Path, type Region, type SurfacePoint } from 'karcher';
-import type { BooleanKind, Offset } from '../model/derived';
+import type { BooleanKind, Offset, OffsetSide } from '../model/derived';
 import type { Inside } from '../model/figure';
 import type { Fill } from '../model/traced';
 import { painted } from './fills';
@@ -23,13 +23,10 @@ const outlined = (
   return mesh.regions([{ outlines, ...(told && { inside: told }) }])[0]!;
 };
 
-/**
- * The boundary of the region that lines enclose, with the inside on its left; null if they enclose
- * none.
- */
-function enclosed(mesh: Mesh, outlines: Outline[], inside?: Inside | undefined): Path[] | null {
+/** The region that lines enclose; null if they enclose none. */
+function enclosed(mesh: Mesh, outlines: Outline[], inside?: Inside | undefined): Region | null {
   try {
-    return outlined(mesh, outlines, inside).boundary();
+    return outlined(mesh, outlines, inside);
   } catch (error) {
     if (error instanceof KarcherError) return null;
     throw error;
@@ -42,6 +39,7 @@ export function offsetOf(
   outlines: Outline[],
   {
     distance,
+    end,
     side,
     corners = 'round',
     closed,
@@ -49,9 +47,20 @@ export function offsetOf(
   }: Offset & { closed: boolean; inside?: Inside | undefined },
   fill: boolean,
 ): DerivedLines {
-  const from = (closed && side !== 'both' && enclosed(mesh, outlines, sideInside)) || outlines;
   const sides = { inwards: 'left', outwards: 'right', both: 'both' } as const;
-  const paths = mesh.offset(from, { distance, side: sides[side], corners });
+  let from: (Outline | Path)[] = outlines;
+  let which: (typeof sides)[OffsetSide] = sides[side];
+  if (closed && side !== 'both') {
+    const region = enclosed(mesh, outlines, sideInside);
+    // Two distances count from the start of the lines themselves.
+    if (region && end === undefined) from = region.boundary();
+    else if (region?.data().isLeft === false) which = side === 'inwards' ? 'right' : 'left';
+  }
+  const paths = mesh.offset(from, {
+    distance: end === undefined ? distance : [distance, end],
+    side: which,
+    corners,
+  });
   // The line itself lies in the band around it, and in the region of an outer offset.
   const inside = side === 'inwards' ? undefined : outlines[0];
   return { paths, fill: fill ? painted(mesh, () => outlined(mesh, paths, inside)) : null };

@@ -41,8 +41,9 @@ export async function drawDerived(
         fill,
       );
   if (lines.lines.length === 0) {
-    const { distance } = derived?.offset ?? { distance: 0 };
-    const far = `nothing of the surface lies ${distance.toPrecision(4)} away from it on that side`;
+    const { distance = 0, end = distance } = derived?.offset ?? {};
+    const least = Math.min(distance, end).toPrecision(4);
+    const far = `nothing of the surface lies ${least} away from it on that side`;
     throw new Error(kind === 'offset' ? far : (emptyResults[kind] ?? 'together they have no rim'));
   }
   return { ...lines, exact: true };
