@@ -43,14 +43,13 @@ PathDistance::PathDistance(const Geometry& geometry, std::span<const SurfacePath
     : geometry_(geometry),
       mesh_(*geometry.mesh),
       limit_(limit),
+      widths_(widths),
       arrivals_(static_cast<size_t>(geometry.mesh->vertexCount())) {
-  Array<Source> sources;
-  for (const SurfacePath& path : paths) {
-    sources.push_back(sourceOf(path, sources.count(), widths));
-  }
-  for (const Source& source : sources) leavePath(source);
+  for (const SurfacePath& path : paths) markVertices(path);
+  for (size_t i = 0; i < paths.size(); ++i) leavePath(bentPath(paths[i], static_cast<int>(i)));
   run();
   sortImages();
+  widths_ = {};
 }
 
 void PathDistance::arrive(int vertex, double distance, double back, SideOfPath side) {

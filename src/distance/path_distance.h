@@ -72,17 +72,6 @@ class PathDistance {
     Vec2 left = Vec2::Zero();
   };
 
-  /// A path with a point wherever the width has a bend, and what the distance starts from at each.
-  struct Source {
-    SurfacePath path;
-    Array<double> starts;
-    bool isClosed = false;
-
-    double growthAfter(int i) const {
-      return (starts[i + 1] - starts[i]) / (path.lengths[i + 1] - path.lengths[i]);
-    }
-  };
-
   /// A window that waits to be propagated across the face of a half-edge. For a front, `sourceX`
   /// and `depth` are its direction, and `offset` is the distance at the tail of the half-edge.
   struct Waiting {
@@ -106,11 +95,15 @@ class PathDistance {
     bool isOnPath = false;
   };
 
-  Source sourceOf(const SurfacePath& path, int number, std::span<const double> widths);
-  void leavePath(const Source& source);
+  int partsOf(const SurfacePath& path) const;
+  double startAt(const SurfacePath& path, double length) const;
+  double growthAfter(const SurfacePath& path, int index) const;
+  SurfacePath bentPath(const SurfacePath& path, int number) const;
+  void markVertices(const SurfacePath& path);
+  void leavePath(const SurfacePath& path);
   void leaveFront(int face, const Vec2& from, const Vec2& to, double start, double growth,
                   SideOfPath side);
-  void leaveTurn(const Source& source, int index);
+  void leaveTurn(const SurfacePath& path, int index);
   void leaveFan(const PointFan& fan, double from, double to, double offset, SideOfPath side);
   void leaveCorner(int face, const Vec2& middle, double from, double to, double offset,
                    SideOfPath side);
@@ -124,6 +117,7 @@ class PathDistance {
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
   double limit_;
+  std::span<const double> widths_;  ///< while the object is constructed
   Array<VertexArrival> arrivals_;
   std::priority_queue<Waiting> queue_;
   int count_ = 0;

@@ -41,71 +41,80 @@ Array<SurfacePoint> pointsApart(const Geometry& geometry, const SurfacePath& pat
   return apart;
 }
 
-/// Adds the places where the width bends to a path, and sets the distances of the vertices on it.
-PathDistance::Source PathDistance::sourceOf(const SurfacePath& path, int number,
-                                            std::span<const double> widths) {
-  Source source;
-  source.path.points = pointsApart(geometry_, path, number);
-  source.isClosed = samePlace(mesh_, source.path.points.front(), source.path.points.back());
-  const SurfacePath given = pathThrough(mesh_, path.points);
-  const int count = static_cast<int>(widths.size());
-  const int parts = count < 2 ? 0 : source.isClosed ? count : count - 1;
-  const double part = given.length() / std::max(parts, 1);
-  const double greatest = parts > 0 ? *std::max_element(widths.begin(), widths.end()) : 0;
-  const auto startAt = [&](double length) {
-    if (parts == 0) return 0.0;
-    const double at = std::min(length / part, double(parts));
-    const int k = std::min(static_cast<int>(at), parts - 1);
-    const double here = widths[static_cast<size_t>(k)];
-    const double there = widths[static_cast<size_t>((k + 1) % count)];
-    return greatest - here - (there - here) * (at - k);
-  };
-  if (parts > 1) {
-    SurfacePath bent;
-    for (int i = 0, k = 1; i < given.points.count(); ++i) {
-      for (; k < parts && k * part < given.lengths[i]; ++k) {
-        bent.points.push_back(pointAlong(mesh_, given, k * part));
-      }
-      bent.points.push_back(given.points[i]);
-    }
-    source.path.points = pointsApart(geometry_, bent, number);
-  }
-  measure(mesh_, source.path);
-  for (const double length : source.path.lengths) source.starts.push_back(startAt(length));
-  for (int i = 0; i < given.points.count(); ++i) {
-    const PointLocation location = locate(mesh_, given.points[i]);
+/// The number of parts of a path along which the width is linear; 0 if there is but one width.
+int PathDistance::partsOf(const SurfacePath& path) const {
+  const int count = static_cast<int>(widths_.size());
+  if (count < 2) return 0;
+  return samePlace(mesh_, path.points.front(), path.points.back()) ? count : count - 1;
+}
+
+/// What the distance is at a length along a path.
+double PathDistance::startAt(const SurfacePath& path, double length) const {
+  const int parts = partsOf(path);
+  if (parts == 0) return 0;
+  const double at = std::min(length / path.length(), 1.0) * parts;
+  const int k = std::min(static_cast<int>(at), parts - 1);
+  const double from = widths_[static_cast<size_t>(k)];
+  const double to = widths_[static_cast<size_t>(k + 1) % widths_.size()];
+  return *std::max_element(widths_.begin(), widths_.end()) - from - (to - from) * (at - k);
+}
+
+/// The rate at which the distance grows along the piece after a point.
+double PathDistance::growthAfter(const SurfacePath& path, int index) const {
+  const double from = path.lengths[index];
+  const double to = path.lengths[index + 1];
+  return (startAt(path, to) - startAt(path, from)) / (to - from);
+}
+
+/// A path with points where the width bends.
+SurfacePath PathDistance::bentPath(const SurfacePath& path, int number) const {
+  SurfacePath bent = pathThrough(mesh_, pointsApart(geometry_, path, number));
+  const int parts = partsOf(bent);
+  if (parts < 2) return bent;
+  const double part = bent.length() / parts;
+  SurfacePath joined;
+  for (int k = 0; k < parts; ++k) appendPart(mesh_, bent, k * part, (k + 1) * part, joined);
+  return pathThrough(mesh_, pointsApart(geometry_, joined, number));
+}
+
+/// Sets the distances of the vertices on a path.
+void PathDistance::markVertices(const SurfacePath& given) {
+  if (given.points.empty()) return;
+  SurfacePath path = given;
+  measure(mesh_, path);
+  for (int i = 0; i < path.points.count(); ++i) {
+    const PointLocation location = locate(mesh_, path.points[i]);
     if (location.simplex != Simplex::kVertex) continue;
     VertexArrival& arrival = arrivals_[location.vertex];
-    arrival.distance = std::min(arrival.distance, startAt(given.lengths[i]));
+    arrival.distance = std::min(arrival.distance, startAt(path, path.lengths[i]));
     arrival.isOnPath = true;
   }
-  return source;
 }
 
 /// Sends out the fronts of all straight pieces and the fans of all turns.
-void PathDistance::leavePath(const Source& source) {
-  const Array<SurfacePoint>& points = source.path.points;
-  const int count = points.count();
-  for (int i = 0; i + 1 < count; ++i) {
+void PathDistance::leavePath(const SurfacePath& path) {
+  const Array<SurfacePoint>& points = path.points;
+  for (int i = 0; i + 1 < points.count(); ++i) {
     const int face = commonFace(mesh_, points[i], points[i + 1]);
-    const double growth = source.growthAfter(i);
-    const auto leaveIn = [&](int one) {
-      const Vec2 from = pointInFace(geometry_, inFace(mesh_, points[i], one));
-      const Vec2 to = pointInFace(geometry_, inFace(mesh_, points[i + 1], one));
-      if (!((to - from).norm() > 0) || !(std::abs(growth) < 1)) return;
-      leaveFront(one, from, to, source.starts[i], growth, SideOfPath::kLeft);
-      leaveFront(one, from, to, source.starts[i], growth, SideOfPath::kRight);
-    };
-    leaveIn(face);
     const SurfacePoint a = inFace(mesh_, points[i], face);
     const SurfacePoint b = inFace(mesh_, points[i + 1], face);
-    for (int k = 0; k < 3; ++k) {
-      if (a.bary[k] != 0 || b.bary[k] != 0) continue;
-      const int other = mesh_.twin[next(3 * face + k)];
-      if (other >= 0) leaveIn(faceOf(other));
+    const double start = startAt(path, path.lengths[i]);
+    const double growth = growthAfter(path, i);
+    // The face, and the one beyond an edge that the piece lies on.
+    for (int k = -1; k < 3; ++k) {
+      if (k >= 0 && (a.bary[k] != 0 || b.bary[k] != 0)) continue;
+      const int other = k < 0 ? 3 * face : mesh_.twin[next(3 * face + k)];
+      if (other < 0 || !(std::abs(growth) < 1)) continue;
+      const Vec2 from = pointInFace(geometry_, inFace(mesh_, a, faceOf(other)));
+      const Vec2 to = pointInFace(geometry_, inFace(mesh_, b, faceOf(other)));
+      if (!((to - from).norm() > 0)) continue;
+      for (const SideOfPath side : {SideOfPath::kLeft, SideOfPath::kRight}) {
+        leaveFront(faceOf(other), from, to, start, growth, side);
+      }
     }
+    leaveTurn(path, i);
   }
-  for (int i = 0; i < count - (source.isClosed ? 1 : 0); ++i) leaveTurn(source, i);
+  if (!samePlace(mesh_, points.front(), points.back())) leaveTurn(path, points.count() - 1);
 }
 
 /// Sends out a front from a straight piece in a face to one side, and adds the front's image there.
@@ -166,22 +175,34 @@ void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, double
 
 /// Sends out the fans of a point where a path turns or ends: the directions between the fronts of
 /// its pieces there.
-void PathDistance::leaveTurn(const Source& source, int index) {
+void PathDistance::leaveTurn(const SurfacePath& path, int index) {
   struct Piece {
-    double angle;    ///< its direction
-    double opening;  ///< the angle of its fronts with it
+    double angle = 0;    ///< its direction
+    double opening = 0;  ///< the angle of its fronts with it
   };
-  const Array<SurfacePoint>& points = source.path.points;
+  const Array<SurfacePoint>& points = path.points;
   const int last = points.count() - 1;
   const PointFan fan = fanAt(geometry_, points[index]);
-  const auto pieceTo = [&](int other, double growth) {
-    return Piece{angleTowards(geometry_, fan, points[index], points[other]),
-                 std::acos(std::clamp(growth, -1.0, 1.0))};
-  };
+  const double start = startAt(path, path.lengths[index]);
+  const bool hasAhead = index < last;
+  const bool hasBack = index > 0 || samePlace(mesh_, points[0], points[last]);
+  Piece ahead;
+  Piece back;
+  for (const bool isAhead : {true, false}) {
+    if (!(isAhead ? hasAhead : hasBack)) continue;
+    const int piece = isAhead ? index : (index > 0 ? index : last) - 1;
+    const double rate = growthAfter(path, piece) * (isAhead ? 1 : -1);
+    const double growth = std::abs(rate) < 1 ? rate : std::copysign(1, rate);
+    const SurfacePoint& other = points[isAhead ? piece + 1 : piece];
+    (isAhead ? ahead : back) = {angleTowards(geometry_, fan, points[index], other),
+                                std::acos(growth)};
+  }
+  if (!hasAhead) ahead = back;
+  if (!hasBack) back = ahead;
   // Adjacent windows of one front differ by rounding. The windows beside such a gap find paths
   // through it, with an error of second order.
   const auto leave = [&](double from, double to, SideOfPath side) {
-    if (to - from > kChainRounding) leaveFan(fan, from, to, source.starts[index], side);
+    if (to - from > kChainRounding) leaveFan(fan, from, to, start, side);
   };
   // The fan counterclockwise from one piece to another, on the surface. At a point of the boundary
   // it may have two parts, the second one on the other side of a path that ends there.
@@ -198,23 +219,14 @@ void PathDistance::leaveTurn(const Source& source, int index) {
       leave(-kInfinity, to, second);
     }
   };
-  const bool isEnd = index == last;
-  if (source.isClosed || (index > 0 && !isEnd)) {
-    const int piece = index > 0 ? index - 1 : last - 1;
-    const Piece back = pieceTo(piece, -source.growthAfter(piece));
-    const Piece ahead = pieceTo(index + 1, source.growthAfter(index));
+  if (hasAhead && hasBack) {
     leaveBetween(ahead, back, SideOfPath::kLeft, SideOfPath::kLeft);
     leaveBetween(back, ahead, SideOfPath::kRight, SideOfPath::kRight);
     return;
   }
-  const Piece only = isEnd ? pieceTo(index - 1, -source.growthAfter(index - 1))
-                           : pieceTo(1, source.growthAfter(0));
-  if (fan.isRound) {
-    leaveBetween(only, only, SideOfPath::kEnd, SideOfPath::kEnd);
-  } else {
-    leaveBetween(only, only, isEnd ? SideOfPath::kRight : SideOfPath::kLeft,
-                 isEnd ? SideOfPath::kLeft : SideOfPath::kRight);
-  }
+  const SideOfPath first = hasAhead ? SideOfPath::kLeft : SideOfPath::kRight;
+  const SideOfPath second = hasAhead ? SideOfPath::kRight : SideOfPath::kLeft;
+  leaveBetween(ahead, back, fan.isRound ? SideOfPath::kEnd : first, second);
 }
 
 void PathDistance::leaveFan(const PointFan& fan, double from, double to, double offset,
