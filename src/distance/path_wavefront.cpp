@@ -74,6 +74,7 @@ SurfacePath PathDistance::bentPath(const SurfacePath& path, int number) const {
   const double part = bent.length() / parts;
   SurfacePath joined;
   for (int k = 0; k < parts; ++k) appendPart(mesh_, bent, k * part, (k + 1) * part, joined);
+  joined.points.back() = bent.points.back();
   return pathThrough(mesh_, pointsApart(geometry_, joined, number));
 }
 
