@@ -1,7 +1,6 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 import { checkInteger, toVector } from './check.js';
 import { Curve } from './curve.js';
-import { disposable, type Engine, Handle, type MeshHandle } from './engine.js';
 import {
   circle,
   distance,
@@ -11,6 +10,7 @@ import {
   offset,
   shortestPath,
 } from './distances.js';
+import { disposable, type Engine, Handle, type MeshHandle } from './engine.js';
 import type { EngineMesh } from './karcher-engine.mjs';
 import {
   expMap,
@@ -341,22 +341,16 @@ export class Mesh {
   }
 
   /**
-   * The points at a distance from the nearest of paths, given as paths or by their points. Corners are round
-   * by default, and parts where an offset intersects itself are trimmed. Lines on one side have the direction
-   * of the paths; there may be no line, or several. The inside of a region lies left of its boundary. Places
-   * keep the distance to within a thousandth of it.
-   *
-   * With several distances the lines are the border of the disks round all places of a path, each with the
-   * distance there; beside a straight path they are straight. Places keep their distance to within a thousandth
-   * of the least one, or of a tenth of the greatest.
+   * The points at a distance from the nearest of paths, given as paths or by their points, without the parts where
+   * an offset intersects itself. Lines on one side have the direction of the paths; there may be no line, or
+   * several. The inside of a region lies left of its boundary. Places keep the distance to within a thousandth of
+   * it: of the least of several ones, or of a tenth of the greatest. Throws `KarcherError` badArgument for a
+   * distance that is not positive, a path without length, and consecutive points without a face in common.
    *
    * @example
    * ```ts
    * const tapered = mesh.offset([path], { distance: [0.02, 0.05] });
    * ```
-   *
-   * Throws `KarcherError` badArgument for a distance that is not positive, a path without length,
-   * consecutive points without a face in common, and a `miterLimit` below 1.
    */
   offset(paths: readonly Outline[], options: OffsetOptions): Path[] {
     return offset(this.#handle, paths, options);

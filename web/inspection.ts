@@ -1,9 +1,9 @@
 import type { MeshInfo } from 'karcher';
 import type { Distances, ShownDistances } from './editor/engine/distances';
-import type { Editor } from './editor/state/editor';
-import type { State } from './editor/state/state';
 import type { Session } from './editor/engine/session';
 import type { View } from './editor/engine/view';
+import type { Editor } from './editor/state/editor';
+import type { State } from './editor/state/state';
 import type { Vector } from './model/figure';
 import { arraysOf, type MeshArrays } from './model/mesh_blobs';
 import type { Viewer } from './viewer/viewer';

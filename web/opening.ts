@@ -1,11 +1,11 @@
 import { sentenceOfUnknown, sorted, whole } from './dropped';
-import type { Editor } from './editor/state/editor';
 import type { Session } from './editor/engine/session';
+import type { Editor } from './editor/state/editor';
 import { readJson } from './export/curve_file';
 import { type Drawing, emptyDrawing, withDrawingPlaces } from './model/drawing';
 import { type Example, examples } from './model/examples';
-import type { History } from './model/history';
 import { fitting } from './model/fitting';
+import type { History } from './model/history';
 import { formatLink, type Link, lostOf, parseLink, pointsOf } from './model/link';
 import { mostLinkPoints } from './model/link_problems';
 import {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "curves/cornered_offset.h"
@@ -139,23 +140,25 @@ class OffsetTracer {
     // Beyond the limit of the field, distances are taken to be the limit.
     const double atMiddle = std::min(field_.at(face, middle).value, kOffsetReach * distance_);
     if (std::abs(atMiddle - distance_) > radius * (1 + 1e-9)) return;
-    int halved = lengths[longest] > kLongestSide * scale_ ? longest : -1;
-    if (halved < 0) {
-      for (int k = 0; k < 3; ++k) {
-        if (halved >= 0 && lengths[k] <= lengths[halved]) continue;
-        if (hidesCrossings(face, corners[k], corners[(k + 1) % 3], lengths[k])) halved = k;
+    int divided = lengths[longest] > kLongestSide * scale_ ? longest : -1;
+    Vec3 at = (corners[longest].bary + corners[(longest + 1) % 3].bary) / 2;
+    for (int k = 0; k < 3 && divided != longest; ++k) {
+      if (divided >= 0 && lengths[k] <= lengths[divided]) continue;
+      if (const auto hidden = hiddenBetween(face, corners[k], corners[(k + 1) % 3], lengths[k])) {
+        divided = k;
+        at = *hidden;
       }
     }
-    if (halved < 0) {
+    if (divided < 0) {
       traceIn(face, corners);
       return;
     }
-    const PieceCorner& a = corners[halved];
-    const PieceCorner& b = corners[(halved + 1) % 3];
-    const PieceCorner& c = corners[(halved + 2) % 3];
-    const PieceCorner half = cornerAt(face, (a.bary + b.bary) / 2);
-    visit(face, {{a, half, c}});
-    visit(face, {{half, b, c}});
+    const PieceCorner& a = corners[divided];
+    const PieceCorner& b = corners[(divided + 1) % 3];
+    const PieceCorner& c = corners[(divided + 2) % 3];
+    const PieceCorner between = cornerAt(face, at);
+    visit(face, {{a, between, c}});
+    visit(face, {{between, b, c}});
   }
 
   PieceCorner cornerAt(int face, const Vec3& bary) const {
@@ -234,15 +237,16 @@ class OffsetTracer {
     return field_.at(side.face, side.start + t * side.way).value;
   }
 
-  /// Whether the isoline crosses a side that is not short, although its corners are both nearer or
-  /// both farther.
-  bool hidesCrossings(int face, const PieceCorner& a, const PieceCorner& b, double length) const {
+  /// A point of a side that is not short, beyond the isoline seen from its corners, which are both
+  /// nearer or both farther: there both pieces at the side are divided.
+  std::optional<Vec3> hiddenBetween(int face, const PieceCorner& a, const PieceCorner& b,
+                                    double length) const {
     const bool nearer = isNearer(a.distance);
-    if (nearer != isNearer(b.distance) || length <= kShortestSide * scale_) return false;
+    if (nearer != isNearer(b.distance) || length <= kShortestSide * scale_) return {};
     // The distances of two points differ by at most the length of a path between them.
     const double known = std::min(a.distance, kOffsetReach * distance_) +
                          std::min(b.distance, kOffsetReach * distance_) - 2 * distance_;
-    if (std::abs(known) > length) return false;
+    if (std::abs(known) > length) return {};
     const Side side = sideBetween(face, a, b);
     const double golden = std::numbers::phi - 1;
     double low = side.from;
@@ -252,7 +256,8 @@ class OffsetTracer {
     double atLeft = valueOn(side, left);
     double atRight = valueOn(side, right);
     for (int i = 0; i < kExtremumSteps; ++i) {
-      if (isNearer(atLeft) != nearer || isNearer(atRight) != nearer) return true;
+      if (isNearer(atLeft) != nearer) return placeOn(side, face, left);
+      if (isNearer(atRight) != nearer) return placeOn(side, face, right);
       if (nearer ? atLeft > atRight : atLeft < atRight) {
         high = std::exchange(right, left);
         left = high - golden * (high - low);
@@ -263,7 +268,24 @@ class OffsetTracer {
         atLeft = std::exchange(atRight, valueOn(side, right));
       }
     }
-    return false;
+    return {};
+  }
+
+  /// The barycentric coordinates of a side's point: on an edge the same number in both of its
+  /// faces.
+  Vec3 placeOn(const Side& side, int face, double t) const {
+    if (side.halfedge >= 0) {
+      const bool isOwn = faceOf(side.halfedge) == face;
+      const int h = isOwn ? side.halfedge : mesh_.twin[side.halfedge];
+      Vec3 bary = Vec3::Zero();
+      bary[cornerOf(h)] = isOwn ? 1 - t : t;
+      bary[cornerOf(next(h))] = isOwn ? t : 1 - t;
+      return bary;
+    }
+    const auto& [_, first1, first2, second1, second2] = side.key;
+    const double second = first1 + t * (second1 - first1);
+    const double third = first2 + t * (second2 - first2);
+    return {1 - second - third, second, third};
   }
 
   /// The isoline's point between two corners, one of which is nearer.
@@ -319,7 +341,14 @@ class OffsetTracer {
   void refine(int face, const Vec2& from, const Vec2& to, int halvings, Array<LinePoint>& inner) {
     const Vec2 middle = (from + to) / 2;
     const double atMiddle = field_.at(face, middle).value;
-    if (halvings == 0 || std::abs(atMiddle - distance_) <= kOffsetTolerance * scale_) return;
+    const auto keeps = [&](double value) {
+      return std::abs(value - distance_) <= kOffsetTolerance * scale_;
+    };
+    // A chord may cross the line in its middle: its quarters are tested, too.
+    if (halvings == 0 || (keeps(atMiddle) && keeps(field_.at(face, (from + middle) / 2).value) &&
+                          keeps(field_.at(face, (middle + to) / 2).value))) {
+      return;
+    }
     const Vec2 chord = to - from;
     // If the middle is nearer, search away from the nearer points, else towards them.
     const double sign = isNearer(atMiddle) ? 1 : -1;

@@ -4,7 +4,7 @@ import { after, test } from 'node:test';
 import { load, Path } from 'karcher';
 import { loadInWorker } from 'karcher/worker';
 import { grid } from './meshes.mjs';
-import { failure, karcher as command, printed, temporaryFolder } from './run_cli.mjs';
+import { karcher as command, failure, printed, temporaryFolder } from './run_cli.mjs';
 
 const karcher = await load();
 const remote = await loadInWorker();

@@ -9,8 +9,8 @@
 // the samples' places; of each drag that has ended the legs, too.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { load } from 'karcher';
-import { randomFrom } from './part.mjs';
 import { openPage } from './engine_in_node.mjs';
+import { randomFrom } from './part.mjs';
 
 const [file, mode] = process.argv.slice(2);
 const shapes = ['sphere', 'torus', 'knot', 'genus3', 'openSheet'];

@@ -1,5 +1,5 @@
-import { readOutlines, outlineOptions } from './outlines.js';
 import type { Command } from './command.js';
+import { outlineOptions, readOutlines } from './outlines.js';
 
 export const centroid: Command = {
   name: 'centroid',

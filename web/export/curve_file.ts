@@ -1,7 +1,7 @@
 /** Drawings and curves as text for other programs. */
 import type { CurvePoints } from 'karcher';
-import type { State } from '../editor/state/state';
 import type { View } from '../editor/engine/view';
+import type { State } from '../editor/state/state';
 import { isRound } from '../model/figure';
 import { gathered } from '../model/gathered';
 import { formatLink, type Link, parseLink } from '../model/link';

@@ -1,5 +1,6 @@
 /** Commands on whole objects of a drawing; null if there is nothing to do. */
 import { apply, type Command } from './commands';
+import { isBoolean, isDerived } from './derived';
 import {
   activeObject,
   type Drawing,
@@ -10,8 +11,6 @@ import {
   type Properties,
   successorOf,
 } from './drawing';
-import { isBoolean, isDerived } from './derived';
-import { withSourceIds } from './sources';
 import {
   type ControlPoint,
   cleared,
@@ -23,6 +22,7 @@ import {
   type Kind,
 } from './figure';
 import { longestName, shortened } from './names';
+import { withSourceIds } from './sources';
 
 const together = (steps: readonly Command[]): Command | null =>
   steps.length > 0 ? { type: 'steps', steps } : null;

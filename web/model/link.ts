@@ -16,8 +16,8 @@
 import {
   activeObject,
   type Drawing,
-  defaultStyle,
   type DrawnObject,
+  defaultStyle,
   type FillStyle,
   indexOf,
   type LineStyle,

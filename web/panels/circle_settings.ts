@@ -1,6 +1,6 @@
+import type { View } from '../editor/engine/view';
 import type { Editor } from '../editor/state/editor';
 import type { State } from '../editor/state/state';
-import type { View } from '../editor/engine/view';
 import { handleNames, withRadius } from '../model/circle';
 import { type CircleType, fewestArcs, isRound } from '../model/figure';
 import { byId, fill, write } from './elements';

@@ -1,8 +1,8 @@
 import type { Editor } from '../editor/state/editor';
 import { selectedObjects } from '../editor/state/state';
 import { copiedText, pastedObjects } from '../model/copied';
-import { withSources } from '../model/sources';
 import { isEmpty } from '../model/figure';
+import { withSources } from '../model/sources';
 import { sentenceOf, showNote } from './messages';
 
 /** Fields in which the browser's own copy and paste apply. */

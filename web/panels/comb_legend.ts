@@ -1,6 +1,6 @@
 import { polylinesOf } from '../editor/engine/compute';
-import type { State } from '../editor/state/state';
 import type { View } from '../editor/engine/view';
+import type { State } from '../editor/state/state';
 import { activeObject } from '../model/drawing';
 import type { CombFacts, CombLayer } from '../viewer/comb_layer';
 import type { Surface } from '../viewer/surface';

@@ -1,8 +1,8 @@
 import { type Alignment, alignedParts } from '../editor/engine/aligning';
-import type { Editor } from '../editor/state/editor';
-import { type State, selectedObjects } from '../editor/state/state';
 import { clickSlop } from '../editor/hand/stage_pointer';
 import { targetAt } from '../editor/hand/targets';
+import type { Editor } from '../editor/state/editor';
+import { type State, selectedObjects } from '../editor/state/state';
 import { isEmpty } from '../model/figure';
 import type { Viewer } from '../viewer/viewer';
 import type { Clipboard } from './clipboard';

@@ -1,7 +1,7 @@
 import { type CurveEdits, joinable } from '../editor/engine/curve_edits';
+import type { View } from '../editor/engine/view';
 import type { Editor } from '../editor/state/editor';
 import type { State } from '../editor/state/state';
-import type { View } from '../editor/engine/view';
 import { isDerived } from '../model/derived';
 import { isCurve, isEmpty, isRound, isSpline, type Kind } from '../model/figure';
 import { type MethodId, methods } from '../model/methods';

@@ -1,8 +1,8 @@
 import type { CurveLevels } from 'karcher';
 import type { CurveEdits } from '../editor/engine/curve_edits';
+import type { View } from '../editor/engine/view';
 import type { Editor } from '../editor/state/editor';
 import type { State } from '../editor/state/state';
-import type { View } from '../editor/engine/view';
 import {
   defaultSettings,
   isCurve,

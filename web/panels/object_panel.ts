@@ -1,5 +1,6 @@
 import type { Editor } from '../editor/state/editor';
 import { type State, selectedObjects } from '../editor/state/state';
+import { isDerived } from '../model/derived';
 import {
   activeObject,
   type Dash,
@@ -13,7 +14,6 @@ import {
   surfaceWidths,
   widthRange,
 } from '../model/drawing';
-import { isDerived } from '../model/derived';
 import { isEmpty } from '../model/figure';
 import { longestName } from '../model/names';
 import type { Unit } from '../model/units';

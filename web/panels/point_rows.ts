@@ -1,7 +1,7 @@
 import type { SurfacePoint } from 'karcher';
+import type { View } from '../editor/engine/view';
 import type { Editor } from '../editor/state/editor';
 import type { Selection, State } from '../editor/state/state';
-import type { View } from '../editor/engine/view';
 import { type CircleHandle, handleNames, isCircleHandle } from '../model/circle';
 import {
   type ControlPoint,

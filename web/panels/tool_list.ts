@@ -1,7 +1,7 @@
 import type { CurveEdits } from '../editor/engine/curve_edits';
+import type { View } from '../editor/engine/view';
 import type { Editor } from '../editor/state/editor';
 import type { State } from '../editor/state/state';
-import type { View } from '../editor/engine/view';
 import { isEmpty, type Kind } from '../model/figure';
 import { byId, make } from './elements';
 import { kindGroups } from './kind_names';

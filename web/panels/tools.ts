@@ -1,7 +1,7 @@
 import type { CurveEdits } from '../editor/engine/curve_edits';
+import { toggleMirror, toggleTransform } from '../editor/hand/mirror_tool';
 import type { Editor } from '../editor/state/editor';
 import { selectedObjects } from '../editor/state/state';
-import { toggleMirror, toggleTransform } from '../editor/hand/mirror_tool';
 import { isResting } from '../editor/state/tool';
 import { isCurve, isEmpty, kinds } from '../model/figure';
 import { placesOf } from '../model/moving';

@@ -3,8 +3,8 @@ import type {
   CurveOptions,
   CurvePoint,
   DistanceOptions,
-  Ellipse,
   DrawnLeg,
+  Ellipse,
   EllipseOptions,
   IsolineOptions,
   LongWorkOptions,
@@ -16,9 +16,9 @@ import type {
 import type { FileInfo, WrittenFormat } from 'karcher/formats';
 import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-worker';
 import type { BooleanKind, Offset } from '../model/derived';
+import type { FillPattern } from '../model/drawing';
 import type { Inside, Vector } from '../model/figure';
 import { type ToldLegs, withDrawnLegs } from '../model/legs';
-import type { FillPattern } from '../model/drawing';
 import type { MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
 import type { SurfacePart } from '../model/parts';
@@ -33,8 +33,8 @@ import type {
   TracedDistances,
   TracedIsolines,
 } from '../model/traced';
-import { type Edit, type Edited, edited } from './edits';
 import type { DerivedLines } from './derived';
+import { type Edit, type Edited, edited } from './edits';
 import { tracedCircle, tracedCurve, tracedLines } from './traced';
 
 export { KarcherError } from 'karcher/own-worker';

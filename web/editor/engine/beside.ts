@@ -1,11 +1,12 @@
 import type { Path, SurfacePoint } from 'karcher';
 import { isDerived } from '../../model/derived';
-import { isSource, resolvedFigure } from '../../model/sources';
 import { type DrawnObject, type LineStyle, othersOf, styleOf } from '../../model/drawing';
 import { type Figure, type Inside, isEmpty, type Operand } from '../../model/figure';
 import { type MethodId, methodOptions, type Quality } from '../../model/methods';
+import { isSource, resolvedFigure } from '../../model/sources';
 import type { Region } from '../../model/traced';
 import type { EngineClient } from '../../worker/client';
+import type { State } from '../state/state';
 import {
   compute,
   messageOf,
@@ -17,7 +18,6 @@ import {
   type Shown,
 } from './compute';
 import type { ShownCut } from './cut';
-import type { State } from '../state/state';
 
 /** An object besides the edited one, in the form in which it is drawn. */
 export interface Beside {

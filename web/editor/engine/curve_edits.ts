@@ -20,9 +20,9 @@ import { splineOf, withSpline } from '../../model/splines';
 import type { Edit } from '../../worker/edits';
 import type { Editor } from '../state/editor';
 import type { Selection, State } from '../state/state';
+import type { CurveTool } from '../state/tool';
 import { withoutAnchor } from './pen_removal';
 import type { Session } from './session';
-import type { CurveTool } from '../state/tool';
 
 /** The number of times that an edit starts again because another one, such as a drag, overtook it. */
 const mostAttempts = 20;

@@ -1,8 +1,8 @@
 /** The engine's results for a cut: the parts of the surface, and the user's choices for them. */
 import type { Path } from 'karcher';
-import { choicesOf } from '../../model/parts';
 import type { Figure } from '../../model/figure';
 import type { SurfacePart } from '../../model/parts';
+import { choicesOf } from '../../model/parts';
 import type { EngineClient } from '../../worker/client';
 import type { OutlinesOf } from './derived';
 

@@ -4,9 +4,9 @@ import { isRound } from '../../model/figure';
 import { methodOptions } from '../../model/methods';
 import type { TracedDistances } from '../../model/traced';
 import { type EngineClient, Stopped } from '../../worker/client';
-import { messageOf } from './compute';
 import type { Editor } from '../state/editor';
 import type { State } from '../state/state';
+import { messageOf } from './compute';
 import { Newest } from './newest';
 import type { Session } from './session';
 

@@ -1,5 +1,4 @@
 import type { DrawnLeg } from 'karcher';
-import { isSource, resolvedFigure } from '../../model/sources';
 import { activeObject } from '../../model/drawing';
 import {
   type Figure,
@@ -13,10 +12,12 @@ import {
 import type { DrawnBefore } from '../../model/legs';
 import { methodOptions, type Quality, refinedOptions } from '../../model/methods';
 import { legsOfAnchors } from '../../model/pen_legs';
+import { isSource, resolvedFigure } from '../../model/sources';
 import { curveOptions, splineFrom, splineOf, usesLegs } from '../../model/splines';
 import type { Measured, Pattern } from '../../model/traced';
 import { type EngineClient, Stopped } from '../../worker/client';
 import type { Edit } from '../../worker/edits';
+import type { State } from '../state/state';
 import { asksFill, BesideObjects } from './beside';
 import {
   compute,
@@ -30,12 +31,11 @@ import {
   withUniqueness,
 } from './compute';
 import { Drag, HeldTracing } from './drag';
-import { shorterLegs } from './shorter_legs';
-import type { State } from '../state/state';
 import { type Ends, endsOf, Legs } from './legs';
 import { Newest } from './newest';
 import { type Patterned, Patterns } from './patterns';
 import { Refinement } from './refinement';
+import { shorterLegs } from './shorter_legs';
 import { emptyView, type View } from './view';
 
 /** The least part by which a shorter path must be shorter to be shown. */

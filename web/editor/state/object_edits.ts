@@ -3,14 +3,14 @@ import {
   arranging,
   deletion,
   duplication,
-  groupNaming,
   grouping,
+  groupNaming,
   reordering,
   restyling,
 } from '../../model/arranging';
 import { type Command, joined } from '../../model/commands';
 import { type DrawnObject, lookOf, objectOf, type Properties } from '../../model/drawing';
-import { type Inside, isEmpty, opposite, type Figure } from '../../model/figure';
+import { type Figure, type Inside, isEmpty, opposite } from '../../model/figure';
 import { type Selection, type State, selectedObjects } from './state';
 import type { CurveTool } from './tool';
 

@@ -1,6 +1,6 @@
 import { Color } from 'three';
-import { formatCount, make } from '../../panels/elements';
 import { madeKey, meshLabel } from '../../model/meshes';
+import { formatCount, make } from '../../panels/elements';
 import { lineStyles } from '../figures/lines';
 import { panelTitle } from '../figures/titles';
 import type {
@@ -26,9 +26,9 @@ import { PanelPoints } from './panel_points';
 import { panelSvg } from './panel_svg';
 import { type LineLook, PanelView } from './panel_view';
 import type { SharedRenderer } from './shared_renderer';
-import type { Turns } from './turns';
 import { sliders, stretchSlider } from './sliders';
 import { lineColor, surfaceFront } from './theme_colors';
+import type { Turns } from './turns';
 
 export interface PanelContext {
   client: LabClient;
