@@ -124,11 +124,11 @@ describe('the gallery', () => {
   test('the stated changes by rotations are the worst one, and those of all others', () => {
     const [ofNeedles, ofOthers] = told(
       'docs/gallery.md',
-      /Fast distances change by up to (\S+) of the diagonal on rough sheets with needles of 1e-10, by up to (\S+) on other meshes/,
+      /Fast distances change by up to (\S+) of the diagonal on rough sheets with needles, by up to (\S+) on other meshes/,
     );
-    const needles = 'rough sheet, needles 1e-10';
-    const others = saved.filter(([mesh]) => mesh !== needles);
-    assert.equal(most('rotated')[0], needles);
+    const needles = /^rough sheet, needles/;
+    const others = saved.filter(([mesh]) => !needles.test(mesh));
+    assert.match(most('rotated')[0], needles);
     assert.equal(Number(most('rotated')[6]), Number(ofNeedles));
     assert.equal(Number(most('rotated', others)[6]), Number(ofOthers));
     const [exact] = told('docs/gallery.md', /changes exact distances by up to (\S+) of/);
