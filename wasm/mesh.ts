@@ -327,9 +327,8 @@ export class Mesh {
   }
 
   /**
-   * The points at one geodesic distance from a center, as lines. There may be no line, or several beyond the
-   * center's cut locus. If a line is not closed, both of its ends lie on the boundary. Throws `KarcherError`
-   * badArgument if the radius is not positive.
+   * The points at one geodesic distance from a center, as lines: none, or several beyond the center's cut locus.
+   * A line that is not closed ends on the boundary. Throws `KarcherError` badArgument if the radius is not positive.
    *
    * @example
    * ```ts
@@ -343,9 +342,8 @@ export class Mesh {
   /**
    * The points at a distance from the nearest of paths, given as paths or by their points, without the parts where
    * an offset intersects itself. Lines on one side have the direction of the paths; there may be no line, or
-   * several. The inside of a region lies left of its boundary. Places keep the distance to within a thousandth of
-   * it: of the least of several ones, or of a tenth of the greatest. Throws `KarcherError` badArgument for a
-   * distance that is not positive, a path without length, and consecutive points without a face in common.
+   * several. The inside of a region lies left of its boundary. Places keep the distance to a thousandth of it, of
+   * the least of several, or of a tenth of the greatest. Throws `KarcherError` badArgument.
    *
    * @example
    * ```ts

@@ -42,8 +42,8 @@ export async function drawDerived(
       );
   if (lines.lines.length === 0) {
     const { distance = 0, end = distance } = derived?.offset ?? {};
-    const least = Math.min(distance, end).toPrecision(4);
-    const far = `nothing of the surface lies ${least} away from it on that side`;
+    const reach = [...new Set([distance, end])].map((one) => one.toPrecision(4)).join(' to ');
+    const far = `nothing of the surface lies ${reach} away from it on that side`;
     throw new Error(kind === 'offset' ? far : (emptyResults[kind] ?? 'together they have no rim'));
   }
   return { ...lines, exact: true };
