@@ -31,7 +31,7 @@ void checkRadiusIsPositive(double radius) {
 void checkOptions(const CircleOptions& options) {
   if (options.arcs && (*options.arcs < kFewestArcs || *options.arcs > kMostArcs)) {
     throw Error(ErrorCode::kBadArgument,
-                "there can be 3 to 64 arcs, not " + std::to_string(*options.arcs));
+                "a circle has 3 to 64 arcs, not " + std::to_string(*options.arcs));
   }
   if (options.samples < 2 || options.samples > kMostSamples) {
     throw Error(ErrorCode::kBadArgument, "an arc can have 2 to " + std::to_string(kMostSamples) +
@@ -107,8 +107,8 @@ void checkRadiusIsTold(const Geometry& geometry, const SurfacePoint& center, dou
       kChainRounding * std::max(longest, position(mesh, center).cwiseAbs().maxCoeff());
   if (radius >= least) return;
   throw Error(ErrorCode::kBadArgument, "the radius " + inSentence(radius) +
-                                           " is too small to be told from rounding: around this "
-                                           "center it takes at least " +
+                                           " is lost in rounding: around this "
+                                           "center it must be at least " +
                                            inSentence(least));
 }
 
@@ -351,7 +351,7 @@ GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double 
   if (count < fewest || !(turn / (2 * count) < kPi / 2)) {
     throw Error(ErrorCode::kBadArgument,
                 std::to_string(count) + " arcs are too few around a center of " +
-                    inSentence(turn / (2 * kPi)) + " full turns: it takes at least " +
+                    inSentence(turn / (2 * kPi)) + " full turns: the fewest are " +
                     std::to_string(fewest));
   }
   Array<double> directions;

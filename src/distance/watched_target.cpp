@@ -19,7 +19,7 @@ void WatchedTarget::set(const SurfacePoint& point) {
   if (location.simplex == Simplex::kVertex) {
     throw Error(ErrorCode::kBadArgument,
                 "a target must lie inside a face or on an edge, not at vertex " +
-                    std::to_string(location.vertex) + ": ask for the vertex's distance");
+                    std::to_string(location.vertex) + ": read the vertex's distance");
   }
   point_ = point;
   best_ = {};

@@ -43,9 +43,9 @@ constexpr std::array<Words, 12> kWords = {{
      "faces were turned over to agree with their neighbours"},
     {"branching",
      "edge had more than two faces: the two of the widest angle stayed together, the others were "
-     "parted from them",
+     "separated",
      "edges had more than two faces: the two of the widest angle stayed together, the others were "
-     "parted from them"},
+     "separated"},
     {"bowTie", "vertex between several fans of faces became one for each",
      "vertices between several fans of faces became one for each"},
     {"dropped", "vertex that no face uses was left out",

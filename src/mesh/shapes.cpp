@@ -152,10 +152,9 @@ TriangleSoup icosphere(int frequency) {
 
 TriangleSoup makeShape(Shape shape, int triangles) {
   if (triangles < kFewestShapeTriangles || triangles > kMostShapeTriangles) {
-    throw Error(ErrorCode::kBadArgument, "a shape of " + std::to_string(triangles) +
-                                             " triangles was asked for; " +
-                                             std::to_string(kFewestShapeTriangles) + " to " +
-                                             std::to_string(kMostShapeTriangles) + " can be made");
+    throw Error(ErrorCode::kBadArgument, "a shape has " + std::to_string(kFewestShapeTriangles) +
+                                             " to " + std::to_string(kMostShapeTriangles) +
+                                             " triangles, not " + std::to_string(triangles));
   }
   switch (shape) {
     case Shape::kSphere:

@@ -15,8 +15,7 @@ void checkFieldOptions(const FieldOptions& options) {
                 "the paper's method takes the solver 'exact' or 'graph', not 'fast'");
   }
   if (options.method != Method::kPaper && options.star != Star::kWide) {
-    throw Error(ErrorCode::kBadArgument,
-                "the paper's method alone averages gradients over a star; others have none");
+    throw Error(ErrorCode::kBadArgument, "only the paper's method averages gradients over a star");
   }
 }
 

@@ -170,7 +170,7 @@ class Balance {
     const double least = *std::min_element(weights.begin(), weights.end());
     if (!(missedBy(weights) <= kChainRounding) || !(least >= -kChainRounding)) {
       throw Error(ErrorCode::kBadArgument,
-                  "there are no such weights that are not negative: the point lies outside of the "
+                  "no weights of at least 0 make this point the center: it lies outside of the "
                   "convex hull of the others as they are seen from it");
     }
     for (double& weight : weights) weight = std::max(weight, 0.0);

@@ -79,7 +79,7 @@ Steps stepsOf(const Arrangement& all, const PathRange& paths) {
           : "the " + std::to_string(paths.count) +
                 " curves do not bound a region together: the left side of one is "
                 "reached from its right side without crossing any";
-  refuse(sentence + ", round an end or a handle of the surface");
+  refuse(sentence + ", around an end or a handle of the surface");
 }
 
 /// Decides which cells of a connected part of the surface are outside, and sets its cells' insides.

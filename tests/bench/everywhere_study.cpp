@@ -269,9 +269,9 @@ Options parse(int argc, char** argv) {
     throw std::runtime_error("usage: everywhere_study [OPTIONS] MESH ...");
   }
   if (options.polygons < 1 || options.steps < 1) {
-    throw std::runtime_error("there are at least 1 polygon and 1 step");
+    throw std::runtime_error("--polygons and --steps take at least 1");
   }
-  if (!(options.spacings[0] > 0)) throw std::runtime_error("a spacing is positive");
+  if (!(options.spacings[0] > 0)) throw std::runtime_error("a spacing must be positive");
   return options;
 }
 
@@ -291,7 +291,7 @@ int main(int argc, char** argv) {
         "sight': of the values of near fields along the curve, those that take a path search. "
         "'Lost': "
         "samples that are neither centers of mass nor on a bridge. 'Drafts': drags that end with "
-        "other levels than the curve has when it is let go; 'release': how far that moves it at "
+        "other levels than the curve after release; 'release': how far that moves it at "
         "most, as a part of its length. 'From exact': how far samples lie from those with exact "
         "distances at equal levels, median and largest, in mean edges.\n",
         kSteadySamples, options.polygons, options.steps, options.seed);

@@ -226,7 +226,7 @@ Options parse(int argc, char** argv) {
       options.names.push_back(argument);
     }
   }
-  if (options.polygons < 1) throw std::runtime_error("there is at least 1 polygon");
+  if (options.polygons < 1) throw std::runtime_error("--polygons takes at least 1");
   return options;
 }
 

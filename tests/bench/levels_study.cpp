@@ -174,7 +174,7 @@ Options parse(int argc, char** argv) {
       options.name = argument;
     }
   }
-  if (options.polygons < 1) throw std::runtime_error("there is at least 1 polygon");
+  if (options.polygons < 1) throw std::runtime_error("--polygons takes at least 1");
   return options;
 }
 
@@ -185,7 +185,7 @@ void study(const Options& options) {
       "for which level 0 is judged not to be safe, in "
       "brackets where it then has no bridge and turns no more than the limit. 'From level 0': how "
       "far the others lie from the curve of level 0, mean edges, median, 99 of 100 and largest; "
-      "'estimate': the largest that was told of it. 'From truth': how far from the curve on the "
+      "'estimate': its largest estimate. 'From truth': how far from the curve on the "
       "smooth surface, diagonals, median and largest. Milliseconds of the processor: the median "
       "first trace, beside that of level 0.\n\n"
       "| surface | triangles | spacing | levels | level 0 | unsafe | from level 0 | estimate | "

@@ -33,7 +33,7 @@ int study(int count, uint64_t seed, int only) {
   std::printf("%d drawings of %d paths on %d surfaces, from seed %llu: %d cells, %d regions, ",
               tally.drawings, tally.paths, surfaces.count(), static_cast<unsigned long long>(seed),
               tally.cells, tally.regions);
-  std::printf("%d sets of paths that bound none, %d points\n", tally.unbounded, tally.points);
+  std::printf("%d sets of paths that bound no region, %d points\n", tally.unbounded, tally.points);
   std::printf("largest error of the areas' sum %.2g of the surface's, of Gauss-Bonnet %.2g\n",
               tally.largestAreaError, tally.largestBonnetError);
   std::printf("%d faults in %.0f s\n", tally.faults.count(), (milliseconds() - start) / 1e3);

@@ -294,12 +294,12 @@ Options parse(int argc, char** argv) {
   if (options.meshes.empty())
     throw std::runtime_error("usage: steadiness_study [OPTIONS] MESH ...");
   options.variants = variantsOf(levels);
-  if (options.variants.empty()) throw std::runtime_error("--levels names no variant");
+  if (options.variants.empty()) throw std::runtime_error("--levels must name at least one variant");
   if (options.polygons < 0 || options.drags < 0 || options.steps < 1) {
-    throw std::runtime_error("there are at least 0 polygons and drags, and 1 step");
+    throw std::runtime_error("--polygons and --drags take at least 0, --steps at least 1");
   }
   for (const double spacing : options.spacings) {
-    if (!(spacing > 0)) throw std::runtime_error("a spacing is positive");
+    if (!(spacing > 0)) throw std::runtime_error("a spacing must be positive");
   }
   return options;
 }

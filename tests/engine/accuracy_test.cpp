@@ -36,7 +36,7 @@ std::string testName(const testing::TestParamInfo<Asked>& asked) {
   return result;
 }
 
-TEST_P(AccuracyOnSmoothSurfaces, IsAPartOfTheMeanEdge) {
+TEST_P(AccuracyOnSmoothSurfaces, IsAFractionOfTheMeanEdge) {
   SKIP_WHERE_SANITIZED();
   const Asked asked = GetParam();
   constexpr int kTriangles = 20480;

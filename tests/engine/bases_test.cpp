@@ -87,7 +87,7 @@ TEST(Bases, BSplinesReproduceTheParameterFromItsGrevilleAbscissae) {
   }
 }
 
-TEST(Bases, ARationalQuadraticIsTheCircle) {
+TEST(Bases, ARationalQuadraticTracesTheCircle) {
   const double a = 0.7;  // half of the arc's angle
   const Array<double> x{std::cos(a), 1 / std::cos(a), std::cos(a)};
   const Array<double> y{-std::sin(a), 0, std::sin(a)};

@@ -94,7 +94,7 @@ TEST(Bridge, RepeatedAveragesOnThePlaneAreAverages) {
   }
 }
 
-TEST(Bridge, CloseTogetherThereIsNone) {
+TEST(Bridge, IsAbsentBetweenNearPoints) {
   Surface surface(importMesh(makeShape(Shape::kTorus, 3000)).mesh);
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(),
@@ -104,7 +104,7 @@ TEST(Bridge, CloseTogetherThereIsNone) {
   expectWhole(curve, surface);
 }
 
-TEST(Bridge, AroundTheSphereTheCurveHoldsTogether) {
+TEST(Bridge, KeepsTheCurveContinuousAroundTheSphere) {
   // Control points all round the equator: no convex ball holds them.
   Surface surface(importMesh(icosphere(12)).mesh);
   Array<Vec3> corners;
@@ -121,7 +121,7 @@ TEST(Bridge, AroundTheSphereTheCurveHoldsTogether) {
   EXPECT_GT(bridges, 0);
 }
 
-TEST(Bridge, OverAPointThatTheCurveInterpolatesPassesIt) {
+TEST(Bridge, OverAnInterpolatedPointPassesIt) {
   SKIP_WHERE_SANITIZED();
   Surface surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh();
@@ -156,7 +156,7 @@ TEST(Bridge, OverAPointThatTheCurveInterpolatesPassesIt) {
   EXPECT_GT(passed, 20 * curves / 24);
 }
 
-TEST(Bridge, EvaluationHasNoGapWithoutAMark) {
+TEST(Bridge, EveryGapIsMarked) {
   const uint64_t seed = 7;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Surface surface(importMesh(makeShape(Shape::kGenus3, 3000)).mesh);
@@ -205,7 +205,7 @@ TEST(Bridge, EvaluationHasNoGapWithoutAMark) {
   }
 }
 
-TEST(Bridge, RoundACornerOfTheBoundaryItIsMarked) {
+TEST(Bridge, AroundACornerOfTheBoundaryIsMarked) {
   // The center of mass of points in both arms leaves the surface at the inner corner.
   Surface surface(gridWithCorner());
   const Array<SurfacePoint> points =

@@ -37,7 +37,7 @@ TEST(Cells, OfCutFacesFitTogether) {
   }
 }
 
-TEST(Cells, HoldEachPointOnce) {
+TEST(Cells, HoldEachPointExactlyOnce) {
   const TriangleMesh mesh = importMesh(icosphere(2)).mesh;
   const Cells cells(mesh, true);
   Random random(7);

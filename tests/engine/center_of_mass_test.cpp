@@ -99,7 +99,7 @@ TEST_P(CenterOfMassOnThePlane, OfOnePointIsThePointEvenAtAVertexOrOnAnEdge) {
   }
 }
 
-TEST_P(CenterOfMassOnThePlane, SaysWhereTheSurfaceEnds) {
+TEST_P(CenterOfMassOnThePlane, ReportsTheBoundary) {
   const FlatCase plane({Vec3(1, 4, 0), Vec3(5, 4.3, 0)});
   FieldBlend blend = plane.blend();
   // The affine average, at (-3, 3.7), lies off the surface.
@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(BothSearches, CenterOfMassOnThePlane,
                            return search.index == 0 ? "Newton" : "Walk";
                          });
 
-TEST(NewtonCenter, TellsItsSteps) {
+TEST(NewtonCenter, ReportsItsSteps) {
   // On a plane with one Hessian everywhere a step leads to the zero: no step is shortened or stuck.
   const FlatCase plane({Vec3(1, 4, 0), Vec3(5, 4.3, 0), Vec3(6.2, 1.1, 0)});
   const Array<double> weights{0.2, 0.5, 0.3};
@@ -150,7 +150,7 @@ TEST(NewtonCenter, TellsItsSteps) {
   EXPECT_FALSE(steps.inside);
 }
 
-TEST(NewtonCenter, StopsAtAnEdgeWhoseFacesSendItBackToEachOther) {
+TEST(NewtonCenter, StopsAtAnEdgeBetweenFacesThatPointAtEachOther) {
   // On coarse curved meshes the field jumps at edges: each face may put the zero just behind one.
   struct Case {
     TriangleSoup soup;
@@ -231,7 +231,7 @@ TEST(GradientOperator, OfASquaredDistanceIsExactInsideARegularGrid) {
   }
 }
 
-TEST(ControlField, AsksOnceForEachVertexAndForgetsOnReset) {
+TEST(ControlField, ReadsEachVertexOnceAndForgetsOnReset) {
   ControlField field;
   int calls = 0;
   field.reset([&](int v) {

@@ -71,7 +71,7 @@ TriangleMesh foldedGrid(int columns, int rows) {
   return meshOf(soup);
 }
 
-TEST(Certificate, IsTheClosedFormOnThePlaneAndOnWhatUnrollsIntoIt) {
+TEST(Certificate, IsTheClosedFormOnDevelopableSurfaces) {
   const TriangleMesh flat = planeGrid(9, 8);
   for (const TriangleMesh& shape : {planeGrid(9, 8), foldedGrid(9, 8)}) {
     const MeasuredMesh mesh(shape);
@@ -90,7 +90,7 @@ TEST(Certificate, IsTheClosedFormOnThePlaneAndOnWhatUnrollsIntoIt) {
   }
 }
 
-TEST(Certificate, DividesTheWeightsByTheirSumWhereThatIsAsked) {
+TEST(Certificate, DividesTheWeightsByTheirSumOnRequest) {
   const MeasuredMesh mesh(planeGrid(6, 6));
   Random random(52);
   SCOPED_TRACE("seed 52");
@@ -125,7 +125,7 @@ TEST(Certificate, IsThatOfShortestPathsOnACurvedMesh) {
   }
 }
 
-TEST(Certificate, HasNoResidualWhereSymmetryLeavesNone) {
+TEST(Certificate, HasNoResidualAtTheCenterOfASymmetry) {
   // A regular octahedron, with points in the three faces beside one, each the others rotated.
   TriangleSoup soup;
   soup.positions = {Vec3(1, 0, 0),  Vec3(0, 1, 0),  Vec3(0, 0, 1),

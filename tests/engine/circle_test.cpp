@@ -123,7 +123,7 @@ TEST(Circle, OnThePlaneIsTheSameAtEveryLevel) {
   }
 }
 
-TEST(Circle, HoldsTogetherOnARoughSurface) {
+TEST(Circle, IsContinuousOnARoughSurface) {
   const TriangleMesh smooth = importMesh(icosphere(10)).mesh;
   const TriangleSoup rough = roughened(smooth, 3, 3, 0.25);
   Surface surface(buildMesh(rough.positions, rough.triangles));
@@ -204,7 +204,7 @@ TEST(Circle, OfFittingArcsOnTheSphereIsTheParallel) {
   }
 }
 
-TEST(Circle, SaysHowFarItIsFromItsRadius) {
+TEST(Circle, ReportsItsDeviationFromTheRadius) {
   // The circle is rough and beyond the cut locus: no number of arcs keeps to the radius everywhere.
   const TriangleMesh smooth = importMesh(makeShape(Shape::kTorus, 2000)).mesh;
   const TriangleSoup rough = roughened(smooth, 2, 3, 0.15);
@@ -265,7 +265,7 @@ TEST(Circle, MarksArcsWhoseGeodesicsAreNotShortest) {
   EXPECT_FALSE(wide.notShortest.empty());
 }
 
-TEST(Circle, RefusesWhatIsNoCircle) {
+TEST(Circle, RefusesInvalidRadiiArcsAndSamples) {
   Surface surface(planeGrid(10, 10));
   const SurfacePoint center = nearestPoint(surface.mesh(), Vec3(3.3, 5.2, 0));
   const auto trace = [&](double radius, int arcs) {

@@ -61,7 +61,7 @@ TEST_F(ContinuedLegs, OfWhichBothEndsMoveKeepTheirSide) {
   EXPECT_EQ(again.usedLegs()[2].length(), curve.legs()[2].length());
 }
 
-TEST_F(ContinuedLegs, AreThoseOfOnePointWhereOnlyThatMoves) {
+TEST_F(ContinuedLegs, OfSeveralDraggedPointsEqualThoseOfTheOneThatMoves) {
   Curve one = drawnOut();
   Curve several = drawnOut();
   for (int step = 1; step <= 40; ++step) {
@@ -77,19 +77,19 @@ TEST_F(ContinuedLegs, AreThoseOfOnePointWhereOnlyThatMoves) {
   }
 }
 
-TEST_F(ContinuedLegs, AreTheShortestWhereTheOtherEndWasMovedAfterwards) {
+TEST_F(ContinuedLegs, AreShortestPathsAfterTheOtherEndIsPlaced) {
   Curve curve = drawnOut();
   const CurveValue value = withPointDragged(curve.value(), 3, at(5, 0.9), curve.legs());
   curve.set(withPointPlaced(value, 2, at(0.3, 0.9)));
   EXPECT_LT(curve.legs()[2].length(), 1.7);
 }
 
-TEST_F(ContinuedLegs, OfPointsThatAreNotThereAreRefused) {
+TEST_F(ContinuedLegs, OfMissingPointsAreRefused) {
   Curve curve = drawnOut();
   EXPECT_EQ(codeOf([&] { curve.dragPoint(4, at(0, 1)); }), ErrorCode::kBadIndex);
 }
 
-TEST_F(ContinuedLegs, AreMadeOfThoseOfAValueThatEndElsewhere) {
+TEST_F(ContinuedLegs, ContinueTheLegsOfAValueWithMovedPoints) {
   Curve curve = drawnOut();
   CurveValue value = curve.value();
   value.points[3] = at(5, 0.9);

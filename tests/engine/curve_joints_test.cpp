@@ -141,7 +141,7 @@ TEST(CurveJoints, OfAutomaticLevelsAreSmoothOnATorus) {
 
 /// Where a polygon turns by 180 degrees, the derivative of its centripetal Catmull-Rom curve is 0,
 /// whatever the lengths of the legs: the curve turns back there, in the plane and on a surface.
-TEST(CurveJoints, OfACatmullRomCurveTurnBackWhereItsLegsDo) {
+TEST(CurveJoints, OfACatmullRomCurveTurnBackWithItsLegs) {
   Surface surface(planeGrid(20, 20));
   const TriangleMesh& mesh = surface.mesh();
   for (const double back : {2.0, 5.0, 9.0}) {

@@ -205,7 +205,7 @@ TEST(CurveKinds, AfterAnyEditsAreTheCurveTracedAnew) {
   }
 }
 
-TEST(CurveKinds, AnOwnBasisIsUsedAsItIs) {
+TEST(CurveKinds, ACustomBasisIsUsedUnchanged) {
   Surface surface(planeGrid(12, 12));
   CurveShape shape{CurveKind::kOwn};
   // A quadratic through the three points, at 0, 0.5 and 1.

@@ -92,7 +92,7 @@ TEST(CurveLayout, SegmentsArePartitionsOfUnityAndMeet) {
   }
 }
 
-TEST(CurveLayout, HasTheSegmentsThatTheKindHas) {
+TEST(CurveLayout, HasTheNumberOfSegmentsOfItsKind) {
   const auto count = [](const CurveShape& shape) { return layOutSix(shape).count(); };
   EXPECT_EQ(count(bspline(3, false)), 3);
   EXPECT_EQ(count(bspline(3, true)), 6);
@@ -202,7 +202,7 @@ TEST(CurveLayout, ReversedCurvesRunBackwards) {
   }
 }
 
-TEST(CurveLayout, KeepsOwnKnotsValidThroughEdits) {
+TEST(CurveLayout, KeepsCustomKnotsValidThroughEdits) {
   const uint64_t seed = 11;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
@@ -256,7 +256,7 @@ TEST(CurveLayout, OpeningAClosedCurveKeepsItsFirstSegments) {
   }
 }
 
-TEST(CurveLayout, RefusesWhatIsNoCurve) {
+TEST(CurveLayout, RefusesInvalidShapes) {
   const auto code = [](const CurveShape& shape, int points) {
     return codeOf([&] { checkGivenShape(shape, points); });
   };
@@ -319,7 +319,7 @@ TEST(CurveLayout, TheWidestKnotsGiveFiniteWeights) {
   }
 }
 
-TEST(CurveLayout, TellsHowFarWeightsAreFromTheirSum) {
+TEST(CurveLayout, ReportsTheSumOfWrongWeights) {
   CurveShape shape{CurveKind::kOwn};
   shape.basis = std::make_shared<OwnBasis>([](int points, double t) {
     Array<double> weights = bernsteinBasis(points - 1, t);

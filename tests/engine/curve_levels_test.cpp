@@ -297,7 +297,7 @@ Array<SurfacePoint> pointsOnCircle(const TriangleMesh& mesh, double leg) {
   return points;
 }
 
-TEST(CurveLevels, OfTheirOwnAreNoneOnASmoothSurfaceWhereTheyWouldMoveTheCurve) {
+TEST(CurveLevels, ChosenAutomaticallyAre0OnASmoothSurfaceWhereTheyWouldMoveTheCurve) {
   // On the sphere far points have no level on any mesh, near ones as many as stay quick.
   const int sizes[] = {8000, 32000};
   for (const int triangles : casesOf(sizes, 1)) {
@@ -331,7 +331,7 @@ TEST(CurveLevels, OfTheirOwnAreNoneOnASmoothSurfaceWhereTheyWouldMoveTheCurve) {
   }
 }
 
-TEST(CurveLevels, OfTheirOwnDependOnNoTrianglesWhereTheSurfaceUnrolls) {
+TEST(CurveLevels, ChosenAutomaticallyDoNotDependOnTheTrianglesOfADevelopableSurface) {
   // Levels do not move the curve on such a surface, and every point is safe.
   const FlatCylinder cylinder = flatCylinder(24, 3, 5);
   Surface surface(meshOf(cylinder.soup));
@@ -346,7 +346,7 @@ TEST(CurveLevels, OfTheirOwnDependOnNoTrianglesWhereTheSurfaceUnrolls) {
   }
 }
 
-TEST(CurveLevels, OfTheirOwnNeverRelyOnFieldsThatAreWrong) {
+TEST(CurveLevels, ChosenAutomaticallyNeverRelyOnWrongFields) {
   SKIP_WHERE_SANITIZED();
   // Paths on the inside of a ring tube bend around many vertices.
   Random random(4);
@@ -372,7 +372,7 @@ TEST(CurveLevels, OfTheirOwnNeverRelyOnFieldsThatAreWrong) {
   std::printf("of %d curves on ring tubes %d have no level\n", 3 * tubes, zeros);
 }
 
-TEST(CurveLevels, OfTheirOwnMakeCurvesSafeWhoseLegsGoRoundATube) {
+TEST(CurveLevels, ChosenAutomaticallyMakeCurvesAroundATubeSafe) {
   // The shortest path between its ends passes on the other side.
   Surface surface(meshOf(makeShape(Shape::kTorus, 20000)));
   Array<SurfacePoint> points;
@@ -395,7 +395,7 @@ Array<Vec3> positionsOf(const Curve& curve) {
   return positions;
 }
 
-TEST(CurveLevels, OfTheirOwnAreEnoughAroundTheRimOfAnEar) {
+TEST(CurveLevels, ChosenAutomaticallyAreEnoughAroundTheRimOfAnEar) {
   // A flat ellipsoid: legs on its sides do not see the rim that the curve crosses.
   TriangleSoup ear = icosphere(10);
   for (Vec3& p : ear.positions) p = p.cwiseProduct(Vec3(1, 0.6, 0.15));
@@ -424,7 +424,7 @@ TEST(CurveLevels, OfTheirOwnAreEnoughAroundTheRimOfAnEar) {
   EXPECT_GT(atRims, 20);
 }
 
-TEST(CurveLevels, AreAtLeastAsManyAsTheyAreToBe) {
+TEST(CurveLevels, AreAtLeastTheLeastLevels) {
   Surface surface(bunnyMesh());
   Array<SurfacePoint> points;
   for (int i = 0; i < 4; ++i) {
@@ -445,7 +445,7 @@ TEST(CurveLevels, AreAtLeastAsManyAsTheyAreToBe) {
   EXPECT_EQ(codeOf([&] { Curve(surface, options, points); }), ErrorCode::kBadArgument);
 }
 
-TEST(CurveLevels, FollowTheLegsThatTheyAreGiven) {
+TEST(CurveLevels, FollowTheGivenLegs) {
   // Around a tube there are two paths.
   const FlatCylinder tube = flatCylinder(24, 2, 5);
   Surface surface(meshOf(tube.soup));
@@ -507,7 +507,7 @@ TEST(CurveLevels, OfACurveThroughPointsBesideTheBoundaryAreTheSameCurve) {
   EXPECT_GT(refined, 0);
 }
 
-TEST(CurveLevels, ToTheLimitAreNoneWhereTheWorkAllowsNone) {
+TEST(CurveLevels, ToTheLimitAre0BeyondTheBoundOfWork) {
   Surface surface(planeGrid(30, 30));
   Array<SurfacePoint> points;
   for (int i = 0; i < 502; ++i) {
@@ -522,7 +522,7 @@ TEST(CurveLevels, ToTheLimitAreNoneWhereTheWorkAllowsNone) {
   }
 }
 
-TEST(CurveLevels, AreRefusedWhereTheyCannotBe) {
+TEST(CurveLevels, AreRefusedForOtherKindsAndMethods) {
   Surface surface(planeGrid(10, 10));
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{2, 2, 0}, {4, 6, 0}, {6, 3, 0}, {8, 7, 0}});

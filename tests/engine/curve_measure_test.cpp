@@ -64,7 +64,7 @@ TEST(CurveMeasure, PointsAndTangentsOnThePlaneAreThoseOfThePlane) {
   }
 }
 
-TEST(CurveMeasure, TakesTheParametersThatTheCurveHas) {
+TEST(CurveMeasure, ParametersWrapOnClosedCurvesOnly) {
   Surface surface(planeGrid(12, 12));
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{3, 3, 0}, {5, 8, 0}, {8, 7, 0}, {9, 4, 0}, {6, 3, 0}});

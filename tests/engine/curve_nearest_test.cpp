@@ -42,7 +42,7 @@ void forRandomCurves(uint64_t seed, const Action& action) {
   }
 }
 
-TEST(CurveNearest, OfAPlaceOnTheCurveIsThatPlace) {
+TEST(CurveNearest, OfAPointOfTheCurveIsThatPoint) {
   const uint64_t seed = 11;
   double worst = 0;
   forRandomCurves(seed, [&](Curve& curve, Random& random) {
@@ -119,7 +119,7 @@ TEST(CurveMeasure, LengthsOfAClosedCurveEndWithTheWhole) {
   }
 }
 
-TEST(CurveMeasure, ErrorsGiveTheWholeNumber) {
+TEST(CurveMeasure, ErrorsStateAllDigitsOfAParameter) {
   Surface surface(planeGrid(14, 14));
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{4, 4, 0}, {6, 9, 0}, {9, 10, 0}, {10, 6, 0}});

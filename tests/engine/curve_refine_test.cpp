@@ -176,7 +176,7 @@ TEST_F(CurveRefine, RaisingTheDegreeLeavesCurvesOfOneSegmentAsTheyAre) {
   }
 }
 
-TEST_F(CurveRefine, CurvesThroughPointsTakeOneOfTheirOwn) {
+TEST_F(CurveRefine, CurvesThroughPointsTakeAPointOfTheCurve) {
   for (const CurveKind kind : {CurveKind::kCatmullRom, CurveKind::kPolyline}) {
     for (const bool closed : {false, true}) {
       Curve curve = curveOf({kind, closed}, points());
@@ -247,7 +247,7 @@ TEST_F(CurveRefine, TheHalvesOfOneSegmentRunAlongIt) {
   }
 }
 
-TEST_F(CurveRefine, CurvesThroughPointsAreCutAtOne) {
+TEST_F(CurveRefine, CurvesThroughPointsAreSplitAtANewControlPoint) {
   for (const CurveKind kind : {CurveKind::kCatmullRom, CurveKind::kPolyline}) {
     Curve open = curveOf({kind}, points());
     for (const double parameter : {2.0, 2.4}) {
@@ -269,7 +269,7 @@ TEST_F(CurveRefine, CurvesThroughPointsAreCutAtOne) {
   }
 }
 
-TEST_F(CurveRefine, JoiningWhatWasSplitIsTheCurveAgain) {
+TEST_F(CurveRefine, JoiningTheHalvesRestoresTheCurve) {
   for (const CurveShape& shape : bsplines()) {
     if (shape.closed) continue;
     SCOPED_TRACE(describe(shape));
@@ -291,7 +291,7 @@ TEST_F(CurveRefine, JoiningWhatWasSplitIsTheCurveAgain) {
   }
 }
 
-TEST_F(CurveRefine, JoinsCurvesThatMeetAndThatDoNot) {
+TEST_F(CurveRefine, JoinsTouchingAndSeparateCurves) {
   const Array<SurfacePoint> all = points();
   const Array<SurfacePoint> front(all.begin(), all.begin() + 3);
   const Array<SurfacePoint> back(all.begin() + 3, all.end());

@@ -133,7 +133,7 @@ TEST(Curve, AfterAnyEditsIsTheCurveTracedAnew) {
   expectSameCurve(curve, anew, 1e-9 * surface.geometry().diagonal, mesh);
 }
 
-TEST(Curve, RefusesWhatIsNoCurveAndKeepsWhatItWas) {
+TEST(Curve, RefusesInvalidCurvesAndKeepsItsValue) {
   Surface surface(planeGrid(10, 10));
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{2, 2, 0}, {4, 6, 0}, {6, 3, 0}, {8, 7, 0}});

@@ -73,7 +73,7 @@ Curve adaptiveCurve(Surface& surface, const CurveShape& shape, const Array<Surfa
   return curve;
 }
 
-TEST(CurveTolerance, TheCurveKeepsToTheLineThatIsDrawnForIt) {
+TEST(CurveTolerance, TheCurveStaysNearItsDrawnLine) {
   SKIP_WHERE_SANITIZED();
   Surface bunny(bunnyMesh());
   Surface torus(importMesh(makeShape(Shape::kTorus, 3000)).mesh);
@@ -103,7 +103,7 @@ TEST(CurveTolerance, TheCurveKeepsToTheLineThatIsDrawnForIt) {
   }
 }
 
-TEST(CurveTolerance, ABendBetweenTheQuartersOfAnIntervalIsFound) {
+TEST(CurveTolerance, FindsABendBetweenTheQuartersOfAnInterval) {
   Surface bunny(bunnyMesh());
   // Between t = 1.75 and 1.875 this curve bends away from a geodesic that it meets in the middle.
   const Array<SurfacePoint> points{{428, {0.742, 0.228, 0.03}},

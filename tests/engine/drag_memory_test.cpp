@@ -43,7 +43,7 @@ TEST(DragMemory, IsNoPartOfTheCurve) {
   }
 }
 
-TEST(DragMemory, OfAPlacedPointAreTheLegsOfOthers) {
+TEST(DragMemory, OfAPlacedPointKeepsTheOtherLegs) {
   Surface surface(planeGrid(8, 8));
   const Array<SurfacePoint> points =
       pointsNear(surface.mesh(), {{1, 1, 0}, {3, 6, 0}, {5, 2, 0}, {7, 7, 0}});
@@ -62,7 +62,7 @@ TEST(DragMemory, OfAPlacedPointAreTheLegsOfOthers) {
 
 /// Default curves check whether level 0 follows the paths that the legs straighten to. The fields
 /// from end to end for this check are freed if the curve takes levels anyway.
-TEST(CurveMemory, OfLevelsThatAreChosenIsThatOfGivenOnes) {
+TEST(CurveMemory, OfAutomaticLevelsEqualsThatOfGivenLevels) {
   const TriangleMesh mesh = meshOf(makeShape(Shape::kTorus, 80000));
   const auto heldBy = [&](const CurveOptions& options, const Array<SurfacePoint>& polygon,
                           int& levels) {
@@ -110,7 +110,7 @@ TEST(PagedArray, TakesPagesFromAPoolAsNewOnes) {
   EXPECT_EQ(second.find(3)->number, 7);
 }
 
-TEST(PagedArray, GivesBackWhatNoArrayHolds) {
+TEST(PagedArray, FreesThePagesThatNoArrayHolds) {
   constexpr int kCount = 4000;
   const auto pool = std::make_shared<PagePool>();
   PagedArray<double, 4> held(kCount, pool);

@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(All, EstimatorOnThePlane,
                                          Estimator::kQuadratic2),
                          nameOf);
 
-TEST(StencilTable, GivesTheSameStencilAgain) {
+TEST(StencilTable, ReturnsTheSameStencilAgain) {
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);
   StencilTable forward(geometry, Estimator::kQuadratic2);
@@ -86,7 +86,7 @@ TEST(StencilTable, KeepsTheFitOnAnEvenSurface) {
   for (int v = 0; v < mesh.vertexCount(); ++v) EXPECT_LT(ownShare(table, v), 0.05) << v;
 }
 
-TEST(StencilTable, GivesWayToTheOwnLogVectorOnARoughSurface) {
+TEST(StencilTable, YieldsToTheOwnLogVectorOnARoughSurface) {
   TriangleMesh mesh = planeGrid(12, 12);
   const uint64_t seed = 8;
   SCOPED_TRACE("seed " + std::to_string(seed));

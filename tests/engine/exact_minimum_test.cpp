@@ -41,7 +41,7 @@ TEST(ExactEnergy, IsThatOfShortestPaths) {
   }
 }
 
-TEST(ExactEnergy, TakesNoNoticeOfPointsWithoutWeight) {
+TEST(ExactEnergy, IgnoresPointsOfWeight0) {
   const MeasuredMesh mesh(planeGrid(8, 8));
   const Array<SurfacePoint> points{nearestPoint(mesh.mesh, Vec3(1, 1, 0)),
                                    nearestPoint(mesh.mesh, Vec3(7, 7, 0))};
@@ -50,7 +50,7 @@ TEST(ExactEnergy, TakesNoNoticeOfPointsWithoutWeight) {
   EXPECT_NEAR(ExactEnergy(mesh.geometry, points, weights).at(place, 0, {place})[0], 25, 1e-12);
 }
 
-TEST(ExactMinimum, TriesThePointsThatTheShapeSaysWhateverTheMeshsNumbers) {
+TEST(ExactMinimum, DoesNotDependOnTheNumberingOfTheMesh) {
   const MeasuredMesh mesh(galleryMesh("rough sheet"));
   const Renumbered order = renumbered(mesh.mesh, 3);
   const MeasuredMesh other(order.mesh);
@@ -69,7 +69,7 @@ TEST(ExactMinimum, TriesThePointsThatTheShapeSaysWhateverTheMeshsNumbers) {
   }
 }
 
-TEST(ExactMinimum, StaysAtOneAndIsFoundFromBesideIt) {
+TEST(ExactMinimum, IsFoundFromItselfAndFromNearby) {
   const MeasuredMesh mesh(planeGrid(12, 12));
   const Array<SurfacePoint> points{nearestPoint(mesh.mesh, Vec3(3, 3.5, 0)),
                                    nearestPoint(mesh.mesh, Vec3(9, 4, 0)),
@@ -92,7 +92,7 @@ TEST(ExactMinimum, StaysAtOneAndIsFoundFromBesideIt) {
   EXPECT_LT((position(mesh.mesh, found.point) - center).norm(), 0.03 * mesh.geometry.meanEdge);
 }
 
-TEST(ExactMinimum, IsNotClaimedWhereMovesRunOut) {
+TEST(ExactMinimum, IsNotClaimedAfterTheLastMove) {
   // The slope of the energy is constant over a longer stretch than all moves together.
   const MeasuredMesh mesh(planeGrid(40, 4));
   const Array<SurfacePoint> points{nearestPoint(mesh.mesh, Vec3(1, 2, 0))};
@@ -104,7 +104,7 @@ TEST(ExactMinimum, IsNotClaimedWhereMovesRunOut) {
 }
 
 /// `converged` promises this; the test uses whole shortest paths, at other points than the search.
-TEST(Mean, ThatConvergedIsAMinimumByShortestPaths) {
+TEST(Mean, AConvergedMeanMinimizesTheEnergyOfShortestPaths) {
   SKIP_WHERE_SANITIZED();
   // On these meshes, some zeros of the blended fields are not minima.
   for (const char* name : {"ring tube, r = 0.1, quads 7:1", "very rough sheet", "knot"}) {

@@ -12,7 +12,7 @@
 namespace karcher {
 namespace {
 
-TEST(FaceTree, FindsWhatAllFacesTell) {
+TEST(FaceTree, AgreesWithASearchOfAllFaces) {
   TriangleSoup soup = makeShape(Shape::kKnot, 700);
   const TriangleMesh mesh = buildMesh(std::move(soup.positions), std::move(soup.triangles));
   const FaceTree tree(mesh);
@@ -32,7 +32,7 @@ TEST(FaceTree, FindsWhatAllFacesTell) {
   }
 }
 
-TEST(FaceTree, RefusesPlacesWhoseSquaresAreNoNumbers) {
+TEST(FaceTree, RefusesPlacesWhoseSquaresOverflow) {
   TriangleSoup soup = makeShape(Shape::kKnot, 700);
   const TriangleMesh mesh = buildMesh(std::move(soup.positions), std::move(soup.triangles));
   const FaceTree tree(mesh);

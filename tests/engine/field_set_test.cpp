@@ -28,7 +28,7 @@ Array<SurfacePoint> someVertices(const TriangleMesh& mesh, int count) {
   return points;
 }
 
-TEST(FieldSet, SparesAreMovedAndAFieldIsFoundWhereItWasMovedTo) {
+TEST(FieldSet, AMovedSpareIsFoundAtItsNewPlace) {
   Surface surface(planeGrid(8, 8));
   const TriangleMesh& mesh = surface.mesh();
   FieldSet set(surface, kFast);
@@ -43,7 +43,7 @@ TEST(FieldSet, SparesAreMovedAndAFieldIsFoundWhereItWasMovedTo) {
 
 /// If a set holds too many fields, the longest unused ones rest, and return the same values after
 /// waking up.
-TEST(FieldSet, FieldsThatAreNotInUseRestBeyondABudget) {
+TEST(FieldSet, UnusedFieldsBeyondTheBudgetRest) {
   for (const FieldOptions& options : {kFast, kExact, FieldOptions{.solver = Solver::kGraph}}) {
     Surface surface(bunnyMesh());
     const TriangleMesh& mesh = surface.mesh();
@@ -80,7 +80,7 @@ TEST(FieldSet, FieldsThatAreNotInUseRestBeyondABudget) {
   }
 }
 
-TEST(FieldSet, IsWholeAfterAFieldThatCouldNotBeMade) {
+TEST(FieldSet, IsConsistentAfterAFieldFails) {
   Surface surface(planeGrid(8, 8));
   const TriangleMesh& mesh = surface.mesh();
   FieldSet set(surface, kPaperExact);
@@ -111,7 +111,7 @@ TEST(FieldSet, IsWholeAfterAFieldThatCouldNotBeMade) {
   }
 }
 
-TEST(FieldSet, DropsSparesAndKeepsWhatIsHeld) {
+TEST(FieldSet, DropsSparesAndKeepsHeldFields) {
   Surface surface(planeGrid(8, 8));
   const TriangleMesh& mesh = surface.mesh();
   FieldSet set(surface, kFast);
@@ -130,7 +130,7 @@ TEST(FieldSet, DropsSparesAndKeepsWhatIsHeld) {
   EXPECT_EQ(set.find(vertexPoint(mesh, 3)), nullptr);
 }
 
-TEST(FieldSet, ACurveThatGoesLeavesNoMoreSparesThanTheOthersHold) {
+TEST(FieldSet, ADestroyedCurveLeavesNoMoreSparesThanTheOthersHold) {
   Surface surface(planeGrid(16, 16));
   const TriangleMesh& mesh = surface.mesh();
   const auto sets = std::make_shared<FieldSets>(surface);

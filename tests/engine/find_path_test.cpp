@@ -55,7 +55,7 @@ void expectShort(const TriangleMesh& mesh, int pairs, uint64_t seed, double most
   EXPECT_GE(within, 0.97 * pairs);
 }
 
-TEST(FindPath, isTheStraightLineInThePlane) {
+TEST(FindPath, IsTheStraightLineInThePlane) {
   for (const PlaneTessellation tessellation : kPlaneTessellations) {
     SCOPED_TRACE(tessellationName(tessellation));
     const MeasuredMesh plane(tessellatedPlane(tessellation, 1500, 3));
@@ -73,7 +73,7 @@ TEST(FindPath, isTheStraightLineInThePlane) {
   }
 }
 
-TEST(FindPath, isTheSameWhereverTheSurfaceLies) {
+TEST(FindPath, IsTheSameWhereverTheSurfaceLies) {
   SKIP_WHERE_SANITIZED();
   const MeasuredMesh bunny(roughened(bunnyMesh(), 3, 6));
   TriangleMesh moved = bunny.mesh;
@@ -98,19 +98,19 @@ TEST(FindPath, isTheSameWhereverTheSurfaceLies) {
 }
 
 // The search promises paths at most a fiftieth longer than the shortest.
-TEST(FindPath, isShortOnTheBunny) { expectShort(bunnyMesh(), 100, 1, 0.02); }
+TEST(FindPath, IsShortOnTheBunny) { expectShort(bunnyMesh(), 100, 1, 0.02); }
 
-TEST(FindPath, isShortOnATorus) {
+TEST(FindPath, IsShortOnATorus) {
   expectShort(meshOf(makeShape(Shape::kTorus, 3000)), 100, 2, 0.02);
 }
 
-TEST(FindPath, isShortBesideABoundary) { expectShort(lShape(8), 60, 3, 1e-12); }
+TEST(FindPath, IsShortBesideABoundary) { expectShort(lShape(8), 60, 3, 1e-12); }
 
-TEST(FindPath, isShortOnARoughSurface) {
+TEST(FindPath, IsShortOnARoughSurface) {
   expectShort(meshOf(roughened(meshOf(makeShape(Shape::kOpenSheet, 1000)), 2, 5)), 60, 4, 0.02);
 }
 
-TEST(FindPath, isFoundPieceByPieceBetweenFarPoints) {
+TEST(FindPath, IsFoundPieceByPieceBetweenFarPoints) {
   // The points are 250 mean edges apart: beyond the range of the thorough search.
   const MeasuredMesh sheet(roughened(planeGrid(60, 20), 3, 5));
   const SurfacePoint from = nearestPoint(sheet.mesh, Vec3(0.5, 1.2, 0));
@@ -131,7 +131,7 @@ TEST(FindPath, isFoundPieceByPieceBetweenFarPoints) {
   expectEnds(path, from, to);
 }
 
-TEST(FindPath, endsWhereItStarts) {
+TEST(FindPath, EndsWhereItStarts) {
   const MeasuredMesh torus(makeShape(Shape::kTorus, 1000));
   FindPathWorkspace workspace;
   SurfacePath path;
@@ -141,7 +141,7 @@ TEST(FindPath, endsWhereItStarts) {
   EXPECT_EQ(path.points.size(), 2u);
 }
 
-TEST(FindPath, isNotFoundBetweenComponents) {
+TEST(FindPath, IsNotFoundBetweenComponents) {
   const MeasuredMesh both(together(planeGrid(3, 3), planeGrid(3, 3), Vec3(10, 0, 0)));
   FindPathWorkspace workspace;
   SurfacePath path = pathThrough(both.mesh, {vertexPoint(both.mesh, 3)});

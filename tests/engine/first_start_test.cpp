@@ -52,7 +52,7 @@ TEST(FirstStart, OnThePlaneIsTheMeanAndNothingIsLower) {
   }
 }
 
-TEST(FirstStart, IsNoneWhereWeightsAreNegativeOrNoPathLeads) {
+TEST(FirstStart, IsAbsentForNegativeWeightsAndSeveralComponents) {
   const TriangleMesh grids = twoGrids();
   const Surface surface(grids);
   const Array<SurfacePoint> points{vertexPoint(grids, 0), vertexPoint(grids, 5)};
@@ -64,7 +64,7 @@ TEST(FirstStart, IsNoneWhereWeightsAreNegativeOrNoPathLeads) {
 }
 
 /// Every lower place lies in the ball that follows from a place's energy.
-TEST(FirstStart, AllThatIsLowerLiesInItsBall) {
+TEST(FirstStart, ItsBallHoldsEveryLowerPoint) {
   Surface surface(importMesh(makeShape(Shape::kTorus, 2000)).mesh);
   const TriangleMesh& mesh = surface.mesh();
   Random random(kSeed);

@@ -17,7 +17,7 @@ TEST(Fuzz, ObjFilesAreOpenedOrRefused) { expectNoFinding(fuzzObj, objSeeds()); }
 
 TEST(Fuzz, TrianglesAreMendedOrRefused) { expectNoFinding(fuzzRepairs, repairsSeeds()); }
 
-TEST(Fuzz, EditedCurvesAreThoseTracedAnew) { expectNoFinding(fuzzCurve, curveSeeds()); }
+TEST(Fuzz, EditedCurvesEqualCurvesTracedAnew) { expectNoFinding(fuzzCurve, curveSeeds()); }
 
 /// A check that cannot fail would detect nothing.
 TEST(Fuzz, ChecksFail) {

@@ -106,7 +106,7 @@ TEST(RingGraph, ArcsMakeUpExactDistancesInsideTheRing) {
   EXPECT_GT(compared, 500);
 }
 
-TEST(RingGraph, GrowsWithTheMeshAtAVertexOfManyEdgesToo) {
+TEST(RingGraph, GrowsLinearlyAtAVertexOfManyEdges) {
   // All vertices lie in each other's rings through the middle: 1e8 arcs.
   const TriangleMesh mesh = galleryMesh("disk, valence 10000");
   const Geometry geometry = buildGeometry(mesh);

@@ -38,7 +38,7 @@ void expectSound(const TriangleMesh& mesh, const Array<Isoline>& lines, double m
   }
 }
 
-TEST(Isoline, OnThePlaneTheExactOneIsTheCircle) {
+TEST(Isoline, TheExactIsolineOfThePlaneIsTheCircle) {
   const TriangleMesh mesh = planeGrid(24, 20);
   const Geometry geometry = buildGeometry(mesh);
   // A source in a face, on an edge and at a vertex; a circle within one face, and wider ones.
@@ -57,7 +57,7 @@ TEST(Isoline, OnThePlaneTheExactOneIsTheCircle) {
   }
 }
 
-TEST(Isoline, EndsAtTheBoundaryAndTurnsRoundItsCorners) {
+TEST(Isoline, EndsAtTheBoundaryAndTurnsAroundItsCorners) {
   // Behind the inner corner the circle continues around the corner.
   const TriangleMesh mesh = gridWithCorner();
   const Geometry geometry = buildGeometry(mesh);
@@ -79,7 +79,7 @@ TEST(Isoline, EndsAtTheBoundaryAndTurnsRoundItsCorners) {
   EXPECT_GT(bent, 2);
 }
 
-TEST(Isoline, ExactOnesLieAtTheirDistanceOnEveryShape) {
+TEST(Isoline, ExactIsolinesLieAtTheirDistanceOnEveryShape) {
   const uint64_t seed = 11;
   SCOPED_TRACE("seed 11");
   Random random(seed);
@@ -103,7 +103,7 @@ TEST(Isoline, ExactOnesLieAtTheirDistanceOnEveryShape) {
   }
 }
 
-TEST(Isoline, PathsToPointsBesideExactOnesAreAsLong) {
+TEST(Isoline, PathsToPointsBesideExactIsolinesHaveTheirLength) {
   // From this source many paths pass a vertex so closely that only rounding decides whether they
   // turn there.
   const TriangleMesh mesh = importMesh(makeShape(Shape::kTorus, 2000)).mesh;
@@ -125,7 +125,7 @@ TEST(Isoline, PathsToPointsBesideExactOnesAreAsLong) {
   }
 }
 
-TEST(Isoline, FarExactOnesAreClosedOnAClosedSurface) {
+TEST(Isoline, FarExactIsolinesAreClosedOnAClosedSurface) {
   // Far from the source many arcs graze edges and rays, where rounding moves their ends the most.
   const uint64_t seed = 12;
   SCOPED_TRACE("seed 12");
@@ -157,7 +157,7 @@ TEST(Isoline, FarExactOnesAreClosedOnAClosedSurface) {
   }
 }
 
-TEST(Isoline, RoundTheTipOfANeedleIsAsLongAsItsAngle) {
+TEST(Isoline, AroundTheTipOfANeedleIsAsLongAsItsAngle) {
   // Every face is narrower than the accuracy of arcs' ends where they graze an edge.
   const double height = 1e4;
   const TriangleSoup needle = wheel(5'000, 0, height);
@@ -170,7 +170,7 @@ TEST(Isoline, RoundTheTipOfANeedleIsAsLongAsItsAngle) {
   EXPECT_NEAR(lines[0].length, radius * geometry.totalAngle[0], 1e-6 * lines[0].length);
 }
 
-TEST(Isoline, ExactOnesLeaveNoScraps) {
+TEST(Isoline, ExactIsolinesLeaveNoFragments) {
   // The surface has saddle vertices, where paths bend and one corner may be nearest for whole
   // faces.
   const TriangleMesh mesh = importMesh(makeShape(Shape::kGenus3, 1000)).mesh;
@@ -186,7 +186,7 @@ TEST(Isoline, ExactOnesLeaveNoScraps) {
   }
 }
 
-TEST(Isoline, LinearOnesOfALinearFunctionAreStraight) {
+TEST(Isoline, LinearIsolinesOfALinearFunctionAreStraight) {
   const TriangleMesh mesh = planeGrid(6, 5);
   Array<double> values;
   for (const Vec3& p : mesh.positions) values.push_back(p.x() + 0.1 * p.y());
@@ -200,7 +200,7 @@ TEST(Isoline, LinearOnesOfALinearFunctionAreStraight) {
   }
 }
 
-TEST(Isoline, LinearOnesAreClosedOnAClosedSurface) {
+TEST(Isoline, LinearIsolinesAreClosedOnAClosedSurface) {
   const TriangleMesh mesh = importMesh(icosphere(8)).mesh;
   Array<double> values;
   for (const Vec3& p : mesh.positions) values.push_back(std::abs(p.z()));
@@ -210,7 +210,7 @@ TEST(Isoline, LinearOnesAreClosedOnAClosedSurface) {
   expectSound(mesh, lines, 0.1);
 }
 
-TEST(Isoline, RefusesWhatIsNoDistance) {
+TEST(Isoline, RefusesInvalidDistances) {
   const TriangleMesh mesh = planeGrid(3, 3);
   const Geometry geometry = buildGeometry(mesh);
   for (const double radius : {0.0, -1.0, std::nan(""), kInfinity}) {
@@ -221,7 +221,7 @@ TEST(Isoline, RefusesWhatIsNoDistance) {
   }
 }
 
-TEST(Isoline, LinearOnesRefuseWhatIsNoDistance) {
+TEST(Isoline, LinearIsolinesRefuseInvalidLevels) {
   const TriangleMesh mesh = planeGrid(3, 3);
   const Array<double> values(static_cast<size_t>(mesh.vertexCount()), 1.0);
   for (const double radius : {0.0, -1.0, std::nan(""), kInfinity}) {
@@ -229,7 +229,7 @@ TEST(Isoline, LinearOnesRefuseWhatIsNoDistance) {
   }
 }
 
-TEST(Isoline, LinearOnesOfNoLengthAreLeftOut) {
+TEST(Isoline, LinearIsolinesOfLength0AreLeftOut) {
   // Two vertices lie below the level by rounding only, one of them on the boundary.
   const TriangleMesh mesh = planeGrid(6, 6);
   for (const double below : {1e-16, 1e-13}) {

@@ -147,7 +147,7 @@ TEST(JoinedWindows, AreNearExactAtTheTipsOfNeedles) {
   }
 }
 
-TEST(JoinedWindows, LoseNothingWhereTheyAreEqual) {
+TEST(JoinedWindows, LoseNothingOnTies) {
   const uint64_t seed = 6;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
@@ -296,7 +296,7 @@ TEST(JoinedWindows, GrownToAVertexAreTheSame) {
   }
 }
 
-TEST(JoinedWindows, ChooseBetweenPathsOfOneLengthByNumbers) {
+TEST(JoinedWindows, ChooseAmongPathsOfEqualLengthByNumbers) {
   // On a regular cone two paths of equal length lead to the vertices across the tip. A rotated cone
   // differs only by rounding.
   const TriangleMesh cone = galleryMesh("cone of 36 degrees");

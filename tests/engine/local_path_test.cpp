@@ -30,7 +30,7 @@ void expectJoined(const MeasuredMesh& surface, const Path& path) {
   }
 }
 
-TEST(LocalPath, isTheStraightLineInThePlane) {
+TEST(LocalPath, IsTheStraightLineInThePlane) {
   const MeasuredMesh surface(tessellatedPlane(PlaneTessellation::kJitteredDelaunay, 300, 5));
   Random random(7);
   for (int i = 0; i < 500; ++i) {
@@ -44,7 +44,7 @@ TEST(LocalPath, isTheStraightLineInThePlane) {
   }
 }
 
-TEST(LocalPath, isStraightThroughTheVerticesOfARegularGrid) {
+TEST(LocalPath, IsStraightThroughTheVerticesOfARegularGrid) {
   const MeasuredMesh surface(planeGrid(6, 6));
   for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
     for (int w = 0; w < surface.mesh.vertexCount(); ++w) {
@@ -57,7 +57,7 @@ TEST(LocalPath, isStraightThroughTheVerticesOfARegularGrid) {
   }
 }
 
-TEST(LocalPath, followsAStraightestGeodesicThatIsShort) {
+TEST(LocalPath, FollowsAStraightestGeodesicThatIsShort) {
   const MeasuredMesh surface(icosphere(8));
   Random random(11);
   int same = 0;
@@ -78,7 +78,7 @@ TEST(LocalPath, followsAStraightestGeodesicThatIsShort) {
   EXPECT_GT(same, 240);
 }
 
-TEST(LocalPath, hasHalfATurnOnBothSidesOfItsVertices) {
+TEST(LocalPath, HasAtLeastHalfATurnOnBothSidesOfItsVertices) {
   const MeasuredMesh surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh;
   Random random(3);
@@ -111,7 +111,7 @@ TEST(LocalPath, hasHalfATurnOnBothSidesOfItsVertices) {
   EXPECT_GT(vertices, 0) << "no path passed a vertex: the test says nothing";
 }
 
-TEST(LocalPath, goesRoundAReentrantCorner) {
+TEST(LocalPath, GoesAroundAReentrantCorner) {
   const MeasuredMesh surface(lShape(2));
   const SurfacePoint p = nearestPoint(surface.mesh, Vec3(1.7, 3.6, 0));
   const SurfacePoint q = nearestPoint(surface.mesh, Vec3(3.8, 1.9, 0));
@@ -121,7 +121,7 @@ TEST(LocalPath, goesRoundAReentrantCorner) {
   EXPECT_NEAR(path.length(), std::hypot(0.3, 1.6) + std::hypot(1.8, 0.1), 1e-12);
 }
 
-TEST(LocalPath, saysWhenThePointsAreTooFarApart) {
+TEST(LocalPath, SaysWhenThePointsAreTooFarApart) {
   const MeasuredMesh surface(planeGrid(30, 30));
   const SurfacePoint p = vertexPoint(surface.mesh, 0);
   const SurfacePoint q = vertexPoint(surface.mesh, surface.mesh.vertexCount() - 1);
@@ -133,7 +133,7 @@ TEST(LocalPath, saysWhenThePointsAreTooFarApart) {
   EXPECT_EQ(path.length(), 0);
 }
 
-TEST(LocalPath, ofAPointToItselfHasNoLength) {
+TEST(LocalPath, OfAPointToItselfHasNoLength) {
   const MeasuredMesh surface(icosphere(2));
   const SurfacePoint p{4, Vec3(0.2, 0.5, 0.3)};
   const Path path = joined(surface, p, p);

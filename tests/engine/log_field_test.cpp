@@ -76,7 +76,7 @@ TEST_P(LogFields, LeaveAnEditedCurveAsTracedAnew) {
 }
 
 /// The mesh has 3,674 triangles, so that the points' neighbourhoods bend: 8 curves of 4 segments.
-TEST_P(LogFields, LoseNoSampleOnTheBunny) {
+TEST_P(LogFields, FindEverySampleOnTheBunny) {
   Surface surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh();
   const uint64_t seed = 21;
@@ -186,7 +186,7 @@ Array<int> verticesNear(const Surface& surface, const SurfacePoint& point, doubl
   return vertices;
 }
 
-TEST(NearFields, DoNotDependOnWhatWasReadBefore) {
+TEST(NearFields, DoNotDependOnEarlierReads) {
   Surface surface(bunnyMesh());
   const SurfacePoint source = nearestPoint(surface.mesh(), Vec3(-1, 8, 4));
   const Array<int> vertices = verticesNear(surface, source, 6);
@@ -204,7 +204,7 @@ TEST(NearFields, DoNotDependOnWhatWasReadBefore) {
   }
 }
 
-TEST(NearFields, HaveExactDistancesWhereTheseAreAskedFor) {
+TEST(NearFields, HaveExactDistancesOnRequest) {
   Surface surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh();
   WindowDistance exact(surface.geometry());

@@ -47,7 +47,7 @@ void expectSame(const Mean& a, const Mean& b) {
   EXPECT_EQ(a.status, b.status);
 }
 
-TEST(SourceVectors, AreTheStraightWaysOnAPlane) {
+TEST(SourceVectors, AreTheStraightVectorsOnAPlane) {
   const TriangleMesh mesh = planeGrid(14, 9);
   Surface surface(mesh);
   Random random(3);
@@ -196,7 +196,7 @@ TEST(MeanOfMany, IsAsLowAsThatOfFields) {
   }
 }
 
-TEST(MeanOfMany, ThatConvergedIsAMinimumByShortestPaths) {
+TEST(MeanOfMany, AConvergedMeanMinimizesTheEnergyOfShortestPaths) {
   SKIP_WHERE_SANITIZED();
   for (const char* name : {"ring tube, r = 0.1, quads 7:1", "very rough sheet", "knot"}) {
     SCOPED_TRACE(name);
@@ -223,7 +223,7 @@ TEST(MeanOfMany, ThatConvergedIsAMinimumByShortestPaths) {
   }
 }
 
-TEST(MeanOfMany, IsForManyDifferentPointsOfPositiveWeight) {
+TEST(MeanOfMany, IsUsedForManyDistinctPointsOfPositiveWeight) {
   const TriangleMesh mesh = planeGrid(12, 12);
   Random random(8);
   SCOPED_TRACE("seed 8");
@@ -244,7 +244,7 @@ TEST(MeanOfMany, IsForManyDifferentPointsOfPositiveWeight) {
   EXPECT_FALSE(isOfMany(cloud.points, cloud.weights, {}));
 }
 
-TEST(MeanOfMany, KeepsToWhereItStarts) {
+TEST(MeanOfMany, StartedAtItselfIsItself) {
   Surface surface(importMesh(makeShape(Shape::kTorus, 2000)).mesh);
   Random random(9);
   SCOPED_TRACE("seed 9");

@@ -106,7 +106,7 @@ TEST(Mean, IsTheSameWhereverTheSurfaceLies) {
   }
 }
 
-TEST(Mean, TakesACallersOwnDistances) {
+TEST(Mean, TakesTheCallersDistances) {
   Surface surface(planeGrid(12, 12));
   Array<Array<double>> distances;
   for (const Vec3& p : {Vec3(3, 3.5, 0), Vec3(9, 4, 0)}) {
@@ -227,7 +227,7 @@ TEST(Mean, KeepsTheFieldsOfPointsThatStay) {
   }
 }
 
-TEST(Mean, KeepsNoFieldsThatHoldTooMuchOrAfterAnError) {
+TEST(Mean, KeepsNoFieldsBeyondTheBudgetOrAfterAnError) {
   Surface surface(planeGrid(12, 12));
   const Array<SurfacePoint> points{nearestPoint(surface.mesh(), Vec3(3, 3.5, 0)),
                                    nearestPoint(surface.mesh(), Vec3(9, 4, 0))};

@@ -60,7 +60,7 @@ bool isAround(const Array<Vec2>& v) {
   return false;
 }
 
-TEST(MeanWeights, OfThreeVectorsAreTheAreasOfTheirTriangles) {
+TEST(MeanWeights, OfThreeVectorsAreProportionalToTheAreasOfTheirTriangles) {
   Random random(3);
   for (int i = 0; i < 200; ++i) {
     const Array<Vec2> v = randomVectors(random, 3);
@@ -73,7 +73,7 @@ TEST(MeanWeights, OfThreeVectorsAreTheAreasOfTheirTriangles) {
   }
 }
 
-TEST(MeanWeights, ChangeTheGivenOnesAsLittleAsCanBe) {
+TEST(MeanWeights, ChangeTheGivenWeightsLeast) {
   Random random(5);
   int withHeld = 0;
   for (int i = 0; i < 300; ++i) {
@@ -119,7 +119,7 @@ TEST(MeanWeights, ChangeTheGivenOnesAsLittleAsCanBe) {
   EXPECT_GT(withHeld, 20);
 }
 
-TEST(MeanWeights, OfVectorsInALineAreThereWhereItGoesThroughThePoint) {
+TEST(MeanWeights, OfCollinearVectorsExistIfTheirLineContainsThePoint) {
   const Array<double> weights = balancedWeights({{1, 1}, {-3, -3}}, {}, false);
   EXPECT_NEAR(weights[0], 0.75, 1e-12);
   EXPECT_NEAR(weights[1], 0.25, 1e-12);

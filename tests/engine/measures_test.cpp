@@ -90,7 +90,7 @@ TEST(HausdorffDistance, OfSimplePolylines) {
   EXPECT_NEAR(distanceOf(line, {{0, 0, 0}, {0.3, 0, 0}, {1.1, 0, 0}, {2, 0, 0}}), 0, 1e-15);
 }
 
-TEST(HausdorffDistance, MayBeLargestInsideAPiece) {
+TEST(HausdorffDistance, IsFoundInsideAPiece) {
   // The ends of the lower side lie on the other polyline, its middle lies 1 from three sides.
   EXPECT_NEAR(distanceOf({{0, 0, 0}, {2, 0, 0}}, {{0, 0, 0}, {0, 1, 0}, {2, 1, 0}, {2, 0, 0}}), 1,
               1e-9);
@@ -103,7 +103,7 @@ TEST(HausdorffDistance, OfArcsAroundACenterIsTheDifferenceOfRadii) {
   EXPECT_NEAR(hausdorffDistance(inner, outer, 1e-6), 0.25, 2e-6);
 }
 
-TEST(HausdorffDistance, AgreesWithManyPlaces) {
+TEST(HausdorffDistance, AgreesWithDenseSamples) {
   Random random(3);
   const auto walk = [&] {
     Array<Vec3> points = {Vec3::Zero()};
@@ -127,7 +127,7 @@ TEST(HausdorffDistance, AgreesWithManyPlaces) {
   EXPECT_GE(hausdorffDistance(a, b, 1e-9), largest - 1e-9);
 }
 
-TEST(RandomControlPolygon, HasLegsAndAnglesAsAsked) {
+TEST(RandomControlPolygon, HasTheGivenLegsAndAngles) {
   const TriangleMesh mesh = planeGrid(20, 20);
   const Geometry geometry = buildGeometry(mesh);
   Random random(17);
@@ -162,7 +162,7 @@ TEST(DragPath, GoesStraightInEvenSteps) {
   EXPECT_TRUE(dragPath(geometry, start, direction, 1, 100).empty());
 }
 
-TEST(CountStep, TellsShiversFromPassages) {
+TEST(CountStep, DistinguishesShiversFromPassages) {
   const auto lineAt = [](double y) { return MeasuredPolyline({{0, y, 0}, {9, y, 0}}); };
   DragFigures figures;
   EXPECT_NEAR(countStep(figures, lineAt(0), lineAt(0.4), 0.1), 4, 2e-2);

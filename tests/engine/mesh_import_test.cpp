@@ -79,7 +79,7 @@ TEST(ImportMesh, KeepsTheCallersSurface) {
   EXPECT_TRUE(imported.repairs.empty());
 }
 
-TEST(ImportMesh, PutsNeighboursNearEachOther) {
+TEST(ImportMesh, NumbersNeighboursNearEachOther) {
   TriangleSoup soup = randomSphere(20000, 1);
   const TriangleMesh mesh = importMesh(soup).mesh;
   double distance = 0;
@@ -118,7 +118,7 @@ TEST(ImportMesh, WeldsTheSeamsOfUnweldedTriangles) {
   EXPECT_EQ(imported.repairs[0].count, soup.positions.count() - sphere.positions.count());
 }
 
-TEST(ImportMesh, TakesMinusZeroForZero) {
+TEST(ImportMesh, TreatsMinusZeroAsZero) {
   // 2---3 5    two triangles that meet along x = 0
   //  \ 0|4 \     0, 2, 3: the left one; 1, 4, 5 the right one
   const TriangleSoup soup = {
@@ -130,7 +130,7 @@ TEST(ImportMesh, TakesMinusZeroForZero) {
   EXPECT_EQ(imported.numbering.engineVertex[5], imported.numbering.engineVertex[2]);
 }
 
-TEST(ImportMesh, KeepsPartsApartThatTouchAtAVertex) {
+TEST(ImportMesh, SeparatesPartsThatTouchAtAVertex) {
   const TriangleSoup soup = withCopy([](const Vec3& p) { return Vec3(-p); });
   // -p turns the copy's faces inside out, which leaves it a surface.
   const ImportedMesh imported = importMesh(soup);
@@ -143,7 +143,7 @@ TEST(ImportMesh, KeepsPartsApartThatTouchAtAVertex) {
             "1 vertex at the position of another stayed apart, where no edge joins their faces");
 }
 
-TEST(ImportMesh, KeepsPartsApartThatTouchAlongAnEdge) {
+TEST(ImportMesh, SeparatesPartsThatTouchAlongAnEdge) {
   // The copy is rotated by half a turn about the z axis: the edge 0-3 has four faces.
   const auto turn = [](const Vec3& p) { return Vec3(-p.x(), -p.y(), p.z()); };
   const TriangleSoup soup = withCopy(turn);
@@ -155,7 +155,7 @@ TEST(ImportMesh, KeepsPartsApartThatTouchAlongAnEdge) {
   EXPECT_EQ(imported.mesh.vertexCount(), 8);
 }
 
-TEST(ImportMesh, KeepsTheTwoSidesOfADoubledSheetApartInside) {
+TEST(ImportMesh, SeparatesTheSidesOfADoubledSheetInside) {
   // The front and the back of a square of four triangles around its center.
   TriangleSoup soup = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}},
                        {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};

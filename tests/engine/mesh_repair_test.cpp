@@ -161,7 +161,7 @@ TriangleSoup moebius(int n, bool seam) {
   return soup;
 }
 
-TEST(RepairMesh, RefusesWhatHasOneSide) {
+TEST(RepairMesh, RefusesOneSidedSurfaces) {
   try {
     importMesh(moebius(20, false));
     FAIL();
@@ -242,7 +242,7 @@ TriangleSoup looseGrid(int n, double most, const Vec3& shift, Random& random) {
 
 /// Points are first grouped in cubes: in any position, points within the tolerance are welded, and
 /// farther ones are not.
-TEST(RepairMesh, WeldsWhateverCubesPointsLieIn) {
+TEST(RepairMesh, WeldsAcrossTheCellsOfTheGrid) {
   const uint64_t seed = 31;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
@@ -282,7 +282,7 @@ TEST(RepairMesh, KeepsAClusterOfTrianglesApart) {
   EXPECT_EQ(imported.repairs[0].kind, Repair::Kind::kKeptApart);
 }
 
-TEST(RepairMesh, KeepsPartsApartThatOnlyTouch) {
+TEST(RepairMesh, SeparatesPartsThatOnlyTouch) {
   // Two triangles with a corner at one place, up to rounding.
   const TriangleSoup soup = {
       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e-12, 0, 0}, {-1, 0, 0}, {0, -1, 0}},
@@ -293,7 +293,7 @@ TEST(RepairMesh, KeepsPartsApartThatOnlyTouch) {
 }
 
 /*  A box with a wall inside: all edges around the wall have three faces.  */
-TEST(RepairMesh, PartsAWallFromTheBoxAroundIt) {
+TEST(RepairMesh, SeparatesAWallFromTheBoxAroundIt) {
   TriangleSoup soup;
   for (int x = 0; x <= 2; ++x) {
     for (const int y : {0, 1}) {
@@ -394,7 +394,7 @@ Array<Array<int>> neighborsInFile(const ImportedMesh& imported) {
   return result;
 }
 
-TEST(RepairMesh, PartsBowTiesAndWallsAlikeHoweverTheMeshLies) {
+TEST(RepairMesh, SeparatesBowTiesAndWallsAlikeInEveryPosition) {
   // A grid, a tetrahedron on an inner vertex, another on a boundary vertex, and walls on two of its
   // edges, where the surface continues alike on both sides.
   TriangleSoup soup;
@@ -454,7 +454,7 @@ TEST(RepairMesh, FlipsAChainOfTrianglesOnALine) {
   expectSamePlaces(soup, imported, 1e-12);
 }
 
-TEST(RepairMesh, RefusesWhatHasNoArea) {
+TEST(RepairMesh, RefusesMeshesWithoutArea) {
   const TriangleSoup soup = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}};
   try {
     importMesh(soup);
@@ -465,7 +465,7 @@ TEST(RepairMesh, RefusesWhatHasNoArea) {
   }
 }
 
-TEST(RepairMesh, SaysWhereAPointOfNothingIs) {
+TEST(RepairMesh, RefusesAPointOfADroppedFace) {
   TriangleSoup soup = makeShape(Shape::kSphere, 500);
   const int lone = soup.positions.count();
   soup.positions.emplace_back(5, 5, 5);

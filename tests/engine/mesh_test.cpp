@@ -78,7 +78,7 @@ TEST(BuildMesh, IsSoundOnClosedAndOpenSurfaces) {
   expectSound(meshOf(tessellatedPlane(PlaneTessellation::kRandomDelaunay, 300, 1)));
 }
 
-TEST(BuildMesh, RefusesWhatIsNoSurface) {
+TEST(BuildMesh, RefusesFacesThatFormNoSurface) {
   EXPECT_EQ(errorOf(kSquare, {}), "badFile: the mesh has no faces");
   EXPECT_EQ(errorOf(kSquare, {{0, 1, 3}, {2, 3, 4}}),
             "badIndex: face 1 uses vertex 4, but the mesh has 4 vertices");

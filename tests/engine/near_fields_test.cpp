@@ -127,7 +127,7 @@ TEST(NearFields, GiveTheCurveThatWholeFieldsGive) {
 }
 
 /// A curve depends only on its value, even if an edit brings its pieces into or out of sight.
-TEST(NearFields, AreThoseOfTheValueAfterEdits) {
+TEST(NearFields, AfterEditsAreThoseOfTheValue) {
   Random random(13);
   Surface surface(fineRing(20'000));
   CurveOptions options;

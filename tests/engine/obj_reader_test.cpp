@@ -39,7 +39,7 @@ TEST(ReadObj, ReadsPositionsAndTrianglesInTheFilesOrder) {
   EXPECT_EQ(obj.polygonsCut, 0);
 }
 
-TEST(ReadObj, SkipsWhatItDoesNotUse) {
+TEST(ReadObj, SkipsUnusedLines) {
   const ObjContents obj = readObj(
       "\xEF\xBB\xBF# comment\r\nmtllib scene.mtl\r\no thing\r\ng a b\r\n\r\n"
       "v 0 0 0 1 0 0\r\n  v\t1 0 0\r\nv 0 1 0 # a corner\r\nvt 0 0\r\nvn 0 0 1\r\n"
@@ -77,7 +77,7 @@ const std::string kMarked =
     "v 2 0 0\nf 2 5 3\nusemtl dark wood\nf 1 2 3 4\ng right\nf 1 2 \\\n3\nf 1 2\no box\n"
     "g left side\nf 1 3 4\n";
 
-TEST(ReadObj, TellsPartsAndMaterials) {
+TEST(ReadObj, ReportsPartsAndMaterials) {
   const ObjMarks marks = readObj(kMarked).marks;
   ASSERT_EQ(marks.parts.count(), 2);
   EXPECT_EQ(marks.parts[0].name, "box, left side");
@@ -93,7 +93,7 @@ TEST(ReadObj, TellsPartsAndMaterials) {
   EXPECT_TRUE(plain.part.empty() && plain.material.empty() && plain.materials.empty());
 }
 
-TEST(ReadObj, TellsColorsOfVertices) {
+TEST(ReadObj, ReportsColorsOfVertices) {
   EXPECT_EQ(readObj(kMarked).marks.colors,
             (Array<uint8_t>{255, 0, 128, 255, 255, 255, 0, 255, 0,  //
                             255, 255, 255, 255, 255, 255}));
@@ -102,7 +102,7 @@ TEST(ReadObj, TellsColorsOfVertices) {
   EXPECT_TRUE(readObj(kThree + "f 1 2 3\n").marks.colors.empty());
 }
 
-TEST(ReadObj, ReadsThePartsThatAreWanted) {
+TEST(ReadObj, ReadsTheChosenParts) {
   const ObjContents right = readObj(kMarked, {true, Array<int>{1}});
   EXPECT_TRUE(right.soup.triangles == (Array<Triangle>{{0, 1, 2}}));
   EXPECT_EQ(right.marks.parts.count(), 2);
@@ -249,7 +249,7 @@ TEST(ReadObj, NamesTheLineOfABadFace) {
   EXPECT_EQ(errorOf(kThree + "f \n"), "badFile: line 4: a face needs three corners");
 }
 
-TEST(ReadObj, RefusesWhatIsNoObjFile) {
+TEST(ReadObj, RefusesFilesThatAreNotObj) {
   EXPECT_EQ(errorOf(""), "badFile: the file has no faces");
   EXPECT_EQ(errorOf(kThree), "badFile: the file has no faces");
   EXPECT_EQ(errorOf("<!doctype html><html></html>"), "badFile: the file has no faces");
@@ -333,7 +333,7 @@ TEST(ReadObj, NamesThePolygonThatCannotBeCut) {
   EXPECT_EQ(errorOf(kThree + same, false), start + "10001" + error);
 }
 
-TEST(ReadObj, TakesAVertexOnceThatAPolygonNamesTwice) {
+TEST(ReadObj, MergesARepeatedVertexOfAPolygon) {
   const ObjContents quad = readObj(kThree + "f 1 2 2 3\n");
   EXPECT_EQ(quad.repeatedCorners, 1);
   EXPECT_EQ(quad.polygonsCut, 0);
@@ -365,7 +365,7 @@ TEST(ReadObj, CutsAQuadThatCrossesItselfAlongItsShorterDiagonal) {
   EXPECT_EQ(errorOf(quad, false).substr(0, 15), "degenerateFace:");
 }
 
-TEST(ReadObj, LeavesOutWhatCannotBeCut) {
+TEST(ReadObj, LeavesOutPolygonsThatCannotBeCut) {
   const ObjContents obj = readObj(kCrossing + "f 1 2 3\nf 5 4 3 2 1\nf 1 5\n");
   EXPECT_TRUE(obj.soup.triangles == (Array<Triangle>{{0, 1, 2}}));
   EXPECT_EQ(obj.leftOut, 3);
@@ -520,7 +520,7 @@ TEST(CutPolygon, KeepsTheAreaOfPolygonsThatAreNotConvex) {
   EXPECT_NEAR(area, 9 * 0.3 * std::sin(kPi / 9), 1e-12);
 }
 
-TEST(CutPolygon, KeepsTheAreaOfAsManyCornersAsItTakes) {
+TEST(CutPolygon, KeepsTheAreaOfThePolygonWithMostCorners) {
   Array<Vec3> star;
   for (int i = 0; i < kMostPolygonCorners; ++i) {
     const Vec2 p = (i % 2 == 0 ? 1 : 0.9) * unitVector(2 * kPi * i / kMostPolygonCorners);
@@ -542,7 +542,7 @@ TEST(CutPolygon, CopesWithCornersOnALine) {
   for (const Triangle& t : triangles) EXPECT_GT(doubleArea(square, t), 0.1);
 }
 
-TEST(CutPolygon, FindsNothingWherePolygonsCrossThemselves) {
+TEST(CutPolygon, RefusesPolygonsThatCrossThemselvesOrHaveNoArea) {
   EXPECT_TRUE(cutPolygon({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1.5, 0}}).empty());
   EXPECT_TRUE(cutPolygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}).empty());
 }

@@ -71,7 +71,7 @@ void expectAtDistance(const Geometry& geometry, const Array<Isoline>& lines,
   EXPECT_LT(worst, tolerance * expected);
 }
 
-TEST(PathDistance, OnThePlaneItIsTheStraightOne) {
+TEST(PathDistance, OnThePlaneIsTheEuclideanDistance) {
   const Sheet sheet(planeGrid(12, 10));
   Random random(5);
   for (int run = 0; run < 20; ++run) {
@@ -94,7 +94,7 @@ TEST(PathDistance, OnThePlaneItIsTheStraightOne) {
   }
 }
 
-TEST(PathDistance, OnMeshesItIsTheLeastOfThatOfItsPoints) {
+TEST(PathDistance, OnMeshesIsTheLeastDistanceOfItsPoints) {
   Random random(11);
   const char* names[] = {"sphere, random", "plate with 50 holes",
                          "rough sheet",    "very rough sheet",
@@ -170,7 +170,7 @@ TEST(Offset, OfARectangleOnThePlane) {
   EXPECT_EQ(offsetLines(sheet.geometry, {&path, 1}, 2.2, OffsetSide::kLeft).count(), 0);
 }
 
-TEST(Offset, OfAnOpenPathGoesRoundItsEnds) {
+TEST(Offset, OfAnOpenPathGoesAroundItsEnds) {
   const Sheet sheet(planeGrid(12, 10));
   const SurfacePath path = polygonOn(sheet.geometry, {Vec2(3, 5), Vec2(8.2, 5)}, false);
   const double d = 0.7;
@@ -205,7 +205,7 @@ TEST(Offset, OfAPathFromRimToRimEndsThereToo) {
   }
 }
 
-TEST(Offset, OnTheSphereAndTheTorusItIsTheCircleBeside) {
+TEST(Offset, OnTheSphereAndTheTorusIsTheParallelCircle) {
   SKIP_WHERE_SANITIZED();
   double last = 0;
   for (const int triangles : {2000, 32'000}) {
@@ -289,7 +289,7 @@ TEST(PathDistance, OfAPathWithPointsBesideEachOtherOnTwoSidesOfAnEdge) {
   EXPECT_NEAR(field.at(across).value, 0, 1e-12);
 }
 
-TEST(Offset, RefusesWhatHasNone) {
+TEST(Offset, RefusesInvalidPathsAndDistances) {
   const Sheet sheet(planeGrid(4, 4));
   const SurfacePath path = polygonOn(sheet.geometry, {Vec2(1, 1), Vec2(3, 2)}, false);
   const auto code = [&](const SurfacePath& one, double distance) {

@@ -93,7 +93,7 @@ TEST(Descent, ConvergesToTheShortestPathOnThePlane) {
   EXPECT_LT(excesses[1], std::min(excesses[0], 1e-3));
 }
 
-TEST(Descent, SaysWhereItIsStuck) {
+TEST(Descent, ReportsWhereItIsStuck) {
   const TriangleMesh mesh = planeGrid(6, 6);
   const Geometry geometry = buildGeometry(mesh);
   // The distances' minimum is not at the source.
@@ -106,7 +106,7 @@ TEST(Descent, SaysWhereItIsStuck) {
   EXPECT_EQ(center.status, Status::kNoProgress);
 }
 
-TEST(Descent, DoesNotAskForDistancesOfOtherComponents) {
+TEST(Descent, ReadsNoDistancesOfOtherComponents) {
   // A square with the path on its diagonal, and a triangle beside it that no distance reaches.
   const TriangleMesh mesh =
       buildMesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}},
@@ -126,7 +126,7 @@ TEST(Descent, DoesNotAskForDistancesOfOtherComponents) {
   EXPECT_THROW(descendDistance(geometry, distances, source, start), Error);
 }
 
-TEST(Descent, RefusesWhatItCannotAverage) {
+TEST(Descent, RefusesInvalidWeightsAndDistances) {
   const TriangleMesh mesh = planeGrid(3, 3);
   const Geometry geometry = buildGeometry(mesh);
   const SurfacePoint a = nearestPoint(mesh, {0.3, 0.2, 0});

@@ -80,7 +80,7 @@ TEST(LogMapMean, OfExactLogarithmsOnThePlaneIsTheAffineAverage) {
   }
 }
 
-TEST(LogMapMean, SaysWhereTheSurfaceEnds) {
+TEST(LogMapMean, ReportsTheBoundary) {
   const TriangleMesh mesh = planeGrid(8, 8);
   const Geometry geometry = buildGeometry(mesh);
   const HeatOperators operators(geometry);
@@ -137,7 +137,7 @@ TriangleMesh twoTriangles() {
                    {{0, 1, 2}, {3, 4, 5}});
 }
 
-TEST(LogMapMean, SaysThatAMovedPointHasNoLogarithm) {
+TEST(LogMapMean, ReportsThatAMovedPointHasNoLogarithm) {
   const TriangleMesh mesh = twoTriangles();
   const Geometry geometry = buildGeometry(mesh);
   const HeatOperators operators(geometry);

@@ -253,7 +253,7 @@ ErrorCode errorCodeOf(const Work& work) {
   return ErrorCode::kBadFile;
 }
 
-TEST(WeightedAverages, SayWhereThereIsNoEmbedding) {
+TEST(WeightedAverages, ReportAFailedEmbedding) {
   const TriangleMesh mesh = meshOf(relaxedSphere(300, 7));
   const Geometry geometry = buildGeometry(mesh);
   const auto distances = greatCircleDistances(mesh);

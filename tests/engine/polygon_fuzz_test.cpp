@@ -27,7 +27,7 @@ void expectNoFaults(const std::string& name, TriangleMesh mesh, uint64_t firstSe
   for (const std::string& fault : tally.faults) ADD_FAILURE() << name << ", " << fault;
 }
 
-TEST(PolygonFuzz, CurvesOfAllKindsHoldTogetherOnTheShapes) {
+TEST(PolygonFuzz, CurvesOfAllKindsAreContinuousOnTheShapes) {
   // The long run draws 2,000 polygons, including those on the bunny.
   const int polygons = longRun() ? 350 : 2;
   uint64_t seed = 1;
@@ -41,11 +41,11 @@ TEST(PolygonFuzz, CurvesOfAllKindsHoldTogetherOnTheShapes) {
   }
 }
 
-TEST(PolygonFuzz, CurvesOfAllKindsHoldTogetherOnTheBunny) {
+TEST(PolygonFuzz, CurvesOfAllKindsAreContinuousOnTheBunny) {
   expectNoFaults("bunny", bunnyMesh(), 100'000, longRun() ? 250 : casesOf(5, 2));
 }
 
-TEST(PolygonFuzz, CurvesOfAutomaticLevelsHoldTogether) {
+TEST(PolygonFuzz, CurvesOfAutomaticLevelsAreContinuous) {
   SKIP_WHERE_SANITIZED();
   const int polygons = longRun() ? 200 : 5;
   expectNoFaults("bunny", bunnyMesh(), 200'000, polygons, 0, kAutomaticLevels);
@@ -55,7 +55,7 @@ TEST(PolygonFuzz, CurvesOfAutomaticLevelsHoldTogether) {
   }
 }
 
-TEST(PolygonFuzz, AJumpWhereTheZeroComesToAnEdgeIsMarked) {
+TEST(PolygonFuzz, AJumpWhereTheZeroReachesAnEdgeIsMarked) {
   // Catmull-Rom and Bezier curves with jumps of .070 and .082 mean edges. They were not marked as
   // long as the bound on a jump ignored zeros at the edge of their cell.
   const int anySpacing = kSpacingCount - 1;

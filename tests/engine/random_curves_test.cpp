@@ -134,7 +134,7 @@ class RandomCurve {
   double near_;
 };
 
-TEST(RandomCurves, AreThoseMadeAnewAfterEditsAndEndAtTheirPoints) {
+TEST(RandomCurves, AfterEditsEqualNewCurvesAndEndAtTheirPoints) {
   const int count = longRun() ? 2200 : 40;
   for (int i = 0; i < count; ++i) {
     const uint64_t seed = seedOf(9000, i);

@@ -32,7 +32,7 @@ double distanceByWindows(const Geometry& geometry, const SurfacePoint& from, int
   return distance.distance(to);
 }
 
-TEST(RandomPaths, AreAsLongAsTheirPointsBothWaysScaledAndTurned) {
+TEST(RandomPaths, HaveOneLengthBothWaysScaledAndTurned) {
   const int count = longRun() ? 3000 : 60;
   for (int i = 0; i < count; ++i) {
     const uint64_t seed = seedOf(7000, i);
@@ -109,7 +109,7 @@ TEST(RandomPaths, LieBetweenTheChordAndTheEdgesHoweverTheMeshIsNumbered) {
   }
 }
 
-TEST(RandomPaths, TransportKeepsLengthsAndAnglesAndComesBackAsItWent) {
+TEST(RandomPaths, TransportKeepsLengthsAndAnglesAndIsUndoneOnTheWayBack) {
   const int count = longRun() ? 3000 : 60;
   for (int i = 0; i < count; ++i) {
     const uint64_t seed = seedOf(6000, i);

@@ -257,7 +257,7 @@ TEST(Regions, AreTheSmallerSideOrThatOfAPoint) {
   }
 }
 
-TEST(Regions, OnASideStayThereAsTheirCurveMovesOverTheSurface) {
+TEST(Regions, StayOnTheSideOfAMovingCurve) {
   const Sheet sphere(meshOf(makeShape(Shape::kSphere, 2000)));
   const double whole = surfaceArea(sphere.geometry);
   const auto parallel = [&](double height) {
@@ -288,7 +288,7 @@ TEST(Regions, OnASideStayThereAsTheirCurveMovesOverTheSurface) {
 }
 
 /// A square that starts along the boundary, and one that is the whole boundary.
-TEST(Regions, OnASideOfTheBoundaryAreWhatLiesThere) {
+TEST(Regions, OnASideOfTheBoundaryAreTheFacesOfThatSide) {
   const Sheet sheet(planeGrid(4, 4));
   const SurfacePath paths[] = {polygonOn(sheet.geometry, rectangle(0, 0, 2, 2)),
                                polygonOn(sheet.geometry, rectangle(0, 0, 4, 4))};
@@ -303,7 +303,7 @@ TEST(Regions, OnASideOfTheBoundaryAreWhatLiesThere) {
 }
 
 /// The other side of the boundary is empty, and the smaller one.
-TEST(Regions, OfTheWholeBoundaryAreAllOrNothing) {
+TEST(Regions, OfTheWholeBoundaryAreTheWholeSurfaceOrEmpty) {
   const Sheet sheet(planeGrid(4, 4));
   const SurfacePath path = polygonOn(sheet.geometry, rectangle(0, 0, 4, 4));
   const Arrangement all = arrange(sheet.geometry, std::span(&path, 1));
@@ -314,7 +314,7 @@ TEST(Regions, OfTheWholeBoundaryAreAllOrNothing) {
   }
 }
 
-TEST(Regions, AreRefusedWhereCurvesDoNotBound) {
+TEST(Regions, AreRefusedForCurvesThatDoNotBound) {
   const Sheet torus(meshOf(makeShape(Shape::kTorus, 2000)));
   const auto round = [&](double longitude) {
     Array<SurfacePoint> points;

@@ -9,7 +9,7 @@
 namespace karcher {
 namespace {
 
-TEST(SegmentRestart, ASampleIsLostOnlyIfItIsFromEveryControlPoint) {
+TEST(SegmentRestart, ASampleIsLostOnlyIfEveryStartFails) {
   // Points spread over the sphere: too far apart for a center of mass at some samples.
   constexpr int kSegments = 40;
   Surface surface(meshOf(icosphere(6)));
@@ -48,7 +48,7 @@ TEST(SegmentRestart, ASampleIsLostOnlyIfItIsFromEveryControlPoint) {
   EXPECT_GT(converged, 0);
 }
 
-TEST(SegmentRestart, BeginsAtTheHeaviestPointThatWasNotTried) {
+TEST(SegmentRestart, BeginsAtTheHeaviestUntriedPoint) {
   const Array<double> weights{0.2, 0.5, 0.3, 0, -1e-3};
   const auto restarts = [&](Method method, bool isEnd) {
     Array<int> order{7};

@@ -39,7 +39,7 @@ double smallestAngle(const TriangleMesh& mesh) {
   return smallest;
 }
 
-TEST(Shapes, HaveTheCountAskedFor) {
+TEST(Shapes, HaveTheGivenNumberOfTriangles) {
   for (const Shape shape : kShapes) {
     for (const int triangles : {500, 801, 2000, 5000, 30000}) {
       SCOPED_TRACE(std::string(shapeName(shape)) + " " + std::to_string(triangles));
@@ -137,8 +137,8 @@ TEST(Shapes, RefuseCountsOutOfRange) {
       ADD_FAILURE();
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::kBadArgument);
-      EXPECT_EQ(error.what(), "a shape of " + std::to_string(triangles) +
-                                  " triangles was asked for; 500 to 1000000 can be made");
+      EXPECT_EQ(error.what(),
+                "a shape has 500 to 1000000 triangles, not " + std::to_string(triangles));
     }
   }
 }

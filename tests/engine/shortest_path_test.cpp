@@ -47,7 +47,7 @@ TEST(ShortestPath, InThePlaneIsTheStraightLine) {
   }
 }
 
-TEST(ShortestPath, TurnsRoundTheCornerOfTheBoundary) {
+TEST(ShortestPath, TurnsAroundTheCornerOfTheBoundary) {
   // An L: the square [0, 4]^2 without its upper right quarter; the corner is at (2, 2).
   const TriangleMesh square = planeGrid(4, 4);
   Array<Triangle> faces;
@@ -149,7 +149,7 @@ TEST(ShortestPath, GoesStraightThroughTheSaddlesOfALattice) {
   }
 }
 
-TEST(ShortestPath, HoldsTogetherOnNeedlesAndAlongTheBoundary) {
+TEST(ShortestPath, IsContinuousOnNeedlesAndAlongTheBoundary) {
   TriangleSoup needles = tessellatedPlane(PlaneTessellation::kJitteredDelaunay, 800, 2);
   for (Vec3& p : needles.positions) p.x() *= 1e4;
   const MeasuredMesh stretched(needles);

@@ -88,7 +88,7 @@ TEST(Sight, IsTheShortestPathOfAPlane) {
   }
 }
 
-TEST(Sight, IsAsARuleTheShortestWhereTheSurfaceCurves) {
+TEST(Sight, IsUsuallyTheShortestPathOnCurvedSurfaces) {
   const auto check = [](const std::string& name, const MeasuredMesh& m, double longer,
                         double worst) {
     const uint64_t seed = 7;
@@ -141,7 +141,7 @@ TEST(Sight, IsTheSameOfAMovedMesh) {
   }
 }
 
-TEST(Sight, IsNoneWhereThePathIsNotFound) {
+TEST(Sight, IsEmptyIfThePathIsNotFound) {
   const TriangleMesh mesh = gridWithCorner();
   const Geometry geometry = buildGeometry(mesh);
   const auto sight = [&](const Vec3& from, const Vec3& to) {

@@ -40,7 +40,7 @@ TEST(SignChange, IsFoundOfSteepAndFlatFunctions) {
   EXPECT_NEAR(changeOf([](double x) { return x - 1e-12; }, 0, 1, evaluations), 1e-12, 1e-15);
 }
 
-TEST(SignChange, IsWhereAFunctionJumps) {
+TEST(SignChange, IsTheJumpOfADiscontinuousFunction) {
   int evaluations = 0;
   const auto jump = [](double x) { return x < 0.3 ? -1e-9 : 1.0; };
   EXPECT_NEAR(changeOf(jump, 0, 1, evaluations), 0.3, 1e-14);

@@ -30,7 +30,7 @@ TEST(SortedNumbers, AreThoseOfAStableSort) {
   }
 }
 
-TEST(SortedNumbers, ItemsThatAreEqualStayInTheirOrder) {
+TEST(SortedNumbers, EqualItemsKeepTheirOrder) {
   Random random(10);
   for (const int count : {0, 1, 2, 50, 3000}) {
     SCOPED_TRACE("seed 10, " + std::to_string(count) + " items");

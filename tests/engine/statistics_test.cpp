@@ -68,7 +68,7 @@ TEST(Statistics, HubersMeanIsTheClosedFormOnALineAndAMeanWhereTheThresholdIsWide
   EXPECT_LT((position(surface.mesh(), wide.point) - mean).norm(), 1e-6);
 }
 
-TEST(Statistics, DerivativesOnThePlaneAreThePlanes) {
+TEST(Statistics, DerivativesOnThePlaneAreTheClosedForms) {
   Surface surface(planeGrid(10, 10));
   const Geometry& geometry = surface.geometry();
   Array<Vec3> places = kTriangle;
@@ -133,7 +133,7 @@ TEST(Statistics, OnATorusTheHessianIsTheDifferenceOfEnergies) {
   }
 }
 
-TEST(Statistics, WhatIsWrongIsSaid) {
+TEST(Statistics, ErrorsNameTheMistake) {
   Surface surface(planeGrid(4, 4));
   FieldSets sets(surface);
   const Array<SurfacePoint> points =

@@ -92,7 +92,7 @@ TEST(Straightest, StopsAtTheLimitWithTheLengthLeft) {
   EXPECT_STREQ(traceStopName(path.stop), "limit");
 }
 
-TEST(Straightest, ASearchDoesNotWindRoundATipForever) {
+TEST(Straightest, ASearchAroundATipEnds) {
   // The cone is 1 wide and 1e5 high: a straight line past the tip winds around it a hundred
   // thousand times.
   const TriangleSoup soup = wheel(13, 0, 1e5);
@@ -168,7 +168,7 @@ TEST(Straightest, GoesAlongAStraightRimFromEveryVertexAndFace) {
   }
 }
 
-TEST(Straightest, LeavesAReentrantCornerInAllOfItsDirections) {
+TEST(Straightest, LeavesAReentrantCornerInEveryDirection) {
   const MeasuredMesh corner(turned(lShape(2), 0.3, 0.4));
   const TriangleMesh& mesh = corner.mesh;
   // The corner's place, and the two axes from it.

@@ -185,7 +185,7 @@ TEST(SubdividedPieces, OverSliversOfAPlaneTheyAreTheCurveOfThePlane) {
   }
 }
 
-TEST(SubdividedPieces, MeetTheirNeighboursAndSayTheReason) {
+TEST(SubdividedPieces, MeetTheirNeighboursAndReportTheReason) {
   // The points are far from the rims, as the handles of a Catmull-Rom curve must lie on the strip.
   Array<Vec3> places;
   for (const Vec2& place : kControls) places.push_back(waved(place.x(), 0.35 + 0.3 * place.y()));
@@ -243,7 +243,7 @@ TEST(SubdividedPieces, MeetTheirNeighboursAndSayTheReason) {
   }
 }
 
-TEST(SubdividedPieces, AreNoneWhereLevelsAreAskedForNorOfBSplines) {
+TEST(SubdividedPieces, AreAbsentForGivenLevelsAndBSplines) {
   SKIP_WHERE_SANITIZED();
   const Strip strip = evenStrip(kPairs / 2);
   const Array<SurfacePoint> points = strip.pointsAt(kControls);
@@ -256,7 +256,7 @@ TEST(SubdividedPieces, AreNoneWhereLevelsAreAskedForNorOfBSplines) {
   EXPECT_EQ(subdividedPieces(Curve(surface, options, points)), 0);
 }
 
-TEST(SubdividedPieces, AreNoneOnAFineEvenMesh) {
+TEST(SubdividedPieces, AreAbsentOnAFineEvenMesh) {
   Surface surface(meshOf(tessellatedPlane(PlaneTessellation::kRandomDelaunay, 2000, 7)));
   for (const CurveKind kind : {CurveKind::kBezier, CurveKind::kRational, CurveKind::kCatmullRom}) {
     SCOPED_TRACE(curveKindName(kind));

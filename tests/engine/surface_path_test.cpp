@@ -110,7 +110,7 @@ int expectTight(const Geometry& geometry, const SurfacePath& path) {
   return vertices;
 }
 
-TEST(SurfacePath, hasTheLengthsOfItsPieces) {
+TEST(SurfacePath, HasTheLengthsOfItsPieces) {
   const MeasuredMesh plane(planeGrid(4, 4));
   Array<SurfacePoint> points;
   for (int v = 0; v < 5; ++v) points.push_back(vertexPoint(plane.mesh, v));
@@ -124,7 +124,7 @@ TEST(SurfacePath, hasTheLengthsOfItsPieces) {
   }
 }
 
-TEST(SurfacePath, ofOnePointIsThatPoint) {
+TEST(SurfacePath, OfOnePointIsThatPoint) {
   const MeasuredMesh plane(planeGrid(2, 2));
   const SurfacePoint p{3, Vec3(0.25, 0.5, 0.25)};
   SurfacePath path = pathThrough(plane.mesh, {p});
@@ -140,7 +140,7 @@ TEST(SurfacePath, ofOnePointIsThatPoint) {
   EXPECT_NEAR(path.length(), chord(plane.mesh, p, vertexPoint(plane.mesh, 8)), 1e-15);
 }
 
-TEST(SurfacePath, isTheSumOfItsParts) {
+TEST(SurfacePath, IsTheSumOfItsParts) {
   const MeasuredMesh bunny(bunnyMesh());
   Random random(5);
   for (int i = 0; i < 30; ++i) {
@@ -171,7 +171,7 @@ TEST(SurfacePath, isTheSumOfItsParts) {
   }
 }
 
-TEST(SurfacePath, aroundACornerStraightensToTheLineInThePlane) {
+TEST(SurfacePath, AroundACornerStraightensToTheLineInThePlane) {
   for (const PlaneTessellation tessellation : kPlaneTessellations) {
     SCOPED_TRACE(tessellationName(tessellation));
     const MeasuredMesh plane(tessellatedPlane(tessellation, 600, 3));
@@ -197,7 +197,7 @@ TEST(SurfacePath, aroundACornerStraightensToTheLineInThePlane) {
   }
 }
 
-TEST(SurfacePath, staysInItsClassAroundACylinder) {
+TEST(SurfacePath, StaysInItsClassAroundACylinder) {
   const FlatCylinder flat = flatCylinder(24, 2, 4);
   const MeasuredMesh cylinder(flat.soup);
   const auto vertexNear = [&](double x, double y) {
@@ -234,7 +234,7 @@ TEST(SurfacePath, staysInItsClassAroundACylinder) {
   EXPECT_GT(turned, 1.5 * round);
 }
 
-TEST(SurfacePath, passesOverTheApexOfAConeTowardsTheShorterSide) {
+TEST(SurfacePath, PassesOverTheApexOfAConeTowardsTheShorterSide) {
   // The total angle 4 is less than 2 pi: around the apex both sides may be shorter.
   const FlatCone flat = flatCone(30, 4, 5);
   const MeasuredMesh cone(flat.soup);
@@ -253,7 +253,7 @@ TEST(SurfacePath, passesOverTheApexOfAConeTowardsTheShorterSide) {
   }
 }
 
-TEST(SurfacePath, thatIsLocallyShortestStays) {
+TEST(SurfacePath, ThatIsLocallyShortestStays) {
   const MeasuredMesh bunny(bunnyMesh());
   const MeasuredMesh rough(roughened(bunny.mesh, 2, 3));
   for (const MeasuredMesh* surface : {&bunny, &rough}) {
@@ -271,7 +271,7 @@ TEST(SurfacePath, thatIsLocallyShortestStays) {
   }
 }
 
-TEST(SurfacePath, reversedStraightensToTheReversed) {
+TEST(SurfacePath, ReversedStraightensToTheReversed) {
   const MeasuredMesh bunny(bunnyMesh());
   const MeasuredMesh rough(roughened(bunny.mesh, 2, 3));
   for (const MeasuredMesh* surface : {&bunny, &rough}) {
@@ -292,7 +292,7 @@ TEST(SurfacePath, reversedStraightensToTheReversed) {
   }
 }
 
-TEST(SurfacePath, thatDoublesBackStraightensToNothing) {
+TEST(SurfacePath, ThatDoublesBackStraightensToAPoint) {
   const MeasuredMesh torus(makeShape(Shape::kTorus, 2000));
   Random random(4);
   for (int i = 0; i < 50; ++i) {
@@ -305,7 +305,7 @@ TEST(SurfacePath, thatDoublesBackStraightensToNothing) {
   }
 }
 
-TEST(SurfacePath, aroundATubeStaysAroundIt) {
+TEST(SurfacePath, AroundATubeStaysAroundIt) {
   // The path runs once around the torus's tube and back to the start: no motion on the surface
   // removes it.
   const MeasuredMesh torus(makeShape(Shape::kTorus, 4000));
@@ -326,7 +326,7 @@ TEST(SurfacePath, aroundATubeStaysAroundIt) {
   EXPECT_LT(chord(torus.mesh, loop.start(), loop.end()), 1e-12);
 }
 
-TEST(SurfacePath, bendsAtAReentrantCornerOnly) {
+TEST(SurfacePath, BendsAtAReentrantCornerOnly) {
   const MeasuredMesh surface(lShape(3));
   const SurfacePoint p = nearestPoint(surface.mesh, Vec3(2.7, 5.6, 0));
   const SurfacePoint q = nearestPoint(surface.mesh, Vec3(5.8, 2.9, 0));
@@ -337,7 +337,7 @@ TEST(SurfacePath, bendsAtAReentrantCornerOnly) {
   EXPECT_NEAR(path.length(), std::hypot(0.3, 2.6) + std::hypot(2.8, 0.1), 1e-12);
 }
 
-TEST(SurfacePath, ofPointsThatShareNoFaceIsRefused) {
+TEST(SurfacePath, OfPointsThatShareNoFaceIsRefused) {
   const MeasuredMesh plane(planeGrid(4, 4));
   SurfacePath path =
       pathThrough(plane.mesh, {vertexPoint(plane.mesh, 0), vertexPoint(plane.mesh, 24)});
@@ -345,7 +345,7 @@ TEST(SurfacePath, ofPointsThatShareNoFaceIsRefused) {
   EXPECT_EQ(codeOf([&] { straighten(plane.geometry, path, workspace); }), ErrorCode::kBadArgument);
 }
 
-TEST(SurfacePath, movesItsEndOnItsComponentOnly) {
+TEST(SurfacePath, MovesItsEndOnItsComponentOnly) {
   const MeasuredMesh both(together(planeGrid(3, 3), planeGrid(3, 3), Vec3(10, 0, 0)));
   StripWorkspace workspace;
   SurfacePath path = localPath(both.geometry, vertexPoint(both.mesh, 0), vertexPoint(both.mesh, 7));
@@ -403,25 +403,25 @@ void expectContinued(const MeasuredMesh& surface, int walks, uint64_t seed) {
   EXPECT_GT(returned, 20 * walks);
 }
 
-TEST(SurfacePath, isContinuedOnTheBunny) {
+TEST(SurfacePath, IsContinuedOnTheBunny) {
   expectContinued(MeasuredMesh(bunnyMesh()), longRun() ? 100 : 8, 1);
 }
 
-TEST(SurfacePath, isContinuedOnARoughSurface) {
+TEST(SurfacePath, IsContinuedOnARoughSurface) {
   expectContinued(MeasuredMesh(roughened(meshOf(makeShape(Shape::kGenus3, 2000)), 2, 7)),
                   longRun() ? 200 : 10, 2);
 }
 
-TEST(SurfacePath, isContinuedOnATorus) {
+TEST(SurfacePath, IsContinuedOnATorus) {
   expectContinued(MeasuredMesh(makeShape(Shape::kTorus, 3000)), longRun() ? 200 : 10, 3);
 }
 
-TEST(SurfacePath, isContinuedBesideABoundary) {
+TEST(SurfacePath, IsContinuedBesideABoundary) {
   expectContinued(MeasuredMesh(roughened(meshOf(makeShape(Shape::kOpenSheet, 600)), 2, 7)),
                   longRun() ? 200 : 15, 4);
 }
 
-TEST(SurfacePath, comesBackToWhatItWasInThePlane) {
+TEST(SurfacePath, IsRestoredAfterADragBackInThePlane) {
   // On the plane no vertex holds a path: after moving there and back it is always the old one.
   const MeasuredMesh plane(tessellatedPlane(PlaneTessellation::kRandomDelaunay, 800, 2));
   Random random(8);

@@ -45,7 +45,7 @@ TEST(CheckedPoint, TakesTheRoundingOfARaycast) {
   EXPECT_EQ(corner.bary, Vec3(0, 1, 0));
 }
 
-TEST(Locate, TellsFacesEdgesAndVertices) {
+TEST(Locate, DistinguishesFacesEdgesAndVertices) {
   const TriangleMesh mesh = planeGrid(2, 2);
   EXPECT_EQ(locate(mesh, {5, Vec3(0.2, 0.3, 0.5)}).simplex, Simplex::kFace);
   for (int h = 0; h < mesh.halfedgeCount(); ++h) {

@@ -39,7 +39,7 @@ TEST(TangentMaps, OnThePlaneAreDifferencesAndSums) {
   }
 }
 
-TEST(TangentMaps, CarryAVectorRoundACornerOfTheBoundary) {
+TEST(TangentMaps, CarryAVectorAroundACornerOfTheBoundary) {
   // The path bends around the vertex (4, 4) on a plane: vectors do not change.
   const TriangleMesh mesh = gridWithCorner();
   const Geometry geometry = buildGeometry(mesh);

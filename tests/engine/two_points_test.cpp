@@ -76,13 +76,13 @@ double checkTwoPoints(const std::string& name, TriangleMesh mesh, uint64_t seed)
   return median;
 }
 
-TEST(TwoPoints, CenterOfMassLiesOnTheShortestPathOnTheIcosphere) {
+TEST(TwoPoints, HaveTheirCenterOfMassOnTheShortestPathOfTheIcosphere) {
   // The long run has 20,480 triangles.
   const int frequency = longRun() ? 32 : 10;
   EXPECT_LE(checkTwoPoints("icosphere", importMesh(icosphere(frequency)).mesh, 42), 0.02);
 }
 
-TEST(TwoPoints, CenterOfMassIsFoundOnTheBunny) { checkTwoPoints("bunny", bunnyMesh(), 43); }
+TEST(TwoPoints, HaveACenterOfMassOnTheBunny) { checkTwoPoints("bunny", bunnyMesh(), 43); }
 
 }  // namespace
 }  // namespace karcher

@@ -39,7 +39,7 @@ Array<SurfacePoint> nearestTo(const Surface& surface, const Array<Vec3>& places)
   return points;
 }
 
-TEST(Uniqueness, IsCertainOnThePlaneWhateverThePoints) {
+TEST(Uniqueness, IsCertainForAllPointsOfThePlane) {
   Surface surface(planeGrid(12, 12));
   const Array<SurfacePoint> points =
       nearestTo(surface, {Vec3(0, 0, 0), Vec3(12, 0, 0), Vec3(12, 12, 0), Vec3(1, 11, 0)});
@@ -78,7 +78,7 @@ TEST(Uniqueness, IsNotCertainAroundAHole) {
   EXPECT_NE(mean.uniqueness, Uniqueness::kCertain);
 }
 
-TEST(Uniqueness, OtherMinimaHaveTheirEnergiesFromTheLowestUp) {
+TEST(Uniqueness, OtherMinimaAreSortedByEnergy) {
   Surface surface(importMesh(makeShape(Shape::kSphere, 2000)).mesh);
   // Points around the equator: each pole is a minimum, the northern one the lower.
   const Array<SurfacePoint> points =
@@ -175,7 +175,7 @@ Array<SurfacePoint> randomPoints(Random& random, Setting& setting) {
 
 // Certain uniqueness is tested: searches from many places in the ball end at the center, and
 // searches from elsewhere find no lower minimum.
-TEST(Uniqueness, WhatIsCertainHoldsForAThousandStarts) {
+TEST(Uniqueness, ACertainMinimumIsReachedFromAThousandStarts) {
   SKIP_WHERE_SANITIZED();
   const uint64_t seed = 16;
   SCOPED_TRACE("seed 16");

@@ -127,7 +127,7 @@ TEST(VariableOffset, TheDistanceOnThePlaneIsThatFromTheDisks) {
   }
 }
 
-TEST(VariableOffset, OfASegmentItIsTheTangentsOfTheDisksAtItsEnds) {
+TEST(VariableOffset, OfASegmentIsTheTangentsOfTheDisksAtItsEnds) {
   const Sheet sheet(planeGrid(12, 10));
   const Array<Vec2> corners{{3.2, 4.1}, {8.3, 5.2}};
   const SurfacePath path = polygonOn(sheet.geometry, corners, false);
@@ -156,7 +156,7 @@ TEST(VariableOffset, OfASegmentItIsTheTangentsOfTheDisksAtItsEnds) {
   }
 }
 
-TEST(VariableOffset, ADiskThatHoldsTheOthersIsTheWhole) {
+TEST(VariableOffset, ADiskThatContainsTheOthersIsTheOffset) {
   const Sheet sheet(planeGrid(12, 10));
   const SurfacePath path = polygonOn(sheet.geometry, {{5, 5}, {6.5, 5.3}}, false);
   const double ends[] = {3.5, 0.2};
@@ -183,7 +183,7 @@ TEST(VariableOffset, MayEndInAPoint) {
       2e-3 * kNarrowestOffset * 1.2);
 }
 
-TEST(VariableOffset, OfEqualDistancesItIsThatOfOne) {
+TEST(VariableOffset, OfEqualDistancesIsTheOffsetOfOneDistance) {
   const Sheet sphere(meshOf(randomSphere(2000, 2)));
   Random random(3);
   Array<SurfacePoint> points;
@@ -200,7 +200,7 @@ TEST(VariableOffset, OfEqualDistancesItIsThatOfOne) {
   }
 }
 
-TEST(VariableOffset, OnACylinderItIsThatOfThePlane) {
+TEST(VariableOffset, OnACylinderIsThatOfThePlane) {
   const FlatCylinder cylinder = flatCylinder(24, 4, 7);
   const Sheet sheet(meshOf(cylinder.soup));
   Random random(9);
@@ -235,7 +235,7 @@ TEST(VariableOffset, OnACylinderItIsThatOfThePlane) {
   }
 }
 
-TEST(VariableOffset, OfAGreatCircleItIsTheEnvelopeOfCaps) {
+TEST(VariableOffset, OfAGreatCircleIsTheEnvelopeOfCaps) {
   SKIP_WHERE_SANITIZED();
   const Sheet sphere(meshOf(icosphere(40)));
   Array<SurfacePoint> points;
@@ -270,7 +270,7 @@ TEST(VariableOffset, OfAGreatCircleItIsTheEnvelopeOfCaps) {
   }
 }
 
-TEST(VariableOffset, OnMeshesTheDistanceIsTheLeastOfThatOfThePathsPoints) {
+TEST(VariableOffset, TheDistanceOnMeshesIsTheLeastOfThePathsPoints) {
   const char* names[] = {"sphere, random", "plate with 50 holes", "very rough sheet", "torus"};
   Random random(17);
   for (const char* name : casesOf(names, 2)) {
@@ -313,7 +313,7 @@ TEST(VariableOffset, OnMeshesTheDistanceIsTheLeastOfThatOfThePathsPoints) {
   }
 }
 
-TEST(VariableOffset, RefusesDistancesBelow0AndOtherCorners) {
+TEST(VariableOffset, RefusesInvalidDistancesAndMiters) {
   const Sheet sheet(planeGrid(4, 4));
   const SurfacePath path = polygonOn(sheet.geometry, {Vec2(1, 1), Vec2(3, 2)}, false);
   const auto code = [&](const Array<double>& distances, const OffsetCorners& corners) {

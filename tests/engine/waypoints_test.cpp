@@ -28,7 +28,7 @@ SurfacePoint onTube(const TriangleMesh& mesh, double angle, double height) {
   return nearestPoint(mesh, Vec3(std::cos(angle), std::sin(angle), height));
 }
 
-TEST(Waypoints, AreNoneOfTheFastPath) {
+TEST(Waypoints, AreAbsentOnTheFastPath) {
   const TriangleMesh mesh = meshOf(makeShape(Shape::kTorus, 3000));
   const Geometry geometry = buildGeometry(mesh);
   Random random(11);
@@ -45,7 +45,7 @@ TEST(Waypoints, AreNoneOfTheFastPath) {
   }
 }
 
-TEST(Waypoints, TellHowOftenAPathGoesAroundATube) {
+TEST(Waypoints, FixTheWindingsOfAPathAroundATube) {
   const FlatCylinder tube = flatCylinder(24, 3, 5);
   const TriangleMesh mesh = meshOf(tube.soup);
   const Geometry geometry = buildGeometry(mesh);
@@ -131,7 +131,7 @@ TEST(Waypoints, OnEdgesFromFaceToFaceAreThePathItself) {
   EXPECT_LT(found.length(), path.length() * (1 + 1e-9));
 }
 
-TEST(Waypoints, OnAnotherComponentLeadNowhere) {
+TEST(Waypoints, OnAnotherComponentAreRefused) {
   TriangleSoup soup = flatCylinder(12, 1, 5).soup;
   const int vertices = soup.positions.count();
   const Array<Vec3> first = soup.positions;

@@ -18,7 +18,7 @@
 namespace karcher {
 namespace {
 
-TEST(WindowDistance, IsRightForEdgesFromOneToABillionTimesAThousand) {
+TEST(WindowDistance, IsRightForEdgesFrom1To1E12) {
   // The sources and targets are all pairs of the grid's vertices: distances are straight.
   const TriangleSoup soup = wideGrid(24, 6);
   const TriangleMesh mesh = buildMesh(soup.positions, soup.triangles);
@@ -59,7 +59,7 @@ Vec3 stepToSource(const MeasuredMesh& surface, const WindowDistance& solver, int
          toSpace(surface.geometry, faceOf(corner.halfedge), rotate(unitVector(corner.angle), edge));
 }
 
-TEST(WindowDistance, IsEuclidsInThePlane) {
+TEST(WindowDistance, IsEuclideanInThePlane) {
   for (const PlaneTessellation tessellation : kPlaneTessellations) {
     SCOPED_TRACE(tessellationName(tessellation));
     const MeasuredMesh surface(tessellatedPlane(tessellation, 1500, 3));
@@ -196,7 +196,7 @@ TEST(WindowDistance, UnrollsTheCone) {
   }
 }
 
-TEST(WindowDistance, TurnsRoundAReentrantCorner) {
+TEST(WindowDistance, TurnsAroundAReentrantCorner) {
   const MeasuredMesh surface(lShape(6));
   const Vec3 corner(6, 6, 0);
   WindowDistance solver(surface.geometry);
@@ -312,7 +312,7 @@ TEST(WindowDistance, TouchesOnlyTheNeighbourhood) {
   EXPECT_GT(reached, 78);
 }
 
-TEST(WindowDistance, WindowsDoNotWindRoundATip) {
+TEST(WindowDistance, WindowsDoNotWindAroundATip) {
   // The cone is 1 wide and 1e5 high: paths around it are so short that no vertex blocks those that
   // wind ten thousand times.
   constexpr int kSides = 13;
@@ -376,7 +376,7 @@ double bothWays(const MeasuredMesh& surface, int a, int b) {
   return there;
 }
 
-TEST(WindowDistance, GoesStraightAlongABoundaryPastAnEdgeOfNothing) {
+TEST(WindowDistance, GoesStraightAlongABoundaryPastAShortEdge) {
   // The boundary runs up the z axis, its first edge 1e-11 long.
   const MeasuredMesh fan(
       buildMesh({{0, 0, 0}, {0, 0, 1e-11}, {0, 0, 1}, {0, 0, 1.0001}, {1, 0, 1.001}},
@@ -396,7 +396,7 @@ TEST(WindowDistance, EntersASliverThroughItsTip) {
   EXPECT_NEAR(bothWays(strip, 4, 2), 7 + std::hypot(0.99, 1), 1e-10);
 }
 
-TEST(WindowDistance, ChoosesBetweenPathsOfOneLengthByNumbers) {
+TEST(WindowDistance, ChoosesAmongPathsOfEqualLengthByNumbers) {
   // On a lattice many vertices have two shortest paths. A rotated lattice differs only by rounding.
   const MeasuredMesh plate(galleryMesh("plate with 50 holes"));
   const Eigen::AngleAxisd turn(1.234, Vec3(1, -2, 0.7).normalized());
@@ -423,7 +423,7 @@ TEST(WindowDistance, ChoosesBetweenPathsOfOneLengthByNumbers) {
   }
 }
 
-TEST(WindowDistance, WindsRoundANeedleOnceAtMost) {
+TEST(WindowDistance, WindsAroundANeedleOnceAtMost) {
   // All faces around the tip are alike: unrolled they are a part of a disk, and paths are straight.
   for (const int faces : {300, 1000, 3000}) {
     const TriangleSoup soup = wheel(faces, 0, 1e4);
@@ -454,7 +454,7 @@ TEST(WindowDistance, WindsRoundANeedleOnceAtMost) {
 
 /// The long edges of spikes dominate the mean edge; windows across the short edges between them are
 /// not propagated again and again.
-TEST(WindowDistance, CarriesFewWindowsInVainAmongSpikes) {
+TEST(WindowDistance, CarriesFewUselessWindowsAmongSpikes) {
   Random random(20261127);
   TriangleSoup soup = makeShape(Shape::kSphere, 4000);
   for (Vec3& p : soup.positions) {

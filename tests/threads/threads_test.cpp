@@ -66,7 +66,7 @@ TEST(Threads, ShareAMeshAndItsGeometry) {
   for (int i = 0; i < kThreads; ++i) EXPECT_EQ(parallel[i], measure(i));
 }
 
-TEST(Threads, ShareOutTheFieldsOfSeveralPoints) {
+TEST(Threads, ComputeTheFieldsOfSeveralPoints) {
   const TriangleMesh mesh = torus();
   const Geometry geometry = buildGeometry(mesh);
   Array<SurfacePoint> points;

@@ -392,7 +392,7 @@ test('bad points, weights and radii: a sentence and status 1', async () => {
     [circle('5.99'), /meets the boundary/],
     [circle('0'), /the radius must be a positive number, not 0/],
     [circle('wide'), /--radius must be a number, not 'wide'/],
-    [[...circle('2'), '--arcs', '2'], /there can be 3 to 64 arcs, not 2/],
+    [[...circle('2'), '--arcs', '2'], /a circle has 3 to 64 arcs, not 2/],
     [[...circle('2'), '--arcs', '5', '--tolerance', '.1'], /--tolerance has no use with --arcs/],
     [[...circle('2'), '--tolerance', '0'], /tolerance must be a positive number, not 0/],
     [[...isolines('2'), '--solver', 'fast'], /--solver has no use/],

@@ -131,7 +131,7 @@ void checkGivenShape(const CurveShape& shape, int points) {
   if (!shape.weights.empty() && !takesWeights(shape.kind)) refuse(name + " has no weights");
   if (!shape.betas.empty() && !takesBetas(shape.kind)) refuse(name + " has no betas");
   if (shape.knotRule != KnotRule::kUniform && shape.kind != CurveKind::kBSpline) {
-    refuse(name + " has no knots of its own");
+    refuse(name + " has no knots");
   }
 }
 
