@@ -48,12 +48,19 @@ Array<double> exactLengths(const Geometry& geometry, const SurfacePoint& source,
   Array<double> lengths;
   lengths.assign(points.size(), 0);
   writeLengths(geometry, distance, points, lengths);
-  const auto longest = std::max_element(lengths.begin(), lengths.end());
-  // The lengths found are upper bounds, so the search need not go beyond the longest.
-  if (longest != lengths.end() && *longest > likely) {
-    distance.grow(*longest);
-    writeLengths(geometry, distance, points, lengths);
+  const auto isBeyond = [&](double length) { return length > likely; };
+  if (std::none_of(lengths.begin(), lengths.end(), isBeyond)) return lengths;
+  // Any path to a point bounds its length, so each point has its face reached first.
+  for (int i = 0; i < points.count(); ++i) {
+    if (lengths[i] == kInfinity) distance.growTo(geometry.mesh->corner(points[i].face, 0));
   }
+  writeLengths(geometry, distance, points, lengths);
+  double longest = likely;
+  for (const double length : lengths) {
+    if (length != kInfinity) longest = std::max(longest, length);
+  }
+  distance.grow(longest);
+  writeLengths(geometry, distance, points, lengths);
   return lengths;
 }
 
