@@ -78,10 +78,13 @@ describe('objects that are placed anew', () => {
     circle: { center: at(6, 6), rim: { radius: 1, direction: [0, 1, 0] }, across },
   });
 
+  const moveOf = (objects, pivot) =>
+    page.Move.of(page.session, flatSurface, { drawing: page.emptyDrawing, objects }, pivot);
+
   test('turn and grow about the pivot, with handles, radii and axes', async () => {
     const objects = [objectOf(pen()), objectOf(circle({ radius: 0.5 }), 2)];
     const pivot = at(5, 7, 0.5, 0.1);
-    const move = await page.Move.of(page.session, flatSurface, objects, pivot);
+    const move = await moveOf(objects, pivot);
     const [angle, scale] = [0.7, 1.4];
     const { command } = await move.placed({ angle, scale });
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
@@ -109,9 +112,9 @@ describe('objects that are placed anew', () => {
     const pivot = at(5, 7, 0.5, 0.1);
     const there = at(8, 4, 0.3, 0.3);
     const figure = pen();
-    const first = await page.Move.of(page.session, flatSurface, [objectOf(figure)], pivot);
+    const first = await moveOf([objectOf(figure)], pivot);
     const moved = figureOf(await first.placed({ point: there, angle: 1, scale: 0.5 }));
-    const second = await page.Move.of(page.session, flatSurface, [objectOf(moved)], there);
+    const second = await moveOf([objectOf(moved)], there);
     const back = figureOf(await second.placed({ point: pivot, angle: -1, scale: 2 }));
     for (const [i, point] of figure.points.entries()) {
       assert.ok(far(place(back.points[i]), place(point)) < 1e-9);
@@ -122,7 +125,7 @@ describe('objects that are placed anew', () => {
   });
 
   test('stop before one would leave the surface', async () => {
-    const move = await page.Move.of(page.session, flatSurface, [objectOf(pen())], at(5, 7));
+    const move = await moveOf([objectOf(pen())], at(5, 7));
     assert.match(await move.placed({ scale: 5 }), /leave the surface/);
     assert.match(await move.to(at(15, 15)), /leave the surface/);
   });

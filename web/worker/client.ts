@@ -35,6 +35,7 @@ import type {
 } from '../model/traced';
 import type { DerivedLines } from './derived';
 import { type Edit, type Edited, edited } from './edits';
+import type { DirectedPlaces, Framed, Step } from './framed';
 import { tracedCircle, tracedCurve, tracedLines } from './traced';
 
 export { KarcherError } from 'karcher/own-worker';
@@ -379,18 +380,14 @@ export class EngineClient {
     return (await this.#worker.call('distances', args, undefined, work)) as TracedDistances;
   }
 
-  /**
-   * The ends and end directions of geodesics from `to` along vectors of the tangent plane at `from`, carried to
-   * `to`: the transport and the exp map in one call, for a drag.
-   */
-  async putDown(
-    from: PointLike,
-    to: PointLike,
-    vectors: Float64Array,
-    directions: Float64Array,
-  ): Promise<MappedPoints> {
-    const given = [this.mesh, from, to, vectors, directions];
-    return (await this.#worker.call('putDown', given)) as MappedPoints;
+  /** Places and directions in a frame at their middle. Rejects if no path leads to one of them. */
+  framedAt(places: DirectedPlaces): Promise<Framed> {
+    return this.#worker.call('framedAt', [this.mesh, places]) as Promise<Framed>;
+  }
+
+  /** What a step of a move puts down on the surface: all of it in one call, for a drag. */
+  putDown(step: Step): Promise<MappedPoints> {
+    return this.#worker.call('putDown', [this.mesh, step]) as Promise<MappedPoints>;
   }
 
   get closed(): boolean {

@@ -9,7 +9,6 @@ import {
   KarcherError,
   type LongWorkOptions,
   load,
-  type MappedPoints,
   type Mesh,
   type PointLike,
 } from 'karcher';
@@ -21,6 +20,7 @@ import { cutParts } from './cut';
 import { combined, offsetOf } from './derived';
 import { tracedDistances } from './distances';
 import { fillOf } from './fills';
+import { framedAt, putDown } from './framed';
 import { patternOf } from './patterns';
 import { inPieces } from './pieces';
 
@@ -91,17 +91,8 @@ const calls = {
     const said = marks && marksOfPart(part, takenFrom(mesh), marks, { sheets: marks.sheets });
     return meshFile({ ...(thick ?? part), ...said }, format);
   },
-  putDown(
-    mesh: Mesh,
-    from: PointLike,
-    to: PointLike,
-    vectors: Float64Array,
-    directions: Float64Array,
-  ): MappedPoints {
-    const carried = mesh.transport(from, to, [...vectors, ...directions]);
-    const { length } = vectors;
-    return mesh.expMap(to, carried.subarray(0, length), carried.subarray(length));
-  },
+  framedAt,
+  putDown,
 };
 
 serve(calls);

@@ -77,7 +77,8 @@ export async function align(
     parts.map(async (part, i) => {
       const goal = goals[i];
       if (!goal) return part.map(({ figure }) => figure);
-      const move = await Move.of(session, surface, part, places[i]!);
+      const objects = { drawing: state.drawing, objects: part };
+      const move = await Move.of(session, surface, objects, places[i]!);
       const placed = await move.placed({ point: goal });
       if (typeof placed === 'string') throw new Error(placed);
       return placed.figures;

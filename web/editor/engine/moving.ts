@@ -7,8 +7,10 @@ import { type Drawing, type DrawnObject, objectOf } from '../../model/drawing';
 import { type Figure, isEmpty, plain, type Vector, withInside } from '../../model/figure';
 import { type Carried, type CarriedTo, carriedOf, movedFigures } from '../../model/moving';
 import { withSources } from '../../model/sources';
+import { togetherOf } from '../../model/together';
 import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
+import type { Framed } from '../../worker/framed';
 import type { Session } from './session';
 import { isTorn } from './tearing';
 
@@ -68,6 +70,18 @@ export const keptFigures = (
     return side ? withInside(figure, side) : figure;
   });
 
+const framedAt = (client: EngineClient, carried: readonly Carried[]): Promise<Framed> =>
+  client.framedAt({
+    places: carried.map(({ place }) => plain(place)),
+    directions: directionsOf(carried),
+  });
+
+const axesOf = ({ middle, axes }: Framed): Carried[] =>
+  [0, 3].map((axis) => ({
+    place: middle,
+    direction: [...axes.subarray(axis, axis + 3)] as Vector,
+  }));
+
 /** Replaces the figures of objects, as one step. */
 export const replacing = (objects: readonly DrawnObject[], to: readonly Figure[]): Command => ({
   type: 'steps',
@@ -99,6 +113,9 @@ export async function faceNormal(
  * the pivot by transport along the shortest path from its start, and the exp map puts everything
  * back on the surface. Thus the positions of a drag do not accumulate errors, and at its start the
  * objects are unchanged.
+ *
+ * Several objects would become narrower or wider by this, the farther they are from the pivot. Therefore
+ * only a frame at the middle of each moves so, and the object is put down relative to its frame.
  */
 export class Move {
   private constructor(
@@ -108,31 +125,43 @@ export class Move {
     private readonly objects: readonly DrawnObject[],
     private readonly kept: readonly Figure[],
     private readonly pivot: SurfacePoint,
+    /** The places of the objects in the order in which they are put down. */
     private readonly carried: readonly Carried[],
     private readonly beside: readonly Carried[],
+    /** The frames of several objects; a single one has the pivot's. */
+    private readonly framed: readonly Framed[],
     private readonly logs: { vectors: Float64Array; directions: Float64Array },
   ) {}
 
-  /** `beside` moves along with the objects. Rejects if a place has no path to the pivot. */
+  /** `beside` moves along with objects of a drawing. Rejects if a place has no path to the pivot. */
   static async of(
     session: Pick<Session, 'client' | 'insideOf'>,
     surface: Surface,
-    objects: readonly DrawnObject[],
+    { drawing, objects }: { drawing: Drawing; objects: readonly DrawnObject[] },
     pivot: SurfacePoint,
     beside: readonly Carried[] = [],
   ): Promise<Move> {
     const { client } = session;
     if (!client) throw new Error('there is no surface');
     const kept = keptFigures(session, objects);
-    const carried = carriedOf(kept);
-    const all = [...carried, ...beside];
+    const parts = togetherOf(drawing, objects).map((part) =>
+      carriedOf(part.map((object) => kept[objects.indexOf(object)]!)),
+    );
+    const framed =
+      parts.length > 1 ? await Promise.all(parts.map((part) => framedAt(client, part))) : [];
+    const carried = parts.flat();
+    const all = [...(framed.length > 0 ? framed.flatMap(axesOf) : carried), ...beside];
     const logs = await client.mesh.logMap(
       plain(pivot),
       all.map(({ place }) => plain(place)),
       directionsOf(all),
     );
     const normal = await faceNormal(client, surface, pivot);
-    return new Move(client, surface, normal, objects, kept, plain(pivot), carried, beside, logs);
+    const from = plain(pivot);
+    return new Move(
+      ...([client, surface, normal, objects, kept, from] as const),
+      ...([carried, beside, framed, logs] as const),
+    );
   }
 
   /** The command that moves the pivot to a point; a sentence if that is impossible. */
@@ -148,9 +177,10 @@ export class Move {
     if (stays && angle === 0 && scale === 1) return this.#unmoved;
     const vectors = this.#turned(this.logs.vectors, angle, scale);
     const ways = this.#turned(this.logs.directions, angle, 1);
-    const { points, directions, remaining } = stays
-      ? await client.mesh.expMap(pivot, vectors, ways)
-      : await client.putDown(pivot, plain(point), vectors, ways);
+    const { points, directions, remaining } = await client.putDown({
+      ...{ from: pivot, to: stays ? null : plain(point) },
+      ...{ vectors, directions: ways, framed: this.framed, scale },
+    });
     if (remaining.some((left) => left > leftAtMost * client.info.diagonal)) return leaves;
     const figures = movedFigures(this.kept, carried, { points, directions }, scale);
     if (await isTorn(client, this.surface, objects, figures, scale)) return tears;

@@ -96,9 +96,9 @@ export class MoveGestures {
     const { client } = session;
     if (id === null || !pivot || !client || !viewer.surface) return null;
     if (!editor.state.chosen.includes(id)) editor.activate(id);
-    const { chosen } = editor.state;
-    const objects = movableObjects(editor.state.drawing, chosen.length > 0 ? chosen : [id]);
-    return Move.of(session, viewer.surface, objects, pivot).catch(() => null);
+    const { chosen, drawing } = editor.state;
+    const objects = movableObjects(drawing, chosen.length > 0 ? chosen : [id]);
+    return Move.of(session, viewer.surface, { drawing, objects }, pivot).catch(() => null);
   }
 
   /** Moves the selection by a number of CSS pixels; nudges are one step until `endNudge`. */
@@ -143,10 +143,10 @@ export class MoveGestures {
   /** Holds the selection at one of its visible places. */
   async #keyedMove(): Promise<KeyedMove | null> {
     const { editor, session, viewer } = this;
-    const { revision } = editor.state;
+    const { revision, drawing, chosen } = editor.state;
     const { surface, box } = viewer;
     const { client } = session;
-    const objects = movableObjects(editor.state.drawing, editor.state.chosen);
+    const objects = movableObjects(drawing, chosen);
     if (!surface || !client) return null;
     for (const place of objects.flatMap(({ figure }) => placesOf(figure))) {
       const { x, y, hidden } = viewer.project(surface.position(place));
@@ -154,7 +154,8 @@ export class MoveGestures {
       const [left, top] = [box.left + x, box.top + y];
       const pivot = viewer.pick(left, top)?.point;
       if (!pivot) continue;
-      const move = await Move.of(session, surface, objects, pivot).catch(() => null);
+      const held = { drawing, objects };
+      const move = await Move.of(session, surface, held, pivot).catch(() => null);
       return move && { move, x: left, y: top, revision };
     }
     return null;

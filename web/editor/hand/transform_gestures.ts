@@ -201,7 +201,9 @@ export class TransformGestures {
   #moveAt(point: SurfacePoint, frame: TransformFrame): Promise<Move | null> {
     const { surface } = this.viewer;
     if (!this.session.client || !surface) return Promise.resolve(null);
-    const move = Move.of(this.session, surface, this.#objects, point, carriedFrame(frame));
+    const { drawing } = this.editor.state;
+    const objects = { drawing, objects: this.#objects };
+    const move = Move.of(this.session, surface, objects, point, carriedFrame(frame));
     return move.catch(() => null);
   }
 

@@ -1,0 +1,138 @@
+/**
+ * Figures that move together, each in a frame of its own: a pair of perpendicular directions at the
+ * figure's middle. The frame is carried on the surface, and the figure is laid out from it anew. Told
+ * from one pivot, far figures would become narrower or wider, for geodesics of a curved surface come
+ * together or part.
+ */
+import type { MappedPoints, Mesh, PointLike, SurfacePoint } from 'karcher';
+
+/** Places, and a direction at each: x, y, z, or 0, 0, 0 for none. */
+export interface DirectedPlaces {
+  places: readonly SurfacePoint[];
+  directions: Float64Array;
+}
+
+/** Log vectors of places, and their directions, as two coordinates each in a frame. */
+export interface Framed {
+  middle: SurfacePoint;
+  /** The frame's two axes in the plane of the middle's face, x, y, z each. */
+  axes: Float64Array;
+  vectors: Float64Array;
+  directions: Float64Array;
+}
+
+/** A step of a move: vectors and directions at a place, and where it is now; null if it stays. */
+export interface Step {
+  from: PointLike;
+  to: PointLike | null;
+  vectors: Float64Array;
+  directions: Float64Array;
+  /** The vectors begin with two for each of these, whose directions are the axes. */
+  framed: readonly Framed[];
+  /** The scale of the figures in their frames. */
+  scale: number;
+}
+
+/**
+ * Each round brings the middle nearer to the center of mass. The middle need not be exact, for any place
+ * amid a figure serves.
+ */
+const rounds = 3;
+
+/** The places in a frame at their middle. Throws if no path leads to one of them. */
+export function framedAt(mesh: Mesh, { places, directions }: DirectedPlaces): Framed {
+  let middle = places[0]!;
+  for (let round = 0; round < rounds; round++) {
+    const { vectors } = mesh.logMap(middle, places);
+    const mean = [0, 1, 2].map(
+      (axis) => places.reduce((sum, _, i) => sum + vectors[3 * i + axis]!, 0) / places.length,
+    );
+    middle = mesh.expMap(middle, mean).points[0]!;
+  }
+  const axes = axesOf(mesh.normal(middle));
+  const logs = mesh.logMap(middle, places, directions);
+  return {
+    middle,
+    axes,
+    vectors: coordinatesIn(axes, logs.vectors),
+    directions: coordinatesIn(axes, logs.directions),
+  };
+}
+
+/** What a step puts down: the places of the framed figures, and then the rest of the vectors' ends. */
+export function putDown(
+  mesh: Mesh,
+  { from, to, vectors, directions, framed, scale }: Step,
+): MappedPoints {
+  const ends = endsOf(mesh, { from, to, vectors, directions });
+  if (framed.length === 0) return ends;
+  const laid = framed.map((figure, i) => {
+    const axes = ends.directions.subarray(6 * i, 6 * i + 6);
+    return mesh.expMap(
+      ends.points[2 * i]!,
+      vectorsIn(axes, figure.vectors, scale),
+      vectorsIn(axes, figure.directions, 1),
+    );
+  });
+  const rest = 2 * framed.length;
+  return {
+    points: [...laid.flatMap(({ points }) => points), ...ends.points.slice(rest)],
+    directions: Float64Array.from([
+      ...laid.flatMap((figure) => [...figure.directions]),
+      ...ends.directions.subarray(3 * rest),
+    ]),
+    // A frame that meets the boundary stops there, and with it the move.
+    remaining: Float64Array.from([
+      ...laid.flatMap(({ remaining }, i) =>
+        [...remaining].map((left) => left + ends.remaining[2 * i]!),
+      ),
+      ...ends.remaining.subarray(rest),
+    ]),
+  };
+}
+
+function endsOf(
+  mesh: Mesh,
+  { from, to, vectors, directions }: Omit<Step, 'framed' | 'scale'>,
+): MappedPoints {
+  if (to === null) return mesh.expMap(from, vectors, directions);
+  const carried = mesh.transport(from, to, [...vectors, ...directions]);
+  const { length } = vectors;
+  return mesh.expMap(to, carried.subarray(0, length), carried.subarray(length));
+}
+
+/** Two perpendicular directions in the plane with a unit normal. */
+function axesOf([x, y, z]: readonly number[]): Float64Array {
+  // The normal's cross product with the coordinate axis from which it is farthest.
+  const sizes = [x, y, z].map((value) => Math.abs(value!));
+  const axis = sizes.indexOf(Math.min(...sizes));
+  const first = [
+    [0, z!, -y!],
+    [-z!, 0, x!],
+    [y!, -x!, 0],
+  ][axis]!;
+  const length = Math.hypot(...first);
+  const [a, b, c] = first.map((value) => value / length);
+  return Float64Array.of(
+    ...[a!, b!, c!],
+    ...[y! * c! - z! * b!, z! * a! - x! * c!, x! * b! - y! * a!],
+  );
+}
+
+function coordinatesIn(axes: Float64Array, vectors: Float64Array): Float64Array {
+  const coordinates = new Float64Array((2 * vectors.length) / 3);
+  for (const i of coordinates.keys()) {
+    const [from, axis] = [3 * (i >> 1), 3 * (i & 1)];
+    for (let k = 0; k < 3; k++) coordinates[i]! += axes[axis + k]! * vectors[from + k]!;
+  }
+  return coordinates;
+}
+
+function vectorsIn(axes: Float64Array, coordinates: Float64Array, scale: number): Float64Array {
+  const vectors = new Float64Array((3 * coordinates.length) / 2);
+  for (const i of vectors.keys()) {
+    const [at, k] = [2 * Math.floor(i / 3), i % 3];
+    vectors[i] = scale * (coordinates[at]! * axes[k]! + coordinates[at + 1]! * axes[3 + k]!);
+  }
+  return vectors;
+}
