@@ -219,7 +219,7 @@ test('invalid curves and edits: a sentence and status 1', async () => {
     [edit('--closed', '--join', pointsFile), /closed curve has no end to join/],
     [edit('--format', 'obj', '--reverse'), /no option --format/],
     [edit('--number', '1', '--reverse'), /--number has no use without --curve/],
-    [trace('--curve', two), /holds 2 curves: --number says which, from 0/],
+    [trace('--curve', two), /holds 2 curves: --number chooses one, from 0/],
     [trace('--curve', two, '--number', '2'), /holds no curve 2: it holds 2, from 0/],
     [trace('--curve', two, '--number', '0', '--closed'), /--closed has no use with --curve/],
     [trace('--curve', two, ...curveArgs), /--points has no use with --curve/],

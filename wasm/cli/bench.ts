@@ -21,12 +21,12 @@ const rings = 6;
 export const bench: Command = {
   name: 'bench',
   call: 'mesh.prepare(options) and mesh.curve(options), timed',
-  summary: "how long the steps take, for a B-spline: the default method and the paper's",
+  summary: "the times of a B-spline's steps, by the default method and the paper's",
   output:
-    "{mesh: {vertices, triangles}, prepareMs, paper: {graphMs, fieldGraphMs, fieldExactMs, gradientMs, sampleUs, samples, lost, dragMs, bridgeMs, joinMs, weightMs}, karcher: {fieldMs, fieldVertices, fieldNsPerVertex, sampleNs, samples, lost, dragMs, bridgeMs, joinMs, weightMs}, steady: {levels, dragMs}, exact: {fieldMs, fieldVertices, fieldNsPerVertex}, calibrationNs, peakMemoryMB}; times are medians of several runs, but for graphMs. The paper's fields and gradient are of all vertices, those of karcher and exact of fieldVertices, within a tenth of the diagonal. dragMs: a point moved, weightMs: its weight changed, both without joinMs, the paths between all samples; steady is the curve of levels 'auto', its dragMs a whole step of a drag",
+    "{mesh: {vertices, triangles}, prepareMs, paper: {graphMs, fieldGraphMs, fieldExactMs, gradientMs, sampleUs, samples, lost, dragMs, bridgeMs, joinMs, weightMs}, karcher: {fieldMs, fieldVertices, fieldNsPerVertex, sampleNs, samples, lost, dragMs, bridgeMs, joinMs, weightMs}, steady: {levels, dragMs}, exact: {fieldMs, fieldVertices, fieldNsPerVertex}, calibrationNs, peakMemoryMB}; times are medians of several runs, except graphMs. The paper's fields and gradient cover all vertices, those of karcher and exact fieldVertices, within a tenth of the diagonal. dragMs is the time after a point moved, and weightMs after its weight changed, both without joinMs, the time of the paths between all samples. steady is the curve of levels 'auto', and its dragMs is a whole step of a drag",
   options: [
     pointsOption,
-    { name: 'samples', value: 'N', help: 'samples a segment', default: '128' },
+    { name: 'samples', value: 'N', help: 'the number of samples for each segment', default: '128' },
   ],
   async run(args) {
     const samples = args.integer('samples');

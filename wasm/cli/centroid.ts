@@ -4,21 +4,21 @@ import { outlineOptions, readOutlines } from './outlines.js';
 export const centroid: Command = {
   name: 'centroid',
   call: "centroid(mesh, region, options) of 'karcher/statistics'",
-  summary: 'the center of mass of what curves enclose, of a density, or of the whole surface',
+  summary: 'the center of mass of the regions of curves, of a density, or of the whole surface',
   output:
-    '{centroids: [{point: {face, bary}, position: [x, y, z], samples, steps, converged}, …]}: one a curve, or one of the surface without curves',
+    '{centroids: [{point: {face, bary}, position: [x, y, z], samples, steps, converged}, …]}: one for each curve, or one of the surface without curves',
   options: [
     ...outlineOptions,
     {
       name: 'density',
       value: 'FILE',
-      help: 'mass by area: a number for each vertex, in the order of the mesh file',
+      help: 'the mass by area, a number for each vertex in the order of the mesh file',
       default: '1 everywhere',
     },
     {
       name: 'samples',
       value: 'N',
-      help: 'the number of points, at most, that stand for a region',
+      help: 'the largest number of points that represent a region',
       default: '1000',
     },
   ],

@@ -5,8 +5,13 @@ import { fieldOptions, formatOption, levelsOption, type Option } from './options
 import { sampleRecords, triples } from './output.js';
 
 const arcOptions = (byDefault: string): readonly Option[] => [
-  { name: 'arcs', value: 'N', help: `the number of arcs, 3 to 64; without it ${byDefault}` },
-  { name: 'samples', value: 'N', help: 'samples an arc, both ends included', default: '32' },
+  { name: 'arcs', value: 'N', help: `the number of arcs, 3 to 64; by default ${byDefault}` },
+  {
+    name: 'samples',
+    value: 'N',
+    help: 'the number of samples for each arc, both ends included',
+    default: '32',
+  },
   levelsOption,
 ];
 
@@ -41,7 +46,7 @@ export const circle: Command = {
     {
       name: 'tolerance',
       value: 'PART',
-      help: 'how far points may be from the radius, as a part of it, where arcs are not counted',
+      help: 'without --arcs, the largest error of the radius, as a part of it',
       default: '0.001',
     },
     ...fieldOptions,
@@ -70,11 +75,16 @@ export const ellipse: Command = {
   output: circleOutput,
   options: [
     { name: 'center', value: 'POINT', help: 'the center', required: true },
-    { name: 'radii', value: 'A,B', help: 'along and across the direction', required: true },
+    {
+      name: 'radii',
+      value: 'A,B',
+      help: 'the radii along and across the direction',
+      required: true,
+    },
     {
       name: 'direction',
       value: 'X,Y,Z',
-      help: "of the first radius, in space: its part in the center's face counts",
+      help: "the direction of the first radius in space, projected to the center's face",
       required: true,
     },
     ...arcOptions('7'),

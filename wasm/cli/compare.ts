@@ -6,12 +6,13 @@ import { pointsOption } from './options.js';
 export const compare: Command = {
   name: 'compare',
   call: "runMethod of 'karcher/peers'",
-  summary: 'a curve by each method: times, and how far it is from exact log vectors or paths',
+  summary:
+    'a curve by each method, with times and distances from the curve of exact log vectors or paths',
   output:
-    '{mesh: {vertices, triangles, meanEdge}, reference, methods: {vectorHeat|affineHeat|weightedAverages|descent|bSurf|paper|karcher|leveled: {solver, ok, reason, prepareMs, traceMs, fieldsMs, dragMs, dragFieldMs, memory, samples, lost, lostByOwnRule, logMaps: {made, asked}, deviation: {median, max, samples}, turningNoise, breaks, sharpestTurn: {degrees, t}, ruler: {residual: {median, max}, energy: {median, excess}, measured, of}, drag: {steps, leaps, most}}}}; two points give the shortest path between them, three a quadratic Bezier curve, more a B-spline. solver says how the method finds distances or log maps: paper has exact distances for two points and the graph of k = 6 for more, unless --solver or --rings say otherwise, karcher fast ones. karcher is level 0, the center of all points, leveled the default, which refines the control polygon first. Deviations, from the reference (the exact path, or our curve of exact log vectors), are in mean edges h, over so many samples as converged. lost counts samples that did not converge to 1e-6 h, lostByOwnRule those that the method’s authors would not have accepted either (vector heat’s library stops at a third of the root of a face’s area). logMaps tells how many the heat methods made, and asked for, each of which their library computes anew. ruler is the same for all: at up to 33 samples, by exact shortest paths, the residual |sum w log p| in h and the energy sum w d^2 in h^2, excess over the reference’s. breaks counts leaps between neighbouring samples, sharpestTurn is the largest angle at one. drag moves the middle control point towards the next one in even steps, over two edges at most: leaps counts the steps in which a sample moved more than five times as far as the hand, most is the farthest, in steps of the hand. fieldsMs and dragFieldMs are the part of traceMs and dragMs that fields take, memory the bytes that the method holds with its curve. null is what was not measured',
+    '{mesh: {vertices, triangles, meanEdge}, reference, methods: {vectorHeat|affineHeat|weightedAverages|descent|bSurf|paper|karcher|leveled: {solver, ok, reason, prepareMs, traceMs, fieldsMs, dragMs, dragFieldMs, memory, samples, lost, lostByOwnRule, logMaps: {made, asked}, deviation: {median, max, samples}, turningNoise, breaks, sharpestTurn: {degrees, t}, ruler: {residual: {median, max}, energy: {median, excess}, measured, of}, drag: {steps, leaps, most}}}}; two points give the shortest path between them, three a quadratic Bezier curve, more a B-spline. solver is the method’s solver of distances or log maps: paper has exact distances for two points and the graph of k = 6 for more, unless --solver or --rings sets another, and karcher has fast ones. karcher is level 0, the center of all points, leveled the default, which refines the control polygon first. Deviations from the reference (the exact path, or our curve of exact log vectors) are in mean edges h, over all samples that converged. lost counts samples that did not converge to 1e-6 h, lostByOwnRule those that the method’s authors would not have accepted either (vector heat’s library stops at a third of the root of a face’s area). logMaps counts those that the heat methods made and those that they requested, each of which their library computes anew. ruler is the same for all: at up to 33 samples, by exact shortest paths, the residual |sum w log p| in h and the energy sum w d^2 in h^2, excess over the reference’s. breaks counts leaps between neighbouring samples, sharpestTurn is the largest angle at one. drag moves the middle control point towards the next one in even steps, over two edges at most: leaps counts the steps in which a sample moved more than five times as far as the hand, most is the farthest, in steps of the hand. fieldsMs and dragFieldMs are the part of traceMs and dragMs that fields take, memory the bytes that the method holds with its curve. null stands for values that were not measured',
   options: [
     pointsOption,
-    { name: 'samples', value: 'N', help: 'samples a segment', default: '128' },
+    { name: 'samples', value: 'N', help: 'the number of samples for each segment', default: '128' },
     {
       name: 'landmarks',
       value: 'N',
@@ -22,7 +23,7 @@ export const compare: Command = {
     {
       name: 'solver',
       value: 'exact|graph',
-      help: 'how the paper’s method finds distances; exact for two points, graph for more',
+      help: 'the distances of the paper’s method; exact for two points, graph for more',
       default: 'graph',
     },
     { name: 'rings', value: 'K', help: 'rings of its graph, 1 to 10', default: '6' },
@@ -35,19 +36,19 @@ export const compare: Command = {
     {
       name: 'seeds',
       value: 'authors|heaviest',
-      help: 'where its searches start: as in its authors’ program, or as the engine’s',
+      help: 'the starts of its searches: those of its authors’ program, or of the engine',
       default: 'authors',
     },
     {
       name: 'drag',
       value: 'STEPS',
-      help: 'steps of the drag in which leaps are counted; 0 for none',
+      help: 'the number of steps of the drag that counts leaps; 0 for none',
       default: '20',
     },
     {
       name: 'budget',
       value: 'SECONDS',
-      help: 'a method gives up after so long; 0 for never',
+      help: 'the time after which a method gives up; 0 for never',
       default: '0',
     },
   ],

@@ -21,20 +21,20 @@ import type { Option } from './options.js';
 const outOption: Option = {
   name: 'out',
   value: 'FILE',
-  help: `where the mesh is written, ${writtenFormats.join(', ')} by its ending; '-' is standard output. Of several meshes a '*' stands for each one's name`,
+  help: `the file for the mesh, ${writtenFormats.join(', ')} by its ending; '-' is standard output. For several meshes a '*' stands for each one's name`,
   required: true,
 };
 
 const formatOption: Option = {
   name: 'to',
   value: writtenFormats.join('|'),
-  help: "the format, where the file's ending does not say it",
+  help: "the format, if the file's ending does not name it",
 };
 
 export const convert: Command = {
   name: 'convert',
   call: "meshFromFile and meshFile of 'karcher/formats'",
-  summary: 'the mesh in another format, as it is read: of triangles, mended where that is safe',
+  summary: 'the mesh in another format, as triangles, and mended where that is safe',
   output:
     "{file, vertices, triangles, repairs: [{kind, count, message}, …]}; with --out - the mesh's bytes instead",
   options: [outOption, formatOption],
@@ -44,7 +44,7 @@ export const convert: Command = {
 export const repair: Command = {
   name: 'repair',
   call: "mesh.info.repairs, and meshFile of 'karcher/formats'",
-  summary: 'what is mended of a mesh that is no surface, and the mesh after that',
+  summary: 'the repairs of a mesh that is no surface, and the mended mesh',
   output: convert.output,
   options: [outOption, formatOption],
   async run(args) {

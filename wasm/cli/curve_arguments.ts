@@ -43,11 +43,11 @@ const partOptions: readonly Option[] = [
   { ...pointsOption, required: false },
   { name: 'kind', value: kinds, help: 'the kind of curve', default: 'bspline' },
   { name: 'closed', help: 'a curve that ends where it starts' },
-  { name: 'degree', value: 'P', help: 'of a B-spline, 1 to 5', default: '3' },
+  { name: 'degree', value: 'P', help: 'the degree of a B-spline, 1 to 5', default: '3' },
   {
     name: 'knots',
     value: 'uniform|clamped|u0,u1,…',
-    help: 'of a B-spline: clamped ones lead from the first to the last point; of n points there are n + P + 1, of a closed curve n + 1',
+    help: 'of a B-spline: with clamped knots the curve runs from the first to the last point; n points have n + P + 1 knots, on a closed curve n + 1',
     default: 'uniform',
   },
   { name: 'weights', value: 'w0,w1,…', help: 'a weight a point, of the kinds bspline, rational' },
@@ -55,7 +55,7 @@ const partOptions: readonly Option[] = [
   {
     name: 'parametrization',
     value: 'centripetal|uniform',
-    help: 'of the kind catmullrom',
+    help: 'the parametrization of the kind catmullrom',
     default: 'centripetal',
   },
 ];
@@ -65,9 +65,9 @@ export const curveOptions: readonly Option[] = [
   {
     name: 'curve',
     value: 'FILE',
-    help: "instead of all these, a curve as 'karcher edit' prints it, or a drawing of the page",
+    help: "instead of these options, a curve as 'karcher edit' prints it, or a drawing of the page",
   },
-  { name: 'number', value: 'I', help: 'which curve of the file, if it holds several, from 0' },
+  { name: 'number', value: 'I', help: 'the number of the curve in a file of several, from 0' },
 ];
 
 /** The curve that the arguments describe, not yet checked against a mesh. */
@@ -75,7 +75,7 @@ export async function readCurve(args: Arguments): Promise<CurveRecord> {
   const [curve, ...more] = await readCurves(args);
   if (more.length === 0) return curve;
   throw new UsageError(
-    `${args.text('curve')} holds ${more.length + 1} curves: --number says which, from 0`,
+    `${args.text('curve')} holds ${more.length + 1} curves: --number chooses one, from 0`,
   );
 }
 

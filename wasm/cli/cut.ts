@@ -9,22 +9,22 @@ import { outlineOptions, readOutlines } from './outlines.js';
 export const cut: Command = {
   name: 'cut',
   call: "mesh.cut(paths), and thickened of 'karcher/checkup'",
-  summary: 'the mesh cut apart along curves, a file a part',
+  summary: 'the mesh cut along curves, with a file for each part',
   output:
-    '{parts: [{file, triangles, area, oriented, closed, volume, allowed}, …]}, the largest first; volume is null of what is not closed. On both sides of a cut positions are equal to the last bit; colors and parts of the mesh’s file stay',
+    '{parts: [{file, triangles, area, oriented, closed, volume, allowed}, …]}, the largest first; volume is null for a part that is not closed. On both sides of a cut positions are equal to the last bit; the parts keep colors and parts of the mesh’s file',
   options: [
     ...outlineOptions,
     {
       name: 'out',
       value: 'FILE',
-      help: `where parts are written: leg.stl makes leg_0.stl, leg_1.stl, …; ${writtenFormats.join(', ')}`,
+      help: `the files for the parts: leg.stl gives leg_0.stl, leg_1.stl, …; ${writtenFormats.join(', ')}`,
       // These are words for the help; no such value is passed.
       default: 'nowhere',
     },
     {
       name: 'thickness',
       value: 'T',
-      help: 'makes of each part a closed shell, outwards, or inwards with a negative one; allowed says how thick its shape lets it be, where that is less',
+      help: 'makes each part a closed shell, outwards, or inwards with a negative thickness; allowed is the thickness that its shape allows, if that is less',
     },
   ],
   async run(args) {
@@ -57,7 +57,7 @@ function partNames(args: Arguments): { of: (part: number) => string; format: Wri
   const format = writtenFormats.find((candidate) => candidate === ending?.toLowerCase());
   if (format === undefined) {
     throw new UsageError(
-      `--out of cut must end in .${writtenFormats.join(', .')}, as leg.stl, not '${path}'`,
+      `--out of cut must end in .${writtenFormats.join(', .')}, such as leg.stl, not '${path}'`,
     );
   }
   return { of: (part) => `${stem}_${part}.${ending}`, format };

@@ -5,8 +5,7 @@ export const distance: Command = {
   name: 'distance',
   call: 'mesh.distance(from, options)',
   summary: 'geodesic distances from a point, or from the nearest of several, to all vertices',
-  output:
-    "{distance: […]}, in the file's vertex order: null at a vertex of no face and where no path leads",
+  output: "{distance: […]}, in the file's vertex order: null for a vertex without a face or a path",
   options: [
     {
       name: 'from',

@@ -46,19 +46,19 @@ const edits: readonly Edit[] = [
   {
     name: 'insert-on-curve',
     value: 'T',
-    help: 'puts a control point in on the curve, at a parameter',
+    help: 'inserts a control point on the curve, at a parameter',
     apply: (curve, args) => ({ point: curve.insertOnCurve(args.number('insert-on-curve')) }),
   },
   {
     name: 'split',
     value: 'T',
-    help: 'the curves before and after a parameter; a closed one is opened there',
+    help: 'splits the curve at a parameter; a closed curve is opened there',
     apply: (curve, args) => ({ curves: curve.split(args.number('split')) }),
   },
   {
     name: 'join',
     value: 'FILE',
-    help: 'one curve that goes on along another: of a file as for --curve, or of points',
+    help: 'joins the curve and another, from a file as for --curve, or of points',
     async apply(curve, args, mesh, field) {
       const other = mesh.curve({ ...(await readOther(args, 'join', curve)), ...field });
       return { curves: [curve.join(other)] };
@@ -75,21 +75,21 @@ const edits: readonly Edit[] = [
     {
       name: 'insert-point',
       value: 'I=POINT',
-      help: 'a new control point, which gets the number I',
+      help: 'inserts a control point, which gets the number I',
     },
     (curve, args) => {
       const [i, point] = entry(args, 'insert-point');
       curve.insertPoint(i, parsePoint(point, 'the point of --insert-point'));
     },
   ),
-  inPlace({ name: 'remove-point', value: 'I', help: 'takes control point I away' }, (curve, args) =>
+  inPlace({ name: 'remove-point', value: 'I', help: 'removes control point I' }, (curve, args) =>
     curve.removePoint(args.integer('remove-point')),
   ),
   inPlace(
     {
       name: 'move-point-in-order',
       value: 'I=J',
-      help: 'makes control point I the one of number J',
+      help: 'moves control point I to the number J',
     },
     (curve, args) => {
       const [from, to] = entry(args, 'move-point-in-order');
@@ -107,7 +107,7 @@ const edits: readonly Edit[] = [
     const [i, beta] = entry(args, 'set-beta');
     curve.setBeta(i, parseNumber(beta, 'the beta in --set-beta'));
   }),
-  inPlace({ name: 'reverse', help: 'runs the curve backwards' }, (curve) => curve.reverse()),
+  inPlace({ name: 'reverse', help: 'reverses the curve' }, (curve) => curve.reverse()),
   inPlace(
     { name: 'set-closed', value: 'true|false', help: 'closes the curve, or opens it' },
     (curve, args) => curve.setClosed(args.choice('set-closed') === 'true'),
@@ -120,9 +120,9 @@ const edits: readonly Edit[] = [
 export const edit: Command = {
   name: 'edit',
   call: 'mesh.curve(options), and the method of the same name, such as insertOnCurve for --insert-on-curve',
-  summary: "an edit of a curve's control points: what the curve then is",
+  summary: 'the curve after an edit of its control points',
   output:
-    "{curves: [{kind, closed, degree, knots, weights, betas, parametrization, points: [{face, bary: [b0, b1, b2]}, …], legs: [[{face, bary}, …], null, …]}, …], point: the new point's number with --insert-on-curve}; a curve has what its kind has a use for, weights and betas unless all are 1, legs unless all are shortest paths: those that are not by points on their way. A file of it is what --curve reads, here and in trace",
+    "{curves: [{kind, closed, degree, knots, weights, betas, parametrization, points: [{face, bary: [b0, b1, b2]}, …], legs: [[{face, bary}, …], null, …]}, …], point: the new point's number with --insert-on-curve}; a curve has the values that its kind uses, weights and betas unless all are 1, and legs unless all are shortest paths; other legs have points on their way. --curve reads such a file, here and in trace",
   options: [...edits.map(({ apply: _, ...option }) => option), ...curveOptions, ...fieldOptions],
   async run(args) {
     const [chosen, second] = edits.filter(({ name }) => args.given(name));

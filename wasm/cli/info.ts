@@ -6,10 +6,9 @@ import type { Command } from './command.js';
 export const info: Command = {
   name: 'info',
   call: "mesh.info, and checkUp of 'karcher/checkup'",
-  summary:
-    'what a mesh consists of, what was mended while it was read, and what to expect of curves',
+  summary: 'the counts and sizes of a mesh, its repairs, and what to expect of curves on it',
   output:
-    '{vertices, triangles, components, boundaryLoops, genus, meanEdge, diagonal, repairs: [{kind, count, message}, …], file: {format, parts: [{name, triangles}, …], materials: [name, …], isColored, notRead: [sentence, …]}, checkUp: {shortestEdge, longestEdge, smallestAngle, largestAngle, needles: {count, faces}, caps: {count, faces}, boundaryEdges, nearBoundaries: {vertices, weld}, expected: [sentence, …]}}; angles are in degrees, and of needles and caps the first 20 faces are told',
+    '{vertices, triangles, components, boundaryLoops, genus, meanEdge, diagonal, repairs: [{kind, count, message}, …], file: {format, parts: [{name, triangles}, …], materials: [name, …], isColored, notRead: [sentence, …]}, checkUp: {shortestEdge, longestEdge, smallestAngle, largestAngle, needles: {count, faces}, caps: {count, faces}, boundaryEdges, nearBoundaries: {vertices, weld}, expected: [sentence, …]}}; angles are in degrees, and needles and caps have their first 20 faces',
   options: [],
   async run(args) {
     const read = await args.meshFile();

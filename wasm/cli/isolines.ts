@@ -5,10 +5,10 @@ import { triples } from './output.js';
 
 export const isolines: Command = {
   name: 'isolines',
-  call: 'mesh.isolines(center, options), a radius a call',
+  call: 'mesh.isolines(center, options), with one radius for each call',
   summary: 'lines of points at given distances from a point',
   output:
-    '{isolines: [{radius, lines: [{closed, length, polyline: [[x, y, z], …]}, …]}, …]}, no line where nothing is as far',
+    '{isolines: [{radius, lines: [{closed, length, polyline: [[x, y, z], …]}, …]}, …]}, without lines if no point is as far',
   options: [
     {
       name: 'center',
@@ -25,13 +25,13 @@ export const isolines: Command = {
     {
       name: 'type',
       value: 'exact|linear',
-      help: 'the points at exactly this distance, or straight lines in triangles',
+      help: 'lines at exactly this distance, or straight lines in triangles',
       default: 'exact',
     },
     {
       name: 'solver',
       value: 'fast|exact|graph',
-      help: 'of --type linear: how distances are found',
+      help: 'of --type linear: the solver of distances',
       default: 'exact',
     },
     { name: 'rings', value: 'K', help: 'rings of the graph solver, 1 to 10', default: '6' },

@@ -8,7 +8,7 @@ import { pathRecord, triples } from './output.js';
 const fromOption: Option = {
   name: 'from',
   value: 'POINT',
-  help: 'where the vectors are tangent',
+  help: 'the point where the vectors are tangent',
   required: true,
 };
 
@@ -27,9 +27,9 @@ function* vectorRecords(flat: Float64Array) {
 export const log: Command = {
   name: 'log',
   call: 'mesh.logMap(from, points)',
-  summary: 'the log map: points, or all vertices, as vectors of the tangent plane at a point',
+  summary: 'the log map: vectors to points, or to all vertices, in the tangent plane at a point',
   output:
-    "{vectors: [[x, y, z], …]}, of all vertices in the file's order: null at a vertex of no face and where no path leads",
+    "{vectors: [[x, y, z], …]}, or of all vertices in the file's order: null for a vertex without a face or a path",
   options: [
     fromOption,
     {
@@ -50,9 +50,9 @@ export const log: Command = {
 export const exp: Command = {
   name: 'exp',
   call: 'mesh.expMap(from, vectors)',
-  summary: 'the exp map: where straightest geodesics along vectors of the tangent plane end',
+  summary: 'the exp map: the ends of straightest geodesics along vectors of the tangent plane',
   output:
-    '{points: [{face, bary}, …], positions: [[x, y, z], …], remaining: [the length that was left at the boundary, else 0, …]}',
+    '{points: [{face, bary}, …], positions: [[x, y, z], …], remaining: [the length left at the boundary, otherwise 0, …]}',
   options: [fromOption, vectorsOption],
   async run(args) {
     const from = args.point('from');
@@ -76,7 +76,7 @@ export const transport: Command = {
   output: '{vectors: [[x, y, z], …]}',
   options: [
     fromOption,
-    { name: 'to', value: 'POINT', help: 'where they are carried', required: true },
+    { name: 'to', value: 'POINT', help: 'the point where they are carried', required: true },
     vectorsOption,
   ],
   async run(args) {
@@ -93,16 +93,16 @@ export const straightest: Command = {
   call: 'mesh.straightest(from, direction, length)',
   summary: 'the straightest geodesic that leaves a point in a direction',
   output:
-    '{length, polyline: [[x, y, z], …], points: [{face, bary}, …], lengths: from the start to each point, end: {face, bary}, stop: complete|boundary|limit, remaining: the length that was not walked}',
+    '{length, polyline: [[x, y, z], …], points: [{face, bary}, …], lengths: from the start to each point, end: {face, bary}, stop: complete|boundary|limit, remaining: the length left at the stop}',
   options: [
-    { name: 'from', value: 'POINT', help: 'where it starts', required: true },
+    { name: 'from', value: 'POINT', help: 'the start', required: true },
     {
       name: 'direction',
       value: 'X,Y,Z',
-      help: "in space: its part in the point's face counts",
+      help: "the direction in space, projected to the point's face",
       required: true,
     },
-    { name: 'length', value: 'L', help: 'how long it is, in units of the mesh', required: true },
+    { name: 'length', value: 'L', help: 'the length in units of the mesh', required: true },
     formatOption,
   ],
   async run(args) {
@@ -124,7 +124,7 @@ export const mirror: Command = {
   call: 'mesh.mirror(line, points)',
   summary: 'points mirrored in a geodesic',
   output:
-    '{points: [{face, bary}, …], positions: [[x, y, z], …], remaining: [the length that was left at the boundary, else 0, …]}',
+    '{points: [{face, bary}, …], positions: [[x, y, z], …], remaining: [the length left at the boundary, otherwise 0, …]}',
   options: [
     {
       name: 'line',

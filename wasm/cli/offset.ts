@@ -8,31 +8,31 @@ export const offset: Command = {
   call: 'mesh.offset(paths, options)',
   summary: 'lines at a distance from curves, on one side or on both',
   output:
-    '{lines: [{closed, length, polyline: [[x, y, z], …]}, …]}: the points whose exact distance from the nearest curve it is; what runs into itself is trimmed',
+    '{lines: [{closed, length, polyline: [[x, y, z], …]}, …]}: the points at exactly this distance from the nearest curve, without the parts that are nearer to another',
   options: [
     ...outlineOptions,
     {
       name: 'distance',
       value: 'D',
-      help: 'in units of the mesh; several, with commas, are at equal parts of the length of each curve',
+      help: 'the distance in units of the mesh; several, with commas, are at equal parts of the length of each curve',
       required: true,
     },
     {
       name: 'side',
       value: 'both|left|right',
-      help: 'seen along the curves; both goes round the ends of open ones too',
+      help: 'the side of the curves, seen along them; both goes around the ends of open ones too',
       default: 'both',
     },
     {
       name: 'corners',
       value: 'round|miter|bevel',
-      help: 'what becomes of corners on their outer side',
+      help: 'the shape of corners on their outer side',
       default: 'round',
     },
     {
       name: 'miter-limit',
       value: 'L',
-      help: 'how far a mitre may reach from its corner, in distances; beyond it is a bevel',
+      help: 'the largest distance of a mitre from its corner, in distances; longer ones become bevels',
       default: '4',
     },
     formatOption,

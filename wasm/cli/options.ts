@@ -18,14 +18,14 @@ export interface Described {
 export const formatOption: Option = {
   name: 'format',
   value: 'json|obj',
-  help: 'JSON, or the polylines as an OBJ file (v and l lines), as where --out ends in .obj',
+  help: 'JSON, or the polylines as an OBJ file (v and l lines); OBJ if --out ends in .obj',
   default: 'json',
 };
 
 export const pointsOption: Option = {
   name: 'points',
   value: 'FILE',
-  help: "a line 'face b1 b2', 'face:b1,b2' or 'v:vertex' for each point, '#' starts a comment; or JSON that a command printed, or a drawing of the page",
+  help: "a line 'face b1 b2', 'face:b1,b2' or 'v:vertex' for each point, '#' starts a comment; or the JSON output of a command, or a drawing of the page",
   required: true,
 };
 
@@ -33,7 +33,7 @@ export const pointsOption: Option = {
 export const outOption: Option = {
   name: 'out',
   value: 'FILE',
-  help: 'where the result is written',
+  help: 'the file for the result',
   // These are words for the help; no such value is passed.
   default: 'standard output',
 };
@@ -43,19 +43,19 @@ export const meshOptions: readonly Option[] = [
   {
     name: 'parts',
     value: 'NUMBERS',
-    help: 'parts of the file that are read, as 0,2; karcher info lists them',
+    help: 'the parts of the file to read, such as 0,2; karcher info lists them',
     default: 'all',
   },
   {
     name: 'repair',
     value: 'safe|none',
-    help: 'mend what is no surface where that is safe, or refuse it',
+    help: 'mend a mesh that is no surface where that is safe, or refuse it',
     default: 'safe',
   },
   {
     name: 'weld',
     value: 'LENGTH',
-    help: 'weld boundaries that lie this near each other; 0 for none',
+    help: 'the distance up to which boundaries are welded; 0 for none',
     // These are words for the help; no such value is passed.
     default: '1e-6 of the diagonal',
   },
@@ -64,23 +64,23 @@ export const meshOptions: readonly Option[] = [
 export const levelsOption: Option = {
   name: 'levels',
   value: '0…8|auto|limit',
-  help: 'how often the control polygon is subdivided before its points are averaged; 0 is one center of mass a segment',
+  help: 'the number of subdivisions of the control polygon before its points are averaged; 0 takes the center of mass of all points of a segment',
   default: 'auto',
 };
 
 /** The options of fields, for the commands that need fields. */
 export const fieldOptions: readonly Option[] = [
-  { name: 'method', value: 'karcher|paper', help: 'how fields are made', default: 'karcher' },
+  { name: 'method', value: 'karcher|paper', help: 'the method of fields', default: 'karcher' },
   {
     name: 'solver',
     value: 'fast|exact|graph',
-    help: 'how distances are found; with --method paper exact (the default) or graph',
+    help: 'the solver of distances; with --method paper exact (the default) or graph',
     default: 'fast',
   },
   {
     name: 'rings',
     value: 'K',
-    help: 'rings of the graph solver, 1 to 10; it joins vertices that see each other straight',
+    help: 'rings of the graph solver, 1 to 10; it joins vertices that a straight line connects',
     default: '6',
   },
   {

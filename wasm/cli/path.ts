@@ -9,8 +9,8 @@ export const path: Command = {
   output:
     '{length, polyline: [[x, y, z], …], points: [{face, bary}, …], lengths: from the start to each point}',
   options: [
-    { name: 'from', value: 'POINT', help: 'where the path starts', required: true },
-    { name: 'to', value: 'POINT', help: 'where it ends', required: true },
+    { name: 'from', value: 'POINT', help: 'the start of the path', required: true },
+    { name: 'to', value: 'POINT', help: 'the end of the path', required: true },
     formatOption,
   ],
   async run(args) {

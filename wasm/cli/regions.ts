@@ -7,15 +7,15 @@ import { regionRecord } from './output.js';
 export const regions: Command = {
   name: 'regions',
   call: 'mesh.regions(shapes, options)',
-  summary: 'what closed curves, or curves from boundary to boundary, enclose',
+  summary: 'the regions that closed curves, or curves from boundary to boundary, enclose',
   output:
-    '{regions: [{area, perimeter, boundary: [{length, polyline: [[x, y, z], …]}, …]}, …]}: one a curve, or one of all with --combine or --inside; the boundary is closed lines, which have the region to their left: its outline and those of its holes',
+    '{regions: [{area, perimeter, boundary: [{length, polyline: [[x, y, z], …]}, …]}, …]}: one for each curve, or one in all with --combine or --inside; the boundary has closed lines with the region to their left: its outline and those of its holes',
   options: [
     ...outlineOptions,
     {
       name: 'inside',
       value: 'POINT',
-      help: 'a point inside what all curves enclose together; without it the smaller side of each is inside',
+      help: 'a point inside the region that all curves enclose together; by default the smaller side of each is inside',
     },
     {
       name: 'side',
@@ -26,13 +26,13 @@ export const regions: Command = {
     {
       name: 'rule',
       value: 'evenOdd|nonZero',
-      help: 'what is inside where a curve crosses itself',
+      help: 'the rule for the inside of a curve that crosses itself',
       default: 'evenOdd',
     },
     {
       name: 'combine',
       value: 'none|union|intersection|difference|exclusion',
-      help: 'one region of those of all curves; of a difference the first without all others',
+      help: 'one region from the regions of all curves; a difference is the first without all others',
       default: 'none',
     },
     formatOption,

@@ -8,19 +8,19 @@ export const samplingOptions: readonly Option[] = [
   {
     name: 'samples',
     value: 'N|adaptive',
-    help: 'samples a segment, at t = i / (N - 1), or as many as the tolerance needs',
+    help: 'the number of samples for each segment, at t = i / (N - 1), or as many as the tolerance needs',
     default: '128',
   },
   {
     name: 'tolerance',
     value: 'T',
-    help: "of adaptive samples: the curve's distance from the geodesics between them, as a part of the diagonal",
+    help: 'of adaptive samples: the largest distance of the curve from the geodesics between them, as a part of the diagonal',
     default: '1e-4',
   },
   {
     name: 'geometry',
     value: 'geodesic|exact',
-    help: "what lies between the samples: geodesics, or the curve's own crossings of edges",
+    help: 'the curve between the samples: geodesics, or its own crossings of edges',
     default: 'geodesic',
   },
   levelsOption,

@@ -10,7 +10,7 @@ import { samplingOf, samplingOptions } from './sampling.js';
 
 export const trace: Command = {
   name: 'trace',
-  call: 'mesh.curve(options), and what that curve is asked',
+  call: 'mesh.curve(options), and calls of that curve',
   summary: 'a spline with control points',
   output:
     '{levels, samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], polyline: [[x, y, z], …], length, ms: {prepare, polygon, fields, trace, bridge, join}, at: [{parameter, point: {face, bary}, position, status, tangent: {inFace: changes of bary, inSpace}, length: from the start}, …] with --at, nearest: {parameter, point, position, status, distance} with --nearest, equallySpaced: [{parameter, point, position}, …] with --equally-spaced}',
@@ -20,7 +20,7 @@ export const trace: Command = {
     {
       name: 'at',
       value: 't1,t2,…',
-      help: 'the curve at these parameters, which run from 0 to the number of segments',
+      help: 'points of the curve at these parameters, which run from 0 to the number of segments',
     },
     {
       name: 'nearest',

@@ -8,13 +8,13 @@ export const voronoi: Command = {
   call: "voronoi(mesh, sites, options) of 'karcher/statistics'",
   summary: 'the parts of the surface that are nearest to each of several points',
   output:
-    "{nearest: [the nearest point's number for each vertex, null where no path leads], cells: [{area, perimeter, boundary: [{length, polyline: [[x, y, z], …]}, …]}, …], borders: [{between: [i, j], length, closed, polyline}, …]}",
+    "{nearest: [the nearest point's number for each vertex, null without a path], cells: [{area, perimeter, boundary: [{length, polyline: [[x, y, z], …]}, …]}, …], borders: [{between: [i, j], length, closed, polyline}, …]}",
   options: [
     pointsOption,
     {
       name: 'solver',
       value: 'fast|exact|graph',
-      help: 'how distances are found',
+      help: 'the solver of distances',
       default: 'exact',
     },
     { name: 'rings', value: 'K', help: 'rings of the graph solver, 1 to 10', default: '6' },

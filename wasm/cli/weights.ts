@@ -7,14 +7,14 @@ export const weights: Command = {
   summary: 'weights of points for which a given point is their center of mass',
   output: '{weights: [w1, w2, …], isMinimum}',
   options: [
-    { name: 'point', value: 'POINT', help: 'what is to be the center', required: true },
+    { name: 'point', value: 'POINT', help: 'the desired center', required: true },
     pointsOption,
     {
       name: 'weights',
       value: 'w1,w2,…',
-      help: 'weights that are changed as little as can be; equal ones by default',
+      help: 'the weights that are changed as little as possible; by default equal ones',
     },
-    { name: 'non-negative', help: 'take no weight below 0' },
+    { name: 'non-negative', help: 'allow no weight below 0' },
     ...fieldOptions,
   ],
   async run(args) {
