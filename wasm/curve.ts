@@ -49,7 +49,7 @@ type Facts = Pick<CurveView, 'length' | 'segmentCount' | 'levels' | 'times'>;
  * affects is traced again. The curve is then equal to a new one with the same points.
  *
  * The parameter runs from 0 to `segmentCount`: the number of a segment plus t in [0, 1]. On a
- * closed curve it may exceed a turn.
+ * closed curve it may be negative or exceed a turn.
  *
  * Every edit throws `KarcherError`, and changes nothing, if the result would be no curve
  * (tooFewPoints, unreachable, and the errors of a point). Everything throws disposed after

@@ -67,8 +67,8 @@ export interface LevelsTolerance {
 
 /**
  * The points that a leg of a control polygon passes; null for the shortest path. If all points lie
- * on edges, and each shares a face with the next one and with the leg's ends, they are the leg
- * itself, unchanged.
+ * on edges, and consecutive ones share a face, also the leg's ends with the points next to them,
+ * they are the leg itself, unchanged.
  */
 export type LegPoints = readonly PointLike[] | null;
 
@@ -113,11 +113,11 @@ export interface CurveOptions extends FieldOptions {
    *
    * - 0: the curve of Mancinelli and Puppo, one center of mass of all the points that a segment
    *   blends;
-   * - `auto`, the default: a curve that is safe, which means that its points move continuously, and
-   *   no more roughly than the surface. On smooth surfaces level 0 is safe. If the curves of all
-   *   levels lie within .02 mean edges of it by estimate, the quickest number of levels is taken.
-   *   Where level 0 is not safe, as on scans with distant points, as many levels are taken as make
-   *   it so;
+   * - `auto`, the default: the curve of level 0 if that is safe, as on smooth surfaces: its points
+   *   move continuously, and no more roughly than the surface. If the curves of all levels lie
+   *   within .02 mean edges of it by estimate, the curve takes the number of levels that makes it
+   *   quickest instead. If level 0 is not safe, as on scans with distant points, the curve takes as
+   *   many levels as make it so;
    * - `{ tolerance }`: the same with another tolerance;
    * - `limit`: the subdivision curve that many levels approach, which needs no fields. It is traced
    *   at `samples` even parameters, joined by geodesics, whatever `tolerance` and `geometry`

@@ -296,7 +296,7 @@ export interface EngineMinimum {
 }
 
 /**
- * A curve of the engine. Each edit either changes the whole curve, or fails and changes nothing.
+ * The edits of a curve. Each turns it into another curve as a whole, or fails and changes nothing.
  */
 export interface EngineCurveEdits {
   movePoint(i: number, point: Float64Array): void;

@@ -216,11 +216,11 @@ export class Mesh {
   /**
    * The Riemannian center of mass of points with weights, one for each point, that sum to 1 within 1e-9 (or
    * are divided by their sum with `normalize`). Some may be negative. The result is a center of mass only if
-   * the status is `converged`; see `Status`. The fields of the points are kept until the next call: other
-   * weights need no new fields, and a moved point only its own. No fields are computed for 64 different
-   * points or more whose fields would hold over two million values, unless `uniqueness` is requested or a
-   * weight is negative. The search then starts at some of the points, and takes about as long for thousands
-   * as for hundreds.
+   * the status is `converged`; see `Status`. Fields of up to half a million values are kept until the next
+   * call: other weights need no new fields, and a moved point only its own. With `karcher` and the solvers
+   * `fast` and `exact`, no fields are needed for 64 different points or more, unless `uniqueness` is requested,
+   * a weight is negative or the search ends at a boundary. The search then starts at some of the points, and
+   * takes about as long for thousands as for hundreds.
    *
    * Throws `KarcherError` badWeights (not one for each point, or another sum), tooFewPoints (none),
    * unreachable (the points lie on several components), badArgument (the limits of exact distances; see
@@ -342,8 +342,9 @@ export class Mesh {
   /**
    * The points at a distance from the nearest of paths, given as paths or by their points, without the parts where
    * an offset intersects itself. Lines on one side have the direction of the paths; there may be no line, or
-   * several. The inside of a region lies left of its boundary. Places keep the distance to a thousandth of it, of
-   * the least of several, or of a tenth of the greatest. Throws `KarcherError` badArgument.
+   * several. The inside of a region lies left of its boundary. Places keep the distance to a thousandth of it; of
+   * several, to a thousandth of the least, or of a tenth of the greatest if that is more. Throws `KarcherError`
+   * badArgument for a distance out of range, a path without length, and consecutive points without a common face.
    *
    * @example
    * ```ts
@@ -467,9 +468,7 @@ export class Mesh {
     return expMap(this.#handle, from, vectors, directions);
   }
 
-  /**
-   * Vectors of the tangent plane at `from`, transported along the log map's path to `to`: x, y, z for each.
-   */
+  /** Vectors of the tangent plane at `from`, transported along the log map's path to `to`: x, y, z for each. */
   transport(from: PointLike, to: PointLike, vectors: VectorsLike): Float64Array {
     return transport(this.#handle, from, to, vectors);
   }

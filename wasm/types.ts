@@ -215,10 +215,10 @@ export interface CutPart {
 /** The distance, the sides and the corners of an offset. */
 export interface OffsetOptions {
   /**
-   * The distance from the paths, in units of the mesh, or several at equal parts of each path's length, linear
-   * between; some may be 0. The offset is then the border of the disks round all places of a path, each with the
-   * distance there, and corners are round. Two are for the start and the end of an open path; on a closed path
-   * the first follows the last.
+   * The distance from the paths, above 0, in units of the mesh, or several at equal parts of each path's length,
+   * linear between, of which some may be 0. The offset is then the border of the disks round all places of a
+   * path, each with the distance there, and corners are round. Two are for the start and the end of an open path;
+   * on a closed path the first follows the last.
    */
   distance: number | readonly number[];
   /** The side; `both` by default, which also goes round the ends of open paths. */

@@ -49,9 +49,9 @@ struct GeodesicCircle {
 /// spread little. Beyond the center's cut locus no arcs keep to the radius; there, and where
 /// saddles spread the geodesics apart, `deviation` is larger than the tolerance. Throws Error:
 /// kBadArgument (radius not positive and finite, or less than a billionth of the longest edge at
-/// the center or of its coordinates; arcs, samples), kBoundary (the
-/// center lies on the boundary, or a geodesic of the named arc meets it), kRadiusTooLarge if no
-/// point of the component is that far away.
+/// the center or of its largest coordinate; arcs, samples), kBoundary (the center lies on the
+/// boundary, or a geodesic of the named arc meets it), kRadiusTooLarge if no point of the component
+/// is that far away.
 GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double radius,
                            const CircleOptions& options);
 

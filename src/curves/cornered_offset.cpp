@@ -315,7 +315,7 @@ class CorneredOffset {
       try {
         region = combined(region, enclosed(all, tip, FillRule::kEvenOdd), Boolean::kUnion);
       } catch (const Error& error) {
-        // The lines of a tip may go round a handle as wide as the tip; they enclose nothing then.
+        // The lines of a tip may go round a handle no wider than it; they enclose nothing then.
         if (error.code() != ErrorCode::kBadArgument) throw;
       }
     }

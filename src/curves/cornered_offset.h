@@ -42,7 +42,7 @@ struct OffsetRun {
   bool isClosed = false;
 };
 
-/// `scale` is what tolerances are parts of.
+/// The runs of a field at a distance. Tolerances are parts of `scale`.
 Array<OffsetRun> offsetRuns(const Geometry& geometry, const PathDistance& field, double distance,
                             double scale);
 

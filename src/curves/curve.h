@@ -37,7 +37,7 @@ class Curve {
     const Array<Bridge>& bridges() const { return traced_->bridges; }
     const JoinedPath& path() const { return traced_->path; }
     /// Whether the piece is its own subdivision: it crosses a face larger than itself, and its
-    /// points do not see a corner of it (findSubdivided).
+    /// points do not see a corner of a face that it crosses (findSubdivided).
     bool isSubdivided() const { return isSubdivided_; }
     /// The points' weights at t in [0, 1] of the piece.
     Array<double> weights(double t) const;
@@ -150,7 +150,7 @@ class Curve {
     Array<Segment> segments;
     RefinedPolygon polygon;
   };
-  /// Scratch memory of edits. No edit relies on its earlier contents.
+  /// Scratch memory of edits. The result of an edit does not depend on its earlier contents.
   struct Workspace {
     AveragingWorkspace averaging;
     LeggedPolygon polygon;

@@ -321,8 +321,8 @@ class OffsetTracer {
     for (int k = 0; k < 3; ++k) {
       const bool here = isNearer(corners[k].distance);
       if (here == isNearer(corners[(k + 1) % 3].distance)) continue;
-      // Nearer points lie on the left, so that the line begins where it leaves them in
-      // counterclockwise order along the boundary.
+      // Nearer points lie on the left of the line, so that it begins where the boundary of the
+      // piece, followed counterclockwise, leaves them.
       (here ? leave : enter) = k;
     }
     if (enter < 0) return;
@@ -379,7 +379,7 @@ class OffsetTracer {
   const TriangleMesh& mesh_;
   const PathDistance& field_;
   double distance_;
-  double scale_;  ///< what is small is compared with it
+  double scale_;  ///< the length of which tolerances are parts
   int64_t pieces_ = 0;
   std::map<CrossingKey, int> numbers_;
   Array<LinePoint> crossings_;

@@ -84,7 +84,7 @@ class PathFinder {
   }
 
   /// Searches even pieces of the path again. The first piece has `first` times the length of the
-  /// others.
+  /// others, or the same length if that is 0.
   void searchPieces(double first) {
     // The points lie at one place but share no face.
     if (!(path_.length() > 0)) return;

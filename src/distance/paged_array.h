@@ -52,7 +52,8 @@ class PagedArray {
   /// The bytes of all pages.
   int64_t bytesHeld() const { return static_cast<int64_t>(used_.size() * kBytes); }
 
-  /// Removes every element, in time linear in the number of pages. The pool keeps the memory.
+  /// Removes every element, in time linear in the number of touched pages. The pool keeps the
+  /// memory.
   [[gnu::noinline]] void clear() {
     for (const int page : used_) {
       pool_->give(pageOf_[page], kBytes);

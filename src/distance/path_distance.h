@@ -27,9 +27,9 @@ namespace karcher {
 /// The side of a path from which a shortest connection arrives; kEnd if it arrives around an end.
 enum class SideOfPath : int8_t { kLeft = 1, kRight = -1, kEnd = 0 };
 
-/// The points of a path, which has this number. A point that equals the previous one up to rounding
-/// is omitted, since directions between them would have no digits. Throws Error kBadArgument if the
-/// path has no length, or if consecutive points have no face in common.
+/// The points of a path. A point that equals the previous one up to rounding is omitted, since
+/// directions between them would have no digits. Throws Error kBadArgument, naming the path by
+/// `number`, if it has no length, or if consecutive points have no face in common.
 Array<SurfacePoint> pointsApart(const Geometry& geometry, const SurfacePath& path, int number);
 
 class PathDistance {

@@ -48,7 +48,8 @@ int PathDistance::partsOf(const SurfacePath& path) const {
   return samePlace(mesh_, path.points.front(), path.points.back()) ? count : count - 1;
 }
 
-/// What the distance is at a length along a path.
+/// The distance of a place of a path, given by its length along the path: the difference between
+/// the greatest width and its own.
 double PathDistance::startAt(const SurfacePath& path, double length) const {
   const int parts = partsOf(path);
   if (parts == 0) return 0;

@@ -5,7 +5,7 @@
 
 #include "distance/window_distance.h"
 
-// How a search by windows reaches vertices that no window comes to.
+// The last part of a search by windows: vertices that no window reaches are reached along edges.
 namespace karcher {
 
 /// Continues along edges, from the vertices that were reached to all others (E. Dijkstra's

@@ -7,9 +7,9 @@ namespace karcher {
 
 /// Writes to `path` the locally shortest path from `from` to `to` along the waypoints: the fast
 /// paths (find_path.h) from each to the next, pulled tight as a whole. Without waypoints it is the
-/// fast path itself. If the waypoints all lie on edges, and each shares a face with the next and
-/// with the ends, they are the path itself, which is left unchanged. Returns false and changes
-/// nothing if the points lie on several components.
+/// fast path itself. If the waypoints all lie on edges, and consecutive ones share a face, also the
+/// ends with the waypoints next to them, they are the path itself, which is left unchanged. Returns
+/// false and changes nothing if the points lie on several components.
 bool findPathBy(const Geometry& geometry, const SurfacePoint& from,
                 const Array<SurfacePoint>& waypoints, const SurfacePoint& to,
                 FindPathWorkspace& workspace, SurfacePath& path);

@@ -12,7 +12,7 @@
 namespace karcher {
 
 struct Window {
-  double begin = 0;  ///< the begin of the interval, from the half-edge's tail
+  double begin = 0;  ///< the start of the interval, from the half-edge's tail
   double end = 0;
   double sourceX = 0;  ///< the source lies at (sourceX, -depth)
   double depth = 0;

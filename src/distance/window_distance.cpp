@@ -37,9 +37,9 @@ double bucketWidth(const Geometry& geometry) {
 /// is flat up to kChainRounding.
 constexpr double kSliver = 1e-8;
 
-/// The ratio of lengths above which both sides of a face propagate windows, so that short lengths
-/// are not computed as differences of long ones. Windows that leave vertices and sources are always
-/// propagated so.
+/// The ratio of lengths above which the apex of a face is computed from both ends of the edge that
+/// windows cross (FaceSides), so that short lengths are not differences of long ones. Windows that
+/// leave a source inside a face always have it so.
 constexpr double kWide = 1e6;
 
 /// The ratio of lengths above which a window may circle over the same edges without coming nearer

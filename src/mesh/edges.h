@@ -12,8 +12,8 @@ struct EdgeSide {
   int halfedge;
 };
 
-/// The half-edges of faces, by the smaller vertex v of their edge: sides[start[v]] to sides[start[v
-/// + 1]], sorted by the other vertex and then by half-edge.
+/// The half-edges of faces, by the smaller vertex v of their edge: from sides[start[v]] up to
+/// sides[start[v + 1]], sorted by the other vertex and then by half-edge.
 struct SortedSides {
   Array<int> start;
   Array<EdgeSide> sides;

@@ -70,9 +70,9 @@ struct ImportedMesh {
 /// position.
 ImportedMesh importMesh(TriangleSoup soup, const ImportOptions& options = {});
 
-/// Cuts polygons as `cutPolygons` does, and imports the triangles, whose numbers face numbers are.
-/// Throws as both do, and kBadArgument for counts of corners below 3, or whose sum is not the
-/// number of `corners`.
+/// Cuts polygons as `cutPolygons` does, and imports the triangles. Face numbers are those of
+/// triangles. Throws as both do, and kBadArgument for counts of corners below 3, or whose sum is
+/// not the number of `corners`.
 ImportedMesh importPolygons(PolygonSoup polygons, const ImportOptions& options = {});
 
 /// Imports the result of `readObj`. Face numbers are those of triangles. Throws as `importMesh`

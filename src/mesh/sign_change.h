@@ -13,7 +13,7 @@ double signChange(double from, double to, double atFrom, double atTo, double rou
                   const Function& valueAt) {
   if (atFrom == 0) return from;
   if (atTo == 0) return to;
-  // Half of these steps suffice for bisection to the rounding of doubles.
+  // The second half of these steps is bisection only, which suffices to the rounding of doubles.
   constexpr int kMostSteps = 100;
   const bool falls = atFrom > 0 && atTo < 0;
   double at = from;

@@ -75,9 +75,10 @@ struct Stencil {
 };
 
 /// The share of the log vector in an estimate; `share` is the part that the mesh determines.
-/// `difference` is the log vector minus the fit; at `distance` from the source, it is an angle
-/// there. If the angle exceeds what smooth surfaces leave between neighbours, paths arrive from
-/// both sides of a ridge, and a fit over both belongs to no path.
+/// `difference` is that of the log vector and the fit, both times -2. Divided by twice `distance`,
+/// the distance from the source, it is an angle at the source. If the angle exceeds what smooth
+/// surfaces leave between neighbours, paths arrive from both sides of a ridge, and a fit over both
+/// belongs to no path.
 inline double shareOfLogVector(double share, const Vec2& difference, double distance) {
   constexpr double kAngle = 0.01;  // in radians
   const double squaredAngle = difference.squaredNorm() / (4 * distance * distance);

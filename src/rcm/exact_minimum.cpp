@@ -95,7 +95,7 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
     const double weight = weights_.data()[i];
     if (weight == 0) continue;
     const double straight = (position(mesh, points_[i]) - middle).norm();
-    // A factor by which the fast solver's distances are seldom too short.
+    // The fast solver's distances are seldom too short by more than this factor.
     constexpr double kTooShort = 1.002;
     double most = kTooShort * std::max(guesses[i], straight) + 2 * radius;
     // A search with a too short aim either finds a path that is long enough, or its aim is raised.

@@ -8,9 +8,10 @@
 #include "rcm/cells.h"
 #include "rcm/control_field.h"
 
-/// The weighted sum of control points' fields, which is grad K for the energy K(p) = sum_i w_i d(p,
-/// p_i)^2 (Mancinelli, Puppo, Eq. 1). It is linear in each cell: in each face, or, if a field has
-/// values at the midpoints of edges, in each of the four triangles into which these divide it.
+/// The weighted sum of control points' fields, which is grad K for the energy
+/// K(p) = sum_i w_i d(p, p_i)^2 (Mancinelli, Puppo, Eq. 1). It is linear in each cell: in each
+/// face, or, if a field has values at the midpoints of edges, in each of the four triangles into
+/// which these divide it.
 namespace karcher {
 
 /// Weights, one for each field. They should sum to 1.

@@ -132,7 +132,7 @@ int nearestCorner(const TriangleMesh& mesh, const SurfacePoint& point) {
 
 /// The starts of the lowest K by distances along edges. These take a quarter of the time and are
 /// all too long by nearly the same factor. A start is skipped if K by straight lines in space,
-/// which is lower, exceeds the lowest found so far.
+/// which is lower, exceeds each of the kDescents lowest K found so far.
 Array<SurfacePoint> lowestStarts(const Geometry& geometry, const WeightedPoints& points) {
   const TriangleMesh& mesh = *geometry.mesh;
   const Array<SurfacePoint> starts = startsOf(points, kStarts);

@@ -171,7 +171,8 @@ FieldValue PointField::estimate(int vertex) {
       own, [&](int v) -> const Vec2& { return logVectorAt(v); }, squaredDistanceAt);
   if (isLinear(estimator_) || stencil.logVectorShare == 1) return {gradient, own};
   const Vec2& log = logVectorAt(vertex);
-  // The fit is the stencil's share without the log vector.
+  // The gradient mixes the fit with the stencil's share of the log vector. This is the difference
+  // from the fit alone.
   const Vec2 difference = (log - gradient) / (1 - stencil.logVectorShare);
   const double share = shareOfLogVector(stencil.logVectorShare, difference, std::sqrt(own));
   return {log - (1 - share) * difference, own};

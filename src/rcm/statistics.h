@@ -37,8 +37,8 @@ struct RobustMean {
 RobustMean median(FieldSets& sets, const Array<SurfacePoint>& points, const Array<double>& weights,
                   const RobustOptions& options = {});
 
-/// The minimum of the weighted sum of d^2 / 2 for distances d up to a threshold t, and of t (d - t
-/// / 2) beyond: more distant points pull no more than points at the threshold (P. J. Huber, "Robust
+/// The minimum of the weighted sum of d^2 / 2 for distances d up to a threshold t, and of
+/// t (d - t / 2) beyond: more distant points pull no more than points at it (P. J. Huber, "Robust
 /// Estimation of a Location Parameter", 1964). Throws as `median` does, and for a threshold that is
 /// not positive.
 RobustMean huberMean(FieldSets& sets, const Array<SurfacePoint>& points,

@@ -15,10 +15,8 @@ namespace {
 struct EdgeCount {
   int halfedge = 0;
   int change = 0;  ///< the change of the count from the right to the left of the half-edge
-  PathUse
-      /// the earliest use by the range's first path; its path is -1 if that path does not use the
-      /// edge
-      firstOfAll;
+  /// the earliest use by the range's first path; its path is -1 if that does not use the edge
+  PathUse firstOfAll;
 };
 
 /// The count of the edge of a use; `i` advances to the first use of the next edge.

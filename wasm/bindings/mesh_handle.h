@@ -118,7 +118,7 @@ class MeshHandle {
   ObjMarks marks_;
   Surface surface_;
   std::optional<CurvatureBound> smooth_;
-  std::optional<FaceTree> faceTree_;  ///< The tree is built on first use.
+  std::optional<FaceTree> faceTree_;  ///< the tree, built on first use
   std::shared_ptr<FieldSets> fieldSets_;
   /// The fields of the last center of mass.
   std::shared_ptr<FieldSet> fields_;

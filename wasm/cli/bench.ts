@@ -142,7 +142,7 @@ function timeCurve(
     bridges.push(times.bridge);
     joins.push(times.join);
   }
-  // An edit is traced at once. The time without the joining paths is the remaining one.
+  // An edit is traced at once. Its time counts without that of the joining paths.
   const weights = Array.from({ length: field.method === 'paper' ? runs : quickRuns }, (_, i) => {
     const whole = elapsed(() => curve.setWeight(index, i % 2 === 0 ? 2 : 1));
     return whole - curve.times().join;

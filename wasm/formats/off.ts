@@ -36,6 +36,7 @@ interface Source {
   place(): string;
   /** The least numbers of bytes that a vertex and a face without corners take. */
   least: { vertex: number; face: number };
+  /** The number of bytes that follow. */
   room(): number;
   notRead(): string[];
 }

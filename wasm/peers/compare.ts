@@ -28,8 +28,8 @@ export interface MethodResult {
   /** The reason of the failure, or the numbers that were not measured. */
   reason: string | null;
   /**
-   * The preparation for the mesh, without the data that every method needs: neighbours, angles,
-   * frames.
+   * The time of the preparation, which is done once for the mesh, without the data that every method
+   * needs: neighbours, angles, frames.
    */
   prepareMs: number | null;
   /** The time of the curve with all its fields, log maps or distances, not joined. */

@@ -18,7 +18,8 @@ const onSide = 1e-6;
  */
 export interface RulerMeasures {
   /**
-   * |sum of w_i log_x p_i| in mean edges: 0 at a center of mass. Where the surface bends little it is about the distance to one.
+   * |sum of w_i log_x p_i| in mean edges: 0 at a center of mass. Where the surface bends little it
+   * is about the distance to one.
    */
   residual: { median: number; max: number } | null;
   /**

@@ -171,8 +171,8 @@ async function search(
 }
 
 /**
- * Whether one of the points is the median: the joint pull of all others there is less than its own
- * weight.
+ * Whether one of the points is the median: the joint pull of all others there is no more than its
+ * own weight.
  */
 async function isMedian(
   mesh: AnyMesh,

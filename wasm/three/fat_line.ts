@@ -30,7 +30,7 @@ const nearer = 0.003;
 export function liftMaterial(material: Material, after: string, part: number): void {
   material.onBeforeCompile = (shader) => {
     // A place moved along its ray stays at the same pixel: only the depth changes. In perspective
-    // the depth depends only on the last entry of the projection's third row.
+    // that change depends only on the last entry of the projection's third row.
     const lift = `projectionMatrix[3][3] == 0.0 ? projectionMatrix[3][2] * ${part / (1 - part)} : ${-part}`;
     shader.vertexShader = shader.vertexShader.replace(after, `${after} gl_Position.z += ${lift};`);
   };

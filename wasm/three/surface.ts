@@ -64,7 +64,7 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
   /**
    * The surface point at which a raycast hit an object that draws this surface. The triangle is
    * found by the places of its corners. So the numbers of vertices and the order of the triangles
-   * do not matter; a `MeshBVH` may have changed it before or after the surface was created.
+   * do not matter; a `MeshBVH` may have changed that order before or after the surface was created.
    *
    * Throws `KarcherError` badPoint if the hit is on another surface, or on this one in another
    * shape (skinned, morphed, or edited since). The place of the point is checked to be the hit's

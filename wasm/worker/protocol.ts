@@ -17,7 +17,7 @@ export interface WorkerLike {
 }
 
 /**
- * A call. With `tells`, the worker announces the begin of the call to the first function among the
+ * A call. With `tells`, the worker announces the start of the call to the first function among the
  * arguments. With `keeps`, it announces it to the client, too, together with the values of curves
  * that the call creates or edits. With `makes`, the call creates another worker's mesh or curve
  * again under this number; its only answer is a failure.

@@ -21,8 +21,9 @@ CurveLine lineOf(const Curve& curve);
 /// closed curve it is the whole length.
 double lengthAt(const Curve& curve, const CurveLine& line, double parameter);
 
-/// The point at a length from the start, on the line. On a closed curve the length may exceed a
-/// turn. Throws Error kBadArgument for a length outside an open curve.
+/// The point at a length from the start, on the line. On a closed curve the length may be negative
+/// or exceed a turn. Throws Error kBadArgument for a length outside an open curve, or one that is
+/// not finite.
 CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double length);
 
 /// `count` points with equal lengths between consecutive ones. They include both ends of an open

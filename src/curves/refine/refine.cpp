@@ -127,7 +127,7 @@ void setBetas(Array<double>& logs) {
 
 /// A curve in barycentric form is p / q with polynomials of the degree of its nodes. With other
 /// nodes it interpolates its own points there, with betas |q| times those of a polynomial. The new
-/// nodes are `nodes` even ones `from` to `to`.
+/// nodes are `nodes` even ones from `from` to `to`.
 CurveParts barycentricPart(Curve& curve, double from, double to, int nodes) {
   Array<double> betas = curve.shape().betas;
   betas.resize(static_cast<size_t>(curve.pointCount()), 1);

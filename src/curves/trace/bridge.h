@@ -69,11 +69,11 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 ///
 /// Between two neighbouring samples a bridge is the geodesic that joins them.
 ///
-/// `basis` and `pointWeights` give the weights (segment_basis.h). If one control point has all the
-/// weight, a bridge passes through it. `table` has the weights with which `traceSegment` found the
-/// samples; it is null if a tolerance placed them. With a table, a segment that breaks is also
-/// traced backwards (branches.h), except by the paper's method. Samples that a tolerance placed
-/// stay where they are.
+/// `basis` and `pointWeights` give the weights (segment_basis.h). At a t where one control point
+/// has all the weight, a bridge passes through it. `table` has the weights with which
+/// `traceSegment` found the samples; it is null if a tolerance placed them. With a table, a segment
+/// that breaks is also traced backwards (branches.h), except by the paper's method. Samples that a
+/// tolerance placed stay where they are.
 void bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
                    const Array<double>& pointWeights, const PieceWeights* table, Method method,
                    Array<CurveSample>& samples, BridgeWorkspace& workspace, Array<Bridge>& bridges);

@@ -27,8 +27,8 @@ class EdgeCrossings {
 
   /// Appends the crossings between two converged samples, in ascending t, and the later sample. If
   /// the samples' faces do not share an edge, more samples are found and appended. Returns false
-  /// and changes nothing if the curve's edges cannot be decided within 2^-kMostBisections of the
-  /// interval, as near a vertex.
+  /// and changes nothing if parts of 2^-kMostBisections of the interval are too coarse to decide
+  /// which edges the curve crosses, as near a vertex.
   bool append(const CurveSample& from, const CurveSample& to, Array<SurfacePoint>& out);
 
   /// The result of the last call: the crossings, on edges, and the samples between them.
