@@ -19,8 +19,9 @@ namespace karcher {
 namespace {
 
 /// The shortest side that is still divided if the isoline crosses it several times, for instance in
-/// the tip of a gap. A chord that cuts the tip off is wrong by half of this.
-constexpr double kShortestSide = kLongestSide / 128;
+/// the tip of a gap. Since distances are Lipschitz, points of a shorter one, both of whose ends are
+/// nearer or both farther, are beyond the line by at most half of it: by the tolerance.
+constexpr double kShortestSide = 2 * kOffsetTolerance;
 
 /// The number of steps of a search for the extremum on a side. Each keeps 0.62 of the interval.
 constexpr int kExtremumSteps = 14;
@@ -353,22 +354,31 @@ class OffsetTracer {
     // If the middle is nearer, search away from the nearer points, else towards them.
     const double sign = isNearer(atMiddle) ? 1 : -1;
     const Vec2 aside = sign * Vec2(chord.y(), -chord.x());
-    double reach = 1;
+    double edge = kInfinity;
     const Vec3 here = barycentric(geometry_, face, middle);
     const Vec3 there = barycentric(geometry_, face, middle + aside);
     for (int k = 0; k < 3; ++k) {
-      if (there[k] < 0) reach = std::min(reach, here[k] / (here[k] - there[k]));
+      if (there[k] < here[k]) edge = std::min(edge, here[k] / (here[k] - there[k]));
     }
     const auto value = [&](double s) { return field_.at(face, middle + s * aside).value; };
-    const double atReach = value(reach);
-    if (!(std::abs(atReach - distance_) < std::abs(atMiddle - distance_)) &&
-        isNearer(atReach) == isNearer(atMiddle)) {
-      return;
+    double part = 0;
+    double reach = std::min(1.0, edge);
+    double atPart = atMiddle;
+    // The tip of a gap may lie farther away than the chord is long: the step doubles as long as it
+    // comes nearer to the line. The line may also run along an edge, where the steps end.
+    while (true) {
+      const double atReach = value(reach);
+      if (isNearer(atReach) != isNearer(atPart)) {
+        part = cut(part, reach, atPart, atReach, value);
+        break;
+      }
+      if (!(std::abs(atReach - distance_) < std::abs(atPart - distance_))) break;
+      part = reach;
+      atPart = atReach;
+      if (reach == edge) break;
+      reach = std::min(2 * reach, edge);
     }
-    // If the whole step stays on one side, its end is the best point, since the line may run along
-    // an edge.
-    const bool passes = isNearer(atReach) != isNearer(atMiddle);
-    const double part = passes ? cut(0, reach, atMiddle, atReach, value) : reach;
+    if (part == 0 && !keeps(atMiddle)) return;
     const Vec2 place = middle + part * aside;
     refine(face, from, place, halvings - 1, inner);
     inner.push_back(pointAt(face, place));

@@ -45,7 +45,7 @@ double lengthOf(const Array<Isoline>& lines) {
   return length;
 }
 
-/// Checks lines: consecutive points share a face, and points and the middles of chords are at the
+/// Checks lines: consecutive points share a face, and points and quarters of chords are at the
 /// distance.
 void expectAtDistance(const Geometry& geometry, const Array<Isoline>& lines,
                       const std::function<double(const SurfacePoint&)>& distance, double expected,
@@ -57,8 +57,10 @@ void expectAtDistance(const Geometry& geometry, const Array<Isoline>& lines,
       worst = std::max(worst, std::abs(distance(line.points[i]) - expected));
       if (i == 0) continue;
       ASSERT_TRUE(haveCommonFace(mesh, line.points[i - 1], line.points[i]));
-      const SurfacePoint middle = pointBetween(mesh, line.points[i - 1], line.points[i], 0.5);
-      worst = std::max(worst, std::abs(distance(middle) - expected));
+      for (int k = 1; k < 4; ++k) {
+        const SurfacePoint part = pointBetween(mesh, line.points[i - 1], line.points[i], k / 4.0);
+        worst = std::max(worst, std::abs(distance(part) - expected));
+      }
     }
     EXPECT_EQ(line.closed, samePlace(mesh, line.points.front(), line.points.back()));
     if (line.closed) continue;
@@ -270,6 +272,46 @@ TEST(Offset, KeepsItsDistanceOnRoughSurfaces) {
       expectAtDistance(
           surface.geometry, lines, [&](const SurfacePoint& point) { return field.at(point).value; },
           d, 1e-3);
+    }
+  }
+}
+
+/// A closed chain through four random places of a crumpled sheet.
+SurfacePath chainOn(const Geometry& geometry, uint64_t seed) {
+  Random random(seed);
+  Array<SurfacePoint> points;
+  for (int i = 0; i < 4; ++i) points.push_back(randomPlace(*geometry.mesh, random));
+  return chain(geometry, points, true);
+}
+
+TEST(Offset, KeepsItsDistanceAtTheTipsOfNarrowGaps) {
+  const uint64_t seeds[] = {3, 5, 11, 20, 74, 83, 93};
+  for (const uint64_t seed : casesOf(seeds, 2)) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Sheet sheet(meshOf(crumpledSheet(300, 20, seed)));
+    const SurfacePath path = chainOn(sheet.geometry, seed);
+    const PathDistance field(sheet.geometry, {&path, 1}, kInfinity);
+    for (const double part : {0.3, 0.5, 1.0}) {
+      const double d = part * sheet.geometry.meanEdge;
+      const auto lines = offsetLines(sheet.geometry, {&path, 1}, d, OffsetSide::kBoth);
+      EXPECT_GT(lines.count(), 0);
+      expectAtDistance(
+          sheet.geometry, lines, [&](const SurfacePoint& point) { return field.at(point).value; },
+          d, 1e-3);
+    }
+  }
+}
+
+// Where the corners of a piece of a face are collinear up to rounding, halves of its two longest
+// sides have each other for sides: halved in turn, they would not end.
+TEST(Offset, EndsWherePiecesOfFacesAreCollinear) {
+  for (const uint64_t seed : {8, 17, 26}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Sheet sheet(meshOf(crumpledSheet(12, 8, seed)));
+    const SurfacePath path = chainOn(sheet.geometry, seed);
+    for (const double part : {0.05, 0.2}) {
+      const double d = part * sheet.geometry.meanEdge;
+      EXPECT_GT(offsetLines(sheet.geometry, {&path, 1}, d, OffsetSide::kBoth).count(), 0);
     }
   }
 }

@@ -56,22 +56,6 @@ TriangleSoup sheared(TriangleSoup soup, double shear) {
   return soup;
 }
 
-/// A sheet folded along random lines, one after another, upwards and downwards: creases cross, and
-/// all of them cut through triangles.
-TriangleSoup crumpledSheet(int triangles, int folds, uint64_t seed) {
-  TriangleSoup soup = tessellatedPlane(PlaneTessellation::kRandomDelaunay, triangles, seed);
-  Random random(seed);
-  for (int fold = 0; fold < folds; ++fold) {
-    const Vec2 normal = unitVector(random.uniform(0, 2 * kPi));
-    const double offset = random.uniform(0.2, 0.8) * (normal.x() + normal.y());
-    const double slope = random.uniform(0.5, 2) * (random.uniform() < 0.5 ? -1 : 1);
-    for (Vec3& p : soup.positions) {
-      p.z() += slope * std::abs(normal.x() * p.x() + normal.y() * p.y() - offset);
-    }
-  }
-  return soup;
-}
-
 /// The soup with a needle or a cap in every fifth triangle: a vertex `height` of an edge from a
 /// corner, or from the middle of a side.
 TriangleSoup withSlivers(TriangleSoup soup, double height, bool needles) {
@@ -246,6 +230,20 @@ void addSmooth(Array<GalleryMesh>& meshes) {
 }
 
 }  // namespace
+
+TriangleSoup crumpledSheet(int triangles, int folds, uint64_t seed) {
+  TriangleSoup soup = tessellatedPlane(PlaneTessellation::kRandomDelaunay, triangles, seed);
+  Random random(seed);
+  for (int fold = 0; fold < folds; ++fold) {
+    const Vec2 normal = unitVector(random.uniform(0, 2 * kPi));
+    const double offset = random.uniform(0.2, 0.8) * (normal.x() + normal.y());
+    const double slope = random.uniform(0.5, 2) * (random.uniform() < 0.5 ? -1 : 1);
+    for (Vec3& p : soup.positions) {
+      p.z() += slope * std::abs(normal.x() * p.x() + normal.y() * p.y() - offset);
+    }
+  }
+  return soup;
+}
 
 GalleryMesh randomSheet(uint64_t seed) {
   constexpr int kTriangles = 3000;

@@ -26,6 +26,10 @@ GalleryMesh randomSheet(uint64_t seed);
 /// The mesh of that name. Throws std::runtime_error if there is none.
 TriangleMesh galleryMesh(const std::string& name);
 
+/// A sheet folded along random lines, one after another, upwards and downwards: creases cross, and
+/// all of them cut through triangles.
+TriangleSoup crumpledSheet(int triangles, int folds, uint64_t seed);
+
 /// A square of `side` x `side` squares, each a fan of 4 q triangles around its middle. `jitter`
 /// moves middles, and the vertices along sides, by that part of their free space.
 TriangleSoup fanSquares(int side, int q, double jitter, uint64_t seed);
