@@ -4,6 +4,7 @@
 #include "curves/trace/joined_path.h"
 #include "curves/trace/polyline.h"
 #include "curves/trace/sampling.h"
+#include "rcm/mean.h"
 
 /// Tracing of a curve's pieces.
 namespace karcher {
@@ -118,9 +119,7 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
 std::optional<SurfacePoint> Curve::knownEnd(const Next& next, const Piece& piece, double t) {
   const bool isEnd = t == 0 ? piece.isFirst_ : piece.isLast_;
   if (!isEnd || next.value.options.field.method == Method::kPaper) return std::nullopt;
-  const Array<double> weights = piece.weights(t);
-  const std::optional<int> only = onlyOne(weights);
-  return only ? std::optional(piece.points_[*only]) : std::nullopt;
+  return onlyPoint(piece.points_, piece.weights(t));
 }
 
 /// The center of mass of one point by its field, at which the adjacent pieces begin or end. The

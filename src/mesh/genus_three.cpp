@@ -44,11 +44,9 @@ Implicit threeTori(const Vec3& p) {
   return {-kBlend * std::log(sum), gradient / sum};
 }
 
-/// The step of Newton's method along the gradient; zero at the surface.
+/// The step of Newton's method along the gradient.
 Vec3 nearerToSurface(const Vec3& p) {
-  constexpr double kArrived = 1e-14;
   const Implicit f = threeTori(p);
-  if (std::abs(f.value) < kArrived) return p;
   return p - f.value / std::max(f.gradient.squaredNorm(), 0.1) * f.gradient;
 }
 

@@ -1,10 +1,5 @@
 #include "mesh/loop_subdivision.h"
 
-#include <limits>
-#include <string>
-
-#include "mesh/error.h"
-
 namespace karcher {
 namespace {
 
@@ -45,12 +40,6 @@ Vec3 edgeVertex(const TriangleMesh& mesh, int h) {
 }  // namespace
 
 TriangleSoup loopSubdivision(const TriangleMesh& mesh) {
-  constexpr int kMostFaces = std::numeric_limits<int>::max() / 12;
-  if (mesh.faceCount() > kMostFaces) {
-    throw Error(ErrorCode::kBadArgument, "a mesh of " + std::to_string(mesh.faceCount()) +
-                                             " faces cannot be subdivided: at most " +
-                                             std::to_string(kMostFaces) + " can");
-  }
   TriangleSoup soup;
   soup.positions.reserve(mesh.positions.size() + 3 * mesh.faces.size() / 2 + 1);
   for (int v = 0; v < mesh.vertexCount(); ++v) soup.positions.push_back(movedVertex(mesh, v));

@@ -9,8 +9,7 @@ namespace karcher {
 /// with cubic B-splines along the boundary (H. Hoppe et al., "Piecewise Smooth Surface
 /// Reconstruction", 1994). Vertices 0, ..., mesh.vertexCount() - 1 are the mesh's own, moved; after
 /// them there is one for each edge. Face f becomes faces 4 f + k, at its corners k = 0, 1, 2, and 4
-/// f + 3 in its middle. Throws Error kBadArgument if the result would have more faces than an int
-/// can number.
+/// f + 3 in its middle.
 TriangleSoup loopSubdivision(const TriangleMesh& mesh);
 
 }  // namespace karcher

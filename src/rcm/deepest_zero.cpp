@@ -7,18 +7,15 @@
 namespace karcher {
 namespace {
 
-/// The bound on steps to deeper zeros. More than two or three occur only if all faces are slivers.
-constexpr int kMostMoves = 8;
-
 class DeepestZero {
  public:
   DeepestZero(FieldBlend& fields, Weights weights, int cell, const CellZero& zero)
       : fields_(fields), cells_(fields.cells()), weights_(weights), cell_(cell), best_(zero) {}
 
   SurfacePoint run() {
-    for (int step = 0; step < kMostMoves && best_.depth() < kNearEdge; ++step) {
-      if (!goDeeper()) break;
-    }
+    // Each step goes to a deeper zero, so that no cell is met twice and the loop ends.
+    bool isDeeper = true;
+    while (isDeeper && best_.depth() < kNearEdge) isDeeper = goDeeper();
     return cells_.point(cell_, best_.bary);
   }
 

@@ -41,7 +41,7 @@ void checkWeights(Array<double>& weights, int points, bool normalize) {
     for (double& weight : weights) weight /= sum;
     return;
   }
-  if (std::abs(sum - 1) > kWeightSumTolerance) {
+  if (std::abs(sum - 1) > kChainRounding) {
     throw Error(ErrorCode::kBadWeights,
                 "the weights sum to " + inSentence(sum, 12) + "; they must sum to 1 within 1e-9");
   }
@@ -56,18 +56,6 @@ Mean withSoundEnergy(Mean mean, const Array<double>& weights) {
   mean.energy = std::max(mean.energy, 0.0);
   for (Minimum& other : mean.otherMinima) other.energy = std::max(other.energy, 0.0);
   return mean;
-}
-
-/// The index of a point that equals all points of nonzero weight, and is thus the mean; -1 if there
-/// is no such point.
-int onlyPoint(const Array<SurfacePoint>& points, const Array<double>& weights) {
-  int only = -1;
-  for (int i = 0; i < points.count(); ++i) {
-    if (weights[i] == 0) continue;
-    if (only < 0) only = i;
-    if (points[i].face != points[only].face || points[i].bary != points[only].bary) return -1;
-  }
-  return only;
 }
 
 /// Upper bounds on the distances of the points from a place, from their fields at a vertex of its
@@ -207,6 +195,16 @@ Array<std::shared_ptr<PointField>> fieldsOf(FieldSet& set, const Array<SurfacePo
 
 }  // namespace
 
+std::optional<SurfacePoint> onlyPoint(const Array<SurfacePoint>& points, Weights weights) {
+  std::optional<SurfacePoint> only;
+  for (int i = 0; i < points.count(); ++i) {
+    if (std::abs(weights.data()[i]) <= kChainRounding) continue;
+    if (!only) only = points[i];
+    if (points[i].face != only->face || points[i].bary != only->bary) return std::nullopt;
+  }
+  return only;
+}
+
 Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
                   const MeanOptions& options) {
   FieldSets sets(surface);
@@ -229,10 +227,9 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
     if (options.looksForOthers) judgeUniqueness(surface, points, weights, options.smooth, mean);
     return withSoundEnergy(std::move(mean), weights);
   };
-  const int only = onlyPoint(points, weights);
-  if (only >= 0) {
+  if (const std::optional<SurfacePoint> only = onlyPoint(points, weights)) {
     kept = std::move(set);
-    return {points[only], Status::kConverged, 0, 0, Uniqueness::kCertain, {}};
+    return {*only, Status::kConverged, 0, 0, Uniqueness::kCertain, {}};
   }
   if (isOfMany(points, weights, options)) {
     std::optional<Mean> mean = checkedMeanOfMany(surface, points, weights, options);
@@ -318,9 +315,8 @@ Array<Mean> centersOfMass(FieldSets& sets, const Array<SurfacePoint>& points,
   const SurfacePoint shared = findMean(surface, blend, equal, points, equal, options).point;
   for (int row = 0; row < count; ++row) {
     read(row);
-    const int only = onlyPoint(points, weights);
-    if (only >= 0) {
-      means.push_back({points[only], Status::kConverged, 0, 0, Uniqueness::kCertain, {}});
+    if (const std::optional<SurfacePoint> only = onlyPoint(points, weights)) {
+      means.push_back({*only, Status::kConverged, 0, 0, Uniqueness::kCertain, {}});
       continue;
     }
     Mean mean = findMean(surface, blend, weights, points, weights, options, &shared);

@@ -57,6 +57,10 @@ struct MeanOptions {
   bool isChecked = true;
 };
 
+/// The point that all points of nonzero weight equal, if there is one: it is their mean. Weights up
+/// to 1e-9 come from rounding.
+std::optional<SurfacePoint> onlyPoint(const Array<SurfacePoint>& points, Weights weights);
+
 /// If all points of nonzero weight are equal, the mean is that point, with energy 0. Throws Error:
 /// kBadWeights (not one for each point, not summing to 1 within 1e-9, or normalised with a sum that
 /// is not positive), kNotFinite, kTooFewPoints (none), kUnreachable (several components).

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "mesh/rounding.h"
 #include "mesh/types.h"
 
 /// Exact coordinates in a face.
@@ -25,8 +26,7 @@ inline double exactCross(const Vec2& u, const Vec2& v) {
   const double p = u.x() * v.y();
   const double q = u.y() * v.x();
   const double difference = p - q;
-  constexpr double kRounding = 4e-16;
-  if (std::abs(difference) > kRounding * (std::abs(p) + std::abs(q))) return difference;
+  if (std::abs(difference) > kStepRounding * (std::abs(p) + std::abs(q))) return difference;
   return std::fma(u.x(), v.y(), -q) + std::fma(-u.y(), v.x(), q);
 }
 

@@ -3,6 +3,7 @@
 
 #include "curves/query/measure.h"
 #include "intrinsic/surface_path.h"
+#include "mesh/rounding.h"
 #include "mesh/sorted_numbers.h"
 
 /// The traced line bounds the curve's distance in each interval between samples. The intervals that
@@ -18,8 +19,6 @@ namespace {
 constexpr double kBend = 2;
 /// The least number of times that an interval between samples is divided.
 constexpr int kFewestCuts = 3;
-/// The relative precision of the parameter.
-constexpr double kPrecision = 1e-13;
 /// A bound for curves that are equally near everywhere, such as a circle around the place.
 constexpr int kMostEvaluations = 20'000;
 
@@ -100,7 +99,7 @@ class NearestSearch {
     const double width = to.parameter - from.parameter;
     const double chord = (to.position - from.position).norm();
     const double least = (from.distance + to.distance - kBend * chord) / 2;
-    if (width <= kPrecision * (1 + to.parameter) || evaluations_ >= kMostEvaluations) return;
+    if (width <= kLocalRounding * (1 + to.parameter) || evaluations_ >= kMostEvaluations) return;
     if (cuts >= kFewestCuts && least >= best_.distance) return;
     const Evaluation middle = evaluate((from.parameter + to.parameter) / 2);
     const bool inOneFace = from.face == to.face && from.face == middle.face;
@@ -120,7 +119,7 @@ class NearestSearch {
     double right = from + golden * (to - from);
     double atLeft = evaluate(left).distance;
     double atRight = evaluate(right).distance;
-    while (to - from > kPrecision * (1 + to)) {
+    while (to - from > kLocalRounding * (1 + to)) {
       if (atLeft < atRight) {
         to = right;
         right = left;

@@ -13,12 +13,6 @@ int heaviest(Weights weights) {
   return i;
 }
 
-std::optional<int> onlyOne(Weights weights) {
-  const auto isSome = [](double weight) { return std::abs(weight) > kWeightSumTolerance; };
-  if (std::count_if(weights.begin(), weights.end(), isSome) != 1) return std::nullopt;
-  return heaviest(weights);
-}
-
 void append(WeightTable& table, double t, const Array<double>& weights) {
   table.t.push_back(t);
   table.points = weights.count();
@@ -45,7 +39,7 @@ void findRestarts(Weights weights, Method method, bool isEnd, Array<int>& order)
     const int next = heaviest({left.data(), left.size()});
     // Points of weight 0 do not belong to the next segment, which must find the same center at its
     // start.
-    if (left[next] <= kWeightSumTolerance) break;
+    if (left[next] <= kChainRounding) break;
     order.push_back(next);
     left[next] = -kInfinity;
   }

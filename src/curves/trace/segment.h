@@ -52,9 +52,6 @@ WeightTable tabulate(const Basis& basis, int count);
 /// The index of the largest weight, the first if several are equal.
 int heaviest(Weights weights);
 
-/// The index of the only nonzero weight, if only one is nonzero: the mean is that point.
-std::optional<int> onlyOne(Weights weights);
-
 /// The control points of a segment and the blend of their fields. All stages of tracing share the
 /// blend's values in the faces that the segment passes.
 struct SegmentFields {
