@@ -15,10 +15,6 @@
 /// (2013), section 3, evaluated at the centroids of faces.
 namespace karcher {
 
-/// The distance from the end of an edge, as a part of the edge, below which a path that crosses the
-/// edge goes through the vertex.
-inline constexpr double kVertexTolerance = 1e-12;
-
 struct Geometry {
   const TriangleMesh* mesh = nullptr;
   Array<double> edgeLength;   ///< the length of each half-edge

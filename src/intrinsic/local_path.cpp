@@ -18,7 +18,7 @@ bool joinAcross(const Geometry& geometry, const SurfacePoint& from, int h, const
   if (!(a.y() > 0 && b.y() < 0)) return false;
   const double s = (a.x() + (b.x() - a.x()) * a.y() / (a.y() - b.y())) / edge;
   // At an end of the edge the path may be shorter around the other side of the vertex.
-  if (!(s > kOnEdgeTolerance && s < 1 - kOnEdgeTolerance)) return false;
+  if (!(s > kLocalRounding && s < 1 - kLocalRounding)) return false;
   out.push_back(edgePoint(h, s));
   out.push_back(to);
   return true;

@@ -58,7 +58,7 @@ std::optional<Walker> enterFace(const Geometry& geometry, const Walker& walker) 
   if (location.simplex == Simplex::kEdge) {
     const int h = location.halfedge;
     const Vec2 along = halfedgeInFace(geometry, h);
-    if (cross(along, walker.direction) < -kOnEdgeTolerance * geometry.edgeLength[h]) {
+    if (cross(along, walker.direction) < -kLocalRounding * geometry.edgeLength[h]) {
       const int t = geometry.mesh->twin[h];
       if (t < 0) return std::nullopt;
       return Walker{edgePoint(t, walker.point.bary[cornerOf(h)]),
@@ -137,7 +137,7 @@ class Walk {
     bary[exit.corner] = 0;
     const int h = 3 * f + (exit.corner + 1) % 3;
     const double s = std::clamp(bary[cornerOf(next(h))], 0.0, 1.0);
-    if (s <= kVertexTolerance || s >= 1 - kVertexTolerance) {
+    if (s <= kLocalRounding || s >= 1 - kLocalRounding) {
       const int corner = s < 0.5 ? h : next(h);
       append(edgePoint(corner, 0));
       return passVertex(geometry_, corner, walker.direction);

@@ -25,9 +25,9 @@ double Tightening::append(Array<SurfacePoint>& out) const {
       const Vec2 across = workspace_.portals[portal].left - right;
       const double width = cross(along, across);
       const double s = width > 0 ? cross(along, at - right) / width : 0;
-      if (s <= kVertexTolerance) {
+      if (s <= kLocalRounding) {
         appendVertex(h);
-      } else if (s >= 1 - kVertexTolerance) {
+      } else if (s >= 1 - kLocalRounding) {
         appendVertex(next(h));
       } else {
         out.push_back(edgePoint(h, s));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/rounding.h"
 #include "mesh/triangle_mesh.h"
 
 /// Points anywhere on the surface: a face and barycentric weights, also on edges and vertices.
@@ -11,28 +12,24 @@ struct SurfacePoint {
   Vec3 bary = Vec3(1, 0, 0);
 };
 
-/// The tolerance below which weights count as 0, since they come from rounding: the point lies on
-/// the edge or vertex.
-inline constexpr double kOnEdgeTolerance = 1e-12;
-
 /// Checks and cleans a caller's point on a mesh of `faceCount` faces. Weights within 1e-6 of the
-/// triangle are clamped to it, weights below kOnEdgeTolerance become 0, and the sum becomes 1.
+/// triangle are clamped to it, weights below kLocalRounding become 0, and the sum becomes 1.
 /// Throws Error: kBadIndex (no such face), kNotFinite, kBadPoint.
 SurfacePoint checkedPoint(int faceCount, int face, const Vec3& bary);
 inline SurfacePoint checkedPoint(const TriangleMesh& mesh, int face, const Vec3& bary) {
   return checkedPoint(mesh.faceCount(), face, bary);
 }
 
-/// The point with these weights. Weights below kOnEdgeTolerance become 0, and the sum becomes 1.
+/// The point with these weights. Weights below kLocalRounding come from rounding and become 0: the
+/// point lies on the edge or vertex. The sum becomes 1.
 inline SurfacePoint clampedPoint(int face, const Vec3& bary) {
   SurfacePoint point{face, bary};
   for (int k = 0; k < 3; ++k) {
-    if (point.bary[k] < kOnEdgeTolerance) point.bary[k] = 0;
+    if (point.bary[k] < kLocalRounding) point.bary[k] = 0;
   }
   // Most weights already have this sum, and divisions are slow.
-  constexpr double kRounding = 1e-15;
   const double sum = point.bary[0] + point.bary[1] + point.bary[2];
-  if (std::abs(sum - 1) > kRounding) point.bary /= sum;
+  if (std::abs(sum - 1) > kStepRounding) point.bary /= sum;
   return point;
 }
 

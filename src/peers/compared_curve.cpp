@@ -95,7 +95,7 @@ void ComparedCurve::check() const {
   for (int i = 0; i < table.t.count(); ++i) {
     double sum = 0;
     for (const double weight : table.row(i)) sum += weight;
-    if (std::abs(sum - 1) <= kWeightSumTolerance) continue;
+    if (std::abs(sum - 1) <= kChainRounding) continue;
     throw Error(ErrorCode::kBadWeights, "the weights of sample " + std::to_string(i) + " sum to " +
                                             std::to_string(sum) + " instead of 1");
   }

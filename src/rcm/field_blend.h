@@ -4,6 +4,7 @@
 #include <span>
 
 #include "intrinsic/straightest.h"
+#include "mesh/rounding.h"
 #include "mesh/sparse_index.h"
 #include "rcm/cells.h"
 #include "rcm/control_field.h"
@@ -14,11 +15,8 @@
 /// which these divide it.
 namespace karcher {
 
-/// Weights, one for each field. They should sum to 1.
+/// Weights, one for each field. They sum to 1 up to kChainRounding.
 using Weights = std::span<const double>;
-
-/// The largest deviation of a caller's sum of weights from 1.
-inline constexpr double kWeightSumTolerance = 1e-9;
 
 /// A vector field that is linear in one triangle, by its values at the corners, in the face's
 /// frame.

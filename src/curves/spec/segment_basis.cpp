@@ -11,7 +11,7 @@ Array<double> ownWeights(const SegmentBasis& basis, double t) {
   Array<double> weights = (*basis.own)(basis.points, t);
   double sum = 0;
   for (const double weight : weights) sum += weight;
-  if (weights.count() == basis.points && std::abs(sum - 1) <= kWeightSumTolerance) return weights;
+  if (weights.count() == basis.points && std::abs(sum - 1) <= kChainRounding) return weights;
   throw Error(ErrorCode::kBadWeights, "the basis gives " + std::to_string(weights.count()) +
                                           " weights of sum " + inSentence(sum, 12) +
                                           " at t = " + inSentence(t) + "; there must be " +
