@@ -18,6 +18,8 @@ void checkIndexBelow(const CurveValue& value, int i, int count) {
                                         ", numbered from 0");
 }
 
+void checkIndex(const CurveValue& value, int i) { checkIndexBelow(value, i, value.points.count()); }
+
 bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
   return a.face == b.face && a.bary == b.bary;
 }
@@ -43,8 +45,6 @@ void makeShortest(SurfacePath& leg) {
   leg.points.clear();
   leg.lengths.clear();
 }
-
-void checkIndex(const CurveValue& value, int i) { checkIndexBelow(value, i, value.points.count()); }
 
 CurveValue withPointPlaced(CurveValue value, int i, const SurfacePoint& point) {
   checkIndex(value, i);

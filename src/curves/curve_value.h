@@ -57,9 +57,6 @@ bool usesLegs(const CurveOptions& options);
 /// Empties a leg, which then stands for the shortest one.
 void makeShortest(SurfacePath& leg);
 
-/// Throws Error kBadIndex for a control point that does not exist.
-void checkIndex(const CurveValue& value, int i);
-
 /// The value with a control point elsewhere. The legs that meet at it become the shortest. Throws
 /// Error kBadIndex.
 CurveValue withPointPlaced(CurveValue value, int i, const SurfacePoint& point);

@@ -67,14 +67,9 @@ void checkPlace(const Vec3& place) {
   }
 }
 
-Vec3 middleOf(const Array<Vec3>& positions) {
+double extentOf(const Array<Vec3>& positions) {
   Vec3 middle = Vec3::Zero();
   for (const Vec3& p : positions) middle += p / static_cast<double>(positions.count());
-  return middle;
-}
-
-double extentOf(const Array<Vec3>& positions) {
-  const Vec3 middle = middleOf(positions);
   double farthest = 0;
   for (const Vec3& p : positions) farthest = std::max(farthest, (p - middle).norm());
   return 2 * farthest;

@@ -13,9 +13,6 @@ double checkPositions(const Array<Vec3>& positions, const Array<int>* vertices =
 /// Checks a place beside a mesh as `checkPositions` does. Throws Error kNotFinite, kBadArgument.
 void checkPlace(const Vec3& place);
 
-/// The mean of all positions; 0 if there are none.
-Vec3 middleOf(const Array<Vec3>& positions);
-
 /// Twice the largest distance of a position from the mean of all; 0 if there are none.
 double extentOf(const Array<Vec3>& positions);
 

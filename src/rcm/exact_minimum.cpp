@@ -121,19 +121,15 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
   return sums;
 }
 
-double circleStart(const Geometry& geometry, const SurfacePoint& center) {
-  const PointLocation location = locate(*geometry.mesh, center);
-  return location.simplex == Simplex::kVertex ? longestEdge(geometry, location.vertex)
-                                              : farthestCorner(geometry, center);
-}
-
 StraightestPath circleRadius(const Geometry& geometry, const SurfacePoint& center, double radius,
                              double part) {
   const PointLocation location = locate(*geometry.mesh, center);
   const StraightestOptions options{.maxCrossings = mostCrossingsOfSearch(*geometry.mesh)};
   const bool isVertex = location.simplex == Simplex::kVertex;
+  const double start =
+      isVertex ? longestEdge(geometry, location.vertex) : farthestCorner(geometry, center);
   const double all = isVertex ? geometry.totalAngle[location.vertex] : 2 * kPi;
-  const double direction = std::fmod(circleStart(geometry, center) + all * part, all);
+  const double direction = std::fmod(start + all * part, all);
   return isVertex ? traceFromVertex(geometry, location.vertex, direction, radius, options)
                   : traceStraightest(geometry, center, radius * unitVector(direction), options);
 }

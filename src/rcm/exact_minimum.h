@@ -39,18 +39,15 @@ class ExactEnergy {
   Weights weights_;
 };
 
-/// The direction in which circles around a point begin, in the frame of its face or vertex. It
-/// follows from the shape of the mesh, so that a circle's points do not depend on the numbers of
-/// the faces.
-double circleStart(const Geometry& geometry, const SurfacePoint& center);
-
 /// The radius of a circle around a point, as a straightest geodesic whose direction is this part, 0
-/// to 1, of the total angle from `circleStart`. It is shorter if the boundary is in the way.
+/// to 1, of the total angle from the circle's start. That follows from the shape of the mesh, so
+/// that a circle's points do not depend on the numbers of the faces. The geodesic is shorter if the
+/// boundary is in the way.
 StraightestPath circleRadius(const Geometry& geometry, const SurfacePoint& center, double radius,
                              double part);
 
-/// The ends of `count` radii at equal parts of the total angle, the first half a part from
-/// `circleStart`.
+/// The ends of `count` radii at equal parts of the total angle, the first half a part from the
+/// circle's start.
 Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& center,
                                  double radius, int count);
 
