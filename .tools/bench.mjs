@@ -1,4 +1,4 @@
-// `npm run bench`: the same benchmark in native code and in WebAssembly, a JSON object each.
+// `npm run bench`: the same benchmark in native code and in WebAssembly, with a JSON object for each.
 //
 //   npm run bench -- [MESH.obj --points FILE] [--samples N]     (the bunny of npm without a mesh)
 //   npm run bench -- drag [MESH.obj] [--points FILE …]          (steps of drags: drag_bench.mjs)

@@ -123,9 +123,10 @@ async function main() {
   const { all, covered } = printFolders(counts);
   const without = printUncovered(counts);
   const share = percent(covered, all);
-  console.log(`\n${share} % of ${all} lines of src are run by the engine's tests`);
+  console.log(`\n${share} % of ${all} lines of src run in the engine's tests`);
   if (without > 0) throw new Error(`${without} functions have no reason in docs/coverage.md`);
-  if (Number(share) < leastPercent) throw new Error(`less than ${leastPercent} %`);
+  if (Number(share) < leastPercent)
+    throw new Error(`the tests run less than ${leastPercent} % of the lines`);
 }
 
 try {

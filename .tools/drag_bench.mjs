@@ -2,8 +2,8 @@
 //
 //   npm run bench -- drag [MESH.obj] [--points FILE …]
 //
-// Without points polygons are drawn, with legs of .05 to .3 of the mesh's diagonal. The bunny of npm
-// without a mesh.
+// Without points it draws polygons with legs of .05 to .3 of the mesh's diagonal. Without a mesh it takes the
+// bunny of npm.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { basename } from 'node:path';
 import { inRoot, run } from './shell.mjs';
@@ -28,7 +28,7 @@ async function timeDrag(mesh, plan, levels) {
   }
   const of = (name, key) => median(times[name].map((time) => time[key]));
   if (Math.abs(of('wasm', 'length') / of('native', 'length') - 1) > 1e-6)
-    throw new Error(`${basename(mesh)}: native code and WebAssembly draw other curves`);
+    throw new Error(`${basename(mesh)}: native code and WebAssembly draw different curves`);
   return {
     levels: of('native', 'levels'),
     native: of('native', 'stepMs'),

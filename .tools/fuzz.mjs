@@ -65,7 +65,7 @@ async function fuzz(name, minutes) {
   if (problem) console.error(output.split('\n').slice(-60).join('\n'));
   for (const file of found) console.error(`The input is build/fuzz/findings/${file}`);
   console.log(
-    `${name}: ${tried.toLocaleString('en')} inputs in ${minutes} minutes, ${kept.toLocaleString('en')} kept, ${problem ? 'a finding' : 'no finding'}`,
+    `${name}: ${tried.toLocaleString('en')} inputs in ${minutes} minutes, ${kept.toLocaleString('en')} kept, ${problem ? 'a failure' : 'no failure'}`,
   );
   if (problem) console.error(problem.message);
   else if (tried === 0) console.error(`${name} tried no input`);

@@ -5,7 +5,7 @@ import { countAll } from './shell.mjs';
 
 /**
  * Calls `runFile` with each name and returns the sums of what it resolves to, `{ passed, failed }`. How
- * long each took is kept at `timesPath` for the next run's order; one that is not told there comes first.
+ * long each took is saved at `timesPath` for the next run's order; names without a time there come first.
  * `atOnce` run at a time, by default as many as there are cores.
  */
 export async function runLongestFirst(names, timesPath, runFile, atOnce) {
@@ -24,7 +24,7 @@ export async function runLongestFirst(names, timesPath, runFile, atOnce) {
   );
   writeFileSync(timesPath, JSON.stringify(seconds));
   const longest = Object.entries(seconds).sort(([, a], [, b]) => b - a);
-  const told = longest.slice(0, 5).map(([name, time]) => `${name} ${time.toFixed(1)} s`);
-  console.log(`Longest: ${told.join(', ')}`);
+  const named = longest.slice(0, 5).map(([name, time]) => `${name} ${time.toFixed(1)} s`);
+  console.log(`Longest: ${named.join(', ')}`);
   return sums;
 }

@@ -1,4 +1,4 @@
-// Runs files of node:test, each in a process of its own, or several in one where they share what is costly to load.
+// Runs files of node:test, each in a process of its own, or several in one where they share modules that are slow to load.
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { runLongestFirst } from './longest_first.mjs';

@@ -5,13 +5,19 @@
 //   npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N]
 //                    [--meshes FOLDER] [--points FOLDER] [--plots] [--study NAME] [--judge] [--save] [--built]
 //
-// One figure only (or none), and then no claims; meshes of a part of the triangles; Table 1 up to so many
-// triangles (20,000) and with so many samples a segment; every OBJ file of a folder by every method, for the
-// claims about meshes that the project does not hold; only what the page plots, beside the verdicts of the
-// last report; only a study of the claims, for what it does not time, beside the last report's other numbers,
-// whose rows then tell of which day they are; only the verdicts, from the numbers of the last report (for rules and words that changed); the
-// verdicts kept in docs/paper-report.json, from which the page shows them; what is in
-// dist/ as it is. Where there is nothing to write, the last report stays.
+// --figure ID     computes only one figure (or none), and then no claims
+// --detail PART   uses meshes with this part of the triangles
+// --table N       computes Table 1 on up to N triangles (20,000)
+// --samples N     takes N samples for each segment in Table 1
+// --meshes FOLDER runs every method on each OBJ file of the folder, for the claims about meshes that the
+//                 project does not have; --points has their control points
+// --plots         computes only the page's plots, beside the verdicts of the last report
+// --study NAME    computes only one study of the claims, without times, beside the other numbers of the last
+//                 report, whose rows then state their day
+// --judge         computes only the verdicts, from the numbers of the last report (after a change of rules or words)
+// --save          saves the verdicts in docs/paper-report.json, from which the page shows them
+// --built         uses dist/ without a build
+// If nothing is to be written, the last report stays.
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
 import { basename, join } from 'node:path';
@@ -50,7 +56,7 @@ const load = async (path) => {
 function numberOf(options, name, fits, what) {
   const value = Number(options[name].trim() || Number.NaN);
   if (fits(value)) return value;
-  throw new Error(`--${name} is to be ${what}, not '${options[name]}'.\n${usage}`);
+  throw new Error(`--${name} must be ${what}, not '${options[name]}'.\n${usage}`);
 }
 
 /** The command line's options, checked before anything is built. */
@@ -251,7 +257,9 @@ try {
   }
   const { parts, verdicts } = await everything(options);
   if (parts.length === 0) {
-    throw new Error('There is nothing to write: no figure, and no row of Table 1 so small.');
+    throw new Error(
+      'Nothing to write: no figure was chosen, and Table 1 has no row of so few triangles.',
+    );
   }
   mkdirSync(inRoot('build'), { recursive: true });
   writeFileSync(inRoot('build/paper.md'), parts.join('\n'));

@@ -1,10 +1,10 @@
 // `npm run pictures`: replays the two sittings of tests/web/sittings.mjs in every size of window, light and
-// dark, and writes what is seen at each step to build/pictures/, to be looked at.
+// dark, and writes a picture of each step to build/pictures/, for a person to look at.
 //
 //   npm run pictures -- [--size laptop|desk|phone] [--theme light|dark] [--save] [--built]
 //
-// One size or theme only; with --save the README's picture, docs/drawing.jpg, in place of the sittings; what
-// is in build/page as it is.
+// --size and --theme choose one of each. --save makes the README's picture, docs/drawing.jpg, in place of the
+// sittings. --built uses build/page without a build.
 import { mkdirSync, statSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { buildFacade, buildPage, buildWasm } from './build.mjs';
@@ -21,7 +21,7 @@ const mostBytes = 300_000;
 function chosen(name, value, names) {
   if (value === undefined) return names;
   if (names.includes(value)) return [value];
-  throw new Error(`--${name} is to be one of ${names.join(', ')}, not '${value}'.\n${usage}`);
+  throw new Error(`--${name} must be one of ${names.join(', ')}, not '${value}'.\n${usage}`);
 }
 
 /** Replays one sitting and takes a picture of the window after each step. */

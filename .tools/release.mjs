@@ -1,5 +1,5 @@
 // `npm run release`: builds and packs the files for publishing, installs the packed file into empty
-// folders, tries it there, and prints its content and what is missing. It publishes nothing.
+// folders, tries it there, and prints its content and the missing addresses. It publishes nothing.
 import { readFileSync } from 'node:fs';
 import { checkPackages } from './check_packages.mjs';
 import { addresses, packageFolder } from './package.mjs';
@@ -23,9 +23,7 @@ const missing = Object.entries(addresses())
   .filter(([, address]) => !address)
   .map(([what]) => `.tools/addresses.json has no address of: ${what}.`);
 if (!readFileSync(inRoot('CHANGELOG.md'), 'utf8').includes(`\n## ${version}`)) {
-  missing.push(
-    `CHANGELOG.md has no part for ${version}: what is under Unreleased is to be named so.`,
-  );
+  missing.push(`CHANGELOG.md has no section ${version}: rename the section Unreleased.`);
 }
 console.log(`\n${missing.length === 0 ? 'Nothing is missing.' : 'Missing:'}\n`);
 for (const one of missing) console.log(`  ${one}`);

@@ -2,9 +2,8 @@
 //
 // A table's first column names a room (a folder with what lies directly in it, or a file), its last
 // column what that room may use: rooms, packages, `folder/*` for every room below a folder, "all above"
-// for the rooms of the rows above in the same table, "but" before what is taken out of these again,
-// and "(types)" behind a name of which only types are imported. A room may always use itself and the
-// standard library.
+// for the rooms of the rows above in the same table, "but" before exceptions, and "(types)" behind a name
+// of which only types may be imported. A room may always use itself and the standard library.
 import { readFileSync } from 'node:fs';
 import { posix } from 'node:path';
 import { filesBelow, inRoot, root } from './shell.mjs';

@@ -1,6 +1,5 @@
-// Finds what the machine lacks to build and test Karcher, and installs it: system packages by apt
-// on Debian and Ubuntu, npm packages by `npm ci`. Elsewhere it says what is missing and how to get
-// it. With KARCHER_NO_INSTALL=1, and where npm installs the package from git, it only prints the commands.
+// Finds and installs the packages that the machine lacks to build and test Karcher: system packages by
+// apt on Debian and Ubuntu, npm packages by `npm ci`. Elsewhere it says what is missing and how to get it. With KARCHER_NO_INSTALL=1, and where npm installs the package from git, it only prints the commands.
 //
 //   node .tools/setup.mjs [build] [native] [test] [format] [lint]     (all without arguments)
 import { spawnSync } from 'node:child_process';
@@ -189,7 +188,7 @@ async function installByApt(packages, noInstall) {
     // Without a fresh list the packages may still be found, but the installation itself must work.
     if (status !== 0 && args.includes('install')) {
       throw new SetupError(
-        `apt-get could not install them: see its message above. The commands are, as root:\n${script.replaceAll(/sudo (-n )?/g, '')}`,
+        `apt-get could not install the packages: see its message above. The commands are, as root:\n${script.replaceAll(/sudo (-n )?/g, '')}`,
       );
     }
   }
@@ -304,5 +303,5 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   await setUp(
     ...(purposes.length > 0 ? purposes : ['build', 'native', 'test', 'fuzz', 'format', 'lint']),
   );
-  console.log('Everything that is needed is installed.');
+  console.log('All required packages are installed.');
 }

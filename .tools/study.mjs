@@ -1,15 +1,15 @@
-// `npm run study`: builds and runs one of the studies of tests/bench, which measure accuracy, or times: native
-// programs, and scripts that measure the package.
+// `npm run study`: builds and runs one of the studies of tests/bench, which measure accuracy or times. They are
+// native programs, and scripts that measure the package.
 //
 //   npm run study -- [--save] NAME [ARGUMENTS]      (the names without arguments)
 //   npm run study -- --again [--meshes FOLDER] [NAME …]
 //
-// With --save what it prints is kept in docs/studies, and the tables of docs that quote it are written anew; tests
-// compare both. With --again all that are kept there, or those of these names, are measured anew and kept, as
-// long as the meshes that they read are in the folder.
+// --save saves the output in docs/studies, and updates the tables of docs that quote it; tests compare both.
+// --again runs all studies saved there, or those of these names, and saves them again, if the meshes that they
+// read are in the folder.
 //
-// The studies read OBJ files. Files of other formats are read as the package reads them, and written as
-// OBJ files in build/study.
+// The studies read OBJ files. The package reads files of other formats, which are then written as OBJ files to
+// build/study.
 import { existsSync } from 'node:fs';
 import { basename, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
@@ -23,11 +23,11 @@ const suffix = '_study';
 const names = filesBelow('tests/bench', /_study\.cpp$/).map((file) =>
   basename(file, `${suffix}.cpp`),
 );
-/** The studies that are scripts, whose output is not kept. */
+/** The studies that are scripts, whose output is not saved. */
 const scripts = filesBelow('tests/bench', /_study\.mjs$/).map((file) =>
   basename(file, `${suffix}.mjs`),
 );
-const usage = `Usage: npm run study -- [--save] NAME [ARGUMENTS], or --again [--meshes FOLDER] [NAME …]; the studies: ${names.join(', ')}; not to be saved: ${scripts.join(', ')}`;
+const usage = `Usage: npm run study -- [--save] NAME [ARGUMENTS], or --again [--meshes FOLDER] [NAME …]\nThe studies: ${names.join(', ')}.\nScripts, whose output cannot be saved: ${scripts.join(', ')}.`;
 const given = process.argv.slice(2);
 const from = (path) => resolve(process.env.INIT_CWD ?? '.', path);
 
@@ -39,9 +39,9 @@ async function build(studies, args) {
   await buildFacade();
 }
 
-const tellQuoted = () => {
+const printQuoted = () => {
   const docs = quoteStudies();
-  if (docs.length > 0) console.log(`Their tables are written: ${docs.join(', ')}.`);
+  if (docs.length > 0) console.log(`Updated tables: ${docs.join(', ')}.`);
 };
 
 async function one([name, ...rest], save) {
@@ -63,7 +63,7 @@ async function one([name, ...rest], save) {
     return;
   }
   console.log(`Written to ${await saveStudy(name, paths)}.`);
-  tellQuoted();
+  printQuoted();
 }
 
 async function again(args) {
@@ -79,10 +79,10 @@ async function again(args) {
   );
   for (const { study, arguments: saved } of chosen) {
     const { args: paths, missing } = found(saved, folder);
-    if (missing.length > 0) console.log(`${study} is not run: it needs ${missing.join(', ')}.`);
+    if (missing.length > 0) console.log(`${study} does not run: it needs ${missing.join(', ')}.`);
     else console.log(`Written to ${await saveStudy(study, paths)}.`);
   }
-  tellQuoted();
+  printQuoted();
 }
 
 try {

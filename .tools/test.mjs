@@ -1,9 +1,8 @@
-// `npm test`: sets up, builds everything and runs the tests, always the same ones. With --long it runs also
-// those that are too long for that, and tests take the large numbers of random cases that they keep for
-// KARCHER_LONG=1, but not those of the engine with the sanitizers, which would take hours; saved studies of
-// meshes in files are computed anew with `--meshes FOLDER`, where these are. With names of files of tests/wasm,
-// tests/paper and tests/web it runs only these. With --whole it runs everything, and of such files also what
-// is too long for `npm test`.
+// `npm test`: sets up, builds everything and runs the tests, always the same ones. --long adds the tests that
+// are too long for `npm test`, and the large numbers of random cases of KARCHER_LONG=1, except those of the
+// engine with the sanitizers, which would take hours. `--meshes FOLDER` names the folder of the meshes for
+// saved studies, which then run again. With names of files of tests/wasm, tests/paper and tests/web only these
+// run. --whole runs everything, and these files with the tests that are too long for `npm test`.
 import { mkdirSync, readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';

@@ -1,10 +1,10 @@
-// Random cuts of meshes as they come: closed curves, and curves from rim to rim where a surface has one, and what
-// their parts and the parts' files miss of what must hold.
+// Random cuts of meshes of files, along closed curves and curves from rim to rim, with the faults of their parts
+// and of the parts' files.
 //
 //   npm run study -- cuts [--count N] [--seed S] MESH…
 //
-// N cuts in all, 200 by default, in turn on the meshes. A fault names the seed that draws its cut again with
-// --count 1 on its mesh.
+// The study makes N cuts in all, 200 by default, on the meshes in turn. A fault names its seed, which repeats the cut
+// with --count 1 on its mesh.
 import { readFileSync } from 'node:fs';
 import { basename, resolve } from 'node:path';
 import { parseArgs } from 'node:util';

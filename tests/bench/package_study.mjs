@@ -1,4 +1,4 @@
-// What the package promises beside what it does, in a table: places of hits, log maps, many means, medians,
+// A table of the package's requirements beside the measured values: places of hits, log maps, many means, medians,
 // derivatives. `npm run study -- package` runs it on the built module; times are the processor's.
 import { load } from 'karcher';
 import { energyAt, hessianAt, median, weightDerivatives } from 'karcher/statistics';
@@ -36,7 +36,7 @@ const pointOf = (mesh) => {
   return { face: Math.floor(random() * mesh.info.triangles), bary: [1 - b1 - b2, b1, b2] };
 };
 
-row('what', 'asked', 'measured');
+row('what', 'required', 'measured');
 row('---', '---', '---');
 hits(10_000);
 logMapTime();

@@ -1,6 +1,6 @@
-// What regions take in WebAssembly on 70,000 triangles, of the processor: the regions of polygons of some thousand
-// points, and the steps of a drag of a curve of sixty points, as twenty Bézier segments have, with its region and one
-// boolean.
+// The processor's time for regions in WebAssembly on 70,000 triangles: the regions of polygons of some thousand
+// points, and the steps of a drag of a curve of sixty points, such as twenty Bézier segments have, with its region
+// and one boolean operation.
 //
 //   npm run study -- region_times
 import { load } from 'karcher';

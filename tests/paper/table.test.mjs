@@ -278,9 +278,9 @@ test('npm run paper refuses invalid numbers, and keeps the last report', () => {
   const report = inRoot('build/paper.md');
   const before = existsSync(report) ? readFileSync(report, 'utf8') : null;
   for (const [args, reason] of [
-    [['--figure', 'none', '--table', 'abc'], /--table is to be a number of triangles, not 'abc'/],
-    [['--detail', 'abc'], /--detail is to be over 0 and up to 1, not 'abc'/],
-    [['--figure', 'none'], /There is nothing to write/],
+    [['--figure', 'none', '--table', 'abc'], /--table must be a number of triangles, not 'abc'/],
+    [['--detail', 'abc'], /--detail must be over 0 and up to 1, not 'abc'/],
+    [['--figure', 'none'], /^Nothing to write/],
   ]) {
     const command = [inRoot('.tools/paper.mjs'), '--built', ...args];
     const { status, stderr } = spawnSync(process.execPath, command, { encoding: 'utf8' });
