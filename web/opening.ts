@@ -186,7 +186,7 @@ export class Opening {
     const drawn = await drawnGeometry(drawnMesh(client, key));
     if (client !== this.session.client || !wanted()) return;
     this.editor.cancelDrag();
-    // The present drawing may have been edited in the meantime.
+    // The user may have edited the drawing in the meantime.
     const { drawing, standIn } = this.editor.state;
     const { triangles } = viewer.showSurface(drawn);
     viewer.resetView({ animated: false });

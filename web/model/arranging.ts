@@ -175,7 +175,7 @@ export function addition(
   return { command: { type: 'steps', steps }, ids: objects.map(({ id }) => id) };
 }
 
-/** New group names for added objects that do not belong to the drawing's groups. */
+/** For each group of added objects, a name that no group of the drawing has. */
 function freshGroups(drawing: Drawing, added: readonly DrawnObject[]): Map<string, string> {
   const taken = new Set(drawing.objects.map(({ group }) => group));
   const fresh = new Map<string, string>();

@@ -19,7 +19,7 @@ export interface Piece {
   cubic: Cubic;
 }
 
-/** The number of times that parameters are improved before a curve is split or returned. */
+/** The most steps that improve the parameters of a curve before it is split or returned. */
 const mostSteps = 24;
 /** If a curve is off by at most this many tolerances, better parameters may be enough. */
 const worthBettering = 16;

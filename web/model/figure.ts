@@ -97,7 +97,10 @@ export interface CurveSettings {
   readonly tolerance: number | null;
   /** The number of evenly spaced marks along the curve. */
   readonly marks: number;
-  /** The steadiness of a curve on rough surfaces, from the mean of all its points to the limit of subdivision. */
+  /**
+   * The levels of subdivision, or 'auto' or 'limit'. With 0 a sample is the mean of all points;
+   * more levels make the curve steadier on rough surfaces.
+   */
   readonly levels: CurveLevels;
   /** The least number of levels during a drag, so that it never falls; never saved. */
   readonly leastLevels?: number;
@@ -277,7 +280,10 @@ export function isEmpty({ kind, points, circle, derived }: Figure): boolean {
   return isRound(kind) ? circle === null : points.length === 0;
 }
 
-/** The figure without the points and settings of its kind. */
+/**
+ * The figure without its points, circle or sources, whichever its kind has. Its settings stay,
+ * except knots that no longer fit.
+ */
 export function cleared(figure: Figure): Figure {
   if (isRound(figure.kind)) return { ...figure, circle: null };
   if (isDerived(figure.kind)) {

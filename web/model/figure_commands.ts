@@ -57,7 +57,7 @@ export function applyToFigure(figure: Figure, command: FigureCommand): Figure {
   }
 }
 
-/** The result of a command, with fitting legs and knots. Replacements are left as given. */
+/** The result of a command, with fitting legs and knots. A replacing figure keeps its legs. */
 export function fitted(to: Figure, from: Figure, command: FigureCommand): Figure {
   return withFittingKnots(command.type === 'replace' ? to : withFittingLegs(to, from));
 }

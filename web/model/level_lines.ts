@@ -7,7 +7,7 @@
 export function roundStep(most: number, count: number): number {
   const power = 10 ** Math.floor(Math.log10(most / count));
   const factor = [1, 2, 5, 10].find((one) => one * power >= (most / count) * 0.999) ?? 10;
-  // Division by a power of ten is exact: 0.2 is 2 / 10.
+  // A division by a whole number rounds only once: 0.2 is 2 / 10.
   return power < 1 ? factor / Math.round(1 / power) : factor * power;
 }
 

@@ -20,8 +20,8 @@ export function segmentAt({ points }: Figure, parameter: number): OnSegment {
 }
 
 /**
- * The shift of both handles for a unit shift of the segment's point at a parameter: the smallest
- * shift that moves the point there.
+ * The shifts of the two handles for a unit shift of the segment's point at a parameter: the
+ * smallest that move the point there.
  */
 export function bendingParts(t: number): [number, number] {
   const [first, second] = [3 * t * (1 - t) ** 2, 3 * t ** 2 * (1 - t)];

@@ -43,7 +43,7 @@ export const kindNotes: Record<Kind, string> = {
   cut: 'The surface cut apart along objects',
 };
 
-/** Groups of kinds that can be exchanged for each other. */
+/** Groups of kinds that the page offers together, as alternatives. */
 export const kindGroups: readonly { title: string; kinds: readonly Kind[] }[] = [
   { title: 'Pen', kinds: ['pen'] },
   {

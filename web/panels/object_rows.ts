@@ -28,7 +28,7 @@ export class ObjectRows {
   readonly #list = byId('objects');
   readonly #folded = new Set<string>();
   #rows: ListedRow[] = [];
-  /** The group that is folded while it is dragged. */
+  /** The group that is folded only while it is dragged. */
   #carried: string | null = null;
 
   /** `rename` opens the field for a name of the selection. */

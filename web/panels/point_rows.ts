@@ -192,7 +192,7 @@ function rowsOf({ kind, points, circle }: Figure, view: View): Row[] {
   }));
 }
 
-/** A point's numbers in words. */
+/** A point's number as text, or an anchor's joint in words; empty if its kind has neither. */
 function numbersOf(kind: Kind, point: ControlPoint, total: number): string {
   const name = parameterOf(kind);
   if (name) return numberOf(point, name, kind === 'center' ? total : null);

@@ -285,7 +285,7 @@ function qualityText(
 
 const formatShift = (edges: number) => `${edges.toPrecision(2)} edges`;
 
-/** Remarks about a center that is not unique or not exact. */
+/** A remark about a center that was not found or is not the only one; empty without one. */
 function centerHint({ status, uniqueness, otherMinima }: ShownCenter): string {
   if (status !== 'converged') return `No center was found: ${reasons[status as LostReason]}`;
   if (uniqueness !== 'notUnique' || otherMinima === 'notLooked') return '';

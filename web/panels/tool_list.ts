@@ -28,7 +28,7 @@ export function drawingTools(editor: Editor, edits: CurveEdits): DrawingTool[] {
     const group = kindGroups.find(({ kinds }) => kinds.includes(figure.kind))!.kinds;
     latest.set(group, figure.kind);
   });
-  /** Draws objects of some kinds, initially of the last kind. */
+  /** Draws objects of some kinds, initially of the one that was edited last. */
   const draws = (kinds: readonly Kind[], group = kinds) => ({
     isActive: ({ tool, figure }: State) => tool === 'insert' && kinds.includes(figure.kind),
     choose() {

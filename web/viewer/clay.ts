@@ -190,7 +190,7 @@ export function paint(color: Color, opacity: number, bars: Bars | null = null): 
       bars: { value: bars ? new Vector3(bars.period, bars.from, bars.to) : new Vector3() },
     },
     side: inner.visible ? DoubleSide : material.side,
-    // Opaque paint counts as transparent, so that it is drawn in order with the paint that is.
+    // Opaque paint counts as transparent too, so that all paint is drawn in order.
     transparent: true,
     depthWrite: false,
     polygonOffset: true,

@@ -42,7 +42,8 @@ export class CombLayer implements Layer {
 
   /**
    * Shows the combs of lines in the surface's coordinates. Stretches shorter than `meanEdge` have
-   * no curvature. The length of the teeth is fitted again unless it must stay, as in a drag.
+   * no curvature. The method fits the length of the teeth again, unless it must stay, as in a
+   * drag.
    */
   show(
     surface: Surface | null,

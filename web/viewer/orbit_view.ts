@@ -43,7 +43,7 @@ export class OrbitView {
   /** The pointers that are down: several fingers zoom and move, and turn without a pivot. */
   readonly #pointers = new Set<number>();
 
-  /** `moved` is called to request a frame. */
+  /** The view calls `moved` to request a frame. */
   constructor(
     private readonly stage: HTMLElement,
     private readonly moved: () => void,

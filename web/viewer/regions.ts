@@ -34,7 +34,7 @@ export class Regions {
     this.#paint();
   }
 
-  /** Shows regions; returns whether they differ from those before. */
+  /** Shows regions on a surface, unless the same ones are shown already. */
   show(painted: readonly PaintedRegion[], surface: Surface | null): void {
     if (surface === this.#surface && `${painted.map(keyOf)}` === `${this.#painted.map(keyOf)}`) {
       if (painted.every((one, i) => shapeOf(one) === shapeOf(this.#painted[i]!))) return;

@@ -65,8 +65,8 @@ export class Vantage {
     return line;
   }
   /**
-   * The visible point of a polyline in the scene nearest to a place of the stage; null if all of
-   * the polyline is behind the camera.
+   * The point of a polyline in the scene that appears nearest to a place of the stage, even if the
+   * surface hides it; null if all of the polyline is behind the camera.
    */
   nearest(line: Float32Array, place: { x: number; y: number }): NearestSeen | null {
     const { camera, size } = this;

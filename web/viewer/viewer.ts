@@ -90,7 +90,7 @@ export class Viewer {
     if (this.#colors) layer.setColors(this.#colors);
   }
 
-  /** Adds a listener that is called before each frame, with the camera's new place. */
+  /** Adds a listener that is called before each frame, after the camera has moved. */
   onFrame(listener: () => void): void {
     this.#beforeFrame.push(listener);
   }

@@ -7,7 +7,10 @@ import { isTooFine, type Pattern, type Region } from '../model/traced';
 const sidePart = 1 / 3;
 /** The approximate largest number of triangles; they are larger if necessary. */
 const mostTriangles = 150_000;
-/** The length of the line that distances start from, as a multiple of the region's extent. */
+/**
+ * The length of the line that distances start from, to each side of the region's middle, as a
+ * multiple of the distance from there to the region's farthest triangle.
+ */
 const reachPart = 1.5;
 
 type Vector = [number, number, number];

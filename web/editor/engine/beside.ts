@@ -69,7 +69,7 @@ export class BesideObjects {
   /** `rested` is called when a figure that rests during a drag may be traced again. */
   constructor(private readonly rested: () => void) {}
 
-  /** Whether an object still has to be traced. */
+  /** Whether objects wait for the end of a rest before they are traced. */
   get resting(): boolean {
     return this.#timer !== null;
   }

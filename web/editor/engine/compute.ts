@@ -73,7 +73,7 @@ export interface Computation {
   fill?: boolean;
   /** Whether to return the paths of the lines. */
   outlines?: boolean;
-  /** The lines of the figures that this one is made of. */
+  /** Returns the lines of a figure that this one is made of. */
   outlinesOf?: OutlinesOf;
 }
 

@@ -15,7 +15,10 @@ const beyond = 0.8;
 /** The length for a second attempt, if the first line does not pass beside all mirrored objects. */
 const farther = 1.5;
 
-/** The locally shortest path between two points, extended at both ends as far as the boundary. */
+/**
+ * The locally shortest path between two points, extended at both ends by this many diagonals of the
+ * surface, or to the boundary if that comes first.
+ */
 export async function mirrorLine(
   client: EngineClient,
   from: SurfacePoint,

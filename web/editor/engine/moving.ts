@@ -111,8 +111,8 @@ export async function faceNormal(
  * A move of objects relative to a pivot. Each place becomes its log vector in the tangent plane of
  * the pivot, and each direction is transported to the pivot along the same path. The plane follows
  * the pivot by transport along the shortest path from its start, and the exp map puts everything
- * back on the surface. Thus the positions of a drag do not accumulate errors, and at its start the
- * objects are unchanged.
+ * back on the surface. Thus the positions of a drag do not accumulate errors, and back at the start
+ * the objects are unchanged.
  *
  * Several objects would become narrower or wider by this, the farther they are from the pivot. Therefore
  * only a frame at the middle of each moves so, and the object is put down relative to its frame.

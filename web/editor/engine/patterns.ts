@@ -12,7 +12,10 @@ const keyOf = ({ pattern, spacing }: DrawnObject) => `${pattern} ${spacing}`;
 
 export class Patterns {
   readonly #made = new WeakMap<Region, Map<string, Pattern | null>>();
-  /** What could not be computed, and the engine that said so: it is not asked again. */
+  /**
+   * The last pattern of each region that failed, and the engine in which it failed. That engine
+   * does not get the request again.
+   */
   readonly #failed = new WeakMap<Region, { key: string; client: EngineClient }>();
 
   /** `failed` is called with an error, after which the pattern stays missing. */

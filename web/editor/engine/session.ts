@@ -270,7 +270,7 @@ export class Session {
           outlinesOf: this.#others.outlinesOf(client, method),
         });
         this.#others.tell(state.figure, method, answer);
-        // In case of a problem the earlier legs stay visible.
+        // After a problem the legs drawn last are kept, so that a drag continues them.
         const legs = answer.problem ? null : (answer.curve?.drawnLegs ?? []);
         if (legs) this.#drawn.set(state.figure, legs);
         if (legs && drag) drag.legs = legs;

@@ -6,8 +6,8 @@ import type { EngineClient } from '../../worker/client';
 import { curveValueOf } from './compute';
 
 /**
- * Shorter paths that could replace a figure's stored legs; afterwards the engine's curve of the
- * object has these legs. Null for a figure without stored legs.
+ * Shorter paths that could replace a figure's stored legs; null for a figure without any. The
+ * object's curve in the engine becomes that of the figure, with its stored legs.
  */
 export async function shorterLegs(
   client: EngineClient,

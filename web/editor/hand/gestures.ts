@@ -203,7 +203,9 @@ export class Gestures {
     void this.#transforms.place(numbers);
   }
 
-  /** Makes corners or smooth anchors of the selected anchor, or of all if none is selected. */
+  /**
+   * Changes the selected anchor, or all anchors if none is selected, to corners or smooth anchors.
+   */
   setJoint(joint: Joint): void {
     this.#pen.setJoint(joint);
   }

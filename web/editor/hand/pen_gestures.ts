@@ -212,7 +212,9 @@ export class PenGestures {
     return withTangents({ ...anchor, ...point }, byVectors(anchor.tangents, drawn, carried));
   }
 
-  /** Makes corners or smooth anchors of the selected anchor, or of all if none is selected. */
+  /**
+   * Changes the selected anchor, or all anchors if none is selected, to corners or smooth anchors.
+   */
   setJoint(joint: Joint): void {
     const { figure, selection } = this.editor.state;
     const { tangents } = this.session.view;

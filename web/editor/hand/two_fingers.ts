@@ -1,4 +1,4 @@
-/** A gesture that can hold a finger. */
+/** A gesture that one finger holds, such as the drag of a handle. */
 export interface Held {
   /** The pointer id of the finger that moves a handle; null without one. */
   readonly heldBy: number | null;

@@ -161,7 +161,10 @@ export class Editor {
     this.#change({ drawing, dragging: false, dragged: noNumbers }, false);
   }
 
-  /** The edit that stores the side that the edited figure encloses; null without a new side. */
+  /**
+   * The edit that stores the side that the edited figure encloses; null if a side is stored
+   * already, or the figure encloses none.
+   */
   #insideKept(): Command | null {
     const { id, figure } = this.active;
     const to = figure.inside ? null : this.insideOf(figure);
@@ -262,8 +265,8 @@ export class Editor {
   }
 
   /**
-   * Edits another object. If points are removed with that, it is a step that can be undone alone;
-   * undone steps can still be redone.
+   * Edits another object. If that removes points, it is a step that can be undone alone. After
+   * undone steps it is no step, so that they can still be redone.
    */
   #leave(command: Command, drops: boolean): void {
     const isStep = drops && this.#history.undone.length === 0;
