@@ -58,7 +58,7 @@ export function runGroups(groups, { reports, env, minutes, atOnce }) {
   return runLongestFirst([...byName.keys()], join(reports, 'seconds.json'), runGroup, atOnce);
 }
 
-/** Each file as a group of its own, with more for its environment. */
+/** One group for each file, with additional environment variables. */
 export const alone = (files, env = {}) =>
   files.map((file) => ({ name: basename(file), files: [file], env }));
 

@@ -206,7 +206,10 @@ export function namesOfNoFile(markdown, paths) {
     .filter((name) => !paths.some((path) => `/${path}`.endsWith(`/${name}`)));
 }
 
-/** Checks the project's own files, prints the faults, and returns their count. */
+/**
+ * Checks the project's own files, prints the faults, and returns the counts of sound and of faulty
+ * files.
+ */
 export function checkRooms() {
   const markdown = readFileSync(inRoot('ARCHITECTURE.md'), 'utf8');
   const rooms = readRooms(markdown);

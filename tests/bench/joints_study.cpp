@@ -15,14 +15,15 @@
 #include "mesh/mesh_import.h"
 #include "smooth_shapes.h"
 
-/// How smooth default curves are where their pieces meet: random Bezier, Catmull-Rom and B-spline
-/// curves of legs of .1 and .3 of the diagonal. At each joint of two pieces the curve's first and
-/// second derivative are taken from both sides, by cubics through four samples, and compared; for
-/// comparison the same in the middle of pieces, where the curve is one center of mass. Cubics are
-/// exact on the plane. The two derivatives are projected to the tangent plane of the surface.
+/// The smoothness of default curves where their pieces meet. The curves are random Bezier,
+/// Catmull-Rom and B-spline curves with legs of .1 and .3 of the diagonal. At each joint of two
+/// pieces the study takes the curve's first and second derivatives from both sides, by cubics
+/// through four samples, and compares them. For comparison it does the same in the middle of
+/// pieces, where the curve is one center of mass. Cubics are exact on the plane. Derivatives are
+/// projected to the tangent plane of the surface.
 ///
-/// With --memory what a Bezier curve at .3 takes and holds, in place of it, on a ring tube of so
-/// many triangles or on meshes of files.
+/// With --memory the study instead measures the memory of a Bezier curve with legs of .3: what it
+/// takes and what it holds, on a ring tube of --triangles triangles or on meshes from files.
 ///
 ///   joints_study [--polygons 8] [--triangles 80000] [--memory] [SHAPE | MESH.obj ...]
 namespace karcher {

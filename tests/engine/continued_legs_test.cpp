@@ -98,7 +98,7 @@ TEST_F(ContinuedLegs, ContinueTheLegsOfAValueWithMovedPoints) {
   curve.dragPoint(3, at(5, 0.9));
   EXPECT_EQ(made.legs()[2].length(), curve.legs()[2].length());
   EXPECT_EQ(made.value().legs[2].points.count(), curve.value().legs[2].points.count());
-  // A leg to a place on another component is replaced by the shortest path.
+  // Legs in the wrong places do not count: each leg still joins its own two points.
   value = curve.value();
   std::swap(value.legs[2], value.legs[1]);
   Curve swapped(surface_, value);

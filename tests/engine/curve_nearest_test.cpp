@@ -54,8 +54,7 @@ TEST(CurveNearest, OfAPointOfTheCurveIsThatPoint) {
       const Vec3 place = position(mesh, pointAt(curve, t).point);
       const NearestOnCurve nearest = nearestOnCurve(curve, line, place);
       worst = std::max(worst, nearest.distance / diagonal);
-      // The parameter is accurate to 1e-12, and the curve takes at least 1e-2 of it to cross the
-      // diagonal.
+      // The parameter is accurate to 1e-12, and a length of the diagonal takes at least 1e-2 of it.
       EXPECT_LT(nearest.distance, 1e-10 * diagonal) << "t " << t;
       const CurvePoint there = pointAt(curve, nearest.at.parameter);
       EXPECT_EQ(position(mesh, there.point), position(mesh, nearest.at.point));

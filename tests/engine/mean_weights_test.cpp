@@ -233,7 +233,8 @@ TEST(MeanWeights, MakeThePointTheCenterOfMassWhereTheHessianIsPositiveDefinite) 
       EXPECT_EQ(zero.status, Status::kConverged);
       EXPECT_LT((position(mesh, zero.point) - position(mesh, x)).norm(), 1e-9 * h);
       if (!result.isMinimum) {
-        ++lower;  // by exact distances, which the mean is checked against
+        // By exact distances, with which the check compares, a place nearby is lower.
+        ++lower;
         continue;
       }
       ++stay;

@@ -121,8 +121,9 @@ TEST(PathDistance, OnMeshesIsTheLeastDistanceOfItsPoints) {
       }
     }
     // A sample lies within half a step of the nearest point, so that its path is longer by at most
-    // that. The step is at a right angle to the path, so that usually the excess is of second
-    // order: step^2 / (8 d) where paths do not bend; beside a vertex around which they bend, more.
+    // half a step. The step is perpendicular to the path, so that the excess is usually of second
+    // order: it is step^2 / (8 d) where paths do not bend, and larger beside a vertex around which
+    // they bend.
     const bool isConvex = std::string(name) == "sphere, random";
     double nearest = 0;
     double farthest = 0;

@@ -106,7 +106,7 @@ TEST(Straightest, ASearchAroundATipEnds) {
   EXPECT_EQ(path.stop, TraceStop::kLimit);
   EXPECT_GT(path.remaining, 0);
 
-  // The search goes as far as a path in a plane.
+  // The search's limit does not stop a path across a plane.
   const TriangleMesh plane = planeGrid(40, 40);
   const Geometry flat = buildGeometry(plane);
   const StraightestPath across =

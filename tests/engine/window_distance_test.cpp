@@ -313,8 +313,8 @@ TEST(WindowDistance, TouchesOnlyTheNeighbourhood) {
 }
 
 TEST(WindowDistance, WindowsDoNotWindAroundATip) {
-  // The cone is 1 wide and 1e5 high: paths around it are so short that no vertex blocks those that
-  // wind ten thousand times.
+  // The cone is 1 wide and 1e5 high: paths once around it are so short that no vertex beats those
+  // that wind ten thousand times.
   constexpr int kSides = 13;
   const TriangleSoup soup = wheel(kSides, 0, 1e5);
   const MeasuredMesh cone(buildMesh(soup.positions, soup.triangles));

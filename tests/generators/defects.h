@@ -6,7 +6,7 @@
 #include "generators/random.h"
 #include "mesh/mesh_import.h"
 
-/// Meshes with the defects of real files, made from sound ones.
+/// Meshes with the defects of real files, created from sound meshes.
 namespace karcher {
 
 enum class Defect {
@@ -39,8 +39,9 @@ class DefectiveMesh {
   /// Takes a closed mesh without defects.
   DefectiveMesh(TriangleSoup sound, uint64_t seed);
 
-  /// Inserts some defects of one kind, apart from all others; kSeams must be the last, and counts
-  /// vertices. Returns their number: less than `count` if the mesh is too small.
+  /// Inserts up to `count` defects of one kind, apart from all others, and returns their number,
+  /// which is smaller if the mesh has no room. kSeams must come last; it ignores `count`, and
+  /// returns the number of vertices that it adds.
   int add(Defect defect, int count);
 
   const TriangleSoup& soup() const { return soup_; }

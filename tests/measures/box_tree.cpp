@@ -16,7 +16,8 @@ BoxTree::BoxTree(const Array<Box>& boxes) {
   build(boxes, 0, boxes.count());
 }
 
-/// Splits the items at the median of their middles along the longest side of their box.
+/// Splits the items at the median of their middles, along the longest side of the box of these
+/// middles.
 int BoxTree::build(const Array<Box>& boxes, int from, int to) {
   const int number = nodes_.count();
   nodes_.emplace_back();

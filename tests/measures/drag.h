@@ -21,9 +21,10 @@ struct VertexPassage {
 Array<VertexPassage> passedVertices(const Geometry& geometry, const Array<SurfacePoint>& before,
                                     const Array<SurfacePoint>& after);
 
-/// The sum of the angles between two paths at their two ends, radians. By Gauss and Bonnet it is at
-/// most the curvature between them, if they are geodesics with the same ends: what a geodesic that
-/// ends to exist passed over until it became the other, also where no vertex lies next to both.
+/// The sum of the angles between two paths at their two ends, in radians. If the paths are
+/// geodesics with the same ends, by Gauss and Bonnet it is at most the curvature between them. This
+/// is the curvature that a geodesic passed over before another one replaced it, even where no
+/// vertex lies next to both.
 double anglesBetween(const TriangleMesh& mesh, const Array<SurfacePoint>& before,
                      const Array<SurfacePoint>& after);
 

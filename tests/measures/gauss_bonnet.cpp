@@ -11,7 +11,7 @@ GaussBonnet gaussBonnet(const Geometry& geometry, const Arrangement& all, const 
   const TriangleMesh& mesh = *geometry.mesh;
   const auto isIn = [&](int h) { return region[all.cell(h)] != 0; };
   GaussBonnet result;
-  // Half-edges are united with those that leave the same vertex of the region.
+  // The sets unite each half-edge with those that leave the same vertex of the region.
   DisjointSets corners(all.halfedgeCount());
   Array<double> angle(static_cast<size_t>(all.halfedgeCount()), 0);
   Array<uint8_t> isBorder(static_cast<size_t>(all.halfedgeCount()), 0);

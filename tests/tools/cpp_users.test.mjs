@@ -62,7 +62,7 @@ describe('a C++ project', { concurrency: true }, () => {
     try {
       return (await promisify(execFile)(command, args, options)).stdout;
     } catch ({ message, stdout }) {
-      // The message includes the command's output and errors.
+      // The message has the command and its standard error, but not its output.
       throw new Error(`${message}\n${stdout}`);
     }
   };

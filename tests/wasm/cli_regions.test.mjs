@@ -110,7 +110,7 @@ test('both sides of a parallel circle make up the sphere', async () => {
   const side = async (inside) =>
     (await printed('regions', octahedron, ...parallelCircle, '--inside', inside)).regions[0];
   const [cap, rest] = [await side('v:4'), await side('v:5')];
-  // A pyramid's cap, with 3/4 of the edges of the upper half.
+  // The cap is a pyramid whose edges are 3/4 as long as those of the upper half.
   near(cap.area, 2 * Math.sqrt(3) * 0.75 ** 2);
   near(cap.area + rest.area, 4 * Math.sqrt(3));
   near(cap.perimeter, 4 * 0.75 * Math.SQRT2);

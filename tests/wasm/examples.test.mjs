@@ -1,4 +1,5 @@
-// The examples: those for Node run, those for a page are bundled; each is short and listed.
+// Tests of the examples. Those for Node run, and Vite bundles those for a page. Each is short and
+// listed.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';

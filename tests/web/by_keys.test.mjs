@@ -22,7 +22,7 @@ describe('without a mouse', () => {
     const figure = async () => (await tab.state()).figure;
     return { tab, page, keys, onStage, objects, figure };
   }
-  /** Presses Tab until an element has the focus, at most a given number of times. */
+  /** Presses Tab until an element has the focus; fails after 200 times. */
   async function tabTo(page, selector) {
     for (let count = 0; count < 200; count++) {
       const isThere = await page.evaluate((one) => document.activeElement?.matches(one), selector);

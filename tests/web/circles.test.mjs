@@ -61,8 +61,7 @@ describe('circles', () => {
 
   inLongRun('are isolines with all their loops, on the surface and at the radius', async () => {
     const tab = await Tab.open(browser, 'mesh=torus:2000&kind=circle');
-    // The center lies beside the hole: near the radius of half the tube's circumference, the line
-    // has two loops.
+    // Where the radius exceeds half the tube's circumference, the line has two loops.
     await tab.click([0, 120]);
     const surface = await tab.mesh();
     const { diagonal } = surface.info;

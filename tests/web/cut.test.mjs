@@ -75,7 +75,7 @@ describe('cuts', () => {
     await tab.page.mouse.click(x, y);
     await tab.settled();
     assert.equal(await picked(tab), 0);
-    // Undo of two choices, and of the beginning.
+    // Undoes the two choices, and the curve that was begun.
     for (let step = 0; step < 3; step++) await tab.page.keyboard.press('Control+z');
     await tab.settled();
     assert.equal(JSON.stringify((await tab.state()).drawing), made);

@@ -7,7 +7,7 @@ import { browserOfSuite, Tab } from './browser.mjs';
 import { arraysOfShape, openPage } from './engine_in_node.mjs';
 import { pageModule } from './page_module.mjs';
 
-/** Where surface points are. */
+/** The places of surface points. */
 const placesOf = (points, { positions, triangles }) =>
   points.map(({ face, bary }) =>
     [0, 1, 2].map((axis) =>

@@ -16,7 +16,7 @@ const places = [
 ];
 const splines = ['bspline', 'bezier', 'catmullrom', 'rational', 'barycentric', 'polyline'];
 const through = ['catmullrom', 'barycentric', 'polyline'];
-/** Where surface points are. */
+/** The places of surface points. */
 function placesOf(points, { positions, triangles }) {
   return points.map(({ face, bary }) =>
     [0, 1, 2].map((axis) =>

@@ -159,7 +159,7 @@ describe('lines', () => {
     assert.equal(await item.getAttribute('aria-checked'), 'false');
     await tab.page.keyboard.press('Escape');
     const without = await column(tab, at, 110);
-    // The lines are faint and thin, from lines 4 pixels wide: both of them lie there.
+    // Two lines 4 pixels wide cross the column, and are faint and thin behind the surface.
     const seen = unlike(shown, without, 8).length;
     assert.ok(seen >= 2 && seen <= 7, `${seen} pixels`);
     await tab.page.locator('#stage').focus();

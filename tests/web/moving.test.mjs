@@ -12,7 +12,7 @@ const places = [
   [110, -10],
 ];
 
-/** Where surface points are. */
+/** The places of surface points. */
 const placesOf = (points, { positions, triangles }) =>
   points.map(({ face, bary }) =>
     [0, 1, 2].map((axis) =>

@@ -1,5 +1,5 @@
-// The legs of the pen's segments follow the pointer: tested with the page's modules in Node, and
-// dragged on the page.
+// The legs of the pen's segments follow the pointer. These tests check it with the page's modules
+// in Node, and by drags on the page.
 import assert from 'node:assert/strict';
 import { beforeEach, describe, test } from 'node:test';
 import { load } from 'karcher';

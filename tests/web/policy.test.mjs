@@ -6,7 +6,7 @@ import { browserOfSuite, Tab } from './browser.mjs';
 describe('the policy of the pages', () => {
   const browser = browserOfSuite();
 
-  /** The page's reaction to an inline script, to code made of text, and to another host. */
+  /** The page's reaction to an inline script, and to a request and an image from another host. */
   const tried = (page) =>
     page.evaluate(async () => {
       const refused = [];

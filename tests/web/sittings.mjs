@@ -80,7 +80,7 @@ export async function scanSitting(tab, tell = async () => {}) {
   );
   await tell('drawn');
 
-  // The curve again, and its curve by the paper's method.
+  // The curve is selected again, and compared with that of the paper's method.
   await page.locator('#tool-select').click();
   await (await control(tab, '#objects .object:last-child, #objects li:last-child .object')).click();
   await tab.settled();

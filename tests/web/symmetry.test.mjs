@@ -231,7 +231,7 @@ describe('mirroring in planes', () => {
     await page.mouse.click(x, y);
     await page.getByText('do not lie on a line').waitFor();
     assert.equal((await tab.state()).drawing.objects.length, 1);
-    // Visible vertices: the one nearest to the plane of symmetry, one far from it, and a third.
+    // The clicks are on three visible vertices near the plane of symmetry, at different heights.
     const { positions } = await tab.mesh();
     const near = [];
     for (let i = 0; i < positions.length; i += 3) {

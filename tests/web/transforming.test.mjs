@@ -8,7 +8,7 @@ import { flatGrid } from './circle_views.mjs';
 import { openPage } from './engine_in_node.mjs';
 import { inLongRun } from './part.mjs';
 
-/** Where surface points are. */
+/** The places of surface points. */
 const placesOf = (points, { positions, triangles }) =>
   points.map(({ face, bary }) =>
     [0, 1, 2].map((axis) =>

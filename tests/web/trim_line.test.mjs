@@ -114,7 +114,7 @@ inLongRun(
     assert.ok(thick.closed);
     assert.equal(thick.most, null);
     assert.equal(bytes.readUInt32LE(80), thick.triangles.length / 3);
-    // The volume is 3 mm of the area, and more where the surface is convex.
+    // The volume is 3 mm times the area, and more where the surface is convex.
     assert.ok(thick.volume > 3 * area && thick.volume < 3.2 * area, `${thick.volume} ${area}`);
     assert.ok(hands <= 15, `${hands} clicks and drags`);
     console.log(`${hands} clicks and drags beside the line`);

@@ -403,7 +403,7 @@ export class EngineClient {
     return this.#worker.call('fill', [this.mesh, lines, inside]) as Promise<Fill>;
   }
 
-  /** The pattern of a region; null if it is impossible. */
+  /** The pattern of a region; null if it would have too many lines, or the region has no border. */
   pattern(region: Region, kind: FillPattern, spacing: number): Promise<Pattern | null> {
     const { whole, parts, corners, area, boundary } = region;
     const args = [this.mesh, { whole, parts, corners, area, boundary }, kind, spacing];

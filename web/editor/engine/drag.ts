@@ -71,7 +71,7 @@ export class HeldTracing {
     this.#levels = 0;
   }
 
-  /** Records the trace of a figure at rest, which a drag starts from. */
+  /** Records the trace of a figure with its own samples and levels, from which a drag starts. */
   rested(figure: Figure, { curve }: Shown): void {
     this.#manySamples = curve !== null && isCurve(figure.kind) && moreThanFixed(figure, curve);
     this.#levels = curve?.levels ?? 0;
@@ -93,7 +93,7 @@ export class HeldTracing {
 
   /**
    * Makes the curve a draft, whose means are quick since their points lie near each other; if that
-   * is slow too, only averages, which need no fields.
+   * is slow too, it uses averages alone, which need no fields.
    */
   #makeQuicker(): void {
     if (this.#levels === 0 && !this.#draft) {
@@ -105,8 +105,8 @@ export class HeldTracing {
   }
 
   /**
-   * The figure to trace in a drag: fewer samples than the tolerance needs, and the most levels so
-   * far. Both are computed again on release.
+   * The figure to trace: in a drag with fewer samples than the tolerance needs, and with the most
+   * levels so far. Both are computed again on release.
    */
   traced({ figure, dragging }: State): { figure: Figure; coarse: boolean } {
     const { settings } = figure;

@@ -94,7 +94,7 @@ export class Session {
   onBusy: (busy: boolean) => void = () => {};
   /** Called with the progress of the engine's work, if it reports any. */
   onProgress: (done: number, stage: string) => void = () => {};
-  /** Called when a requested edit is impossible. */
+  /** Called with an error when a requested edit is impossible, or a pattern fails. */
   onFailure: (error: unknown) => void = () => {};
 
   get view(): View {
