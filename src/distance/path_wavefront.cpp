@@ -196,8 +196,8 @@ void PathDistance::leaveTurn(const SurfacePath& path, int index) {
     const double rate = growthAfter(path, piece) * (isAhead ? 1 : -1);
     const double growth = std::abs(rate) < 1 ? rate : std::copysign(1, rate);
     const SurfacePoint& other = points[isAhead ? piece + 1 : piece];
-    (isAhead ? ahead : back) = {angleTowards(geometry_, fan, points[index], other),
-                                std::acos(growth)};
+    (isAhead ? ahead : back) =
+        Piece{angleTowards(geometry_, fan, points[index], other), std::acos(growth)};
   }
   if (!hasAhead) ahead = back;
   if (!hasBack) back = ahead;
