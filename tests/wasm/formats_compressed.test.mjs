@@ -126,7 +126,7 @@ test('damaged data is refused with its name', async () => {
       await changed(meshoptParts(shape), (json) => {
         meshopt(json, 0).count = 4e9;
       }),
-      /buffer view 0, .* tells of 48,000,000,000 bytes, more than/,
+      /buffer view 0, .* declares 48,000,000,000 bytes, more than/,
     ],
     [
       await changed(meshoptParts(shape), (json) => {
@@ -152,7 +152,7 @@ test('triangles compressed by Draco are read without an accessor', async () => {
   json.accessors[0].count++;
   await assert.rejects(meshFromFile(karcher, glbOf({ json, buffer })), {
     code: 'badFile',
-    message: /3,200 triangles of 1,600 vertices, but its accessors tell of 1,601$/,
+    message: /3,200 triangles of 1,600 vertices, but its accessors declare 1,601$/,
   });
 });
 

@@ -114,7 +114,7 @@ const damaged = {
   'a GLB that is cut off': [
     files.glbFile(cutBox).slice(0, -4),
     'badFile',
-    /tells of [\d,]+ bytes, but it has/,
+    /declares [\d,]+ bytes, but it has/,
   ],
   'a chunk that is too long': [
     withByte(files.glbFile(cutBox), 15, 1),
@@ -138,7 +138,7 @@ const damaged = {
       ],
     }),
     'badFile',
-    /accessor 0 tells of 8 rows/,
+    /accessor 0 declares 8 rows/,
   ],
   'glTF with an index beyond its vertices': [
     files.glbFile({ ...cutBox, faces: [[0, 1, 8]] }),

@@ -290,7 +290,7 @@ test('a worker that does not start is reported, with its address and advice', as
     const own = await import(pathToFileURL(join(folder, 'worker/index.js')));
     const address = pathToFileURL(join(folder, 'worker/thread.js')).href;
     await assert.rejects(own.loadInWorker(), (error) => {
-      assert.ok(error.message.includes(`See that its script ${address} can be loaded`));
+      assert.ok(error.message.includes(`Check that its script ${address} can be loaded`));
       return notLoaded(/worker-src/)(error);
     });
   } finally {

@@ -437,7 +437,7 @@ describe('files of surfaces', () => {
     assert.deepEqual(await picture(), before, 'and taken away');
     // Another surface needs a new check.
     await tab.page.locator('#surface').selectOption('torus');
-    await tab.page.getByText('Nothing is in a curve’s way.').waitFor();
+    await tab.page.getByText('No defect disturbs curves.').waitFor();
     assert.equal(await found.getByRole('button').count(), 0);
     await tab.close();
   });

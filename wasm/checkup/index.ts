@@ -97,12 +97,12 @@ function expectedOf(info: Readonly<MeshInfo>, found: Omit<CheckUp, 'expected'>):
   }
   if (needles.length + caps.length > 0) {
     sentences.push(
-      'Distances are right across thin triangles; the directions there are less sure.',
+      'Distances are right across thin triangles; the directions there are less accurate.',
     );
   }
   if (longestEdge > widestRange * shortestEdge) {
     sentences.push('Its edges differ so widely in length that distances have fewer right digits.');
   }
-  if (sentences.length === 0) sentences.push('Nothing is in a curve’s way.');
+  if (sentences.length === 0) sentences.push('No defect disturbs curves.');
   return sentences;
 }

@@ -85,7 +85,7 @@ function filled(
   const place = draco._malloc(Math.max(1, length));
   if (place === 0) throw new Error('there is not enough memory');
   try {
-    if (!write(length, place)) throw new Error('what it holds is not as it tells');
+    if (!write(length, place)) throw new Error('its content contradicts its header');
     return draco.HEAPU8.slice(place, place + length);
   } finally {
     draco._free(place);

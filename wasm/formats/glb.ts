@@ -21,7 +21,7 @@ export function gltfContent(bytes: Uint8Array): GltfContent {
   const length = view.getUint32(8, true);
   if (length > bytes.length) {
     throw badFile(
-      `the GLB file tells of ${counted(length)} bytes, but it has ${counted(bytes.length)}`,
+      `the GLB file declares ${counted(length)} bytes, but it has ${counted(bytes.length)}`,
     );
   }
   let json: Uint8Array | null = null;
@@ -32,7 +32,7 @@ export function gltfContent(bytes: Uint8Array): GltfContent {
     const start = at + 8;
     if (start + size > length) {
       throw badFile(
-        `byte ${at}: a chunk of the GLB file tells of ${counted(size)} bytes, but ${counted(length - start)} follow`,
+        `byte ${at}: a chunk of the GLB file declares ${counted(size)} bytes, but ${counted(length - start)} follow`,
       );
     }
     const chunk = bytes.subarray(start, start + size);

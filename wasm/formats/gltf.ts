@@ -250,7 +250,7 @@ function addInstances(mesh: PlacedMesh, node: Json, accessors: Accessors, placed
   const count = counts[0] ?? 0;
   if (counts.some((other) => other !== count)) {
     throw badFile(
-      `the instances of '${mesh.name}' are told of by lists of ${counts.join(' and ')} rows`,
+      `the instances of '${mesh.name}' have lists of ${counts.join(' and ')} rows`,
     );
   }
   if (placed.length + count > mostParts) {

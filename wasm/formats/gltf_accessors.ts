@@ -121,7 +121,7 @@ export class Accessors {
       const triangles = mesh.corners.length / 12;
       if (mesh.points !== count || (corners !== null && 3 * triangles !== corners)) {
         throw badFile(
-          `${what}, which Draco compressed, has ${counted(triangles)} triangles of ${counted(mesh.points)} vertices, but its accessors tell of ${corners === null ? '' : `${counted(corners / 3)} and `}${counted(count)}`,
+          `${what}, which Draco compressed, has ${counted(triangles)} triangles of ${counted(mesh.points)} vertices, but its accessors declare ${corners === null ? '' : `${counted(corners / 3)} and `}${counted(count)}`,
         );
       }
       columns = {
@@ -184,7 +184,7 @@ export class Accessors {
     const componentType = accessor.componentType as number;
     if (type === 'SCALAR') {
       checkCounting(componentType, what);
-      if (accessor.normalized === true) throw badFile(`${what} is normalized, and has to count`);
+      if (accessor.normalized === true) throw badFile(`${what} is normalized, but must hold indices`);
     }
     const divisor = accessor.normalized === true ? (most.get(componentType) ?? 1) : 1;
     let rows: Rows | null =
@@ -250,7 +250,7 @@ export class Accessors {
     const end = count === 0 ? start : start + stride * (count - 1) + row;
     if (stride < row || end > bytes.length) {
       throw badFile(
-        `${what} tells of ${counted(count)} rows, up to byte ${counted(end)} of a buffer view of ${counted(bytes.length)} bytes`,
+        `${what} declares ${counted(count)} rows, up to byte ${counted(end)} of a buffer view of ${counted(bytes.length)} bytes`,
       );
     }
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
@@ -273,7 +273,7 @@ function rowsOf(bytes: Uint8Array, type: number, size: number): Rows {
 
 function checkCounting(componentType: unknown, what: string): void {
   if (counting.includes(componentType)) return;
-  throw badFile(`${what} has numbers that cannot count: they have to be whole and at least 0`);
+  throw badFile(`${what} has numbers that are no indices: these must be whole and at least 0`);
 }
 
 function fill(values: Float64Array, { view, at, stride, type }: Rows, row: number): void {

@@ -72,7 +72,7 @@ export class Buffers {
     const length = count * stride;
     if (length > longest * source.length) {
       throw badFile(
-        `${why} tells of ${counted(length)} bytes, more than ${counted(source.length)} compressed ones can hold`,
+        `${why} declares ${counted(length)} bytes, more than ${counted(source.length)} compressed ones can hold`,
       );
     }
     const bytes = new Uint8Array(length);

@@ -138,7 +138,7 @@ function checkPart(part: unknown): number {
 }
 
 function checkParts(wanted: readonly number[] | undefined, { parts }: FileInfo): void {
-  if (wanted?.length === 0) throw new KarcherError('badArgument', 'no part is asked for');
+  if (wanted?.length === 0) throw new KarcherError('badArgument', 'the list of parts is empty');
   const missing = wanted?.find((part) => part >= parts.length);
   if (missing === undefined) return;
   throw new KarcherError(

@@ -87,7 +87,7 @@ export async function readOff(bytes: Uint8Array, work: LongWorkOptions): Promise
   const room = source.room();
   if (least.vertex * vertices + least.face * faces - 1 > room) {
     throw badFile(
-      `the OFF file tells of ${counted(vertices)} vertices and ${counted(faces)} faces, but only ${counted(room)} bytes follow`,
+      `the OFF file declares ${counted(vertices)} vertices and ${counted(faces)} faces, but only ${counted(room)} bytes follow`,
     );
   }
   const slices = new Slices(work, 'reading');

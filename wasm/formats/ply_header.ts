@@ -128,7 +128,7 @@ function checkRoom({ encoding }: PlyHeader, { name, count, properties }: PlyElem
   );
   if (count * bytes <= room) return;
   throw badFile(
-    `the PLY file's header tells of ${counted(count)} elements '${name}', of at least ${bytes} bytes ` +
+    `the PLY file's header declares ${counted(count)} elements '${name}', of at least ${bytes} bytes ` +
       `each, but only ${counted(room)} bytes follow`,
   );
 }

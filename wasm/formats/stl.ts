@@ -86,7 +86,7 @@ const readBinary: Reader = async (bytes, wanted, places, corners, slices) => {
   const end = headerBytes + triangleBytes * count;
   if (end > bytes.length) {
     throw badFile(
-      `the STL file tells of ${counted(count)} triangles, which take ${counted(end)} bytes, but it has ${counted(bytes.length)}`,
+      `the STL file declares ${counted(count)} triangles, which take ${counted(end)} bytes, but it has ${counted(bytes.length)}`,
     );
   }
   const parts = [{ name: 'solid', triangles: count }];

@@ -138,11 +138,11 @@ function adviceOnOwn(): string {
       ? `what the bundler made of 'karcher/worker-thread' for ${here}`
       : `its script ${address}`;
   return (
-    `See that ${script} can be loaded, from the origin of the page and by its ` +
+    `Check that ${script} can be loaded, from the origin of the page and by its ` +
     "Content-Security-Policy (worker-src), or give `worker`: a module worker of 'karcher/worker-thread'"
   );
 }
 
 const adviceOnGiven =
-  "See that the script of the worker that was given can be loaded, and runs 'karcher/worker-thread' " +
+  "Check that the script of the given worker can be loaded, and runs 'karcher/worker-thread' " +
   'as a module';
