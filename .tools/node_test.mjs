@@ -70,6 +70,3 @@ export function dealt(files, size) {
     files: files.filter((_, i) => i % count === group),
   }));
 }
-
-/** Runs files, each in a process of its own, and returns what they counted. */
-export const runNodeTests = (files, options) => runGroups(alone(files), options);

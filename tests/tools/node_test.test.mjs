@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { runLongestFirst } from '../../.tools/longest_first.mjs';
-import { dealt, runGroups, runNodeTests } from '../../.tools/node_test.mjs';
+import { alone, dealt, runGroups } from '../../.tools/node_test.mjs';
 
 let folder;
 before(() => {
@@ -46,7 +46,7 @@ describe('a file of node:test', () => {
     writeFileSync(file, imports + text);
     // This file itself may run below `node --test`.
     const env = { NODE_TEST_CONTEXT: undefined };
-    return runNodeTests([file], { reports: folder, env, minutes: 5 });
+    return runGroups(alone([file]), { reports: folder, env, minutes: 5 });
   };
 
   for (const [name, [text, counts]] of Object.entries(cases)) {

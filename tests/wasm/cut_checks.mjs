@@ -57,7 +57,7 @@ const hasSlit = (part) =>
   openEdges([part]).reduce((sum, { count }) => sum + count, 0) < rimOf(part).length;
 
 /** The vertices whose triangles do not form a single fan. */
-export function splitVertices({ positions, triangles }) {
+function splitVertices({ positions, triangles }) {
   const parent = Int32Array.from(triangles, (_, i) => i);
   const find = (i) => {
     let root = i;

@@ -1,6 +1,7 @@
 /** How the handles and the numbers of a circle or an ellipse change its shape. */
 import type { SurfacePoint } from 'karcher';
 import type { CircleShape, RoundKind, Vector } from './figure';
+import { cross, minus } from './vectors';
 
 /** The radius of a new circle as a part of the surface's diagonal. */
 const newRadius = 0.08;
@@ -69,19 +70,12 @@ export function withRadius(
 
 /** The direction across another one in the plane of a triangle, to its left. */
 export function acrossDirection(direction: Vector, [a, b, c]: [Vector, Vector, Vector]): Vector {
-  const across = cross(cross(subtract(b, a), subtract(c, a)), direction);
+  const across = cross(cross(minus(b, a), minus(c, a)), direction);
   const length = Math.hypot(...across);
-  return length > 0 ? (across.map((value) => value / length) as Vector) : subtract(b, a);
+  return length > 0 ? (across.map((value) => value / length) as Vector) : minus(b, a);
 }
 
 /** How far a geodesic with this initial direction and length leads in another direction. */
 export function reachAlong(length: number, direction: Vector, along: Vector): number {
   return length * direction.reduce((sum, value, axis) => sum + value * along[axis]!, 0);
 }
-
-const subtract = (a: Vector, b: Vector) => a.map((value, axis) => value - b[axis]!) as Vector;
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];

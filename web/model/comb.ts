@@ -4,6 +4,7 @@
  * behind. Its part within the tangent plane is the geodesic curvature, exact for circles in space.
  */
 import type { Vector } from './figure';
+import { cross, dot, minus, scaled } from './vectors';
 
 export interface Tooth {
   /** The foot of the tooth, on the curve. */
@@ -163,12 +164,4 @@ class Arclength {
 
 const cornerCosine = Math.cos(cornerAngle);
 const turns = (p: Vector, q: Vector) => dot(p, q) < cornerCosine * norm(p) * norm(q);
-const minus = (p: Vector, q: Vector): Vector => [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
-const scaled = (p: Vector, factor: number): Vector => [factor * p[0], factor * p[1], factor * p[2]];
-const dot = (p: Vector, q: Vector) => p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
 const norm = (p: Vector) => Math.sqrt(dot(p, p));
-const cross = (p: Vector, q: Vector): Vector => [
-  p[1] * q[2] - p[2] * q[1],
-  p[2] * q[0] - p[0] * q[2],
-  p[0] * q[1] - p[1] * q[0],
-];

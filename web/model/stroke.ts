@@ -7,6 +7,7 @@ import type { SurfacePoint } from 'karcher';
 import { cornersOf, fittedCubics, type Planar } from './cubic_fit';
 import type { ControlPoint, Tangent, Tangents, Vector } from './figure';
 import { withTangents } from './pen';
+import { cross, dot, minus } from './vectors';
 
 /** A sample of the stroke. Lengths are in the surface's unit. */
 export interface StrokeSample {
@@ -27,13 +28,6 @@ export interface StrokeSample {
 const reachPixels = 10;
 const cornerAngle = 1;
 
-const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
 const along = (a: Vector, b: Vector, factor: number): Vector => [
   a[0] + factor * b[0],
   a[1] + factor * b[1],

@@ -3,6 +3,7 @@
  * image.
  */
 import type { Vector } from './figure';
+import { cross, dot, minus } from './vectors';
 
 /** A plane: the places whose dot product with the unit normal is the offset. */
 export interface Plane {
@@ -19,13 +20,6 @@ export interface Symmetry {
 /** The surface's nearest point to a place, and its unit normal there. */
 export type NearestPlace = (place: Vector) => { place: Vector; normal: Vector };
 
-const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const less = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
 const unit = (a: Vector): Vector => {
   const length = Math.hypot(...a);
   return a.map((value) => value / length) as Vector;
@@ -41,7 +35,7 @@ export const mirroredDirection = ({ normal }: Plane, direction: Vector): Vector 
 
 /** The plane through three places; null if they lie on a line. */
 export function planeThrough(a: Vector, b: Vector, c: Vector): Plane | null {
-  const [ab, ac] = [less(b, a), less(c, a)];
+  const [ab, ac] = [minus(b, a), minus(c, a)];
   const normal = cross(ab, ac);
   if (!(Math.hypot(...normal) > 1e-9 * Math.hypot(...ab) * Math.hypot(...ac))) return null;
   const direction = unit(normal);
@@ -112,7 +106,7 @@ function apartOf(plane: Plane, samples: readonly Vector[], nearest: NearestPlace
   const distances = samples
     .map((sample) => {
       const image = mirroredPlace(plane, sample);
-      return Math.hypot(...less(image, nearest(image).place));
+      return Math.hypot(...minus(image, nearest(image).place));
     })
     .sort((a, b) => a - b);
   return distances[Math.floor(near * (samples.length - 1))]!;
@@ -133,7 +127,7 @@ function fittedPlane(begin: Plane, samples: readonly Vector[], nearest: NearestP
     const images = samples.map((sample) => {
       const image = mirroredPlace(plane, sample);
       const there = nearest(image);
-      const gap = less(image, there.place);
+      const gap = minus(image, there.place);
       return { sample, there, gap, far: Math.hypot(...gap) };
     });
     const median = images.map(({ far }) => far).sort((a, b) => a - b)[samples.length >> 1]!;

@@ -1,6 +1,5 @@
+import type { Vector } from '../model/figure';
 import type { UpAxis } from '../model/meshes';
-
-type Vector = [number, number, number];
 
 /**
  * Maps a surface's coordinates to the scene's: the bounding box's center to 0, its diagonal to 2,

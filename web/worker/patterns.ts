@@ -1,7 +1,9 @@
 /** Regions as triangles with distances for lines and bands. */
 import type { Mesh, SurfacePoint } from 'karcher';
 import type { FillPattern } from '../model/drawing';
+import type { Vector } from '../model/figure';
 import { isTooFine, type Pattern, type Region } from '../model/traced';
+import { cross, minus } from '../model/vectors';
 
 /** The sides of triangles, as a part of the spacing: distances are linear in each triangle. */
 const sidePart = 1 / 3;
@@ -13,15 +15,8 @@ const mostTriangles = 150_000;
  */
 const reachPart = 1.5;
 
-type Vector = [number, number, number];
 type Corner = { weights: Vector; place: Vector };
 
-const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
 const lengthOf = (a: Vector) => Math.hypot(...a);
 const halfway = (a: Vector, b: Vector) => a.map((value, i) => (value + b[i]!) / 2) as Vector;
 const areaOf = ([a, b, c]: readonly [Corner, Corner, Corner]) =>

@@ -12,17 +12,11 @@ import {
 import { withHandleAt, withHandleLength } from '../../model/pen';
 import type { DrawnTangents } from '../../model/pen_legs';
 import { mergedCubic } from '../../model/pen_shape';
+import { cross, dot, scaled } from '../../model/vectors';
 import type { EngineClient } from '../../worker/client';
 import { directionOf } from './circle_drawing';
 import { drawnTangents } from './pen_drawing';
 
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const scaled = (a: Vector, factor: number) => a.map((value) => factor * value) as Vector;
 const minus = (a: Planar, b: Planar): Planar => [a[0] - b[0], a[1] - b[1]];
 
 /** A point's tangent plane with its log and exponential maps, in coordinates of the plane. */
