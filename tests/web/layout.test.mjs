@@ -18,6 +18,29 @@ describe('the layout of the page', () => {
     await tab.page.close();
   });
 
+  test('a narrow window leads to the book and to the Paper page, also with the sheet down', async () => {
+    const tab = await Tab.open(browser);
+    const { page } = tab;
+    const handle = page.locator('#sheet-handle');
+    for (const stop of ['half', 'collapsed']) {
+      await page.waitForFunction((at) => document.documentElement.dataset.sheet === at, stop);
+      await page.evaluate(() =>
+        Promise.all(document.getAnimations().map((animation) => animation.finished)),
+      );
+      const title = await page.locator('#sheet-title').boundingBox();
+      for (const name of ['Book', 'Paper']) {
+        const box = await page.getByRole('link', { name, exact: true }).boundingBox();
+        assert.ok(box.height >= 44 && box.width >= 44, `${name} is for a finger`);
+        assert.ok(box.x >= title.x + title.width && box.x + box.width <= 390, `${name} ${stop}`);
+        assert.ok(box.y + box.height <= 844, `${name} is in sight, ${stop}`);
+      }
+      if (stop === 'half') await handle.tap({ position: { x: 40, y: 26 } });
+    }
+    await page.getByRole('link', { name: 'Paper', exact: true }).tap();
+    await page.waitForURL(/paper\.html$/);
+    await page.close();
+  });
+
   inLongRun('a narrow window has both legends in one strip, with all of their words', async () => {
     const tab = await Tab.open(browser);
     const { page } = tab;

@@ -235,10 +235,24 @@ describe('looks', () => {
     });
     assert.deepEqual(await besides(tab, below), shaded);
     await tab.page.emulateMedia({ colorScheme: 'dark' });
-    const dark = await besides(tab, below);
+    // On a dark background the ground is lit, and the shadow is seen on it.
+    const [dark, beyond] = [
+      await brightness(
+        tab,
+        [-60, 60].map((x) => [x, below]),
+      ),
+      await brightness(
+        tab,
+        [-190, 190].map((x) => [x, below]),
+      ),
+    ];
+    const lit = Math.min(...beyond);
+    assert.ok(
+      dark.every((value) => value < 0.85 * lit),
+      `${dark} beside ${beyond}`,
+    );
     await chooseLook(tab, 'ground-shadow');
-    const plainDark = await besides(tab, below);
-    assert.ok(isDarker(dark, plainDark), `${dark} beside ${plainDark}`);
+    assert.ok(isDarker(await brightness(tab, [[190, below]]), [lit]), 'without it nothing is lit');
     await tab.page.emulateMedia({ colorScheme: 'light' });
     assert.deepEqual(await besides(tab, below), plain);
     await tab.page.close();

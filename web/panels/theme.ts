@@ -34,19 +34,20 @@ export function onTheme(listener: (theme: Theme) => void): void {
 }
 
 /** The style sheet's colors for the scene. */
-export function sceneColors(): ViewerColors & { stage: string } {
+export function sceneColors(): ViewerColors {
   const probe = document.body.appendChild(document.createElement('i'));
   const read = (name: string) => {
     probe.style.color = `var(--${name})`;
     return getComputedStyle(probe).color;
   };
-  const colors: ViewerColors & { stage: string } = {
+  const colors: ViewerColors = {
     stage: read('stage-near'),
     front: read('surface-front'),
     back: read('surface-back'),
     sky: read('surface-sky'),
     ground: read('surface-ground'),
     shadow: read('ground-shadow'),
+    floor: read('floor'),
     edges: read('surface-edges'),
     curve: read('curve'),
     lost: read('curve-lost'),

@@ -2,12 +2,16 @@ import { Color } from 'three';
 
 /** The colors in the scene, as CSS values. */
 export interface ViewerColors {
+  /** The background in the middle of the stage. */
+  stage: string;
   front: string;
   back: string;
   sky: string;
   ground: string;
   /** The ground below the surface, where the surface hides the sky. */
   shadow: string;
+  /** The lit ground around that shadow. */
+  floor: string;
   edges: string;
   curve: string;
   lost: string;

@@ -16,6 +16,7 @@ import {
   WebGLRenderTarget,
 } from 'three';
 import { FullScreenQuad } from 'three/addons/postprocessing/Pass.js';
+import type { ViewerColors } from './colors';
 import type { Surface } from './surface';
 
 /**
@@ -46,6 +47,11 @@ const bellSteps = Math.ceil((3.7 * widest * side) / (2 * reach));
  * The largest part of the ground's color that shadow removes, where the sky is hidden completely.
  */
 const darkest = 0.7;
+/**
+ * The largest part of a black background's color that the lit ground's own replaces. On a background
+ * without light no shadow is seen; the brighter a background is, the less light it needs.
+ */
+const lit = 0.5;
 
 const list = (values: readonly number[]) => values.map((value) => value.toFixed(6)).join(', ');
 
@@ -109,7 +115,12 @@ const blurMaterial = () =>
 export class GroundShadow {
   readonly object: Mesh;
   readonly #material = new ShaderMaterial({
-    uniforms: { shadow: { value: null }, color: { value: new Color() } },
+    uniforms: {
+      shadow: { value: null },
+      color: { value: new Color() },
+      ground: { value: new Color() },
+      lit: { value: 0 },
+    },
     vertexShader: `
       varying vec2 vAt;
       void main() {
@@ -120,15 +131,21 @@ export class GroundShadow {
     fragmentShader: `
       uniform sampler2D shadow;
       uniform vec3 color;
+      uniform vec3 ground;
+      uniform float lit;
       varying vec2 vAt;
+      vec4 shown(vec3 linear, float part) {
+        gl_FragColor = vec4(linear, 1.0);
+        #include <colorspace_fragment>
+        return part * gl_FragColor;
+      }
       void main() {
         // What one height leaves of the sky another one hides a part of.
         vec4 left = 1.0 - texture2D(shadow, 0.5 + 0.5 * vAt);
         float hidden = 1.0 - left.x * left.y * left.z * left.w;
         hidden *= ${darkest.toFixed(2)} * (1.0 - smoothstep(0.8, 1.0, length(vAt)));
-        gl_FragColor = vec4(color, 1.0);
-        #include <colorspace_fragment>
-        gl_FragColor *= hidden;
+        float light = lit * (1.0 - smoothstep(0.0, 1.0, length(vAt)));
+        gl_FragColor = shown(color, hidden) + (1.0 - hidden) * shown(ground, light);
       }`,
     // From above, the surface is before the ground everywhere, so the ground is drawn first. From
     // below, the ground is invisible.
@@ -147,8 +164,13 @@ export class GroundShadow {
     this.object.visible = false;
   }
 
-  setColor(color: string): void {
-    this.#material.uniforms.color!.value.set(color);
+  setColors({ shadow, floor, stage }: ViewerColors): void {
+    const { uniforms } = this.#material;
+    uniforms.color!.value.set(shadow);
+    uniforms.ground!.value.set(floor);
+    const { r, g, b } = new Color(stage);
+    const luminance = 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    uniforms.lit!.value = lit * (1 - luminance);
   }
 
   /**

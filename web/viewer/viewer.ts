@@ -144,7 +144,7 @@ export class Viewer {
     this.#colors = colors;
     this.#lost.setColor(new Color(colors.lost), surface);
     this.aids.setColors(colors);
-    this.#ground.setColor(colors.shadow);
+    this.#ground.setColors(colors);
     this.#beside.setColors(new Color(colors.curve), surface);
     this.#regions.setColor(new Color(colors.curve));
     this.#halos.setColors(colors);
