@@ -162,6 +162,21 @@ describe('cuts', () => {
     await tab.close();
   });
 
+  test('the parts fill the width of a phone, with buttons for fingers', async () => {
+    const { tab } = await cutSphere();
+    await tab.page.setViewportSize({ width: 390, height: 844 });
+    const { list, panel, buttons } = await tab.page.evaluate(() => {
+      const box = (id) => document.getElementById(id).getBoundingClientRect().toJSON();
+      const all = [...document.querySelectorAll('#parts button:not(.object)')];
+      const sizes = all.map((one) => one.getBoundingClientRect().toJSON());
+      return { list: box('parts'), panel: box('cut-settings'), buttons: sizes };
+    });
+    assert.ok(list.right >= panel.right, `${list.right}, not ${panel.right}`);
+    assert.equal(buttons.length, 6);
+    for (const { width, height } of buttons) assert.ok(width >= 44 && height >= 44);
+    await tab.close();
+  });
+
   test('a cut follows its curve, and a reload and a link restore it', async () => {
     const { tab } = await cutSphere();
     await button(tab, 'Show or hide Part 1').click();

@@ -124,11 +124,34 @@ describe('objects made of others', () => {
     await tab.close();
   });
 
+  test('the settings of an offset fill the width of a narrow panel, its fields below each other', async () => {
+    const { tab } = await withCircle();
+    await maker(tab, 'Offset').click();
+    await tab.settled();
+    for (const viewport of [
+      { width: 390, height: 844 },
+      { width: 1280, height: 800 },
+    ]) {
+      await tab.page.setViewportSize(viewport);
+      const { left, right } = await tab.page.evaluate(() => {
+        const box = (id) => document.getElementById(id).getBoundingClientRect();
+        const fields = ['offset-distance', 'offset-end'].map((id) => box(id).left);
+        const ids = ['derived-settings', 'offset-side', 'offset-corners'];
+        return { left: fields, right: ids.map((id) => box(id).right) };
+      });
+      assert.equal(new Set(left).size, 1, `${left}`);
+      assert.equal(new Set(right).size, 1, `${right}`);
+    }
+    await tab.close();
+  });
+
   test('an offset has another distance at the end; a step back, a link and a file know it', async () => {
     const { tab, radius } = await withCircle();
     await maker(tab, 'Offset').click();
     await tab.settled();
     await type(tab, '#offset-distance', '0.1');
+    const otherEnd = ({ page }) => page.locator('#offset-end-name').textContent();
+    assert.equal(await otherEnd(tab), 'Halfway');
     const before = JSON.stringify(await drawingOf(tab));
     const length = async () => (await tab.view()).isolines.length;
     const least = await length();
@@ -157,6 +180,13 @@ describe('objects made of others', () => {
     await other.settled();
     assert.deepEqual((await other.state()).figure.derived.offset, offset);
     await other.close();
+    const open = await Tab.open(browser, 'mesh=sphere:1500&kind=polyline');
+    await open.click([-60, 10], [60, -10]);
+    await open.page.keyboard.press('Escape');
+    await maker(open, 'Offset').click();
+    await open.settled();
+    assert.equal(await otherEnd(open), 'At the end');
+    await open.close();
     await tab.page.keyboard.press('Control+z');
     await tab.settled();
     assert.equal(JSON.stringify(await drawingOf(tab)), before);

@@ -310,10 +310,15 @@ f 1 2 3 4\nf 5 6 7 8\n`,
   test('the theme follows the system until it is chosen', async () => {
     const tab = await Tab.open(browser);
     const shows = (theme) => tab.page.locator(`html[data-theme="${theme}"]`).waitFor();
+    // Lines without a color of their own have the theme's, also in the fields of colors.
+    const color = () => tab.page.locator('#fill-color').inputValue();
+    const light = await color();
     await tab.page.emulateMedia({ colorScheme: 'dark' });
     await shows('dark');
+    assert.notEqual(await color(), light);
     await tab.page.emulateMedia({ colorScheme: 'light' });
     await shows('light');
+    assert.equal(await color(), light);
     await tab.page.locator('#view').click();
     await tab.page.getByRole('menuitemcheckbox', { name: 'Dark theme' }).click();
     await tab.page.reload();

@@ -22,6 +22,7 @@ import {
   plainOffset,
 } from '../model/derived';
 import { objectOf } from '../model/drawing';
+import { type Figure, isCurve, isRound } from '../model/figure';
 import type { Unit } from '../model/units';
 import { byId, choices, make, write } from './elements';
 import { kindNames, kindNotes } from './kind_names';
@@ -47,6 +48,10 @@ const atLeastZero = {
   read: (text: string) => (Number(text.trim() || NaN) === 0 ? 0 : positiveNumber(text)),
   write: (value: number) => `${Number(value.toPrecision(4))}`,
 };
+
+/** Whether lines have no ends, so that the other distance of their offset is halfway round. */
+const isLoop = ({ kind, settings }: Figure) =>
+  isRound(kind) || isBoolean(kind) || (isCurve(kind) && settings.closed);
 
 /** Objects that are made of others: the buttons that make them, and their settings. */
 export class DerivedPanel {
@@ -135,10 +140,10 @@ export class DerivedPanel {
       input.checked = input.value === (offset?.corners ?? 'round');
       input.disabled = offset?.end !== undefined && input.value !== 'round';
     }
-    const names = sources?.flatMap((id) => {
-      const object = objectOf(drawing, id);
-      return object ? [nameOf(object)] : [];
-    });
+    const objects = sources?.flatMap((id) => objectOf(drawing, id) ?? []);
+    const areLoops = objects?.every((object) => isLoop(object.figure));
+    write(byId('offset-end-name'), areLoops ? 'Halfway' : 'At the end');
+    const names = objects?.map(nameOf);
     const of = isBoolean(figure.kind) ? 'Of' : figure.kind === 'cut' ? 'Along' : 'From';
     write(byId('derived-sources'), `${of} ${names?.join(', ') || 'nothing any more'}`);
   }

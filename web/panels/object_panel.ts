@@ -114,6 +114,9 @@ export class ObjectPanel {
     this.#rows = new ObjectRows(editor, () => this.#name.select());
     onTheme(() => {
       this.#themeColor = hexOf(sceneColors().curve);
+      const state = this.#shown;
+      this.#shown = null;
+      if (state) this.show(state);
     });
     const set = (to: Partial<Properties>) => editor.objects.setProperties(this.#targets, to);
     this.#name.maxLength = longestName;
