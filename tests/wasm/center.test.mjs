@@ -217,7 +217,7 @@ test('the paper’s method accepts Eq. 3 as printed; other methods have no star'
   assert.ok(apart > 0 && apart < 0.3 * torus.info.meanEdge, `${apart}`);
   assert.throws(() => torus.centerOfMass(points, weights, { star: 'ring' }), {
     code: 'badArgument',
-    message: /the paper's method alone/,
+    message: /only the paper's method/,
   });
   torus.dispose();
 });
