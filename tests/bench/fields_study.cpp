@@ -7,6 +7,8 @@
 #include "distance/edge_dijkstra.h"
 #include "distance/window_distance.h"
 #include "generators/gallery.h"
+#include "generators/rough.h"
+#include "mesh/shapes.h"
 #include "mesh/triangle_mesh.h"
 #include "rcm/field_options.h"
 #include "rcm/surface.h"
@@ -16,12 +18,15 @@
 /// (field_options.h).
 ///
 ///   fields_study tubes [COUNT [SEED]]    ring tubes of random proportions
+///   fields_study rough [TRIANGLES]       a rough torus of so many triangles, or of a million, from
+///                                        one source
 ///   fields_study [MESH.obj ...]          meshes, or without any the gallery's
 namespace karcher {
 namespace {
 
 constexpr uint64_t kSeed = 17;
 constexpr int kSources = 4;
+constexpr int kRoughSources = 1;
 constexpr double kWrong = 0.01;
 
 struct Row {
@@ -59,7 +64,7 @@ void print(const Row& row) {
 }
 
 /// Prints a row; returns the worst error.
-double study(const std::string& name, TriangleMesh given) {
+double study(const std::string& name, TriangleMesh given, int sources = kSources) {
   Surface surface(std::move(given));
   const TriangleMesh& mesh = surface.mesh();
   const int count = mesh.vertexCount();
@@ -76,7 +81,7 @@ double study(const std::string& name, TriangleMesh given) {
       grown.grow(kInfinity);
     });
   };
-  for (int i = 0; i < kSources; ++i) {
+  for (int i = 0; i < sources; ++i) {
     const int vertex = random.index(count);
     const SurfacePoint source = i % 2 == 0 ? vertexPoint(mesh, vertex) : randomPoint(mesh, random);
     edges += processorTimed([&] { edgeDijkstra(surface.geometry(), vertex); });
@@ -90,7 +95,7 @@ double study(const std::string& name, TriangleMesh given) {
   }
   const Row row = asked.result(askedTime / edges);
   std::printf("| %s | %d | %.0f | %.1f |", name.c_str(), mesh.faceCount(),
-              1e6 * edges / (kSources * count), exactTime / edges);
+              1e6 * edges / (static_cast<double>(sources) * count), exactTime / edges);
   print(row);
   std::printf("\n");
   std::fflush(stdout);
@@ -112,6 +117,13 @@ double studyTubes(int count, uint64_t seed) {
   return worst;
 }
 
+double studyRough(int triangles) {
+  constexpr int kParts = 4;
+  const TriangleSoup smooth = makeShape(Shape::kTorus, triangles / (kParts * kParts));
+  const TriangleSoup soup = roughened(buildMesh(smooth.positions, smooth.triangles), kParts, kSeed);
+  return study("rough torus", buildMesh(soup.positions, soup.triangles), kRoughSources);
+}
+
 }  // namespace
 }  // namespace karcher
 
@@ -119,14 +131,18 @@ int main(int argc, char** argv) {
   using namespace karcher;
   try {
     const Array<std::string> names(argv + 1, argv + argc);
-    std::printf("%d sources a mesh, seed %d. Wrong: off by more than %.0f %%.\n", kSources,
-                static_cast<int>(kSeed), 100 * kWrong);
+    const bool isRough = !names.empty() && names[0] == "rough";
+    const int sources = isRough ? kRoughSources : kSources;
+    std::printf("%d source%s a mesh, seed %d. Wrong: off by more than %.0f %%.\n", sources,
+                sources == 1 ? "" : "s", static_cast<int>(kSeed), 100 * kWrong);
     std::printf(
         "| mesh | triangles | edge Dijkstra, ns a vertex | exact, in these | fast: mean | too "
         "long, too short | wrong | time |\n"
         "| --- | --- | --- | --- | --- | --- | --- | --- |\n");
     double worst = 0;
-    if (!names.empty() && names[0] == "tubes") {
+    if (isRough) {
+      worst = studyRough(names.count() > 1 ? std::stoi(names[1]) : 1'000'000);
+    } else if (!names.empty() && names[0] == "tubes") {
       worst = studyTubes(names.count() > 1 ? std::stoi(names[1]) : 200,
                          names.count() > 2 ? std::stoull(names[2]) : kSeed);
     } else {
