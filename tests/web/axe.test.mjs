@@ -75,8 +75,25 @@ async function lookFurther(browser, tab, look) {
     await made.page.locator('#makers').getByRole('button', { name: maker }).click();
     await made.settled();
     await look(maker, made);
+    if (maker === 'Union') {
+      await made.page.locator('#pattern').selectOption('hatched');
+      await made.settled();
+      await look('a pattern', made);
+      await made.page.locator('#stage').press('Control+z');
+    }
+    if (maker === 'Offset') {
+      await made.page.locator('#offset-end').fill('0.3');
+      await made.page.keyboard.press('Enter');
+      await made.settled();
+      await look('an offset with two distances', made);
+      await made.page.locator('#stage').press('Control+z');
+    }
     await made.page.locator('#stage').press('Control+z');
   }
+  await made.page.locator('#view').click();
+  await made.page.locator('#ground-shadow').click();
+  await made.page.locator('#view-menu').waitFor();
+  await look('a shadow on the ground', made);
   await made.page.close();
 }
 
