@@ -112,10 +112,10 @@ test('a result has the format of its file name, and no other', async () => {
   assert.ok(JSON.parse(readFileSync(out, 'utf8')).isolines);
   assert.match(
     await failure(...isolines, '--out', 'lines.svg'),
-    /^isolines writes JSON, or OBJ to a file that ends in \.obj, not 'lines\.svg'$/,
+    /^isolines writes JSON, CSV, OBJ, PLY, GLB or STL, not 'lines\.svg'$/,
   );
   const path = ['path', squareFile, '--from', 'v:0', '--to', 'v:2'];
-  assert.match(await failure(...path, '--out', 'a.ply'), /^path writes JSON, .*, not 'a\.ply'$/);
+  assert.match(await failure(...path, '--out', 'a.off'), /^path writes JSON, .*, not 'a\.off'$/);
   const info = ['info', squareFile, '--out'];
   assert.match(await failure(...info, 'info.obj'), /^info writes JSON, not 'info\.obj'$/);
 });

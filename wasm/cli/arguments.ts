@@ -246,17 +246,20 @@ function takeFormatOfName(command: Described, values: Map<string, string>): void
   const out = values.get('out');
   if (!command.options.includes(outOption) || out === undefined || values.has('format')) return;
   const draws = command.options.includes(formatOption);
-  if (draws && /\.obj$/i.test(out)) values.set('format', 'obj');
+  const ending = /\.([^./\\]+)$/.exec(out)?.[1]?.toLowerCase();
+  const formats = formatOption.value!.split('|');
+  if (draws && formats.includes(ending!)) values.set('format', ending!);
   else if (namesOfOthers.test(out)) {
-    const formats = draws ? 'JSON, or OBJ to a file that ends in .obj,' : 'JSON,';
-    throw new UsageError(`${command.name} writes ${formats} not '${out}'`);
+    const names = draws ? 'JSON, CSV, OBJ, PLY, GLB or STL,' : 'JSON,';
+    throw new UsageError(`${command.name} writes ${names} not '${out}'`);
   }
 }
 
 /** Throws if a command cannot run for several meshes. */
 function checkBatch(command: Described, values: ReadonlyMap<string, string>): void {
-  if (values.get('format') === 'obj') {
-    throw new UsageError(`${command.name} takes one mesh with --format obj`);
+  const format = values.get('format') ?? 'json';
+  if (format !== 'json') {
+    throw new UsageError(`${command.name} takes one mesh with --format ${format}`);
   }
   // A command with its own `out` writes one file for each mesh.
   if (command.options.includes(outOption) || !command.options.some(({ name }) => name === 'out'))

@@ -1,7 +1,8 @@
+import type { Mesh } from '../mesh.js';
 import type { Circle, Ellipse } from '../path_types.js';
 import type { Command, Result } from './command.js';
 import { UsageError } from './errors.js';
-import { fieldOptions, formatOption, levelsOption, type Option } from './options.js';
+import { drawnOptions, fieldOptions, levelsOption, type Option } from './options.js';
 import { sampleRecords, triples } from './output.js';
 
 const arcOptions = (byDefault: string): readonly Option[] => [
@@ -18,19 +19,19 @@ const arcOptions = (byDefault: string): readonly Option[] => [
 const circleOutput =
   '{levels, polyline: [[x, y, z], …], samples: [{segment, t, face, bary, position, converged, status}, …], bridged: [{segment, t0, t1, reason}, …], length, notShortest: [arc, …], deviation}';
 
-function resultOf(circle: Ellipse & Partial<Circle>): Result {
-  const polyline = circle.path.polyline({ bits: 64 });
+function resultOf(mesh: Mesh, circle: Ellipse & Partial<Circle>): Result {
   return {
     json: {
       levels: circle.levels,
-      polyline: triples(polyline),
+      polyline: triples(circle.path.polyline({ bits: 64 })),
       samples: sampleRecords(circle.samples),
       bridged: circle.bridged,
       length: circle.path.length,
       notShortest: circle.notShortest,
       deviation: circle.deviation,
     },
-    polylines: [polyline],
+    mesh,
+    curves: () => [{ path: circle.path }],
   };
 }
 
@@ -50,7 +51,7 @@ export const circle: Command = {
       default: '0.001',
     },
     ...fieldOptions,
-    formatOption,
+    ...drawnOptions,
   ],
   async run(args) {
     const center = args.point('center');
@@ -64,7 +65,7 @@ export const circle: Command = {
     const field = args.field();
     if (args.given('arcs')) args.refuse(['tolerance'], 'with --arcs');
     const mesh = await args.mesh();
-    return resultOf(mesh.circle(center, { radius, ...options, ...field }));
+    return resultOf(mesh, mesh.circle(center, { radius, ...options, ...field }));
   },
 };
 
@@ -89,7 +90,7 @@ export const ellipse: Command = {
     },
     ...arcOptions('7'),
     ...fieldOptions,
-    formatOption,
+    ...drawnOptions,
   ],
   async run(args) {
     const center = args.point('center');
@@ -104,6 +105,9 @@ export const ellipse: Command = {
     const field = args.field();
     const mesh = await args.mesh();
     const radii = [along, across] as const;
-    return resultOf(mesh.ellipse(center, { radii, direction, ...arcs, samples, levels, ...field }));
+    return resultOf(
+      mesh,
+      mesh.ellipse(center, { radii, direction, ...arcs, samples, levels, ...field }),
+    );
   },
 };

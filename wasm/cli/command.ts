@@ -1,15 +1,18 @@
+import type { FileCurve } from '../formats/index.js';
+import type { Mesh } from '../mesh.js';
 import type { Arguments } from './arguments.js';
 import type { Described } from './options.js';
 
 /**
  * The result of a command: one JSON object, in which iterators stand for long arrays, and its
- * polylines (x, y, z, …) for `--format obj`.
+ * curves on the mesh for the other formats.
  */
 export interface Result {
   json: object;
   /** A file that goes to standard output instead. */
   bytes?: Uint8Array;
-  polylines?: Float64Array[];
+  mesh?: Mesh;
+  curves?: () => FileCurve[];
 }
 
 /** A command of `karcher`. It runs for one mesh at a time. */

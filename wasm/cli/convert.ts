@@ -109,7 +109,7 @@ function colorsAt(mesh: Mesh, colors: Uint8Array, positions: readonly number[]):
 function surfaceOf(
   mesh: Mesh,
   { colors, parts, partOf }: FileMarks,
-): Required<Triangles> & {
+): Required<Omit<Triangles, 'curves'>> & {
   positions: Float64Array;
   triangles: Int32Array;
 } {

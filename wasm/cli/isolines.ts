@@ -1,6 +1,7 @@
+import type { FileCurve } from '../formats/index.js';
 import type { Solver } from '../types.js';
 import type { Command } from './command.js';
-import { formatOption } from './options.js';
+import { drawnOptions } from './options.js';
 import { triples } from './output.js';
 
 export const isolines: Command = {
@@ -35,7 +36,7 @@ export const isolines: Command = {
       default: 'exact',
     },
     { name: 'rings', value: 'K', help: 'rings of the graph solver, 1 to 10', default: '6' },
-    formatOption,
+    ...drawnOptions,
   ],
   async run(args) {
     const center = args.point('center');
@@ -48,18 +49,18 @@ export const isolines: Command = {
       ...args.whereGiven(['rings'], (name) => args.integer(name)),
     };
     const mesh = await args.mesh();
-    const polylines: Float64Array[] = [];
+    const curves: FileCurve[] = [];
     const found = radii.map((radius) => {
       const lines = mesh.isolines(center, { radius, type, ...distance });
       return {
         radius,
         lines: lines.map((line) => {
           const polyline = line.polyline({ bits: 64 });
-          polylines.push(polyline);
+          curves.push({ path: line });
           return { closed: line.closed, length: line.length, polyline: triples(polyline) };
         }),
       };
     });
-    return { json: { isolines: found }, polylines };
+    return { json: { isolines: found }, mesh, curves: () => curves };
   },
 };

@@ -11,6 +11,7 @@ import { compare } from './compare.js';
 import { convert, repair } from './convert.js';
 import { cut } from './cut.js';
 import { distance } from './distance.js';
+import { drawnFormat } from './drawn.js';
 import { edit } from './edit.js';
 import { UsageError } from './errors.js';
 import { commandHelp, generalHelp } from './help.js';
@@ -19,8 +20,8 @@ import { isolines } from './isolines.js';
 import { exp, log, mirror, straightest, transport } from './maps.js';
 import { mean } from './mean.js';
 import { offset } from './offset.js';
-import { meshOptions, outOption } from './options.js';
-import { jsonLine, type Pieces, polylinesAsObj, print } from './output.js';
+import { formatOption, meshOptions, outOption } from './options.js';
+import { jsonLine, type Pieces, print } from './output.js';
 import { path } from './path.js';
 import { regions } from './regions.js';
 import { Terminal } from './terminal.js';
@@ -125,12 +126,11 @@ async function run(
 }
 
 async function resultOf(command: Command, args: Arguments, terminal: Terminal): Promise<Pieces> {
-  const drawn =
-    command.options.some((option) => option.name === 'format') && args.choice('format') === 'obj';
+  const drawn = command.options.includes(formatOption) ? drawnFormat(args) : null;
   try {
-    const { json, polylines, bytes } = await command.run(args, (text) => terminal.tell(text));
+    const { json, mesh, curves, bytes } = await command.run(args, (text) => terminal.tell(text));
     if (bytes) return [bytes];
-    return drawn ? polylinesAsObj(polylines!) : jsonLine(json);
+    return drawn ? await drawn(mesh!, curves!()) : jsonLine(json);
   } finally {
     terminal.clear();
   }

@@ -1,6 +1,6 @@
 import type { Command } from './command.js';
 import { UsageError } from './errors.js';
-import { formatOption, type Option, pointsOption } from './options.js';
+import { drawnOptions, type Option, pointsOption } from './options.js';
 import { pathRecord, triples } from './output.js';
 
 /** Log maps, exp maps and parallel transport of vectors and points. */
@@ -103,7 +103,7 @@ export const straightest: Command = {
       required: true,
     },
     { name: 'length', value: 'L', help: 'the length in units of the mesh', required: true },
-    formatOption,
+    ...drawnOptions,
   ],
   async run(args) {
     const from = args.point('from');
@@ -114,7 +114,8 @@ export const straightest: Command = {
     const { path, ...rest } = mesh.straightest(from, direction, length);
     return {
       json: { ...pathRecord(path), ...rest },
-      polylines: [path.polyline({ bits: 64 })],
+      mesh,
+      curves: () => [{ path }],
     };
   },
 };

@@ -1,5 +1,5 @@
 import type { Command } from './command.js';
-import { formatOption } from './options.js';
+import { drawnOptions } from './options.js';
 import { outlineOptions, readOutlines } from './outlines.js';
 import { linesResult } from './output.js';
 
@@ -35,7 +35,7 @@ export const offset: Command = {
       help: 'the largest distance of a mitre from its corner, in distances; longer ones become bevels',
       default: '4',
     },
-    formatOption,
+    ...drawnOptions,
   ],
   async run(args) {
     const distance = args.numbers('distance');
@@ -43,6 +43,6 @@ export const offset: Command = {
     const corners = args.choice<'round' | 'miter' | 'bevel'>('corners');
     const miterLimit = args.number('miter-limit');
     const { mesh, outlines } = await readOutlines(args);
-    return linesResult(mesh.offset(outlines, { distance, side, corners, miterLimit }));
+    return linesResult(mesh, mesh.offset(outlines, { distance, side, corners, miterLimit }));
   },
 };

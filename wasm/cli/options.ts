@@ -14,13 +14,26 @@ export interface Described {
   options: readonly Option[];
 }
 
-/** The option of commands whose result can be drawn. */
+/** The format of commands whose result can be drawn. */
 export const formatOption: Option = {
   name: 'format',
-  value: 'json|obj',
-  help: 'JSON, or the polylines as an OBJ file (v and l lines); OBJ if --out ends in .obj',
+  value: 'json|csv|obj|ply|glb|stl',
+  help: 'JSON, a row of CSV for each point of the curves, or a file of lines or tubes; by default the ending of --out determines it',
   default: 'json',
 };
+
+/** The options of commands whose result can be drawn. */
+export const drawnOptions: readonly Option[] = [
+  formatOption,
+  { name: 'surface', help: 'with --format obj, ply, glb or stl: the mesh in the same file' },
+  {
+    name: 'tube',
+    value: 'RADIUS',
+    help: 'with --format obj, ply, glb or stl: the curves as closed tubes; STL has no lines',
+    // These are words for the help; no such value is passed.
+    default: 'lines',
+  },
+];
 
 export const pointsOption: Option = {
   name: 'points',

@@ -1,4 +1,5 @@
 import type { Writable } from 'node:stream';
+import type { Mesh } from '../mesh.js';
 import type { Path } from '../path.js';
 import type { Region } from '../region.js';
 import type { CurvePoints, CurveSamples, Status } from '../types.js';
@@ -21,16 +22,16 @@ export function pathRecord(path: Path) {
 }
 
 /** Lines of points at one distance. */
-export function linesResult(lines: readonly Path[]): Result {
-  const polylines = lines.map((line) => line.polyline({ bits: 64 }));
+export function linesResult(mesh: Mesh, lines: readonly Path[]): Result {
   return {
     json: {
-      lines: lines.map(({ closed, length }, i) => ({
-        ...{ closed, length },
-        polyline: triples(polylines[i]!),
+      lines: lines.map((line) => ({
+        ...{ closed: line.closed, length: line.length },
+        polyline: triples(line.polyline({ bits: 64 })),
       })),
     },
-    polylines,
+    mesh,
+    curves: () => lines.map((path) => ({ path })),
   };
 }
 
@@ -75,19 +76,6 @@ export function* sampleRecords(samples: CurveSamples): Generator<SampleRecord> {
       converged: status[i] === 'converged',
       status: status[i]!,
     };
-  }
-}
-
-/** Polylines as an OBJ file, in pieces: the vertices of each, and an `l` line. */
-export function* polylinesAsObj(polylines: readonly Float64Array[]): Generator<string> {
-  for (const polyline of polylines) {
-    for (const position of triples(polyline)) yield `v ${position.join(' ')}\n`;
-  }
-  let vertex = 1;
-  for (const { length } of polylines) {
-    yield 'l';
-    for (let i = 0; i < length; i += 3) yield ` ${vertex++}`;
-    yield '\n';
   }
 }
 

@@ -1,5 +1,5 @@
 import type { Command } from './command.js';
-import { formatOption } from './options.js';
+import { drawnOptions } from './options.js';
 import { pathRecord } from './output.js';
 
 export const path: Command = {
@@ -11,13 +11,13 @@ export const path: Command = {
   options: [
     { name: 'from', value: 'POINT', help: 'the start of the path', required: true },
     { name: 'to', value: 'POINT', help: 'the end of the path', required: true },
-    formatOption,
+    ...drawnOptions,
   ],
   async run(args) {
     const from = args.point('from');
     const to = args.point('to');
     const mesh = await args.mesh();
     const shortest = mesh.shortestPath(from, to);
-    return { json: pathRecord(shortest), polylines: [shortest.polyline({ bits: 64 })] };
+    return { json: pathRecord(shortest), mesh, curves: () => [{ path: shortest }] };
   },
 };

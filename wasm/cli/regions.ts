@@ -1,6 +1,6 @@
 import type { BooleanOperation, FillRule } from '../types.js';
 import type { Command } from './command.js';
-import { formatOption } from './options.js';
+import { drawnOptions } from './options.js';
 import { outlineOptions, readOutlines } from './outlines.js';
 import { regionRecord } from './output.js';
 
@@ -35,7 +35,7 @@ export const regions: Command = {
       help: 'one region from the regions of all curves; a difference is the first without all others',
       default: 'none',
     },
-    formatOption,
+    ...drawnOptions,
   ],
   async run(args) {
     const rule = args.choice<FillRule>('rule');
@@ -57,9 +57,8 @@ export const regions: Command = {
       json: {
         regions: found.map(regionRecord),
       },
-      polylines: found.flatMap((region) =>
-        region.boundary().map((path) => path.polyline({ bits: 64 })),
-      ),
+      mesh,
+      curves: () => found.flatMap((region) => region.boundary().map((path) => ({ path }))),
     };
   },
 };

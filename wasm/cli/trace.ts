@@ -1,10 +1,11 @@
 import type { Curve } from '../curve.js';
+import { pathParameters } from '../formats/index.js';
 import { load } from '../load.js';
 import type { Mesh } from '../mesh.js';
 import type { Arguments } from './arguments.js';
 import type { Command } from './command.js';
 import { curveOptions, readCurve } from './curve_arguments.js';
-import { fieldOptions, formatOption } from './options.js';
+import { drawnOptions, fieldOptions } from './options.js';
 import { pointRecords, sampleRecords, triples } from './output.js';
 import { samplingOf, samplingOptions } from './sampling.js';
 
@@ -33,13 +34,14 @@ export const trace: Command = {
       help: 'N points with the same length of curve between them',
     },
     ...fieldOptions,
-    formatOption,
+    ...drawnOptions,
   ],
   async run(args) {
     const sampling = samplingOf(args);
     const field = args.field();
-    if (args.choice('format') === 'obj') {
-      args.refuse(['at', 'nearest', 'equally-spaced'], 'with --format obj');
+    const format = args.choice('format');
+    if (format !== 'json') {
+      args.refuse(['at', 'nearest', 'equally-spaced'], `with --format ${format}`);
     }
     const measures = measuresOf(args);
     const record = await readCurve(args);
@@ -62,7 +64,11 @@ export const trace: Command = {
         ms: { prepare, ...curve.times() },
         ...measures(mesh, curve),
       },
-      polylines: [polyline],
+      mesh,
+      curves: () => {
+        const path = curve.path();
+        return [{ path, parameters: pathParameters(path, curve.samples()) }];
+      },
     };
   },
 };

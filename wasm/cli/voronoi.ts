@@ -1,6 +1,6 @@
 import type { Solver } from '../types.js';
 import type { Command } from './command.js';
-import { formatOption, pointsOption } from './options.js';
+import { drawnOptions, pointsOption } from './options.js';
 import { regionRecord, triples } from './output.js';
 
 export const voronoi: Command = {
@@ -18,7 +18,7 @@ export const voronoi: Command = {
       default: 'exact',
     },
     { name: 'rings', value: 'K', help: 'rings of the graph solver, 1 to 10', default: '6' },
-    formatOption,
+    ...drawnOptions,
   ],
   async run(args) {
     const diagrams = await import('../statistics/index.js');
@@ -39,7 +39,8 @@ export const voronoi: Command = {
         cells: points.map((_, site) => regionRecord(cell(site))),
         borders: lines.map((line) => ({ ...line, polyline: triples(line.polyline) })),
       },
-      polylines: lines.map(({ polyline }) => polyline),
+      mesh,
+      curves: () => borders.map(({ path }) => ({ path })),
     };
   },
 };

@@ -11,6 +11,7 @@ import { readStl } from './stl.js';
 import type { FileInfo, FileOptions, MeshFormat, Polygons } from './types.js';
 
 export { KarcherError } from '../errors.js';
+export { curvesCsv, type FileCurve, type FilePath, pathParameters } from './curves.js';
 export { fileEndings, formatOf } from './format.js';
 export { marksOfPart } from './part_marks.js';
 export type * from './types.js';

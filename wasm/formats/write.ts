@@ -1,7 +1,8 @@
 import { checkOneOf, shown } from '../check.js';
 import { KarcherError } from '../errors.js';
-import { binaryChunk, glbMagic, jsonChunk } from './glb.js';
-import { linearLight } from './marks.js';
+import { tubeAlong } from '../tube.js';
+import { type FileCurve, normalOf } from './curves.js';
+import { glbFile, single } from './write_glb.js';
 
 /**
  * The mesh to write, with arrays as `mesh.cut` returns them. Its other properties are those of `FileMarks`,
@@ -18,6 +19,8 @@ export interface Triangles {
   parts?: readonly { name: string }[] | undefined;
   /** The number of each triangle's part. */
   partOf?: ArrayLike<number> | null | undefined;
+  /** Curves in the same file, as lines or tubes; the mesh may then have no triangles. */
+  curves?: readonly FileCurve[] | undefined;
 }
 
 const writers = { stl: stlFile, ply: plyFile, obj: objFile, glb: glbFile };
@@ -31,13 +34,52 @@ export const writtenFormats = Object.keys(writers) as readonly WrittenFormat[];
 /**
  * Triangles as a file: OBJ, or PLY, STL or GLB in binary. OBJ and PLY keep positions to the last
  * bit. STL and GLB hold single precision: positions on both sides of a cut are still equal, and
- * triangles of which two corners become one are left out. Throws `KarcherError` badArgument and
- * badIndex.
+ * triangles of which two corners become one are left out.
+ *
+ * Curves with a radius are tubes, closed by flat ends. Others are lines: of GLB line strips, of
+ * OBJ `l` elements, of PLY edges; STL has only tubes. In OBJ and GLB each is an object of its own
+ * name. In GLB a curve's color is that of its material. In OBJ and PLY colors are those of
+ * vertices, of which all have one if the mesh or a curve has; white is for those without.
+ *
+ * Throws `KarcherError` badArgument and badIndex.
+ *
+ * @example
+ * ```ts
+ * const surface = { positions: mesh.positions(), triangles: mesh.triangles() };
+ * const curves = [{ name: 'seam', path: curve.path(), color: [200, 30, 30] as const, radius: 0.5 }];
+ * const bytes = meshFile({ ...surface, curves }, 'glb');
+ * ```
  */
 export function meshFile(mesh: Triangles, format: WrittenFormat): Uint8Array<ArrayBuffer> {
   checkOneOf(format, writtenFormats, 'the format');
   checkTriangles(mesh);
+  for (const curve of mesh.curves ?? []) checkCurve(curve, format);
   return writers[format](mesh);
+}
+
+function checkCurve({ color, radius, path }: FileCurve, format: WrittenFormat): void {
+  if (format === 'stl' && radius === undefined) {
+    throw new KarcherError('badArgument', 'STL has no lines: a curve needs a radius, for a tube');
+  }
+  if (path.count < 2) {
+    throw new KarcherError('badArgument', `a curve of ${path.count} points is no line`);
+  }
+  if (!color) return;
+  if (color.length !== 3) {
+    throw new KarcherError('badArgument', `a curve's color has three numbers, not ${color.length}`);
+  }
+  checkColors(color);
+}
+
+function checkColors(colors: ArrayLike<number>): void {
+  for (let i = 0; i < colors.length; i++) {
+    const value = colors[i]!;
+    if (Number.isInteger(value) && value >= 0 && value <= 255) continue;
+    throw new KarcherError(
+      'badArgument',
+      `a color is ${shown(value)}, not a whole number from 0 to 255`,
+    );
+  }
 }
 
 function checkTriangles({ positions, triangles, colors, parts, partOf }: Triangles): void {
@@ -58,14 +100,7 @@ function checkTriangles({ positions, triangles, colors, parts, partOf }: Triangl
     const what = `the colors must be three numbers a vertex, ${positions.length}, not ${colors.length}`;
     throw new KarcherError('badArgument', what);
   }
-  for (let i = 0; i < (colors?.length ?? 0); i++) {
-    const value = colors![i]!;
-    if (Number.isInteger(value) && value >= 0 && value <= 255) continue;
-    throw new KarcherError(
-      'badArgument',
-      `a color is ${shown(value)}, not a whole number from 0 to 255`,
-    );
-  }
+  if (colors) checkColors(colors);
   if (!partOf) return;
   if (3 * partOf.length !== triangles.length) {
     const what = `there must be a part for each of ${triangles.length / 3} triangles, not ${partOf.length}`;
@@ -83,33 +118,94 @@ function checkTriangles({ positions, triangles, colors, parts, partOf }: Triangl
 /** The name of a part, on one line. */
 const partName = ({ name }: { name: string }) => name.replace(/\p{Cc}+/gu, ' ').trim() || 'unnamed';
 
-function objFile({ positions, triangles, colors, parts, partOf }: Triangles) {
-  const lines: string[] = [];
-  for (let i = 0; i < positions.length; i += 3) {
-    const color = colors ? [0, 1, 2].map((k) => ` ${colors[i + k]! / 255}`).join('') : '';
-    lines.push(`v ${positions[i]} ${positions[i + 1]} ${positions[i + 2]}${color}\n`);
+const white = [255, 255, 255] as const;
+
+/** The mesh with the tubes of its curves, of which each is a part, and the curves that are lines. */
+function withTubes(mesh: Triangles): { solid: Triangles; lines: readonly FileCurve[] } {
+  const { curves = [] } = mesh;
+  const tubes = curves.filter(({ radius }) => radius !== undefined);
+  const lines = curves.filter(({ radius }) => radius === undefined);
+  if (curves.length === 0) return { solid: mesh, lines };
+  const isColored = mesh.colors || curves.some(({ color }) => color);
+  const positions = Array.from(mesh.positions);
+  const triangles = Array.from(mesh.triangles);
+  const colors = Array.from(mesh.colors ?? positions, (value) => (mesh.colors ? value : 255));
+  const parts = mesh.partOf ? [...mesh.parts!] : [{ name: 'surface' }];
+  const partOf = Array.from({ length: triangles.length / 3 }, (_, i) => mesh.partOf?.[i] ?? 0);
+  for (const { name = '', path, color = white, radius, sides } of tubes) {
+    const line = { places: path.polyline({ bits: 64 }), closed: path.closed };
+    const tube = tubeAlong(line, {
+      radius: radius!,
+      ...(sides !== undefined && { sides }),
+      caps: true,
+    });
+    const first = positions.length / 3;
+    for (const value of tube.positions) positions.push(value);
+    for (const vertex of tube.triangles) triangles.push(first + vertex);
+    for (let i = 0; i < tube.positions.length; i += 3) colors.push(...color);
+    for (let i = 0; i < tube.triangles.length; i += 3) partOf.push(parts.length);
+    parts.push({ name });
   }
+  // Readers of OBJ would otherwise add the first curve to the surface's object.
+  const marks = { ...(isColored && { colors }), parts, partOf };
+  return { solid: { positions, triangles, ...marks }, lines };
+}
+
+function objFile(mesh: Triangles) {
+  const { solid, lines: curves } = withTubes(mesh);
+  const { positions, triangles, colors, parts, partOf } = solid;
+  const lines: string[] = [];
+  const addVertices = (places: ArrayLike<number>, colorOf: (i: number) => number) => {
+    for (let i = 0; i < places.length; i += 3) {
+      const color = colors ? [0, 1, 2].map((k) => ` ${colorOf(i + k) / 255}`).join('') : '';
+      lines.push(`v ${places[i]} ${places[i + 1]} ${places[i + 2]}${color}\n`);
+    }
+  };
+  addVertices(positions, (i) => colors![i]!);
   for (let i = 0; i < triangles.length; i += 3) {
     const part = partOf?.[i / 3];
     if (part !== undefined && part !== partOf![i / 3 - 1])
       lines.push(`o ${partName(parts![part]!)}\n`);
     lines.push(`f ${triangles[i]! + 1} ${triangles[i + 1]! + 1} ${triangles[i + 2]! + 1}\n`);
   }
+  let first = positions.length / 3 + 1;
+  for (const { name = '', path, color = white } of curves) {
+    lines.push(`o ${partName({ name })}\n`);
+    addVertices(path.polyline({ bits: 64 }), (i) => color[i % 3]!);
+    lines.push(`l ${Array.from({ length: path.count }, (_, i) => first + i).join(' ')}\n`);
+    first += path.count;
+  }
   return new TextEncoder().encode(lines.join(''));
 }
 
-function plyFile({ positions, triangles, colors }: Triangles): Uint8Array<ArrayBuffer> {
+function plyFile(mesh: Triangles): Uint8Array<ArrayBuffer> {
+  const { solid, lines } = withTubes(mesh);
+  const { triangles } = solid;
+  const edges: number[] = [];
+  const positions = lines.length > 0 ? Array.from(solid.positions) : solid.positions;
+  const colors = solid.colors && lines.length > 0 ? Array.from(solid.colors) : solid.colors;
+  for (const { path, color = white } of lines) {
+    const first = positions.length / 3;
+    for (const value of path.polyline({ bits: 64 })) (positions as number[]).push(value);
+    for (let i = 0; i < path.count; i++) {
+      if (colors) (colors as number[]).push(...color);
+      if (i > 0) edges.push(first + i - 1, first + i);
+    }
+  }
   const count = positions.length / 3;
   const colored = 'property uchar red\nproperty uchar green\nproperty uchar blue\n';
+  const edged = `element edge ${edges.length / 2}\nproperty int vertex1\nproperty int vertex2\n`;
   const header = new TextEncoder().encode(
     'ply\nformat binary_little_endian 1.0\n' +
       `element vertex ${count}\nproperty double x\nproperty double y\nproperty double z\n` +
       (colors ? colored : '') +
-      `element face ${triangles.length / 3}\nproperty list uchar int vertex_indices\nend_header\n`,
+      `element face ${triangles.length / 3}\nproperty list uchar int vertex_indices\n` +
+      `${edges.length > 0 ? edged : ''}end_header\n`,
   );
   const rowBytes = colors ? 27 : 24;
   const faces = header.length + rowBytes * count;
-  const bytes = new Uint8Array(faces + 13 * (triangles.length / 3));
+  const ends = faces + 13 * (triangles.length / 3);
+  const bytes = new Uint8Array(ends + 4 * edges.length);
   bytes.set(header);
   const view = new DataView(bytes.buffer);
   for (let vertex = 0, at = header.length; vertex < count; vertex++, at += rowBytes) {
@@ -122,27 +218,14 @@ function plyFile({ positions, triangles, colors }: Triangles): Uint8Array<ArrayB
     view.setUint8(at, 3);
     for (let k = 0; k < 3; k++) view.setInt32(at + 1 + 4 * k, triangles[i + k]!, true);
   }
+  edges.forEach((vertex, i) => {
+    view.setInt32(ends + 4 * i, vertex, true);
+  });
   return bytes;
 }
 
-/** The triangles in single precision, without those of which rounding unites two corners. */
-function single({ positions, triangles, partOf }: Triangles) {
-  const rounded = Float32Array.from(positions);
-  const isOne = (v: number, w: number) =>
-    [0, 1, 2].every((axis) => rounded[3 * v + axis] === rounded[3 * w + axis]);
-  const kept: number[] = [];
-  const keptParts: number[] = [];
-  for (let i = 0; i < triangles.length; i += 3) {
-    const [a, b, c] = [triangles[i]!, triangles[i + 1]!, triangles[i + 2]!];
-    if (isOne(a, b) || isOne(b, c) || isOne(c, a)) continue;
-    kept.push(a, b, c);
-    keptParts.push(partOf?.[i / 3] ?? 0);
-  }
-  return { rounded, kept, keptParts };
-}
-
 function stlFile(mesh: Triangles): Uint8Array<ArrayBuffer> {
-  const { rounded, kept } = single(mesh);
+  const { rounded, kept } = single(withTubes(mesh).solid);
   const [headerBytes, triangleBytes] = [84, 50];
   const bytes = new Uint8Array(headerBytes + triangleBytes * (kept.length / 3));
   // The text must not begin with 'solid', as text files do.
@@ -157,93 +240,5 @@ function stlFile(mesh: Triangles): Uint8Array<ArrayBuffer> {
       }
     });
   }
-  return bytes;
-}
-
-function normalOf(corners: readonly Float32Array[]): number[] {
-  const [a, b, c] = corners as [Float32Array, Float32Array, Float32Array];
-  const [ux, uy, uz] = [b[0]! - a[0]!, b[1]! - a[1]!, b[2]! - a[2]!];
-  const [vx, vy, vz] = [c[0]! - a[0]!, c[1]! - a[1]!, c[2]! - a[2]!];
-  const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-  const length = Math.hypot(...normal);
-  return normal.map((value) => (length > 0 ? value / length : 0));
-}
-
-/** The corners of each part that has triangles, in order. */
-function cornersOfParts(kept: readonly number[], keptParts: readonly number[]) {
-  const ofParts = new Map<number, number[]>();
-  for (const [triangle, part] of keptParts.entries()) {
-    const corners = ofParts.get(part) ?? [];
-    ofParts.set(part, corners);
-    corners.push(kept[3 * triangle]!, kept[3 * triangle + 1]!, kept[3 * triangle + 2]!);
-  }
-  return [...ofParts].sort(([a], [b]) => a - b);
-}
-
-/** A GLB file with a mesh and a node for each part. All have the same vertices. */
-function glbFile(mesh: Triangles): Uint8Array<ArrayBuffer> {
-  const { rounded, kept, keptParts } = single(mesh);
-  const light = mesh.colors && Float32Array.from(mesh.colors, (byte) => linearLight(byte / 255));
-  const ofParts = cornersOfParts(kept, keptParts);
-  const columns = [rounded, ...(light ? [light] : [])];
-  const arrays = [...columns, ...ofParts.map(([, corners]) => Uint32Array.from(corners))];
-  let end = 0;
-  const bufferViews = arrays.map((array, i) => {
-    const byteOffset = end;
-    end += array.byteLength;
-    const target = i < columns.length ? 34962 : 34963;
-    return { buffer: 0, byteOffset, byteLength: array.byteLength, target };
-  });
-  const extent = (pick: (...values: number[]) => number, start: number) =>
-    [0, 1, 2].map((axis) => {
-      let most = start;
-      for (let i = axis; i < rounded.length; i += 3) most = pick(most, rounded[i]!);
-      return most;
-    });
-  const ofVertices = { componentType: 5126, count: rounded.length / 3, type: 'VEC3' };
-  const bounds = {
-    min: extent(Math.min, Number.POSITIVE_INFINITY),
-    max: extent(Math.max, Number.NEGATIVE_INFINITY),
-  };
-  const attributes = { POSITION: 0, ...(light ? { COLOR_0: 1 } : {}) };
-  const names = ofParts.map(([part]) => (mesh.partOf ? { name: mesh.parts![part]!.name } : {}));
-  const json = JSON.stringify({
-    asset: { version: '2.0', generator: 'Karcher' },
-    scene: 0,
-    scenes: [{ nodes: names.map((_, i) => i) }],
-    nodes: names.map((name, i) => ({ ...name, mesh: i })),
-    meshes: names.map((name, i) => ({
-      ...name,
-      primitives: [{ attributes, indices: columns.length + i }],
-    })),
-    accessors: arrays.map((array, bufferView) =>
-      bufferView < columns.length
-        ? { bufferView, ...ofVertices, ...(bufferView === 0 ? bounds : {}) }
-        : { bufferView, componentType: 5125, count: array.length, type: 'SCALAR' },
-    ),
-    bufferViews,
-    buffers: [{ byteLength: end }],
-  });
-  const text = new TextEncoder().encode(json);
-  const textLength = 4 * Math.ceil(text.length / 4);
-  const bytes = new Uint8Array(12 + 8 + textLength + 8 + end);
-  const view = new DataView(bytes.buffer);
-  const words = (at: number, values: number[]) => {
-    values.forEach((value, i) => {
-      view.setUint32(at + 4 * i, value, true);
-    });
-  };
-  words(0, [glbMagic, 2, bytes.length, textLength, jsonChunk]);
-  bytes.fill(32, 20, 20 + textLength);
-  bytes.set(text, 20);
-  const binary = 20 + textLength;
-  words(binary, [end, binaryChunk]);
-  arrays.forEach((array, i) => {
-    const at = binary + 8 + bufferViews[i]!.byteOffset;
-    array.forEach((value, k) => {
-      if (array instanceof Float32Array) view.setFloat32(at + 4 * k, value, true);
-      else view.setUint32(at + 4 * k, value, true);
-    });
-  });
   return bytes;
 }

@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, Color, type Matrix4, Vector3 } from 'three';
-import { checkInteger, checkPositive } from '../check.js';
-import { KarcherError } from '../errors.js';
+import { checkPositive } from '../check.js';
 import type { Path } from '../path.js';
+import { tubeAlong } from '../tube.js';
 import type { AnyMesh, Surface } from './surface.js';
 
 /** A range of a geometry's index that has its own material. */
@@ -55,64 +55,20 @@ export function tubeGeometry(
   options: TubeOptions = {},
 ): BufferGeometry {
   const radius = checkPositive(options.radius ?? 0.004 * surface.diagonal, 'the radius');
-  const sides = checkInteger(options.sides ?? 8, 'the number of sides');
-  if (sides < 3 || sides > 64) {
-    throw new KarcherError('badArgument', `a tube has 3 to 64 sides, not ${sides}`);
-  }
-  const { places, normals } = distinctPoints(surface, path, 1e-3 * radius);
-  const rings = places.length;
-  const { closed } = path;
-  const positions = new Float32Array(3 * sides * rings);
-  const directions = new Float32Array(3 * sides * rings);
-  const [out, place] = [new Vector3(), new Vector3()];
-  for (let i = 0; i < rings; i++) {
-    const before = places[i > 0 ? i - 1 : closed ? rings - 1 : 0]!;
-    const after = places[i + 1 < rings ? i + 1 : closed ? 0 : i]!;
-    const tangent = new Vector3().subVectors(after, before).normalize();
-    const across = new Vector3().crossVectors(tangent, normals[i]!).normalize();
-    const up = new Vector3().crossVectors(across, tangent);
-    for (let k = 0; k < sides; k++) {
-      const angle = (2 * Math.PI * k) / sides;
-      out.copy(across).multiplyScalar(Math.cos(angle)).addScaledVector(up, Math.sin(angle));
-      out.toArray(directions, 3 * (sides * i + k));
-      place
-        .copy(places[i]!)
-        .addScaledVector(out, radius)
-        .toArray(positions, 3 * (sides * i + k));
-    }
-  }
-  const bands = closed ? rings : rings - 1;
-  const index = new Uint32Array(6 * sides * Math.max(0, bands));
-  for (let i = 0, at = 0; i < bands; i++) {
-    for (let k = 0; k < sides; k++, at += 6) {
-      const [a, b] = [sides * i + k, sides * i + ((k + 1) % sides)];
-      const [c, d] = [a, b].map((v) => (v + sides) % (sides * rings));
-      index.set([a, c!, b, b, c!, d!], at);
-    }
-  }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(positions, 3));
-  geometry.setAttribute('normal', new BufferAttribute(directions, 3));
-  geometry.setIndex(new BufferAttribute(index, 1));
-  return geometry;
-}
-
-/** The points of a path that are separate, with the normals of their faces. */
-function distinctPoints(surface: Surface<AnyMesh>, path: Path, apart: number) {
-  const polyline = path.polyline({ bits: 64 });
-  const places: Vector3[] = [];
-  const normals: Vector3[] = [];
-  path.points().forEach((point, i) => {
-    const place = new Vector3().fromArray(polyline, 3 * i);
-    if (places.length > 0 && place.distanceTo(places.at(-1)!) <= apart) return;
-    places.push(place);
-    normals.push(surface.normal(point));
+  const line = {
+    places: path.polyline({ bits: 64 }),
+    normals: path.points().flatMap((point) => surface.normal(point).toArray()),
+    closed: path.closed,
+  };
+  const tube = tubeAlong(line, {
+    radius,
+    ...(options.sides !== undefined && { sides: options.sides }),
   });
-  if (path.closed && places.length > 1 && places[0]!.distanceTo(places.at(-1)!) <= apart) {
-    places.pop();
-    normals.pop();
-  }
-  return { places, normals };
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(Float32Array.from(tube.positions), 3));
+  geometry.setAttribute('normal', new BufferAttribute(Float32Array.from(tube.normals), 3));
+  geometry.setIndex(new BufferAttribute(tube.triangles, 1));
+  return geometry;
 }
 
 /** The options for colors of numbers. */

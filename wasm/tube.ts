@@ -1,0 +1,175 @@
+import { checkInteger, checkPositive } from './check.js';
+import { KarcherError } from './errors.js';
+
+/**
+ * Tubes along polylines, as plain arrays. A ring of vertices stands at each point, across the mean
+ * direction of its two sides. Its first vertex lies across the given normals, or else across a
+ * direction that is carried in parallel along the polyline, so that the tube does not twist.
+ */
+
+export interface TubeLine {
+  /** x, y, z of each point. */
+  places: ArrayLike<number>;
+  /** The directions that are up, x, y, z for each point. */
+  normals?: ArrayLike<number>;
+  /** Whether it ends where it starts; the last point may repeat the first. */
+  closed: boolean;
+}
+
+export interface Tube {
+  positions: Float64Array;
+  /** The directions from the polyline to the vertices, of length 1. */
+  normals: Float64Array;
+  triangles: Uint32Array;
+}
+
+type Vec3 = [number, number, number];
+
+const at = (flat: ArrayLike<number>, i: number): Vec3 => [
+  flat[3 * i]!,
+  flat[3 * i + 1]!,
+  flat[3 * i + 2]!,
+];
+const minus = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a: Vec3, b: Vec3): Vec3 => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+const plus = (a: Vec3, s: number, b: Vec3, t: number): Vec3 => [
+  s * a[0] + t * b[0],
+  s * a[1] + t * b[1],
+  s * a[2] + t * b[2],
+];
+
+/** The vector with length 1; null if it has no direction. */
+function unit(a: Vec3): Vec3 | null {
+  const length = Math.hypot(...a);
+  return length > 0 ? [a[0] / length, a[1] / length, a[2] / length] : null;
+}
+
+/** A unit vector across a unit vector: across the axis that is least along it. */
+function anyAcross(a: Vec3): Vec3 {
+  const sizes = a.map(Math.abs);
+  const axis = sizes.indexOf(Math.min(...sizes));
+  return unit(cross(a, [Number(axis === 0), Number(axis === 1), Number(axis === 2)]))!;
+}
+
+/**
+ * A tube along a polyline. Points nearer than a thousandth of the radius to the previous one are
+ * left out. A closed polyline gives a closed tube; the ends of others are open, or closed by flat
+ * caps. A polyline of a single place gives no triangles.
+ */
+export function tubeAlong(
+  line: TubeLine,
+  { radius, sides = 8, caps = false }: { radius: number; sides?: number; caps?: boolean },
+): Tube {
+  checkPositive(radius, 'the radius');
+  checkInteger(sides, 'the number of sides');
+  if (sides < 3 || sides > 64) {
+    throw new KarcherError('badArgument', `a tube has 3 to 64 sides, not ${sides}`);
+  }
+  const kept = distinct(line, 1e-3 * radius);
+  const closed = line.closed && kept.length > 2;
+  const rings = kept.length > 1 ? kept.length : 0;
+  const places = kept.map((i) => at(line.places, i));
+  const tangents = tangentsOf(places, closed);
+  const across = line.normals
+    ? uprightFrames(
+        tangents,
+        kept.map((i) => at(line.normals!, i)),
+      )
+    : carriedFrames(tangents, closed);
+  const positions = new Float64Array(3 * sides * rings);
+  const normals = new Float64Array(3 * sides * rings);
+  for (let i = 0; i < rings; i++) {
+    const up = cross(across[i]!, tangents[i]!);
+    for (let k = 0; k < sides; k++) {
+      const angle = (2 * Math.PI * k) / sides;
+      const out = plus(across[i]!, Math.cos(angle), up, Math.sin(angle));
+      normals.set(out, 3 * (sides * i + k));
+      positions.set(plus(places[i]!, 1, out, radius), 3 * (sides * i + k));
+    }
+  }
+  return { positions, normals, triangles: trianglesOf(rings, sides, closed, caps) };
+}
+
+function trianglesOf(rings: number, sides: number, closed: boolean, caps: boolean): Uint32Array {
+  const bands = closed ? rings : Math.max(0, rings - 1);
+  const fan = caps && !closed && rings > 0 ? sides - 2 : 0;
+  const triangles = new Uint32Array(6 * sides * bands + 6 * fan);
+  let end = 0;
+  const add = (...corners: number[]) => {
+    triangles.set(corners, end);
+    end += corners.length;
+  };
+  for (let i = 0; i < bands; i++) {
+    for (let k = 0; k < sides; k++) {
+      const [a, b] = [sides * i + k, sides * i + ((k + 1) % sides)];
+      const [c, d] = [(a + sides) % (sides * rings), (b + sides) % (sides * rings)];
+      add(a, c, b, b, c, d);
+    }
+  }
+  const last = sides * (rings - 1);
+  for (let k = 1; k <= fan; k++) add(0, k, k + 1, last, last + k + 1, last + k);
+  return triangles;
+}
+
+/** The numbers of the points that are apart from the previous one. */
+function distinct({ places, closed }: TubeLine, apart: number): number[] {
+  const kept: number[] = [];
+  const away = (i: number, j: number) => Math.hypot(...minus(at(places, i), at(places, j)));
+  for (let i = 0; 3 * i < places.length; i++) {
+    if (kept.length === 0 || away(i, kept.at(-1)!) > apart) kept.push(i);
+  }
+  if (closed && kept.length > 1 && away(kept[0]!, kept.at(-1)!) <= apart) kept.pop();
+  return kept;
+}
+
+/** The mean direction of the two sides at each place. */
+function tangentsOf(places: readonly Vec3[], closed: boolean): Vec3[] {
+  const count = places.length;
+  let last: Vec3 = [1, 0, 0];
+  return places.map((place, i) => {
+    const before = places[i > 0 ? i - 1 : closed ? count - 1 : 0]!;
+    const after = places[i + 1 < count ? i + 1 : closed ? 0 : i]!;
+    // Where the polyline turns back, the sides have no mean direction.
+    last = unit(minus(after, before)) ?? unit(minus(after, place)) ?? last;
+    return last;
+  });
+}
+
+/** Unit vectors across the tangents and the normals. */
+function uprightFrames(tangents: readonly Vec3[], normals: readonly Vec3[]): Vec3[] {
+  return tangents.map((tangent, i) => unit(cross(tangent, normals[i]!)) ?? anyAcross(tangent));
+}
+
+/**
+ * Unit vectors across the tangents, carried from each to the next by the smallest rotation. What a
+ * turn of a closed polyline rotates them by is spread over its points.
+ */
+function carriedFrames(tangents: readonly Vec3[], closed: boolean): Vec3[] {
+  const [first] = tangents;
+  if (!first) return [];
+  const frames = [anyAcross(first)];
+  for (let i = 1; i < tangents.length; i++) {
+    frames.push(carried(frames[i - 1]!, tangents[i - 1]!, tangents[i]!));
+  }
+  if (!closed) return frames;
+  const round = carried(frames.at(-1)!, tangents.at(-1)!, first);
+  const turn = Math.atan2(dot(cross(round, frames[0]!), first), dot(round, frames[0]!));
+  return frames.map((frame, i) => {
+    const angle = (turn * i) / frames.length;
+    return plus(frame, Math.cos(angle), cross(tangents[i]!, frame), Math.sin(angle));
+  });
+}
+
+/** A vector across one tangent, rotated with that tangent to another one. */
+function carried(vector: Vec3, from: Vec3, to: Vec3): Vec3 {
+  const share = 1 + dot(from, to);
+  const moved =
+    share > 0 ? plus(vector, 1, plus(from, 1, to, 1), -dot(vector, to) / share) : vector;
+  // Rounding would otherwise add up along the polyline.
+  return unit(plus(moved, 1, to, -dot(moved, to))) ?? anyAcross(to);
+}
