@@ -272,7 +272,7 @@ test('a worker that does not start is reported, with its address and advice', as
   const blocked = scripted();
   const loading = loadInWorker({ worker: () => blocked });
   blocked.tell('error', new Event('error'));
-  await assert.rejects(loading, notLoaded(/does not start\. See/, /karcher\/worker-thread/));
+  await assert.rejects(loading, notLoaded(/does not start\. Check/, /karcher\/worker-thread/));
   assert.ok(blocked.ended);
   // A worker that has answered has started.
   const broken = scripted();

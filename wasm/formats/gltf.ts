@@ -249,9 +249,7 @@ function addInstances(mesh: PlacedMesh, node: Json, accessors: Accessors, placed
   const counts = given.map(({ accessor }) => accessor.count);
   const count = counts[0] ?? 0;
   if (counts.some((other) => other !== count)) {
-    throw badFile(
-      `the instances of '${mesh.name}' have lists of ${counts.join(' and ')} rows`,
-    );
+    throw badFile(`the instances of '${mesh.name}' have lists of ${counts.join(' and ')} rows`);
   }
   if (placed.length + count > mostParts) {
     throw badFile(

@@ -184,7 +184,8 @@ export class Accessors {
     const componentType = accessor.componentType as number;
     if (type === 'SCALAR') {
       checkCounting(componentType, what);
-      if (accessor.normalized === true) throw badFile(`${what} is normalized, but must hold indices`);
+      if (accessor.normalized === true)
+        throw badFile(`${what} is normalized, but must hold indices`);
     }
     const divisor = accessor.normalized === true ? (most.get(componentType) ?? 1) : 1;
     let rows: Rows | null =
