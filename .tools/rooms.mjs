@@ -1,9 +1,10 @@
 // Checks the includes of C++ and the imports of TypeScript against the tables of ARCHITECTURE.md.
 //
 // A table's first column names a room (a folder with what lies directly in it, or a file), its last
-// column what that room may use: rooms, packages, `folder/*` for every room below a folder, "all above"
-// for the rooms of the rows above in the same table, "but" before exceptions, and "(types)" behind a name
-// of which only types may be imported. A room may always use itself and the standard library.
+// column what that room may use: rooms, packages, entries of packages such as `karcher/statistics`,
+// `folder/*` for every room below a folder, "all above" for the rooms of the rows above in the same
+// table, "but" before exceptions, and "(types)" behind a name of which only types may be imported. A
+// room may always use itself and the standard library.
 import { readFileSync } from 'node:fs';
 import { posix } from 'node:path';
 import { filesBelow, inRoot, root } from './shell.mjs';
@@ -188,7 +189,10 @@ export function wrongUses(rooms, files) {
             typesOnly,
             isStarted,
           );
-        } else check(packageOf(target, false), target, typesOnly);
+        } else {
+          const used = room.uses.has(target) ? target : packageOf(target, false);
+          check(used, target, typesOnly);
+        }
       }
     }
   }

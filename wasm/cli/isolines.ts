@@ -1,28 +1,38 @@
 import type { FileCurve } from '../formats/index.js';
+import type { Mesh } from '../mesh.js';
+import type { Path } from '../path.js';
+import { isolines as isolinesOfValues } from '../statistics/index.js';
 import type { Solver } from '../types.js';
-import type { Command } from './command.js';
+import type { Arguments } from './arguments.js';
+import type { Command, Result } from './command.js';
+import { UsageError } from './errors.js';
 import { drawnOptions } from './options.js';
 import { triples } from './output.js';
+import { parseNumbers } from './syntax.js';
 
 export const isolines: Command = {
   name: 'isolines',
-  call: 'mesh.isolines(center, options), with one radius for each call',
-  summary: 'lines of points at given distances from a point',
+  call: 'mesh.isolines(center, options), with one radius for each call; isolines(mesh, values, levels)',
+  summary: 'lines of points at given distances from a point, or of given values',
   output:
-    '{isolines: [{radius, lines: [{closed, length, polyline: [[x, y, z], …]}, …]}, …]}, without lines if no point is as far',
+    '{isolines: [{radius, lines: [{closed, length, polyline: [[x, y, z], …]}, …]}, …]}, without lines if no point is as far; with --values level in place of radius',
   options: [
     {
       name: 'center',
       value: 'POINT',
       help: 'the point from which distances are measured',
-      required: true,
     },
     {
       name: 'radius',
       value: 'r1,r2,…',
       help: 'the distances, in units of the mesh',
-      required: true,
     },
+    {
+      name: 'values',
+      value: 'FILE',
+      help: "in place of --center and --radius: a number for each vertex, or JSON as 'karcher distance' prints it",
+    },
+    { name: 'levels', value: 'l1,l2,…', help: 'the levels of --values' },
     {
       name: 'type',
       value: 'exact|linear',
@@ -39,6 +49,11 @@ export const isolines: Command = {
     ...drawnOptions,
   ],
   async run(args) {
+    if (args.given('values')) return ofValues(args);
+    args.refuse(['levels'], 'without --values');
+    for (const name of ['center', 'radius']) {
+      if (!args.given(name)) throw new UsageError(`isolines needs --${name}, or --values FILE`);
+    }
     const center = args.point('center');
     const radii = args.numbers('radius');
     const type = args.choice<'exact' | 'linear'>('type');
@@ -49,18 +64,42 @@ export const isolines: Command = {
       ...args.whereGiven(['rings'], (name) => args.integer(name)),
     };
     const mesh = await args.mesh();
-    const curves: FileCurve[] = [];
-    const found = radii.map((radius) => {
-      const lines = mesh.isolines(center, { radius, type, ...distance });
-      return {
-        radius,
-        lines: lines.map((line) => {
-          const polyline = line.polyline({ bits: 64 });
-          curves.push({ path: line });
-          return { closed: line.closed, length: line.length, polyline: triples(polyline) };
-        }),
-      };
-    });
-    return { json: { isolines: found }, mesh, curves: () => curves };
+    return result(
+      mesh,
+      'radius',
+      radii.map((radius) => [radius, mesh.isolines(center, { radius, type, ...distance })]),
+    );
   },
 };
+
+async function ofValues(args: Arguments): Promise<Result> {
+  args.refuse(['center', 'radius', 'type', 'solver', 'rings'], 'with --values');
+  if (!args.given('levels')) throw new UsageError('isolines needs --levels with --values');
+  const values = parseNumbers(await args.file('values'), args.text('values'));
+  const levels = args.numbers('levels');
+  const mesh = await args.mesh();
+  const lines = await isolinesOfValues(mesh, values, levels);
+  return result(
+    mesh,
+    'level',
+    levels.map((level, i) => [level, lines[i]!]),
+  );
+}
+
+/** The lines of each radius or level. */
+function result(
+  mesh: Mesh,
+  name: 'radius' | 'level',
+  found: readonly [number, readonly Path[]][],
+): Result {
+  const curves: FileCurve[] = [];
+  const isolines = found.map(([value, lines]) => ({
+    [name]: value,
+    lines: lines.map((path) => {
+      curves.push({ path });
+      const { closed, length } = path;
+      return { closed, length, polyline: triples(path.polyline({ bits: 64 })) };
+    }),
+  }));
+  return { json: { isolines }, mesh, curves: () => curves };
+}

@@ -120,6 +120,23 @@ export function parseRows(text: string, path: string, name: string): number[][] 
   });
 }
 
+/**
+ * Numbers of a file, in lines or with spaces between them; or JSON: a list, or an object with one as
+ * `karcher distance` prints it. Null stands for NaN.
+ */
+export function parseNumbers(text: string, path: string): number[] {
+  if (!isJson(text)) return parseRows(text, path, 'values').flat();
+  const value = parseJson(text, path);
+  const { values, distance } = Object(value) as { values?: unknown; distance?: unknown };
+  const list = Array.isArray(value) ? value : (values ?? distance);
+  if (!Array.isArray(list)) throw new UsageError(`${path} must hold values: a list of numbers`);
+  return list.map((entry, i) => {
+    if (entry === null) return Number.NaN;
+    if (typeof entry === 'number') return entry;
+    throw new UsageError(`value ${i} of ${path} must be a number or null`);
+  });
+}
+
 function listOfJson(value: unknown, path: string, name: string): unknown[] {
   const list = Array.isArray(value) ? value : Object(value)[name];
   if (Array.isArray(list)) return list;

@@ -1,6 +1,6 @@
 /**
- * Robust means, derivatives of the energy, centroids and Voronoi diagrams, for a mesh in this
- * thread or in a worker.
+ * Robust means, derivatives of the energy, centroids, Voronoi diagrams and isolines of values, for
+ * a mesh in this thread or in a worker.
  */
 import { checkArray, checkNumber, checkOptions, namesOf } from '../check.js';
 import { KarcherError } from '../errors.js';
@@ -17,6 +17,8 @@ export {
   hessianAt,
   weightDerivatives,
 } from './energy.js';
+export { isolines } from './isolines.js';
+export { joinedSegments, type LevelCrossing, levelLines, type SegmentEnd } from './level_lines.js';
 export { type Site, type VoronoiDiagram, voronoi } from './voronoi.js';
 export type { VoronoiBorder } from './voronoi_cells.js';
 

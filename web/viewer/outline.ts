@@ -4,7 +4,8 @@
  * Zorin, Illustrating smooth surfaces); it is smoother than the edges between front and back faces.
  * Creases and the boundary belong to it, too.
  */
-import { joined, levelLines } from '../model/level_lines';
+import { joinedSegments } from 'karcher/statistics';
+import { levelLines } from '../model/level_lines';
 
 /** The least angle of a crease between two faces, in radians. */
 const creaseAngle = (45 * Math.PI) / 180;
@@ -165,5 +166,6 @@ function linesOf({ positions, triangles }: Mesh, sides: readonly number[]): Floa
     const at = (axis: number) => positions[3 * vertex + axis]!;
     return { edge: vertex, place: [at(0), at(1), at(2)] as const };
   };
-  return joined(sides.map((side) => [end(side), end(follower(side))]));
+  const lines = joinedSegments(sides.map((side) => [end(side), end(follower(side))] as const));
+  return lines.map((line) => Float32Array.from(line.flatMap(({ place }) => place)));
 }
