@@ -21,11 +21,27 @@ constexpr double kFarthestSource = 1000;
 /// The widest gap, as a part of the edge, that may open where windows are joined.
 constexpr double kWidestGap = 0.1;
 
+/// The largest difference between the distances of a vertex and of a front that is still the
+/// vertex's own, as a part of the tolerance.
+constexpr double kSameFront = 0.25;
+
+/// The slope of distances along the edge at x, which turns as the ray through x does.
+double slopeAt(const Window& w, double x) {
+  return (x - w.sourceX) / std::sqrt(squaredLegTo(w, x));
+}
+
+/// What a window was before others were joined to it.
+struct Origin {
+  double change = 0;      ///< the sum of the changes of distances along the edge
+  double beginSlope = 0;  ///< the slope at its begin, once there is a change
+};
+
 /// Joins two windows, neither of which contains the other, to one over both, unless distances along
-/// the edge would change by more than `tolerance`. The joint source keeps the distances at the two
-/// outer ends. Together with the distance where the windows meet, these give the front's curvature,
-/// and so the offset.
-bool join(Window& first, const Window& second, double tolerance) {
+/// the edge would change by more than the tolerance. The joint source keeps the distances at the
+/// two outer ends. Together with the distance where the windows meet, these give the front's
+/// curvature, and so the offset.
+bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& origin) {
+  const double tolerance = edge.tolerance - origin.change;
   const double begin = first.begin;
   const double end = second.end;
   const double middle = (std::min(first.end, end) + second.begin) / 2;
@@ -45,8 +61,8 @@ bool join(Window& first, const Window& second, double tolerance) {
   const double throughSecond = second.offset + secondLeg;
   const double slopes = (middle - first.sourceX) / firstLeg - (middle - second.sourceX) / secondLeg;
   const double aboveKink = kAboveKink * slopes * left * right / width;
-  const double step = throughFirst - throughSecond;
-  if (!(std::abs(aboveKink) <= tolerance - std::abs(step))) return false;
+  double change = std::abs(aboveKink) + std::abs(throughFirst - throughSecond);
+  if (!(change <= tolerance)) return false;
 
   const double meet = first.end >= second.begin ? std::min(throughFirst, throughSecond)
                                                 : (throughFirst + throughSecond) / 2;
@@ -62,6 +78,17 @@ bool join(Window& first, const Window& second, double tolerance) {
   joint.begin = begin;
   joint.end = end;
   joint.offset = bend > 0 ? std::max(squares / (2 * bend), leastOffset) : leastOffset;
+  // A nearer source spreads the rays at both ends: no other window reaches what these two do
+  // beyond them.
+  if (origin.change == 0) origin.beginSlope = slopeAt(first, begin);
+  const double rise = atEnd - atBegin;
+  const auto spread = [&](double excess, double distance) {
+    if (excess <= 0) return;
+    joint.offset =
+        std::max(joint.offset, distance - (width - rise) * (width + rise) / (2 * excess));
+  };
+  spread(rise - width * (origin.beginSlope + edge.turn), atBegin);
+  spread(width * (slopeAt(second, end) - edge.turn) - rise, atEnd);
   const double beginLeg = atBegin - joint.offset;
   const double endLeg = atEnd - joint.offset;
   const double x = ((beginLeg - endLeg) * (beginLeg + endLeg) / width + width) / 2;
@@ -69,20 +96,28 @@ bool join(Window& first, const Window& second, double tolerance) {
   if (!(beginLeg >= 0 && endLeg >= 0 && squaredDepth >= 0)) return false;
   joint.sourceX = begin + x;
   joint.depth = std::sqrt(squaredDepth);
-  for (const double place : {begin + left / 2, end - right / 2}) {
+  // Distances bend most at the feet of the sources.
+  for (const double place : {begin + left / 2, end - right / 2, first.sourceX, second.sourceX}) {
+    if (!(begin <= place && place <= end)) continue;
     double least = kInfinity;
     if (place <= first.end) least = distanceAt(first, place);
     if (place >= second.begin) least = std::min(least, distanceAt(second, place));
-    if (least < kInfinity && std::abs(distanceAt(joint, place) - least) > tolerance) return false;
+    if (least < kInfinity) change = std::max(change, std::abs(distanceAt(joint, place) - least));
   }
+  if (!(change <= tolerance)) return false;
+  origin.change += change;
   first = joint;
   return true;
 }
 
-/// Whether a window that lies in a wider one gives no shorter distances, up to the tolerance.
-bool isCovered(const Window& window, const Window& wider, double tolerance) {
+/// Whether a window that lies in a wider one gives no shorter distances, up to the tolerance, and
+/// reaches no farther behind an end of both.
+bool isCovered(const Window& window, const Window& wider, const JoinedEdge& edge) {
   const auto longer = [&](double x) { return distanceAt(wider, x) - distanceAt(window, x); };
-  return longer(window.begin) <= tolerance && longer(window.end) <= tolerance;
+  const auto steeper = [&](double x) { return slopeAt(wider, x) - slopeAt(window, x); };
+  return longer(window.begin) <= edge.tolerance && longer(window.end) <= edge.tolerance &&
+         (window.begin > wider.begin || steeper(window.begin) <= edge.turn) &&
+         (window.end < wider.end || steeper(window.end) >= -edge.turn);
 }
 
 bool isBefore(const Window& a, const Window& b) {
@@ -110,29 +145,31 @@ void sortByPlace(Array<Window>& windows) {
 
 void joinWindows(const JoinedEdge& edge, Array<Window>& windows) {
   const double length = edge.length;
-  const double most = edge.tolerance;
   sortByPlace(windows);
   int last = 0;
+  Origin origin;
   for (int i = 1; i < windows.count(); ++i) {
     Window& before = windows[last];
     const Window& window = windows[i];
     if (window.end <= before.end) {
-      if (isCovered(window, before, most)) continue;
+      if (isCovered(window, before, edge)) continue;
     } else if (window.begin <= before.begin) {
-      if (isCovered(before, window, most)) {
+      if (isCovered(before, window, edge)) {
         before = window;
+        origin = {};
         continue;
       }
-    } else if (join(before, window, most)) {
+    } else if (join(before, window, edge, origin)) {
       continue;
     }
     windows[++last] = window;
+    origin = {};
   }
   windows.resize(static_cast<size_t>(last + 1));
 
   // The rays at the ends of joint windows differ from those of the original windows. A gap between
   // them and an end of the edge is closed if the vertex there is known to lie on the same front.
-  const double sameFront = edge.frontTolerance();
+  const double sameFront = kSameFront * edge.tolerance;
   const double gap = kWidestGap * length;
   Window& first = windows[0];
   if (first.begin > 0 && first.begin <= gap &&

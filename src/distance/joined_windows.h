@@ -8,14 +8,11 @@ namespace karcher {
 /// A half-edge at which windows are joined, with its tolerance and the known distances.
 struct JoinedEdge {
   double length = 0;
-  double tolerance = 0;     ///< the largest permitted change of distances along the edge
+  double tolerance = 0;  ///< the largest permitted change of distances along the edge
+  double turn =
+      0;  ///< how far the rays at the ends of windows may turn inwards, as a change of slope
   double tailDistance = 0;  ///< the distances of the ends, as far as known
   double headDistance = 0;
-
-  /// The largest difference between the distances of a vertex and of a front that is still the
-  /// vertex's own.
-  double frontTolerance() const { return kSameFront * tolerance; }
-  static constexpr double kSameFront = 0.25;  ///< the same as a part of the tolerance
 };
 
 /// Joins windows, at least one, and removes those that lie in others.

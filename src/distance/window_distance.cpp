@@ -46,6 +46,11 @@ constexpr double kWide = 1e6;
 /// to a vertex that would beat it.
 constexpr double kThin = 1e3;
 
+/// How far the rays at the ends of a window may turn where windows are joined, in tolerances: as
+/// far as those of a front that is changed by a parabola, zero at both ends and as high as the
+/// tolerance permits, over a window as wide as the face is high.
+constexpr double kTurn = 4;
+
 /// The two sides of a face above half-edge h, as vectors from its tail and from its head. Each is
 /// as exact as its own length allows.
 struct FaceSides {
@@ -314,13 +319,13 @@ void WindowDistance::carryAcross(int h) {
   VertexRecord& top = vertices_.touch(apexVertex);
 
   takeWaiting(h);
-  // Joint windows may give longer distances than the original ones; they are beaten by more.
+  // Distances of joint windows, and of vertices that they reached, are known to the tolerance.
   double slack = 0;
   if (tolerance_ > 0) {
     const double least = length * apex.y() / std::max({length, leftLength, rightLength});
-    const JoinedEdge edge{length, tolerance_ * least, tail, head};
+    const JoinedEdge edge{length, tolerance_ * least, kTurn * tolerance_, tail, head};
     joinWindows(edge, batch_);
-    slack = edge.frontTolerance();
+    slack = edge.tolerance;
   }
   windowsLeft_ -= batch_.count();
   if (windowsLeft_ < 0) {

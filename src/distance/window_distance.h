@@ -37,7 +37,8 @@
 /// Surazhsky, D. Kirsanov, S. Gortler, H. Hoppe, "Fast exact and approximate geodesics on meshes",
 /// 2005): the height is the length that a path through the face gains. A joint window's source and
 /// offset are those of the front to which both windows belong, so that on smooth surfaces distances
-/// converge with the mesh as exact ones do. Errors of many faces are of both signs; distances are
+/// converge with the mesh as exact ones do. It sees what both windows saw, but for turns of the
+/// rays at its ends by a few tolerances. Errors of many faces are of both signs; distances are
 /// off by far less than the tolerance, which is measured (`npm run study -- fields`) and not
 /// proven.
 namespace karcher {

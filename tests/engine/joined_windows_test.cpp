@@ -131,6 +131,44 @@ TEST(JoinedWindows, AreNearExactOnTheGallery) {
   }
 }
 
+/// A flange with a tube on it, as a CAD program meshes them: each face is cut into slivers from rim
+/// to rim, and each rim is turned against the one before it.
+TriangleMesh flangedTube(int around, double height) {
+  const Array<Vec2> profile{{1, 0}, {5, 0}, {5, 0.5}, {1.5, 0.5}, {1.5, height}, {1, height}};
+  const int rims = profile.count();
+  Array<Vec3> positions;
+  Array<Triangle> faces;
+  for (int r = 0; r < rims; ++r) {
+    const int after = (r + 1) % rims * around;
+    for (int i = 0; i < around; ++i) {
+      const Vec2 turn = unitVector(2 * kPi * (i + 0.3 * r) / around);
+      positions.push_back({profile[r].x() * turn.x(), profile[r].x() * turn.y(), profile[r].y()});
+      const int a = r * around;
+      const int j = (i + 1) % around;
+      faces.push_back({a + i, after + i, after + j});
+      faces.push_back({a + i, after + j, a + j});
+    }
+  }
+  return buildMesh(positions, faces);
+}
+
+TEST(JoinedWindows, AreNearExactOnSliversFromRimToRim) {
+  const uint64_t seed = 5;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  const int counts[] = {24, 48, 96};
+  for (const double height : {1.0, 3.0}) {
+    for (const int around : casesOf(counts, 1)) {
+      SCOPED_TRACE(std::to_string(around) + " around, height " + std::to_string(height));
+      const TriangleMesh mesh = flangedTube(around, height);
+      Random random(seed);
+      for (int i = 0; i < 8; ++i) {
+        expectNearExact(mesh, i % 2 == 0 ? vertexPoint(mesh, random.index(mesh.vertexCount()))
+                                         : randomPoint(mesh, random));
+      }
+    }
+  }
+}
+
 TEST(JoinedWindows, AreNearExactAtTheTipsOfNeedles) {
   const uint64_t seed = 7;
   SCOPED_TRACE("seed " + std::to_string(seed));
