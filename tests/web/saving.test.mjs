@@ -2,6 +2,8 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import { browserOfSuite, openBrowser, Tab } from './browser.mjs';
 import { inLongRun } from './part.mjs';
 import { fitsFile } from './schema.mjs';
@@ -73,6 +75,67 @@ describe('saving', () => {
     assert.equal(whole.clear, 0);
     assert.ok(clear.clear > 0.2 && clear.clear < 0.9, `${clear.clear} is seen through`);
     assert.ok(whole.blue > 500 && clear.blue > 500, 'the curve is on both');
+    await tab.close();
+  });
+
+  test('a CSV file has the points of the curve, and a GLB or OBJ file the surface with it', async () => {
+    const tab = await Tab.open(browser);
+    await tab.click(...places);
+    const { polyline, curve } = await tab.view();
+    const { name, text } = await tab.save('CSV');
+    assert.equal(name, 'bspline-on-sphere.csv');
+    const [header, ...lines] = text.trimEnd().split('\n');
+    assert.equal(
+      header,
+      'x,y,z,normal_x,normal_y,normal_z,face,bary_1,bary_2,bary_3,length,parameter',
+    );
+    const rows = lines.map((line) => line.split(',').map(Number));
+    assert.deepEqual(
+      rows.flatMap((row) => row.slice(0, 3).map(Math.fround)),
+      polyline,
+    );
+    // The sphere is about the origin, so that its normals point away from there.
+    for (const [x, y, z, ...normal] of rows) {
+      const cosine = (x * normal[0] + y * normal[1] + z * normal[2]) / Math.hypot(x, y, z);
+      assert.ok(cosine > 0.99, `a normal is off by ${cosine}`);
+    }
+    const [length, parameter] = rows.at(-1).slice(-2);
+    assert.ok(Math.abs(length - curve.length) <= 1e-12 * length);
+    // Four points make a single segment.
+    assert.equal(parameter, 1);
+
+    // A second curve, in a color of its own, and the same with the surface.
+    await tab.page.keyboard.press('Control+d');
+    await tab.settled();
+    const saved = async (entry) => {
+      const coming = tab.page.waitForEvent('download');
+      await tab.page.locator('#save').click();
+      await tab.page.locator(`[data-save="${entry}"]`).click();
+      return readFileSync(await (await coming).path());
+    };
+    const triangles = await tab.page.evaluate(() => window.karcherPage.triangles);
+    const glb = Uint8Array.from(await saved('glb'));
+    const { scene } = await new GLTFLoader().parseAsync(glb.buffer, '');
+    const [surface, ...tubes] = scene.children;
+    assert.equal(surface.geometry.index.count, 3 * triangles);
+    assert.equal(tubes.length, 2);
+    for (const { geometry, material } of tubes) {
+      assert.ok(material.color.b > material.color.r, 'curves are blue');
+      // Lines are three pixels wide in a view of some hundred pixels.
+      geometry.computeBoundingBox();
+      assert.ok(geometry.attributes.normal.count > 100);
+    }
+    const group = new OBJLoader().parse((await saved('surface')).toString());
+    const kinds = group.children.map(({ type }) => type);
+    assert.deepEqual(kinds, ['Mesh', 'LineSegments', 'LineSegments']);
+
+    // Only the selection, which is one of both.
+    await tab.page.locator('#save').click();
+    await tab.page.locator('#only-selected').click();
+    await tab.page.keyboard.press('Escape');
+    const alone = Uint8Array.from(await saved('glb'));
+    const { scene: one } = await new GLTFLoader().parseAsync(alone.buffer, '');
+    assert.equal(one.children.length, 2);
     await tab.close();
   });
 
@@ -243,7 +306,7 @@ describe('saving', () => {
   test('a drawing without a curve cannot be saved as one, and a file of another kind gives a sentence', async () => {
     const tab = await Tab.open(browser);
     await tab.page.locator('#save').click();
-    assert.equal(await tab.page.getByRole('menuitem', { name: 'OBJ' }).isEnabled(), false);
+    assert.equal(await tab.page.getByRole('menuitem', { name: 'OBJ' }).first().isEnabled(), false);
     await tab.page.keyboard.press('Escape');
     await tab.page.locator('#save-menu').waitFor({ state: 'hidden' });
     await tab.click(...places);

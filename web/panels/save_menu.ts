@@ -12,6 +12,7 @@ import {
   type Drawing as SvgDrawing,
 } from '../export/svg';
 import { type DrawnObject, defaultStyle, isBlank, type LineStyle } from '../model/drawing';
+import type { CurvesFormat, DrawnCurve } from '../model/drawn_curves';
 import { isEmpty, isRound } from '../model/figure';
 import { gathered } from '../model/gathered';
 import { madeSource, meshLabel } from '../model/meshes';
@@ -35,6 +36,19 @@ const types: Record<Format, string> = {
 };
 
 const isFormat = (name: string): name is Format => Object.hasOwn(types, name);
+
+/** The entries that save curves as paths, and their formats. */
+const curvesFormats: Partial<Record<string, CurvesFormat>> = {
+  surface: 'obj',
+  glb: 'glb',
+  csv: 'csv',
+};
+
+const curvesTypes: Record<CurvesFormat, string> = {
+  obj: 'model/obj',
+  glb: 'model/gltf-binary',
+  csv: 'text/csv',
+};
 
 /** The number of a picture's pixels for each pixel of the screen. */
 const pictureScale = 2;
@@ -63,7 +77,9 @@ export class SaveMenu {
       item.addEventListener('click', () => {
         this.#menu.element.hidePopover();
         const format = item.dataset.save as Format | 'outline' | 'png' | 'clear' | 'whole';
-        if (format === 'outline') void this.#saveOutline();
+        const curves = curvesFormats[item.dataset.save!];
+        if (curves) void this.#saveCurves(curves);
+        else if (format === 'outline') void this.#saveOutline();
         else if (format === 'whole') void this.#saveWhole();
         else if (format === 'png' || format === 'clear') void this.#savePicture(format === 'clear');
         else void this.save(format);
@@ -110,6 +126,47 @@ export class SaveMenu {
       const parts = await partsWithFile(json, { name, bytes });
       download(title, new Blob(parts, { type: types.json }), 'json');
     }
+  }
+
+  /** Saves the curves as rows of numbers, or as lines or tubes together with the surface. */
+  async #saveCurves(format: CurvesFormat): Promise<void> {
+    const { client } = this.session;
+    if (!client) return;
+    const title = this.#title;
+    try {
+      const bytes = await client.curvesFile(await this.#drawnCurves(), format);
+      download(title, new Blob([bytes as BlobPart], { type: curvesTypes[format] }), format);
+    } catch (error) {
+      showError(`The curves were not saved. ${sentenceOf(error)}`);
+    }
+  }
+
+  /** The curves with their looks in the present view, the edited one first. */
+  async #drawnCurves(): Promise<DrawnCurve[]> {
+    const { view } = this.session;
+    const { active, objects } = this.editor.state.drawing;
+    const others = view.others.filter(({ lines }) => lines.length > 0).map(({ id }) => id);
+    const drawn = polylinesOf(view).length > 0 ? [active, ...others] : others;
+    const ids = drawn.filter((id) => this.#isMeant(id));
+    const vantage = this.viewer.vantage();
+    const surface = this.viewer.surface!;
+    const { curve: themed } = sceneColors();
+    return (await this.session.linesOf(ids)).flatMap(({ id, paths, samples }) => {
+      const object = objects.find((one) => one.id === id)!;
+      return paths.map((path, i) => {
+        const line = path.polyline();
+        const middle = 3 * Math.floor(line.length / 6);
+        const [x = 0, y = 0, z = 0] = line.subarray(middle, middle + 3);
+        const place = surface.inScene([x, y, z]);
+        return {
+          name: paths.length > 1 ? `${nameOf(object)}, line ${i + 1}` : nameOf(object),
+          path,
+          samples,
+          color: bytesOfColor(object.color ?? themed),
+          radius: vantage.reach(place, vantage.seenWidth(object, place)) / 2,
+        };
+      });
+    });
   }
 
   /** Saves the view, with the surface's outline, as lines. */
@@ -189,6 +246,7 @@ export class SaveMenu {
     for (const item of this.#items) {
       const format = item.dataset.save as string;
       if (format === 'whole') item.disabled = !this.#has('json');
+      else if (curvesFormats[format]) item.disabled = !this.#has('obj');
       else if (isFormat(format)) item.disabled = !this.#has(format);
     }
   }
@@ -267,6 +325,14 @@ function* seenLines(
   for (const { polyline } of isolines?.lines ?? []) {
     yield { ...vantage.seen(polyline), ...own(polyline) };
   }
+}
+
+/** Red, green and blue of `#rrggbb` or `rgb(r, g, b)`, 0 to 255. */
+function bytesOfColor(color: string): [number, number, number] {
+  const [r = 0, g = 0, b = 0] = color.startsWith('#')
+    ? [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16))
+    : (color.match(/[\d.]+/g) ?? []).map((value) => Math.round(Number(value)));
+  return [r, g, b];
 }
 
 const named = (object: DrawnObject) => ({

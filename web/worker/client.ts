@@ -17,6 +17,7 @@ import type { FileInfo, WrittenFormat } from 'karcher/formats';
 import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-worker';
 import type { BooleanKind, Offset } from '../model/derived';
 import type { FillPattern } from '../model/drawing';
+import type { CurvesFormat, DrawnCurve } from '../model/drawn_curves';
 import type { Inside, Vector } from '../model/figure';
 import { type ToldLegs, withDrawnLegs } from '../model/legs';
 import type { MeshBlobs } from '../model/mesh_blobs';
@@ -33,6 +34,7 @@ import type {
   TracedDistances,
   TracedIsolines,
 } from '../model/traced';
+import { sentCurve } from './curves_file';
 import type { DerivedLines } from './derived';
 import { type Edit, type Edited, edited } from './edits';
 import type { DirectedPlaces, Framed, Step } from './framed';
@@ -362,6 +364,12 @@ export class EngineClient {
     const marks = this.file && { ...this.file, sheets: thick ? 2 : 1 };
     const args = [this.mesh, { positions, triangles, faces }, thick, format, marks];
     return (await this.#worker.call('meshFile', args)) as Uint8Array;
+  }
+
+  /** Curves on the surface as a file, with the surface and its own properties unless it is CSV. */
+  async curvesFile(curves: readonly DrawnCurve[], format: CurvesFormat): Promise<Uint8Array> {
+    const args = [this.mesh, curves.map(sentCurve), format, this.file];
+    return (await this.#worker.call('curvesFile', args)) as Uint8Array;
   }
 
   async #derived(call: string, args: unknown[]): Promise<TracedIsolines> {

@@ -16,6 +16,7 @@ import type { FileInfo, FileMarks, Triangles, WrittenFormat } from 'karcher/form
 import { serve } from 'karcher/own-worker';
 import { arraysOf, blobsOf, type MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
+import { curvesFile } from './curves_file';
 import { cutParts } from './cut';
 import { combined, offsetOf } from './derived';
 import { tracedDistances } from './distances';
@@ -80,6 +81,7 @@ const calls = {
   offset: offsetOf,
   combined,
   cut: cutParts,
+  curvesFile,
   async meshFile(
     mesh: Mesh,
     part: CutPart,

@@ -32,6 +32,7 @@ import {
 } from './compute';
 import { Drag, HeldTracing } from './drag';
 import { type Ends, endsOf, Legs } from './legs';
+import { linesOf, type ObjectLines } from './lines';
 import { Newest } from './newest';
 import { type Patterned, Patterns } from './patterns';
 import { Refinement } from './refinement';
@@ -167,6 +168,12 @@ export class Session {
       // A drag has ended after its last step was traced; work that rested meanwhile continues.
       this.#newest.wake();
     }
+  }
+
+  /** The lines of objects as paths. */
+  async linesOf(ids: readonly number[]): Promise<ObjectLines[]> {
+    const [state, client] = [this.#state, this.#client];
+    return state && client ? linesOf(client, state, ids, this.#others) : [];
   }
 
   /** Measures the visible curve where it is nearest to a place; null if that is impossible. */
