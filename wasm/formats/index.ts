@@ -16,7 +16,7 @@ export { fileEndings, formatOf } from './format.js';
 export { marksOfPart } from './part_marks.js';
 export type * from './types.js';
 export { guessUp } from './up.js';
-export { meshFile, type Triangles, type WrittenFormat, writtenFormats } from './write.js';
+export { meshFile, type WrittenFormat, writtenFormats } from './write.js';
 
 /** A mesh that keeps the marks of its OBJ file. */
 export interface MarkedMesh {

@@ -1,7 +1,6 @@
 import { KarcherError } from '../errors.js';
 import type { CutPart } from '../types.js';
-import type { FileMarks } from './types.js';
-import type { Triangles } from './write.js';
+import type { FileMarks, Triangles } from './types.js';
 
 /**
  * The marks of a part that was cut out of a file's surface. Each vertex has the color of its place,

@@ -1,4 +1,5 @@
 import type { FileMarks, LongWorkOptions, MeshOptions } from '../types.js';
+import type { FileCurve } from './curves.js';
 
 export type { FileMarks, FilePart } from '../types.js';
 
@@ -37,4 +38,23 @@ export interface Polygons {
   sizes: Int32Array | null;
   /** The format, parts and marks of the file. */
   info: Pick<FileInfo, 'format' | 'parts' | 'notRead'> & Partial<FileMarks>;
+}
+
+/**
+ * The mesh to write, with arrays as `mesh.cut` returns them. Its other properties are those of `FileMarks`,
+ * which can be spread into it: colors are written to PLY, OBJ and GLB, parts to OBJ and GLB.
+ */
+export interface Triangles {
+  /** The positions of the vertices: x, y, z for each. */
+  positions: ArrayLike<number>;
+  /** Three vertex numbers for each triangle. */
+  triangles: ArrayLike<number>;
+  /** Red, green and blue of each vertex, 0 to 255. */
+  colors?: ArrayLike<number> | null | undefined;
+  /** The names of the parts, for formats that have parts. */
+  parts?: readonly { name: string }[] | undefined;
+  /** The number of each triangle's part. */
+  partOf?: ArrayLike<number> | null | undefined;
+  /** Curves in the same file, as lines or tubes; the mesh may then have no triangles. */
+  curves?: readonly FileCurve[] | undefined;
 }

@@ -2,26 +2,8 @@ import { checkOneOf, shown } from '../check.js';
 import { KarcherError } from '../errors.js';
 import { tubeAlong } from '../tube.js';
 import { type FileCurve, normalOf } from './curves.js';
+import type { Triangles } from './types.js';
 import { glbFile, single } from './write_glb.js';
-
-/**
- * The mesh to write, with arrays as `mesh.cut` returns them. Its other properties are those of `FileMarks`,
- * which can be spread into it: colors are written to PLY, OBJ and GLB, parts to OBJ and GLB.
- */
-export interface Triangles {
-  /** The positions of the vertices: x, y, z for each. */
-  positions: ArrayLike<number>;
-  /** Three vertex numbers for each triangle. */
-  triangles: ArrayLike<number>;
-  /** Red, green and blue of each vertex, 0 to 255. */
-  colors?: ArrayLike<number> | null | undefined;
-  /** The names of the parts, for formats that have parts. */
-  parts?: readonly { name: string }[] | undefined;
-  /** The number of each triangle's part. */
-  partOf?: ArrayLike<number> | null | undefined;
-  /** Curves in the same file, as lines or tubes; the mesh may then have no triangles. */
-  curves?: readonly FileCurve[] | undefined;
-}
 
 const writers = { stl: stlFile, ply: plyFile, obj: objFile, glb: glbFile };
 

@@ -2,7 +2,7 @@ import { tubeAlong } from '../tube.js';
 import type { FileCurve } from './curves.js';
 import { binaryChunk, glbMagic, jsonChunk } from './glb.js';
 import { linearLight } from './marks.js';
-import type { Triangles } from './write.js';
+import type { Triangles } from './types.js';
 
 /** The triangles in single precision, without those of which rounding unites two corners. */
 export function single({ positions, triangles, partOf }: Triangles) {
