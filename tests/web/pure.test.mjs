@@ -55,6 +55,16 @@ describe('patterns of fills', () => {
   });
 });
 
+describe('lengths and areas', () => {
+  test('of ten thousand units and more have no exponent', async () => {
+    const { formatArea, formatLength } = await load('model/units.ts');
+    assert.equal(formatArea(63043.2, 'mm'), '63040 mm²');
+    assert.equal(formatLength(9999.96), '10000');
+    assert.equal(formatLength(12.3456, 'mm'), '12.35 mm');
+    assert.equal(formatLength(1, 'm'), '1.000 m');
+  });
+});
+
 describe('a figure', () => {
   test('has all of its places moved, and nothing else', async () => {
     const { withPlaces } = await load('model/figure.ts');

@@ -10,13 +10,18 @@ export function guessUnit(name: string): Unit {
   return /\.(glb|gltf)$/i.test(name) ? 'm' : '';
 }
 
+/** Four digits. From 10,000 on `toPrecision` would write an exponent. */
+const fourDigits = (value: number) => {
+  const text = value.toPrecision(4);
+  return text.includes('e+') ? `${Number(text)}` : text;
+};
+
 const withUnit = (number: string, unit: string) => (unit ? `${number} ${unit}` : number);
 
-export const formatLength = (length: number, unit: Unit = '') =>
-  withUnit(length.toPrecision(4), unit);
+export const formatLength = (length: number, unit: Unit = '') => withUnit(fourDigits(length), unit);
 
 export const formatVolume = (volume: number, unit: Unit = '') =>
-  withUnit(volume.toPrecision(4), unit && `${unit}³`);
+  withUnit(fourDigits(volume), unit && `${unit}³`);
 
 export const formatArea = (area: number, unit: Unit = '') =>
-  withUnit(area.toPrecision(4), unit && `${unit}²`);
+  withUnit(fourDigits(area), unit && `${unit}²`);
