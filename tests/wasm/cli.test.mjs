@@ -117,6 +117,7 @@ test('a result has the format of its file name, and no other', async () => {
   const path = ['path', squareFile, '--from', 'v:0', '--to', 'v:2'];
   assert.match(await failure(...path, '--out', 'a.off'), /^path writes JSON, .*, not 'a\.off'$/);
   const info = ['info', squareFile, '--out'];
+  assert.match(await failure(...info, 'info.csv'), /^info writes JSON, not 'info\.csv'$/);
   assert.match(await failure(...info, 'info.obj'), /^info writes JSON, not 'info\.obj'$/);
 });
 

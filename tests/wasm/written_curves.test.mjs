@@ -148,6 +148,14 @@ describe('CSV', () => {
     assert.throws(() => curvesCsv([{ path, parameters: [0] }], surface), { code: 'badArgument' });
     const other = { positions: [0, 0, 0], triangles: [0, 0, 0] };
     assert.throws(() => curvesCsv([{ path }], other), { code: 'badIndex' });
+    for (const face of [-1, 0.5, Number.NaN]) {
+      const points = path.points().map((point) => ({ ...point, face }));
+      const astray = { closed: false, count: points.length, points: () => points };
+      const arrays = { polyline: (bits) => path.polyline(bits), lengths: () => path.lengths() };
+      assert.throws(() => curvesCsv([{ path: { ...astray, ...arrays } }], surface), {
+        code: 'badIndex',
+      });
+    }
   });
 });
 
@@ -446,5 +454,9 @@ describe('the command line', () => {
       /needs --tube RADIUS: STL has no lines/,
     );
     assert.match(await failure(...lines, '--surface'), /^--surface has no use with --format json$/);
+    const several = ['isolines', file, file, '--center', 'v:40', '--radius', '0.5', '--tube', '1'];
+    assert.match(await failure(...several), /^--tube has no use with --format json$/);
+    const none = ['isolines', file, '--center', 'v:40', '--radius', '1000', '--out', glb];
+    assert.match(await failure(...none), /GLB needs a triangle or a line/);
   });
 });

@@ -236,7 +236,7 @@ export class Arguments {
 }
 
 /** Files with these names would be mistaken for drawings or meshes. */
-const namesOfOthers = /\.(obj|svg|dxf|ply|stl|off|glb|gltf|png)$/i;
+const namesOfOthers = /\.(csv|obj|svg|dxf|ply|stl|off|glb|gltf|png)$/i;
 
 /**
  * Takes the format from the file's name if it is not given. Throws if that format cannot be

@@ -143,6 +143,8 @@ async function* batch(
   terminal: Terminal,
   fail: (error: unknown, mesh: string) => void,
 ): AsyncGenerator<string> {
+  // Several meshes are written as JSON, and options of other formats are refused.
+  if (command.options.includes(formatOption)) drawnFormat(args);
   for (const mesh of args.meshes) {
     args.take(mesh);
     try {

@@ -94,7 +94,7 @@ function normalOfFace(
   { positions, triangles }: { positions: ArrayLike<number>; triangles: ArrayLike<number> },
   face: number,
 ): number[] {
-  if (3 * face + 2 >= triangles.length) {
+  if (!(Number.isInteger(face) && face >= 0 && 3 * face + 2 < triangles.length)) {
     const what = `there is no face ${shown(face)}: there are ${triangles.length / 3}`;
     throw new KarcherError('badIndex', what);
   }

@@ -39,12 +39,13 @@ export function meshFile(mesh: Triangles, format: WrittenFormat): Uint8Array<Arr
   return writers[format](mesh);
 }
 
-function checkCurve({ color, radius, path }: FileCurve, format: WrittenFormat): void {
+function checkCurve({ name, color, radius, path }: FileCurve, format: WrittenFormat): void {
   if (format === 'stl' && radius === undefined) {
     throw new KarcherError('badArgument', 'STL has no lines: a curve needs a radius, for a tube');
   }
   if (path.count < 2) {
-    throw new KarcherError('badArgument', `a curve of ${path.count} points is no line`);
+    const what = name === undefined ? 'a curve' : `the curve '${name}'`;
+    throw new KarcherError('badArgument', `${what} needs two points, and has ${path.count}`);
   }
   if (!color) return;
   if (color.length !== 3) {

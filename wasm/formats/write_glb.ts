@@ -1,3 +1,4 @@
+import { KarcherError } from '../errors.js';
 import { tubeAlong } from '../tube.js';
 import type { FileCurve } from './curves.js';
 import { binaryChunk, glbMagic, jsonChunk } from './glb.js';
@@ -93,6 +94,10 @@ export function glbFile(mesh: Triangles): Uint8Array<ArrayBuffer> {
     if (curve.color) materials.push(materialOf(curve.name, curve.color));
     const primitive = { ...shape, ...material };
     objects.push({ ...(curve.name && { name: curve.name }), primitive });
+  }
+  // The format has no empty lists.
+  if (objects.length === 0) {
+    throw new KarcherError('badArgument', 'GLB needs a triangle or a line, and there is neither');
   }
   const { arrays, views, accessors, byteLength } = buffer;
   const named = objects.map(({ name }) => (name === undefined ? {} : { name }));

@@ -43,8 +43,8 @@ export function levelLines(
     const [a, b, c] = [valueAt(first), valueAt(first + 1), valueAt(first + 2)];
     const least = Math.min(a, b, c);
     const most = Math.max(a, b, c);
-    // The comparison also fails if a value is not a number. Most triangles cross no level.
-    if (!(least < most) || !(levels[0]! <= most)) continue;
+    // The comparison also fails if a value is not finite. Most triangles cross no level.
+    if (!(least < most && most - least < Infinity) || !(levels[0]! <= most)) continue;
     const values = [a, b, c];
     for (let level = 0; level < levels.length && levels[level]! <= most; level++) {
       if (levels[level]! <= least) continue;

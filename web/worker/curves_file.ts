@@ -3,7 +3,7 @@ import type { Mesh, SurfacePoint } from 'karcher';
 import type { FileMarks, FilePath } from 'karcher/formats';
 import type { CurvesFormat, DrawnCurve } from '../model/drawn_curves';
 
-/** The same for the worker: a path that is sent there has only its points. */
+/** A curve as it is sent to the worker: with the arrays of its path, whose methods do not pass. */
 export interface SentCurve extends Omit<DrawnCurve, 'path'> {
   closed: boolean;
   points: readonly SurfacePoint[];
