@@ -106,7 +106,7 @@ test('a result has the format of its file name, and no other', async () => {
   const isolines = ['isolines', squareFile, '--center', 'v:0', '--radius', '0.3'];
   const out = join(folder.path, 'lines.OBJ');
   assert.equal((await karcher(...isolines, '--out', out)).status, 0);
-  assert.match(readFileSync(out, 'utf8'), /^v [\s\S]*\nl /);
+  assert.match(readFileSync(out, 'utf8'), /^o isolines\nv [\s\S]*\nl /);
   // An explicit format has priority over the name.
   assert.equal((await karcher(...isolines, '--format', 'json', '--out', out)).status, 0);
   assert.ok(JSON.parse(readFileSync(out, 'utf8')).isolines);

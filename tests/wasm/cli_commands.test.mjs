@@ -64,10 +64,10 @@ test('path, as JSON and as an OBJ file', async () => {
   const { status, stdout } = await karcher(...args, '--format', 'obj');
   assert.equal(status, 0);
   const lines = stdout.trimEnd().split('\n');
-  assert.deepEqual(
-    lines.slice(0, -1),
-    polyline.map((place) => `v ${place.join(' ')}`),
-  );
+  assert.deepEqual(lines.slice(0, -1), [
+    'o path',
+    ...polyline.map((place) => `v ${place.join(' ')}`),
+  ]);
   assert.equal(lines.at(-1), `l ${polyline.map((_, i) => i + 1).join(' ')}`);
 });
 

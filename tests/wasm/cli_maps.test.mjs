@@ -68,7 +68,7 @@ test('straightest geodesics, transport and mirror on a plane', async () => {
   assert.equal(short.stop, 'boundary');
   assert.ok(short.remaining > 30);
   const drawn = await karcher(...straight, '--length', '5', '--format', 'obj');
-  assert.match(drawn.stdout, /^v 1 1 0\n/);
+  assert.match(drawn.stdout, /^o straightest\nv 1 1 0\n/);
 
   const vectors = folder.write('carried.json', '[[1, 2, 0], [0, 1, 0]]');
   const carried = ['transport', plane, '--from', at(1, 1), '--to', at(6, 3), '--vectors', vectors];

@@ -2,7 +2,7 @@ import type { FileCurve, WrittenFormat } from '../formats/index.js';
 import type { Mesh } from '../mesh.js';
 import type { Arguments } from './arguments.js';
 import { UsageError } from './errors.js';
-import { type Pieces, triples } from './output.js';
+import type { Pieces } from './output.js';
 
 /** Results as files of curves: rows of CSV, lines or tubes, with the mesh where that is wanted. */
 
@@ -21,9 +21,6 @@ export function drawnFormat(
   }
   const withSurface = args.given('surface');
   return async (mesh, curves) => {
-    if (format === 'obj' && !withSurface && radius === undefined) {
-      return polylinesAsObj(curves.map(({ path }) => path.polyline({ bits: 64 })));
-    }
     const { curvesCsv, meshFile } = await import('../formats/index.js');
     const named = curves.map((curve, i) => ({
       name: curves.length > 1 ? `${args.command} ${i + 1}` : args.command,
@@ -35,17 +32,4 @@ export function drawnFormat(
     const shown = withSurface ? surface : { positions: [], triangles: [] };
     return [meshFile({ ...shown, curves: named }, format)];
   };
-}
-
-/** Polylines as an OBJ file, in pieces: the vertices of each, and an `l` line. */
-export function* polylinesAsObj(polylines: readonly Float64Array[]): Generator<string> {
-  for (const polyline of polylines) {
-    for (const position of triples(polyline)) yield `v ${position.join(' ')}\n`;
-  }
-  let vertex = 1;
-  for (const { length } of polylines) {
-    yield 'l';
-    for (let i = 0; i < length; i += 3) yield ` ${vertex++}`;
-    yield '\n';
-  }
 }

@@ -5,6 +5,8 @@
  * together or part.
  */
 import type { MappedPoints, Mesh, PointLike, SurfacePoint } from 'karcher';
+import type { Vector } from '../model/figure';
+import { cross, scaled } from '../model/vectors';
 
 /** Places, and a direction at each: x, y, z, or 0, 0, 0 for none. */
 export interface DirectedPlaces {
@@ -105,21 +107,13 @@ function endsOf(
 }
 
 /** Two perpendicular directions in the plane with a unit normal. */
-function axesOf([x, y, z]: readonly number[]): Float64Array {
-  // The normal's cross product with the coordinate axis from which it is farthest.
-  const sizes = [x, y, z].map((value) => Math.abs(value!));
-  const axis = sizes.indexOf(Math.min(...sizes));
-  const first = [
-    [0, z!, -y!],
-    [-z!, 0, x!],
-    [y!, -x!, 0],
-  ][axis]!;
-  const length = Math.hypot(...first);
-  const [a, b, c] = first.map((value) => value / length);
-  return Float64Array.of(
-    ...[a!, b!, c!],
-    ...[y! * c! - z! * b!, z! * a! - x! * c!, x! * b! - y! * a!],
-  );
+function axesOf(normal: Vector): Float64Array {
+  // The coordinate axis from which the normal is farthest.
+  const sizes = normal.map(Math.abs);
+  const farthest = sizes.indexOf(Math.min(...sizes));
+  const aside = cross(normal, [+(farthest === 0), +(farthest === 1), +(farthest === 2)]);
+  const first = scaled(aside, 1 / Math.hypot(...aside));
+  return Float64Array.of(...first, ...cross(normal, first));
 }
 
 function coordinatesIn(axes: Float64Array, vectors: Float64Array): Float64Array {
