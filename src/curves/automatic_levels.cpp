@@ -10,7 +10,7 @@
 namespace karcher {
 namespace {
 
-/// The least convexity of a safe piece, half of that on the plane: on the sphere, its legs reach
+/// The least convexity of a safe piece, half of that on the plane. On the sphere, its legs reach
 /// over at most 67 degrees.
 constexpr double kLeastConvexity = 0.5;
 
@@ -46,7 +46,7 @@ double edgesOfLeg(const CurveShape& shape, const Array<SurfacePath>& legs, int l
   return std::ldexp(std::sqrt(squares), -levels);
 }
 
-/// Writes the weights of a piece's points, or none if the points are not weighted.
+/// Writes the weights of a piece's points; none if the points have no weights.
 void takeWeights(const RefinedPolygon& polygon, const SegmentLayout& piece,
                  Array<double>& weights) {
   weights.clear();

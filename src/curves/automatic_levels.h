@@ -41,30 +41,30 @@ bool isSafe(const Geometry& geometry, const RefinedPolygon& polygon, LevelsWorks
 int levelsToSafety(const Geometry& geometry, const CurveShape& shape, int points,
                    const Array<SurfacePath>& legs);
 
-/// Whether the fields of a curve with these levels are near ones (PointField::setPoint): a piece's
-/// legs cross no more faces than the search in sight does, so that the points mostly see the
-/// vertices at which their fields are evaluated. At larger distances each value would be a path
-/// search, as expensive as a wavefront that finds all values; a curve of two pieces on a fine mesh
-/// took minutes. If no more levels can be taken, fields are near in any case, since that many
-/// wavefronts would not fit into memory.
+/// Whether the fields of a curve with these levels are near ones (PointField::setPoint). They are
+/// if a piece's legs cross no more faces than the search in sight does: then the points mostly see
+/// the vertices at which their fields are evaluated. At larger distances each value would take a
+/// path search, as expensive as a wavefront that finds all values; a curve of two pieces on a fine
+/// mesh took minutes. If the curve can take no more levels, fields are near in any case, since so
+/// many wavefronts would not fit into memory.
 bool areFieldsNear(const CurveShape& shape, int points, const Array<SurfacePath>& legs, int levels);
 
-/// The number of levels that makes a curve quickest, at which legs cross few edges and the points
-/// of a piece are in sight of each other. A piece's fields cost about the square of the edges that
-/// its legs cross, and each level doubles the number of pieces.
+/// The number of levels of the quickest curve: its legs cross few edges, and the points of a piece
+/// are in sight of each other. A piece's fields cost about the square of the edges that its legs
+/// cross, and each level doubles the number of pieces.
 int quickLevels(const CurveShape& shape, int points, const Array<SurfacePath>& legs);
 
-/// The estimated largest move of a control polygon's curve by levels, in the mesh's units. The
-/// estimate is right to about a third; this is the upper end.
+/// The upper end of the estimated largest move of a control polygon's curve by levels, in the
+/// mesh's units. The estimate is right to about a third.
 double levelsDeviation(const Geometry& geometry, const RefinedPolygon& polygon,
                        LevelsWorkspace& workspace);
 
-/// The length of the path between two of a segment's points to which the legs are pulled tight.
+/// The length of the geodesic to which the legs between two of a segment's points are pulled tight.
 double tightLength(const Geometry& geometry, const RefinedPolygon& polygon,
                    const SegmentLayout& segment, int from, int to, LevelsWorkspace& workspace);
 
 /// The number of levels at which legs are twice as long as edges, but at least two, and no more
-/// than the work limit allows. The averages then lie within a small fraction of an edge of the
+/// than the work limit allows. Their averages lie within a small fraction of an edge of the
 /// subdivision curve.
 int levelsToLimit(const Geometry& geometry, const CurveShape& shape, int points,
                   const Array<SurfacePath>& legs);

@@ -15,8 +15,8 @@ namespace karcher {
 namespace {
 
 constexpr int kFewestArcs = 3;
-/// The number of fitting arcs of a full turn before any is divided, and the number of an ellipse's
-/// arcs.
+/// The number of fitting arcs of a full turn before the first division, and the number of an
+/// ellipse's arcs.
 constexpr int kFirstArcs = 7;
 constexpr int kMostCuts = 4;
 constexpr int kMostParts = 4;  ///< the most parts of one arc in one round
@@ -88,7 +88,7 @@ class Center {
   double total_ = 2 * kPi;
 };
 
-/// Throws Error kBadArgument for a radius that doubles do not resolve at the center.
+/// Throws Error kBadArgument if doubles do not resolve the radius at the center.
 void checkRadiusIsTold(const Geometry& geometry, const SurfacePoint& center, double radius) {
   const TriangleMesh& mesh = *geometry.mesh;
   const PointLocation location = locate(mesh, center);
@@ -169,8 +169,8 @@ CurveOptions optionsOfArcs(const Array<Arc>& arcs, const CircleOptions& options)
   return result;
 }
 
-/// Whether the disk around the center holds no other vertex, judged by distances that extend beyond
-/// it. The surface is then the plane there, or the cone about a vertex.
+/// Whether the disk around the center holds no other vertex, by distances that extend beyond it. If
+/// so, the surface there is the plane, or the cone about a vertex.
 bool isPlain(const TriangleMesh& mesh, const WindowDistance& distance, double radius) {
   const PointLocation location = locate(mesh, distance.source());
   const int own = location.simplex == Simplex::kVertex ? location.vertex : -1;
@@ -293,8 +293,8 @@ Array<double> deviationsOf(const Geometry& geometry, const SurfacePoint& center,
   return deviations;
 }
 
-/// The number of parts into which each arc is divided. The arcs of the largest deviation are
-/// divided first, as long as more arcs are allowed.
+/// The number of parts of each arc after a division. Arcs of larger deviation come first, as long
+/// as the limit allows more arcs.
 Array<int> partsOfArcs(const Array<double>& deviations, double tolerance) {
   const int count = deviations.count();
   Array<int> parts;
@@ -322,8 +322,8 @@ Array<double> cutInto(const Array<int>& parts, const Array<double>& directions) 
   return result;
 }
 
-/// The number of samples of each arc. The widest arc gets them as densely as a seventh of a turn
-/// does.
+/// The number of samples of each arc. The widest arc has them as densely as an arc of a seventh of
+/// a turn.
 int samplesOfArcs(const Array<double>& directions, int samples) {
   double widest = 0;
   for (int j = 0; j + 1 < directions.count(); ++j) {
@@ -394,7 +394,7 @@ GeodesicCircle traceEllipse(Surface& surface, const SurfacePoint& center, double
     const double reach = i % 2 == 0 ? 1 : 1 / std::cos(halfAngle);
     const Vec2 place =
         reach * Vec2(along * std::cos(i * halfAngle), across * std::sin(i * halfAngle));
-    // Around a vertex the plane's angles are scaled to the vertex's total angle.
+    // Around a vertex the plane's angles grow or shrink to the vertex's total angle.
     const double angle = angleOf(place) * from.totalAngle() / (2 * kPi);
     points.push_back({begin + angle, place.norm()});
   }

@@ -19,7 +19,7 @@ namespace {
 
 enum Side { kLeftSide, kRightSide };
 
-/// The perpendiculars at which strips end, where a path is divided; by side.
+/// The perpendiculars at which strips end and which divide a path; by side.
 struct Division {
   int index = 0;  ///< the index of the path's point
   SurfacePath before[2];
@@ -102,7 +102,7 @@ class CorneredOffset {
     };
     Array<Isoline> result;
     for (Array<int>& loop : boundaryOf(all, region)) {
-      // A loop that has an unwanted part is made to begin after such a part.
+      // A loop that has an unwanted part begins after such a part.
       const auto other = std::find_if_not(loop.begin(), loop.end(), isWanted);
       const bool closed = other == loop.end();
       if (!closed) std::rotate(loop.begin(), other, loop.end());
@@ -133,7 +133,7 @@ class CorneredOffset {
     Vec3 end;
   };
 
-  /// The divisions of a path; none if it needs none or cannot be divided.
+  /// The divisions of a path; empty if it needs none or allows none.
   Array<Division> divide(const Array<SurfacePoint>& points, bool closed) const {
     const int last = points.count() - 1;
     Array<Division> divisions;
@@ -180,7 +180,7 @@ class CorneredOffset {
     return std::abs(kPi - std::abs(angle) * 2 * kPi / fan.total);
   }
 
-  /// The division at a point; none if it would meet the boundary of the surface.
+  /// The division at a point; empty if it would meet the boundary of the surface.
   std::optional<Division> divisionAt(const Array<SurfacePoint>& points, int index,
                                      const SurfacePoint& before) const {
     const SurfacePoint& point = points[index];
@@ -293,8 +293,8 @@ class CorneredOffset {
     }
   }
 
-  /// Leads the end of a run to the end of a strip if that is no farther than a chord is long. The
-  /// run has missed it by at most the height of a chord.
+  /// Leads the end of a run to the end of a strip if that is no farther than the length of a chord.
+  /// The run has missed it by at most the height of a chord.
   void leadToEnd(Array<SurfacePoint>& run, const SurfacePath* one, const SurfacePath* other) const {
     for (const SurfacePath* end : {one, other}) {
       if (end == nullptr || run.count() < 3) continue;
@@ -315,7 +315,8 @@ class CorneredOffset {
       try {
         region = combined(region, enclosed(all, tip, FillRule::kEvenOdd), Boolean::kUnion);
       } catch (const Error& error) {
-        // The lines of a tip may go round a handle no wider than it; they enclose nothing then.
+        // The lines of a tip may go round a handle no wider than the tip. They enclose nothing
+        // then.
         if (error.code() != ErrorCode::kBadArgument) throw;
       }
     }

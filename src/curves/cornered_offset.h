@@ -5,29 +5,27 @@
 #include "curves/offset.h"
 #include "distance/path_distance.h"
 
-/// Offsets with mitred or bevelled corners.
+/// Offsets with mitred or bevelled corners. Perpendiculars divide a path at its corners and after
+/// each further turn by a right angle, so that no piece turns back to the area in front of its own
+/// end. A piece's strip is the part of the surface within the distance of the piece, without the
+/// parts in front of its ends. At a corner the strips leave a gap on the outer side: a mitre
+/// continues the sides of both by geodesics until they meet; a bevel joins their ends. The offset
+/// is the boundary of the union of all strips and tips.
 ///
-/// A path is divided at its corners and after each further turn by a right angle, so that no piece
-/// turns back to the area in front of its own end. A piece's strip is the part of the surface
-/// within the distance of the piece, without the parts in front of its ends. At a corner a gap is
-/// left between two strips on the outer side: a mitre continues the sides of both by geodesics
-/// until they meet, a bevel joins their ends. The offset is the boundary of the union of all strips
-/// and tips. It is found on the surface divided by their lines into cells (regions/arrangement.h):
-/// a cell is inside if one of its points is.
-///
-/// Corners at which a connection or a side ends at the boundary of the surface stay round, and so
-/// do turns by less than kLeastCorner.
+/// Their lines divide the surface into cells (regions/arrangement.h); a cell is inside if one of
+/// its points is. Corners stay round if a connection or a side ends at the boundary of the surface,
+/// or if they turn by less than kLeastCorner.
 namespace karcher {
 
 /// The longest side of a piece of a face, relative to the distance. The arc over such a chord is
 /// 8.7e-4 of its radius high.
 inline constexpr double kLongestSide = 1.0 / 12;
 
-/// The field of an offset reaches this many times its distance, so that chords outside the line can
-/// be measured.
+/// The field of an offset reaches this many times its distance, so that it can measure chords
+/// outside the line.
 inline constexpr double kOffsetReach = 1.1;
 
-/// The least turn, in radians, that gets a mitre: the tip over a smaller turn is within
+/// The least turn, in radians, that has a mitre: over a smaller turn the tip is within
 /// kOffsetTolerance of the arc.
 inline const double kLeastCorner = std::sqrt(8 * kOffsetTolerance);
 

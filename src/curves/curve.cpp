@@ -50,7 +50,7 @@ void checkOptions(const CurveOptions& options) {
   }
 }
 
-/// Throws if legs are given, but their number is not that of the pairs of consecutive points.
+/// Throws if legs are given, but are not one for each pair of consecutive points.
 void checkLegCount(const CurveValue& value) {
   const int wanted = legCount(value.options.shape, value.points.count());
   if (value.legs.empty() || value.legs.count() == wanted) return;
@@ -79,7 +79,7 @@ int samplesWithin(double tolerance, int degree, double polygonLength) {
   return 2 + static_cast<int>(std::min(chords, kMostSamples - 2.0));
 }
 
-/// The leg that a value leaves out: the shortest path, which is exact for a polyline.
+/// The leg that a value omits: the shortest path, which is exact for a polyline.
 SurfacePath shortestLeg(const Geometry& geometry, const CurveOptions& options,
                         const SurfacePoint& from, const SurfacePoint& to) {
   SurfacePath leg;
@@ -119,8 +119,7 @@ void Curve::set(CurveValue value) {
   next_.value = std::move(value);
   check(next_.value);
   if (!(next_.value.options.field == fieldSet_->options())) {
-    // With other field options no part of this curve can be kept. Its fields are released before
-    // their set.
+    // With other field options the curve keeps no part. It releases its fields before their set.
     Curve other(fieldSets_, std::move(next_.value), clock_);
     segments_.clear();
     *this = std::move(other);
@@ -175,7 +174,7 @@ void Curve::make(Next& next) {
   timed(times_.fields);
   trace(next);
   if (!jumpsAtLevelZero(next)) return;
-  // The curve of level 0 turns out not to be safe.
+  // The curve of level 0 is not safe after all.
   next.jumps = true;
   releaseFields(next.segments);
   makeSegments(next);
@@ -222,8 +221,8 @@ void Curve::check(const CurveValue& value) const {
   checkLegCount(value);
 }
 
-/// Continues the legs that do not reach their points, up to these. A leg becomes the shortest if no
-/// strip of faces continues it, or if the curve does not use it.
+/// Continues the legs that do not reach their points, up to these. If no strip of faces continues a
+/// leg, or the curve does not use it, it becomes the shortest path.
 void Curve::continueLegs(CurveValue& value) {
   const Geometry& geometry = surface().geometry();
   StripWorkspace& workspace = workspace_->averaging.strip;
@@ -242,8 +241,8 @@ void Curve::continueLegs(CurveValue& value) {
   }
 }
 
-/// Writes the legs of a value; those that it omits are the shortest. `legs` may be this curve's own
-/// if that is empty.
+/// Writes the legs of a value; those that the value omits are shortest paths. `legs` may be this
+/// curve's own legs if the value has none.
 void Curve::takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const {
   const Geometry& geometry = surface().geometry();
   const int points = value.points.count();
@@ -258,7 +257,7 @@ void Curve::takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const {
       legs[i] = value.legs[i];
       continue;
     }
-    // The leg is the shortest one, which this curve may have already.
+    // The leg is the shortest path, which this curve may have already.
     const bool isKnown = i < known && isPolyline == wasPolyline &&
                          (value_.legs.empty() || value_.legs[i].points.empty()) &&
                          isSame(legs_[i].start(), from) && isSame(legs_[i].end(), to);
@@ -292,8 +291,8 @@ void Curve::makeSegments(Next& next) {
     findSubdivided(next);
   }
   const int pieces = 1 << next.levels;
-  // A polyline's legs are the curve, but pieces are not compared by legs; so they are kept only if
-  // both values leave the legs out.
+  // A polyline's legs are the curve, but a comparison of pieces omits legs. So pieces stay only if
+  // both values omit the legs.
   const bool keep =
       traceAlike(options, value_.options) && next.isNear == isNear_ &&
       (shape.kind != CurveKind::kPolyline || (next.value.legs.empty() && value_.legs.empty()));
@@ -312,8 +311,8 @@ void Curve::makeSegments(Next& next) {
 
 /// Finds the pieces that are their own subdivision: each crosses a face that is larger than the
 /// piece, and its points do not see a corner of its faces. Such a corner is far away, across
-/// creases or many faces, and matters little to the curve. The piece itself lies in a few faces,
-/// where its subdivision is the same curve except at the edges between them, and needs no field.
+/// creases or many faces, and matters little to the curve. The piece itself lies in a few faces.
+/// Its subdivision is the same curve there, except at the edges between them, and needs no field.
 /// Curves with a caller's levels or exact fields are always centers of mass. So are B-splines: some
 /// of their joints are not control points, and at these a center and an average differ.
 void Curve::findSubdivided(const Next& next) {
@@ -343,7 +342,7 @@ bool Curve::seesFaces(const Next& next, const SegmentLayout& piece) {
     for (int k = 1; k < piece.points.count(); ++k) {
       const int leg = piece.points[k - 1];
       for (int i = along.begin[leg]; i < along.begin[leg + 1]; ++i) {
-        // A face along a leg shares two corners with the previous face. These are seen.
+        // A face along a leg shares two corners with the previous face. The points see these.
         const int before = i > along.begin[leg] ? along.faces[i - 1] : -1;
         for (int corner = 0; corner < 3; ++corner) {
           const int vertex = mesh.corner(along.faces[i], corner);
@@ -356,9 +355,9 @@ bool Curve::seesFaces(const Next& next, const SegmentLayout& piece) {
   return true;
 }
 
-/// Spaces the knots of a Catmull-Rom curve of level 0. Centripetal ones follow the distances
-/// between consecutive points by their fields, the mean of both, so that the curve is the same from
-/// either end.
+/// Spaces the knots of a Catmull-Rom curve of level 0. Centripetal knots follow the distances
+/// between consecutive points. Each distance is the mean of both points' fields, so that the curve
+/// is the same from either end.
 void Curve::layKnots(const Next& next) {
   const CurveShape& shape = next.value.options.shape;
   const Array<SurfacePoint>& points = next.value.points;
@@ -367,7 +366,7 @@ void Curve::layKnots(const Next& next) {
   gaps.assign(static_cast<size_t>(spans), 1);
   if (shape.centripetal) {
     const auto distanceBetween = [&](const SurfacePoint& from, const SurfacePoint& to) {
-      // The field is kept until its piece takes it.
+      // The workspace keeps the field until its piece takes it.
       workspace_->ofKnots.push_back(fieldSet_->at(from));
       return distanceTo(to, *workspace_->ofKnots.back());
     };

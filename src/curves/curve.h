@@ -56,11 +56,11 @@ class Curve {
     bool isSubdivided_ = false;
     bool isFirst_ = false;  ///< whether it is the first piece of an open curve
     bool isLast_ = false;
-    Array<std::shared_ptr<PointField>> fields_;  ///< the points' fields, once requested
+    Array<std::shared_ptr<PointField>> fields_;  ///< the points' fields, after their first use
   };
 
-  /// The surface must outlive the curve. Throws as `set` does.
-  /// The clock, if there is one, measures the stages of all edits, this first one included.
+  /// The surface must outlive the curve. Throws what `set` throws. The clock, if present, measures
+  /// the stages of all edits, including this first one.
   Curve(Surface& surface, CurveValue value, std::function<double()> clock = {});
   Curve(Surface& surface, CurveOptions options, Array<SurfacePoint> points)
       : Curve(surface, CurveValue{std::move(options), std::move(points), {}}) {}
@@ -75,7 +75,7 @@ class Curve {
 
   // Edits set the value that results from them.
   void movePoint(int i, const SurfacePoint& point) { set(withPointPlaced(value_, i, point)); }
-  /// Moves a point as a drag does: its legs are continued from their present course.
+  /// Moves a point as a drag does: its legs continue from their present course.
   void dragPoint(int i, const SurfacePoint& point) {
     set(withPointDragged(value_, i, point, usesLegs(options()) ? legs() : usedLegs()));
   }
@@ -93,8 +93,8 @@ class Curve {
   const Array<SurfacePath>& legs();
   /// The same legs if the curve uses them, else none.
   const Array<SurfacePath>& usedLegs() const;
-  /// The number of levels, also if the options let the curve choose it; 0 if a Catmull-Rom curve's
-  /// handle would lie beyond the surface's boundary.
+  /// The number of levels, which the options may leave to the curve. It is 0 if a Catmull-Rom
+  /// curve's handle would lie beyond the surface's boundary.
   int levels() const { return levels_; }
   /// The estimated largest distance, in the mesh's units, between the curve and its curve of level
   /// 0 (Eq. 4); 0 without levels. NaN if the curve of level 0 is not safe (automatic_levels.h), so
@@ -145,7 +145,7 @@ class Curve {
     CurveValue value;
     int levels = 0;
     bool isNear = false;  ///< whether the fields are near ones
-    bool jumps = false;   ///< whether the curve jumps at level 0, although it was judged safe
+    bool jumps = false;   ///< whether the curve jumps at level 0, although it seemed safe
     Array<SurfacePath> legs;
     Array<Segment> segments;
     RefinedPolygon polygon;
@@ -157,11 +157,11 @@ class Curve {
     std::optional<SegmentFields> blend;
     Array<PointField*> fields;
     LevelsWorkspace levels;
-    RefinedPolygon control;  ///< the control polygon, by which levels are chosen
+    RefinedPolygon control;  ///< the control polygon, which determines the levels
     FacesAlongLegs along;
     Array<char> isSubdivided;  ///< whether each piece of the refined polygon is its own subdivision
     Array<std::shared_ptr<PointField>> near;     ///< the fields that decided `isSubdivided`
-    Array<std::shared_ptr<PointField>> ofKnots;  ///< the fields by which knots are spaced
+    Array<std::shared_ptr<PointField>> ofKnots;  ///< the fields that space the knots
     /// The last layout of a curve of level 0 with `layoutPoints` points, except for the spacing of
     /// knots.
     Array<SegmentLayout> layout;

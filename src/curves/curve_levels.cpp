@@ -36,14 +36,14 @@ void Curve::takeControlPolygon(const CurveValue& value, RefinedPolygon& polygon)
   polygon.pieces = known.layout;
 }
 
-/// The control polygon with its legs, by which levels are chosen.
+/// The control polygon with its legs, which determines the levels.
 RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<SurfacePath>& legs) {
   const CurveShape& shape = value.options.shape;
   RefinedPolygon& polygon = workspace_->control;
   takeControlPolygon(value, polygon);
   polygon.legs = legs;
   if (shape.kind == CurveKind::kCatmullRom) {
-    // The known legs space the knots, instead of the distances of fields.
+    // The lengths of the known legs space the knots; distances of fields do not.
     Array<double>& gaps = workspace_->gaps;
     gaps.clear();
     for (const SurfacePath& leg : legs) gaps.push_back(leg.length());
@@ -53,11 +53,10 @@ RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<Surfac
   return polygon;
 }
 
-/// Whether the shortest paths between the points of a segment and its ends are those to which the
-/// legs are pulled tight, by the fields of level 0. Paths that are shorter go another way, for
-/// instance round a tube, and centers of mass would jump to these. A larger distance is an error of
-/// the field, since the tightened leg is a path. This releases the fields' memory, since the curve
-/// may need no others.
+/// Whether the legs between the points of a segment and its ends are pulled tight to the shortest
+/// paths, by the fields of level 0. Shorter paths go another way, for instance round a tube, and
+/// centers of mass would jump to these. A larger distance is an error of the field, since the
+/// tightened leg is a path. This releases the fields' memory, since the curve may need no others.
 bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
   const Geometry& geometry = surface().geometry();
   bool areShortest = true;

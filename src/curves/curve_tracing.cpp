@@ -9,8 +9,8 @@
 /// Tracing of a curve's pieces.
 namespace karcher {
 
-/// Gives fields to each piece that must be traced: existing fields at its points stay; then this
-/// curve's old ones are released; then spare fields are moved to the other points.
+/// Gives fields to each untraced piece. Existing fields at its points stay; then the curve releases
+/// its old ones and moves spare fields to the other points.
 void Curve::makeFields(Next& next) {
   if (!isOfCenters(next.value.options, next.levels)) return;
   const auto forEach = [&](const auto& work) {
@@ -48,7 +48,7 @@ SegmentFields& Curve::blendFields() {
   return *blend;
 }
 
-/// Traces the pieces that are not traced yet, and joins the segments.
+/// Traces the untraced pieces, and joins the segments.
 void Curve::trace(Next& next) {
   double last = clock_ ? clock_() : 0;
   const auto timed = [&](double& stage) {
@@ -113,9 +113,10 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   }
 }
 
-/// The center at an end of an open curve, if one point has all the weight there: by definition it
-/// is that point, while its estimated field is zero only near it. At joints of pieces, the fields
-/// are searched instead, as for the samples on both sides. The paper's method searches everywhere.
+/// The center at an end of an open curve, if one point has all the weight there. By definition it
+/// is that point, while its estimated field is zero only near it. At joints of pieces, the curve
+/// searches the fields instead, as for the samples on both sides. The paper's method searches
+/// everywhere.
 std::optional<SurfacePoint> Curve::knownEnd(const Next& next, const Piece& piece, double t) {
   const bool isEnd = t == 0 ? piece.isFirst_ : piece.isLast_;
   if (!isEnd || next.value.options.field.method == Method::kPaper) return std::nullopt;
@@ -199,7 +200,7 @@ void Curve::layBridges(const Next& next, Piece& piece) {
 
 void Curve::join(const Next& next, Piece& piece) {
   const CurveOptions& options = next.value.options;
-  // A polyline's paths have been found with its samples.
+  // The search for a polyline's samples has found its paths.
   if (options.shape.kind == CurveKind::kPolyline) return;
   const BasisWriter basis = basisOf(piece);
   std::optional<EdgeCrossings> crossings;

@@ -8,15 +8,15 @@
 #include "mesh/sorted_numbers.h"
 
 /// In a face, the points nearer than the radius form a union: each image contributes the part of
-/// its disk that it reaches. The union's border consists of arcs. Each circle is cut where it
-/// crosses the face's edges and its own image's rays. From the pieces inside both, the parts that
-/// another image undercuts are removed, cut by that image's circle and rays. The arcs of all faces
-/// are then joined where their ends meet.
+/// its disk that it reaches. The union's border consists of arcs. The face's edges and its own
+/// image's rays cut each circle into pieces. Other images undercut parts of the pieces inside both;
+/// their circles and rays cut these parts off. At last the arcs of all faces join where their ends
+/// meet.
 namespace karcher {
 namespace {
 
-/// Ends of arcs at most this far apart, in mean edges, may be one point: if an arc grazes an edge
-/// or a ray, its end moves by the square root of the rounding. The nearest ends are joined first.
+/// The distance, in mean edges, up to which ends of arcs may be one point: if an arc grazes an edge
+/// or a ray, its end moves by the square root of the rounding. The nearest ends join first.
 constexpr double kMeet = 1e-3;
 
 struct Arc {
@@ -103,7 +103,8 @@ class FaceArcs {
     });
   }
 
-  /// Appends the parts between cuts whose middle is kept. Adjacent parts become one piece.
+  /// Appends the parts between cuts whose middle satisfies `isKept`. Adjacent parts become one
+  /// piece.
   template <typename IsKept>
   void keepPieces(const Array<Piece>& from, double radius, const IsKept& isKept) {
     for (const Piece& piece : from) {
@@ -190,7 +191,7 @@ class FaceArcs {
   const SourceImage* begin_ = nullptr;
   const SourceImage* end_ = nullptr;
   Array<double> cuts_;
-  /// The pieces of the circle that is being cut, with angles from `first_` to a full turn beyond.
+  /// The pieces of the current circle, with angles from `first_` to a full turn beyond.
   Array<Piece> pieces_;
   Array<Piece> before_;
   double first_ = 0;
@@ -209,7 +210,7 @@ class ArcChains {
     const auto follow = [&](int end) {
       Isoline line;
       line.closed = false;
-      // Follow an arc from one end to the other, and go on to the end that meets it.
+      // The chain follows an arc to its other end, and goes on to the end that meets it.
       while (end >= 0 && !used[end / 2]) {
         used[end / 2] = 1;
         appendArc(end, line);
@@ -245,9 +246,9 @@ class ArcChains {
     return clampedPoint(arc.face, bary / bary.sum());
   }
 
-  /// Pairs each end with the nearest free one, the nearest pairs first. Ends within a radius are
-  /// paired before the radius grows. Most ends meet up to rounding, so that few are left when the
-  /// radius is so large that it contains every end of a narrow face.
+  /// Pairs each end with the nearest free one, the nearest pairs first. The radius grows after all
+  /// pairs within it. Most ends meet up to rounding, so that few remain when the radius is so large
+  /// that it contains every end of a narrow face.
   void pairEnds() {
     const int count = 2 * arcs_.count();
     partner_.assign(static_cast<size_t>(count), -1);
@@ -297,7 +298,7 @@ class ArcChains {
     }
   }
 
-  /// The two ends of an arc are one point only where it goes around.
+  /// Whether two ends may be one point. Those of one arc may only if it goes around.
   bool mayMeet(int a, int b) const {
     const Arc& arc = arcs_[a / 2];
     return b != (a ^ 1) || arc.end - arc.begin > kPi;

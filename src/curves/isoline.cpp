@@ -9,7 +9,7 @@
 namespace karcher {
 namespace {
 
-/// Traces one isoline after another by walking from face to face.
+/// Traces one isoline after another on a walk from face to face.
 class LinearIsolines {
  public:
   LinearIsolines(const TriangleMesh& mesh, const Array<double>& values, double level)
@@ -53,7 +53,7 @@ class LinearIsolines {
     return (mesh_.positions[mesh_.head(h)] - mesh_.positions[mesh_.tail(h)]).norm();
   }
 
-  /// Each face is left once, so that the walk ends at its first face or at the boundary.
+  /// The walk leaves each face once, so that it ends at its first face or at the boundary.
   void follow(int entry) {
     Isoline line;
     line.closed = false;

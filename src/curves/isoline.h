@@ -2,11 +2,11 @@
 
 #include "intrinsic/geometry.h"
 
-/// Isolines: lines of points at one distance from a source, with which circles are compared.
+/// Isolines: lines of points at one distance from a source. Studies compare circles with them.
 namespace karcher {
 
 /// A line on the surface, or one of several. Consecutive points share a face. The crossing of an
-/// edge may be given twice, once in each of its faces.
+/// edge may be two points, one in each of the edge's faces.
 struct Isoline {
   Array<SurfacePoint> points;
   /// whether the last point is the first one; if not, both ends lie on the boundary

@@ -18,9 +18,10 @@
 namespace karcher {
 namespace {
 
-/// The shortest side that is still divided if the isoline crosses it several times, for instance in
-/// the tip of a gap. Since distances are Lipschitz, points of a shorter one, both of whose ends are
-/// nearer or both farther, are beyond the line by at most half of it: by the tolerance.
+/// The shortest side that the tracer still divides if the isoline crosses it several times, for
+/// instance in the tip of a gap. The ends of a shorter side may both be nearer or both farther.
+/// Since distances are Lipschitz, its points are beyond the line by at most half of its length: by
+/// the tolerance.
 constexpr double kShortestSide = 2 * kOffsetTolerance;
 
 /// The number of steps of a search for the extremum on a side. Each keeps 0.62 of the interval.
@@ -30,7 +31,7 @@ constexpr int kExtremumSteps = 14;
 constexpr int kMostChordHalvings = 14;
 
 /// A corner of a piece of a face. Its weights are multiples of powers of two, without rounding, so
-/// that all pieces at the corner have equal ones.
+/// that all pieces at the corner have the same weights.
 struct PieceCorner {
   Vec3 bary;
   Vec2 place;
@@ -138,7 +139,7 @@ class OffsetTracer {
       lengths[k] = (corners[(k + 1) % 3].place - corners[k].place).norm();
       if (lengths[k] > lengths[longest]) longest = k;
     }
-    // Beyond the limit of the field, distances are taken to be the limit.
+    // Distances beyond the limit of the field count as the limit.
     const double atMiddle = std::min(field_.at(face, middle).value, kOffsetReach * distance_);
     if (std::abs(atMiddle - distance_) > radius * (1 + 1e-9)) return;
     int divided = lengths[longest] > kLongestSide * scale_ ? longest : -1;
@@ -166,7 +167,8 @@ class OffsetTracer {
     return {bary, pointInFace(geometry_, {face, bary}), distanceAt(face, bary)};
   }
 
-  /// Both faces at an edge query it in the same order, so that they get the same value.
+  /// The distance at a point. Both faces at an edge read it in the same order, so that they have
+  /// the same value.
   double distanceAt(int face, const Vec3& bary) const {
     for (int k = 0; k < 3; ++k) {
       if (bary[k] == 0) return atEdge(edgeOf(face, k), alongEdge(face, k, bary)).value;
@@ -238,8 +240,8 @@ class OffsetTracer {
     return field_.at(side.face, side.start + t * side.way).value;
   }
 
-  /// A point of a side that is not short, beyond the isoline seen from its corners, which are both
-  /// nearer or both farther: there both pieces at the side are divided.
+  /// A point of a side that lies beyond the isoline although both corners are nearer or both
+  /// farther; there the tracer divides both pieces at the side. Short sides have none.
   std::optional<Vec3> hiddenBetween(int face, const PieceCorner& a, const PieceCorner& b,
                                     double length) const {
     const bool nearer = isNearer(a.distance);
@@ -322,8 +324,8 @@ class OffsetTracer {
     for (int k = 0; k < 3; ++k) {
       const bool here = isNearer(corners[k].distance);
       if (here == isNearer(corners[(k + 1) % 3].distance)) continue;
-      // Nearer points lie on the left of the line, so that it begins where the boundary of the
-      // piece, followed counterclockwise, leaves them.
+      // Nearer points lie on the left of the line. So it begins where the boundary of the piece,
+      // followed counterclockwise, leaves them.
       (here ? leave : enter) = k;
     }
     if (enter < 0) return;
@@ -345,13 +347,13 @@ class OffsetTracer {
     const auto keeps = [&](double value) {
       return std::abs(value - distance_) <= kOffsetTolerance * scale_;
     };
-    // A chord may cross the line in its middle: its quarters are tested, too.
+    // A chord may cross the line in its middle, so its quarters count, too.
     if (halvings == 0 || (keeps(atMiddle) && keeps(field_.at(face, (from + middle) / 2).value) &&
                           keeps(field_.at(face, (middle + to) / 2).value))) {
       return;
     }
     const Vec2 chord = to - from;
-    // If the middle is nearer, search away from the nearer points, else towards them.
+    // From a nearer middle, the search goes away from the nearer points, else towards them.
     const double sign = isNearer(atMiddle) ? 1 : -1;
     const Vec2 aside = sign * Vec2(chord.y(), -chord.x());
     double edge = kInfinity;
@@ -364,8 +366,8 @@ class OffsetTracer {
     double part = 0;
     double reach = std::min(1.0, edge);
     double atPart = atMiddle;
-    // The tip of a gap may lie farther away than the chord is long: the step doubles as long as it
-    // comes nearer to the line. The line may also run along an edge, where the steps end.
+    // The tip of a gap may lie farther away than the chord is long. So the step doubles as long as
+    // it comes nearer to the line. The line may also run along an edge, where the steps end.
     while (true) {
       const double atReach = value(reach);
       if (isNearer(atReach) != isNearer(atPart)) {
@@ -389,7 +391,7 @@ class OffsetTracer {
   const TriangleMesh& mesh_;
   const PathDistance& field_;
   double distance_;
-  double scale_;  ///< the length of which tolerances are parts
+  double scale_;  ///< The length to which tolerances are relative.
   int64_t pieces_ = 0;
   std::map<CrossingKey, int> numbers_;
   Array<LinePoint> crossings_;
@@ -417,7 +419,7 @@ void appendRuns(const OffsetTracer& tracer, Array<LinePoint> line, bool closed,
     runs.push_back({pointsOf(line), line.front().side, closed});
     return;
   }
-  // A closed line that is divided begins at a change.
+  // The run of a divided closed line begins at a change.
   if (closed) {
     line.pop_back();
     std::rotate(line.begin(), change + 1, line.end());

@@ -15,7 +15,7 @@ enum class CornerShape { kRound, kMiter, kBevel };
 struct OffsetCorners {
   CornerShape shape = CornerShape::kRound;
   /// The largest distance between the tip of a mitre and its corner, in distances of the offset, as
-  /// in SVG. Corners that would exceed it are bevelled.
+  /// in SVG. A corner that would exceed it has a bevel.
   double miterLimit = 4;
 };
 
@@ -25,23 +25,23 @@ struct OffsetCorners {
 /// Lines on one side run in the direction of the paths; on both, they have nearer points on their
 /// left.
 ///
-/// Faces are halved along their longest sides until these are short compared with the distance.
-/// Since distances are Lipschitz, pieces too near or too far to contain the line are skipped.
-/// Points lie at the distance up to rounding, and chords stay within kOffsetTolerance of it.
-/// Features narrower than a twelfth of the distance may be missed.
+/// The tracer halves faces along their longest sides until these are short compared with the
+/// distance. Since distances are Lipschitz, it can skip pieces too near or too far to contain the
+/// line. Points lie at the distance up to rounding, and chords stay within kOffsetTolerance of it.
+/// The lines may omit features narrower than a twelfth of the distance.
 ///
 /// Several distances are those at equal parts of the length of each path, linear between; on a
 /// closed path the first follows the last. The lines are then the border of all disks around places
 /// of the paths whose radii are the distances there. Along a straight piece it is straight, and
-/// touches the disks of both ends. Tolerances are parts of the least distance, or, if that is
-/// less, of kNarrowestOffset times the greatest.
+/// touches the disks of both ends. Tolerances are parts of the least distance, or, if that is less,
+/// of kNarrowestOffset times the greatest.
 ///
 /// Corners that are not round follow cornered_offset.h.
 ///
 /// Throws Error kBadArgument (no distance that is positive, one that is negative or not finite,
-/// several with corners that are not round, a path without length, points
-/// without a face in common, a limit of mitres below 1, more than kMostOffsetPieces pieces of
-/// faces, or more corners that are not round than there is room for).
+/// several with corners that are not round, a path without length, points without a face in common,
+/// a limit of mitres below 1, more than kMostOffsetPieces pieces of faces, or more corners that are
+/// not round than there is room for).
 Array<Isoline> offsetLines(const Geometry& geometry, std::span<const SurfacePath> paths,
                            std::span<const double> distances, OffsetSide side,
                            const OffsetCorners& corners = {});

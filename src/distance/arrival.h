@@ -13,7 +13,7 @@ struct Arrival {
   int pseudoSource = -1;  ///< the last vertex at which the path turns, or -1 if it is straight
 };
 
-/// The largest miss, as a part of the edge, with which a line still counts as passing through a
+/// The largest miss, as a part of the edge, with which a line still counts as a line through a
 /// window.
 inline constexpr double kSeenTolerance = 1e-10;
 
@@ -21,9 +21,9 @@ inline constexpr double kSeenTolerance = 1e-10;
 /// of the same length wins, since its direction is exact.
 inline double bentLength(double length) { return length * (1 + kLocalRounding); }
 
-/// Whether two lengths differ only by rounding. The numbers of the mesh's elements then decide
-/// between the paths, so that a moved mesh has the same path unless its coordinates are rounded
-/// more coarsely.
+/// Whether two lengths differ only by rounding. If so, the numbers of the mesh's elements decide
+/// between the paths. A moved mesh then has the same path unless its coordinates are rounded more
+/// coarsely.
 inline bool isTie(double a, double b) {
   constexpr double kRounding = 2e-13;
   return b < kInfinity && std::abs(a - b) <= kRounding * b;

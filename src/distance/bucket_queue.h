@@ -7,14 +7,14 @@
 namespace karcher {
 
 /// A queue of items with keys >= 0. Items leave in the order of their keys, up to the width of a
-/// bucket, and first in, first out within a bucket. An item may be pushed into the bucket that is
-/// being emptied. An item with a key beyond the ring of buckets leaves early, never late.
+/// bucket, and first in, first out within a bucket. An item may enter the bucket that `pop` is
+/// emptying. An item with a key beyond the ring of buckets leaves early, never late.
 class BucketQueue {
  public:
   explicit BucketQueue(double width)
       : width_(width), inverseWidth_(1 / width), buckets_(static_cast<size_t>(kBuckets)) {}
 
-  /// The bucket of a key, or the bucket that is being emptied if that is later.
+  /// The bucket of a key, or the current bucket if that is later.
   int bucketOf(double key) const {
     const int last = current_ + kBuckets - 1;
     const double bucket = key * inverseWidth_;
@@ -28,7 +28,7 @@ class BucketQueue {
 
   bool empty() const { return count_ == 0; }
 
-  /// The bucket that is being emptied, and the least key that an item may still have.
+  /// The bucket that `pop` is emptying, and the least key that an item may still have.
   int current() const { return current_; }
   double leastKey() const { return current_ * width_; }
 

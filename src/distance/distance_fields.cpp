@@ -14,7 +14,7 @@
 namespace karcher {
 namespace {
 
-/// A thread's work: the fields of points that no other thread has taken, until none is left.
+/// A thread's work: the fields of points that no other thread has taken, until no point remains.
 class Worker {
  public:
   Worker(const Geometry& geometry, const Array<SurfacePoint>& points, double tolerance)
@@ -45,7 +45,7 @@ class Worker {
   WindowDistance solver_;
 };
 
-/// Threads that are joined at the end of the block, even if an exception leaves it.
+/// Threads that the end of the block joins, even if an exception leaves it.
 class Joined {
  public:
   Joined() = default;
@@ -75,8 +75,8 @@ Array<Array<double>> distanceFields(const Geometry& geometry, const Array<Surfac
   Array<Array<double>> fields(points.size(), Array<double>());
   Array<std::exception_ptr> failures(points.size(), nullptr);
   std::atomic<int> taken = 0;
-  // All workers are created before the first one starts, so that an exception of a constructor
-  // leaves no thread behind.
+  // All workers exist before the first one starts, so that an exception of a constructor leaves no
+  // thread behind.
   Array<std::unique_ptr<Worker>> workers;
   for (int i = 0; i < std::min(threads, points.count()); ++i) {
     workers.push_back(std::make_unique<Worker>(geometry, points, tolerance));

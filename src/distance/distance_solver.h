@@ -17,8 +17,8 @@ struct MidpointArrival {
   Vec2 toSource = Vec2(1, 0);
 };
 
-/// The last step of the path to a vertex: it starts from the point that lies at `part` of the line
-/// from `tail` to `head`, two neighbours of the vertex.
+/// The last step of the path to a vertex. It starts from the point at `part` of the line from
+/// `tail` to `head`, two neighbours of the vertex.
 struct PathStep {
   int tail = -1;  ///< -1 at the source
   int head = -1;
@@ -40,7 +40,7 @@ class DistanceSolver {
   virtual ~DistanceSolver() = default;
 
   /// Starts anew from a point of a face, an edge or a vertex. The time grows with the part of the
-  /// mesh that was touched.
+  /// mesh that the previous search reached.
   virtual void setSource(const SurfacePoint& source) = 0;
 
   /// From the next `setSource` on, allows the solver to omit places from which the straight line to
@@ -66,18 +66,18 @@ class DistanceSolver {
 
   /// -2 log_v(source), the gradient of the squared distance, in the frame of the vertex. Its length
   /// is 2 d, and it points in the direction in which the path would continue beyond the vertex. It
-  /// is meaningless where no path has arrived.
+  /// has no meaning where no path has arrived.
   virtual Vec2 logVector(int vertex) const = 0;
 
-  /// The last step of the path to a final vertex. An empty step if the solver does not know it.
+  /// The last step of the path to a final vertex; an empty step if the solver does not know it.
   virtual PathStep stepTo(int) const { return {}; }
 
   /// From the next `setSource` on, also finds the midpoints of edges. Returns false if the solver
   /// cannot.
   virtual bool keepMidpoints() { return false; }
 
-  /// The arrival at the midpoint of an edge that is not on the boundary, given by one of its
-  /// half-edges. It is final once its distance is <= reached(). Requires `keepMidpoints`.
+  /// The arrival at the midpoint of an edge that is not on the boundary; the argument is one of its
+  /// half-edges. The arrival is final once its distance is <= reached(). Requires `keepMidpoints`.
   virtual MidpointArrival midpointOf(int) const { return {}; }
 
   /// The approximate number of bytes of its values.

@@ -13,15 +13,15 @@ namespace {
 /// The largest distance between points for the thorough searches, in mean edges.
 constexpr double kNear = 100;
 
-/// The weight of searches between points that are farther apart (strip_search.h).
+/// The weight of searches between points that lie farther apart than kNear (strip_search.h).
 constexpr double kGreedyWeight = 1.2;
 
-/// The length, in mean edges, of the pieces in which paths between such points are searched again.
+/// The length, in mean edges, of the pieces in which the search improves paths between such points.
 constexpr double kPiece = 24;
 
 /// An order of a path's ends that depends neither on its direction nor on the surface's position in
-/// space: by the weights of the points, then by the angles at the first of their nearest vertices.
-/// If these are equal, the mesh's numbers decide.
+/// space. First the weights of the points decide, then the angles at the first of their nearest
+/// vertices. If these are equal, the mesh's numbers decide.
 bool isBefore(const Geometry& geometry, const SurfacePoint& a, const SurfacePoint& b) {
   const auto told = [&](const SurfacePoint& point) {
     int corner = 0;

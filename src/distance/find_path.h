@@ -4,12 +4,12 @@
 #include "intrinsic/surface_path.h"
 #include "intrinsic/taut_search.h"
 
-/// A fast search for a short path between any two points. Strips of faces are searched from both
-/// ends and pulled tight; where that makes them shorter, they are led over vertices beside them.
-/// The shortest of the resulting paths counts. It is locally shortest, and seldom longer than the
-/// shortest path by more than a thousandth. The work grows as the square of the distance up to a
-/// hundred mean edges. Beyond, greedier searches find a first path, which is then searched again
-/// piece by piece.
+/// A fast search for a short path between any two points. It finds strips of faces from both ends
+/// and pulls the paths in them tight; it also leads strips over vertices beside them if that
+/// shortens the paths. The result is the shortest of these paths. It is locally shortest, and
+/// seldom longer than the shortest path by more than a thousandth. The work grows as the square of
+/// the distance up to a hundred mean edges. Beyond, greedier searches find a first path, which the
+/// search then improves piece by piece.
 namespace karcher {
 
 /// Scratch memory, which can be reused.
@@ -22,8 +22,8 @@ struct FindPathWorkspace {
 };
 
 struct FindPathOptions {
-  /// Whether to compare the path with the exact shortest one (shortest_path.h), which takes far
-  /// longer, and to return the shorter of the two.
+  /// Whether to compare the path with the exact shortest one (shortest_path.h) and to return the
+  /// shorter of the two. The comparison takes far longer.
   bool certified = false;
 };
 

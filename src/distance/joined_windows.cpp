@@ -9,20 +9,20 @@
 namespace karcher {
 namespace {
 
-/// The part of the height of the kink where two windows meet, over the chord between their outer
-/// ends, by which the joint window cuts the kink off. With this value the mean error of distances
-/// is about zero.
+/// The depth at which the joint window cuts off the kink where two windows meet, as a part of the
+/// kink's height over the chord between their outer ends. With this value the mean error of
+/// distances is about zero.
 constexpr double kAboveKink = 0.25;
 
 /// The largest distance of a joint source, in widths of its window. Real fronts are never quite
 /// straight.
 constexpr double kFarthestSource = 1000;
 
-/// The widest gap, as a part of the edge, that may open where windows are joined.
+/// The widest gap, as a part of the edge, that a join of windows may open.
 constexpr double kWidestGap = 0.1;
 
-/// The largest difference between the distances of a vertex and of a front that is still the
-/// vertex's own, as a part of the tolerance.
+/// The largest difference between the distances of a vertex and of its own front, as a part of the
+/// tolerance.
 constexpr double kSameFront = 0.25;
 
 /// The slope of distances along the edge at x, which turns as the ray through x does.
@@ -30,16 +30,16 @@ double slopeAt(const Window& w, double x) {
   return (x - w.sourceX) / std::sqrt(squaredLegTo(w, x));
 }
 
-/// What a window was before others were joined to it.
+/// The original state of a window to which others were joined.
 struct Origin {
   double change = 0;      ///< the sum of the changes of distances along the edge
   double beginSlope = 0;  ///< the slope at its begin, once there is a change
 };
 
-/// Joins two windows, neither of which contains the other, to one over both, unless distances along
-/// the edge would change by more than the tolerance. The joint source keeps the distances at the
-/// two outer ends. Together with the distance where the windows meet, these give the front's
-/// curvature, and so the offset.
+/// Joins two windows, neither of which contains the other, to one over both. Returns false if
+/// distances along the edge would change by more than the tolerance. The joint source keeps the
+/// distances at the two outer ends. Together with the distance where the windows meet, these give
+/// the front's curvature, and so the offset.
 bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& origin) {
   const double tolerance = edge.tolerance - origin.change;
   const double begin = first.begin;
@@ -167,8 +167,9 @@ void joinWindows(const JoinedEdge& edge, Array<Window>& windows) {
   }
   windows.resize(static_cast<size_t>(last + 1));
 
-  // The rays at the ends of joint windows differ from those of the original windows. A gap between
-  // them and an end of the edge is closed if the vertex there is known to lie on the same front.
+  // The rays at the ends of joint windows differ from those of the original windows. They leave a
+  // gap at an end of the edge. If the vertex there is known to lie on the same front, the gap is
+  // closed.
   const double sameFront = kSameFront * edge.tolerance;
   const double gap = kWidestGap * length;
   Window& first = windows[0];

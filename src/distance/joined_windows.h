@@ -10,8 +10,8 @@ struct JoinedEdge {
   double length = 0;
   double tolerance = 0;  ///< the largest permitted change of distances along the edge
   double turn =
-      0;  ///< how far the rays at the ends of windows may turn inwards, as a change of slope
-  double tailDistance = 0;  ///< the distances of the ends, as far as known
+      0;  ///< the change of slope by which the rays at the ends of windows may turn inwards
+  double tailDistance = 0;  ///< the distances of the ends, or upper bounds on them
   double headDistance = 0;
 };
 

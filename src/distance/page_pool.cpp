@@ -8,8 +8,8 @@
 namespace karcher {
 namespace {
 
-/// The inverse of the part of all pages that is allocated at once, in one block, when there is no
-/// spare page.
+/// If no page is spare, the pool allocates one block of 1 / kGrowth of the pages that it has, plus
+/// one.
 constexpr int kGrowth = 8;
 
 /// The number of page numbers for which memory is reserved first.
@@ -30,7 +30,7 @@ void PagePool::put(Shelf& shelf, void* page) noexcept {
 }
 
 void* PagePool::take(size_t bytes, int number, Array<int>& numbers) {
-  // The array grows before a page is taken, so that its number can be recorded in any case.
+  // The array grows first, so that it can always record the page's number.
   if (numbers.size() == numbers.capacity()) numbers.reserve(2 * numbers.size() + kFirstNumbers);
   Shelf& shelf = shelfOf(bytes);
   if (shelf.spare == nullptr) grow(shelf);
@@ -44,7 +44,7 @@ void PagePool::give(void* page, size_t bytes) noexcept { put(shelfOf(bytes), pag
 
 void PagePool::grow(Shelf& shelf) {
   const int more = 1 + shelf.pages / kGrowth;
-  // The list grows before the block is allocated, so that the block is recorded in any case.
+  // The list grows first, so that it can always record the block.
   if (shelf.blocks.size() == shelf.blocks.capacity())
     shelf.blocks.reserve(2 * shelf.blocks.size() + 8);
   auto* const memory =

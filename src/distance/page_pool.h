@@ -21,7 +21,7 @@ class PagePool {
   void* take(size_t bytes, int number, Array<int>& numbers);
   void give(void* page, size_t bytes) noexcept;
 
-  /// Frees the pages that no array holds, except those allocated in one block with held ones.
+  /// Frees the pages that no array holds. A page stays if its block has a page that an array holds.
   void trim() noexcept;
 
  private:
@@ -29,11 +29,11 @@ class PagePool {
   struct Spare {
     Spare* next;
   };
-  /// Pages that were allocated together, side by side.
+  /// Pages side by side that were allocated together.
   struct Block {
     std::byte* memory;
     int pages;
-    int spare;  ///< the number of its spare pages, counted while the pool is trimmed
+    int spare;  ///< the number of its spare pages, which `trim` counts
   };
   /// The pages of one size.
   struct Shelf {

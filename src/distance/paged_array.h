@@ -17,7 +17,7 @@ namespace karcher {
 template <class T, int kPageBits>
 class PagedArray {
  public:
-  /// Pages are taken from the pool, which other arrays may share.
+  /// Pages come from the pool, which other arrays may share.
   explicit PagedArray(int count, std::shared_ptr<PagePool> pool = newPagePool())
       : count_(count),
         pageOf_(static_cast<size_t>(count >> kPageBits) + 1, nullptr),
@@ -26,7 +26,7 @@ class PagedArray {
   PagedArray& operator=(PagedArray&&) = delete;
   ~PagedArray() { clear(); }
 
-  /// The element, created if it does not exist.
+  /// The element. Creates it if it does not exist.
   T& touch(int i) {
     T* page = pageOf_[i >> kPageBits];
     if (page == nullptr) page = addPage(i >> kPageBits);

@@ -22,7 +22,7 @@ Vec2 wayThrough(const Window& window, bool isFront, double x) {
 }
 
 /// Trims the part of a window that paths over the ends of an edge of this length beat. Returns
-/// false if nothing is left.
+/// false if nothing remains.
 bool trimFront(Window& window, double tailDistance, double headDistance, double length) {
   const double slope = window.sourceX;
   const double tail = beatingLength(tailDistance);
@@ -151,7 +151,8 @@ void PathDistance::carryAcross(const Waiting& waiting) {
     carried.depth = waiting.isFront ? seen.y() : std::max(0.0, -seen.y());
     if (waiting.isFront && !(seen.y() > 0)) continue;
     if (waiting.isFront) carried.offset = window.offset + source.dot(from);
-    // Drop the window if the vertex at the other end of the edge that it crossed beats all of it.
+    // If the vertex at the other end of the edge that the window crossed beats all of it, it is
+    // dropped.
     const double far = arrivals_[isHead ? mesh_.tail(h) : mesh_.head(h)].distance;
     const Vec2 farPlace = isHead ? Vec2(0, 0) : Vec2(length, 0);
     const double farEnd = isHead ? carried.end : carried.begin;
@@ -212,7 +213,7 @@ PathDistance::Distance PathDistance::at(int face, const Vec2& place) const {
   const double gap = kChainRounding * geometry_.meanEdge;
   for (int i = firstOfFace_[number]; i < firstOfFace_[number + 1]; ++i) {
     const Image& image = images_[i];
-    // The region behind the line that an image comes from does not belong to the image.
+    // The region behind an image's line does not belong to the image.
     const auto offerBeyond = [&](double value) {
       if (value >= image.least - gap) offer(std::max(value, image.least), image.side);
     };

@@ -13,34 +13,34 @@
 ///
 /// A shortest connection to a path meets it at a right angle, or at a point where the path turns or
 /// ends, in the wedge between the right angles there. So each straight piece of a path sends out a
-/// front to both of its sides, and each turn a fan. Both are propagated from face to face as
-/// windows (D. Bommes, L. Kobbelt, "Accurate computation of geodesic distance fields for polygonal
-/// curves on triangle meshes", 2007). Windows that vertices beat are trimmed or dropped, and
-/// vertices of negative curvature send out fans behind them, as in window_distance.h. Every face
-/// keeps the images of the paths that it sees, from which the distance of any point follows.
+/// front to both of its sides, and each turn a fan. Both travel from face to face as windows (D.
+/// Bommes, L. Kobbelt, "Accurate computation of geodesic distance fields for polygonal curves on
+/// triangle meshes", 2007). As in window_distance.h, vertices that beat windows trim or end them,
+/// and vertices of negative curvature send out fans behind them. Every face keeps the images of the
+/// paths that it sees, from which the distance of any point follows.
 ///
 /// Where the width changes along a piece, its fronts are tilted: the cosine of their angle with the
-/// piece is the rate at which the width decreases. A piece along which the width changes by its
-/// length or more lies in the disk of one of its ends, whose fan takes the place of its fronts.
+/// piece is the rate at which the width decreases. If the width changes by the length of a piece or
+/// more, the piece lies in the disk of one of its ends. The fan of that end then takes the place of
+/// its fronts.
 namespace karcher {
 
 /// The side of a path from which a shortest connection arrives; kEnd if it arrives around an end.
 enum class SideOfPath : int8_t { kLeft = 1, kRight = -1, kEnd = 0 };
 
-/// The points of a path. A point that equals the previous one up to rounding is omitted, since
-/// directions between them would have no digits. Throws Error kBadArgument, naming the path by
-/// `number`, if it has no length, or if consecutive points have no face in common.
+/// The points of a path. If a point equals the previous one up to rounding, it is omitted, since
+/// directions between them would have no digits. Throws Error kBadArgument if the path has no
+/// length, or if consecutive points have no face in common; `number` names the path.
 Array<SurfacePoint> pointsApart(const Geometry& geometry, const SurfacePath& path, int number);
 
 class PathDistance {
  public:
   /// Finds the distances of all points that are at most `limit` away. The geometry must outlive the
-  /// object. Throws Error kBadArgument if a path has no length, if consecutive points have no face
-  /// in common, or if more than kMostWindowsPerFace windows for each face are needed.
-  ///
-  /// `widths` are those at equal parts of the length of each path, linear between; on a closed path
-  /// the first follows the last. The distance is then the least sum, over all places of the paths,
-  /// of the distance from the place and the difference between the greatest width and the place's.
+  /// object. `widths` are those at equal parts of the length of each path, linear between; on a
+  /// closed path the first follows the last. The distance is then the least sum, over all places of
+  /// the paths, of the distance from the place and the difference between the greatest width and
+  /// the place's. Throws Error kBadArgument if a path has no length, if consecutive points have no
+  /// face in common, or if the search needs more than kMostWindowsPerFace windows for each face.
   PathDistance(const Geometry& geometry, std::span<const SurfacePath> paths, double limit,
                std::span<const double> widths = {});
 
@@ -72,8 +72,8 @@ class PathDistance {
     Vec2 left = Vec2::Zero();
   };
 
-  /// A window that waits to be propagated across the face of a half-edge. For a front, `sourceX`
-  /// and `depth` are its direction, and `offset` is the distance at the tail of the half-edge.
+  /// A window that waits to cross the face of a half-edge. For a front, `sourceX` and `depth` are
+  /// its direction, and `offset` is the distance at the tail of the half-edge.
   struct Waiting {
     double key = 0;
     int number = 0;
@@ -128,7 +128,7 @@ class PathDistance {
 };
 
 /// The distances of points from the nearest of the paths; kInfinity where no connection exists. The
-/// search stops as soon as all distances are known. Throws Error as PathDistance does.
+/// search stops as soon as all distances are known. Throws what PathDistance throws.
 Array<double> distancesFromPaths(const Geometry& geometry, std::span<const SurfacePath> paths,
                                  std::span<const SurfacePoint> points);
 

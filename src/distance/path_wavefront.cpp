@@ -29,8 +29,8 @@ Array<SurfacePoint> pointsApart(const Geometry& geometry, const SurfacePath& pat
       refusePath("has points " + std::to_string(i - 1) + " and " + std::to_string(i) +
                  " that have no face in common");
     }
-    // If the last point kept shares no face with this one, the omitted point between them is
-    // needed.
+    // If the last kept point shares no face with this one, the path needs the omitted point between
+    // them.
     if (i > 0 && !haveCommonFace(mesh, apart.back(), points[i])) apart.push_back(points[i - 1]);
     if (apart.empty() || (position(mesh, apart.back()) - position(mesh, points[i])).norm() >
                              kLocalRounding * geometry.meanEdge) {
@@ -41,15 +41,15 @@ Array<SurfacePoint> pointsApart(const Geometry& geometry, const SurfacePath& pat
   return apart;
 }
 
-/// The number of parts of a path along which the width is linear; 0 if there is but one width.
+/// The number of parts of a path along which the width is linear; 0 for a single width.
 int PathDistance::partsOf(const SurfacePath& path) const {
   const int count = static_cast<int>(widths_.size());
   if (count < 2) return 0;
   return samePlace(mesh_, path.points.front(), path.points.back()) ? count : count - 1;
 }
 
-/// The distance of a place of a path, given by its length along the path: the difference between
-/// the greatest width and its own.
+/// The distance of a place of a path, at a length along the path: the difference between the
+/// greatest width and its own.
 double PathDistance::startAt(const SurfacePath& path, double length) const {
   const int parts = partsOf(path);
   if (parts == 0) return 0;
@@ -206,8 +206,8 @@ void PathDistance::leaveTurn(const SurfacePath& path, int index) {
   const auto leave = [&](double from, double to, SideOfPath side) {
     if (to - from > kChainRounding) leaveFan(fan, from, to, start, side);
   };
-  // The fan counterclockwise from one piece to another, on the surface. At a point of the boundary
-  // it may have two parts, the second one on the other side of a path that ends there.
+  // The fan goes counterclockwise from one piece to another, on the surface. At a point of the
+  // boundary it may have two parts, the second one on the other side of a path that ends there.
   const auto leaveBetween = [&](const Piece& one, const Piece& other, SideOfPath side,
                                 SideOfPath second) {
     const double from = one.angle + one.opening;

@@ -5,7 +5,7 @@
 
 #include "distance/window_distance.h"
 
-// The last part of a search by windows: vertices that no window reaches are reached along edges.
+// The last part of a search by windows: paths along edges to vertices that no window reaches.
 namespace karcher {
 
 /// Continues along edges, from the vertices that were reached to all others (E. Dijkstra's
@@ -30,7 +30,7 @@ void WindowDistance::reachAlongEdges() {
       reach(mesh_.opposite(h), geometry_.edgeLength[via], h, 0);
     }
   };
-  // Windows come first: this reaches only vertices without one.
+  // Windows come first: paths along edges reach only vertices without one.
   Array<int> reached;
   vertices_.forEach([&](int v) {
     if (vertices_.touch(v).arrival.distance == kInfinity) return;

@@ -37,7 +37,7 @@ bool RingGraphBuilder::advance(int vertices) {
   return nextVertex_ == count;
 }
 
-/// Grows the arrays to the estimated size of the whole graph. Doubling them would take twice the
+/// Grows the arrays to the estimated size of the whole graph. Doubled arrays would take twice the
 /// memory on a large mesh.
 void RingGraphBuilder::makeRoom(size_t arcs) {
   const size_t needed = graph_.target.size() + arcs;

@@ -4,7 +4,7 @@
 #include "intrinsic/geometry.h"
 
 /// The graph of the paper's approximate distances. Arcs join each vertex to the vertices of its
-/// k-ring and are as long as the straight lines between them across the faces of the ring (a
+/// k-ring, and are as long as the straight lines between them across the faces of the ring (a
 /// variation of S. Xin, G. Wang 2007). Vertices of the ring that do not see each other have no arc:
 /// a shortest path between them turns at vertices and consists of several arcs. The program of the
 /// paper's authors also joins vertices whose path turns at a saddle. Its curves lie .02 to .08 mean
@@ -26,7 +26,7 @@ void checkRings(int rings);
 /// A builder of the graph in slices, so that a caller can show progress and stop the work.
 class RingGraphBuilder {
  public:
-  /// The geometry must outlive the builder. Throws as `checkRings` does.
+  /// The geometry must outlive the builder. Throws what `checkRings` throws.
   RingGraphBuilder(const Geometry& geometry, int rings);
 
   /// Adds the next `vertices` vertices. Returns true when all are done.

@@ -16,8 +16,8 @@ namespace {
 /// The largest relative difference between the length of a path's points and its distance.
 [[maybe_unused]] constexpr double kSameMeasure = 1e-6;
 
-/// The vertex through which a straight piece may go at a walk's point, or -1. It may pass at a
-/// distance of ten times kSeenTolerance, since windows see past their ends.
+/// The vertex through which a straight piece may go at a walk's point, or -1. Its distance from the
+/// point may be ten times kSeenTolerance, since windows see past their ends.
 int vertexAt(const Geometry& geometry, const SurfacePoint& point) {
   int corner = 0;
   if (point.bary.maxCoeff(&corner) < 1 - kChainRounding) return -1;
@@ -25,9 +25,8 @@ int vertexAt(const Geometry& geometry, const SurfacePoint& point) {
 }
 
 /// Appends the points of a straight piece that starts `left` from the source, without its first, up
-/// to the first saddle. At a saddle there is no unique straight continuation, and the path
-/// continues with the saddle's own shortest path. Returns that vertex, or -1 if the piece is
-/// complete.
+/// to the first saddle. A saddle has no unique straight continuation, so the path continues with
+/// the saddle's own shortest path. Returns that vertex, or -1 if the piece is complete.
 int appendUpToSaddle(const Geometry& geometry, const WindowDistance& distance,
                      const SurfacePath& path, double left, Array<SurfacePoint>& points) {
   const SurfacePoint start = path.start();
@@ -66,9 +65,9 @@ void followBack(const Geometry& geometry, const WindowDistance& distance, Surfac
   }
 }
 
-/// Reverses the points that were traced from the target to the source, and removes repetitions.
-/// Rounding may lead the trace along an edge, or past an edge's end, into faces next to the path's;
-/// straight lines close such gaps. `length` is the path's distance.
+/// Reverses the points traced from the target to the source, and removes repetitions. Rounding may
+/// lead the trace along an edge, or past an edge's end, into faces next to the path's; straight
+/// lines close such gaps. `length` is the path's distance.
 SurfacePath cleaned(const Geometry& geometry, const Array<SurfacePoint>& walked,
                     [[maybe_unused]] double length) {
   const TriangleMesh& mesh = *geometry.mesh;

@@ -6,11 +6,11 @@
 
 namespace karcher {
 
-/// An exact shortest path between two surface points. Windows are propagated from one point until
-/// the other is final; then straightest geodesics lead back from turn to turn and from saddle to
-/// saddle. The path's points are the ends, crossings of edges, and the vertices at which it turns
-/// or that it meets. If several paths are shortest, it is one of them. Throws Error kUnreachable if
-/// the points lie on different components.
+/// An exact shortest path between two surface points. Windows spread from one point until the other
+/// is final; then straightest geodesics lead back from turn to turn and from saddle to saddle. The
+/// path's points are the ends, crossings of edges, and the vertices at which it turns or that it
+/// meets. If several paths are shortest, it is one of them. Throws Error kUnreachable if the points
+/// lie on different components.
 SurfacePath shortestPath(const Geometry& geometry, const SurfacePoint& from,
                          const SurfacePoint& to);
 

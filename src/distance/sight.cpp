@@ -9,17 +9,19 @@
 namespace karcher {
 namespace {
 
-/// The most bends of a path. Paths with more are left to solvers.
+/// The most bends of a path. Solvers find paths with more.
 constexpr int kMostBends = 8;
-/// The number of strips tried for a path, each with a better aim or on the other side of a vertex.
+/// The number of strips that the search tries for a path, each with a better aim or on the other
+/// side of a vertex.
 constexpr int kMostWalks = 6;
 
-/// A ratio of lengths: a path longer than this many times the line in space is compared with those
-/// found to either side, since over a ridge, or around a limb, several paths are straight.
+/// The ratio of a path's length to the line in space above which the search compares it with paths
+/// to either side: over a ridge, or around a limb, several paths are straight.
 constexpr double kSmallDetour = 1.1;
 constexpr double kAside = 0.7;  ///< in radians
-/// A ratio of lengths: a path longer than this many times the line may not be the shortest and is
-/// rejected. So is a compared path that passes a vertex of the curvature kSharp.
+/// The ratio of a path's length to the line in space above which the search rejects it, since it
+/// may not be the shortest. The search also rejects a compared path that passes a vertex of the
+/// curvature kSharp.
 constexpr double kMostDetour = 1.4;
 constexpr double kSharp = 0.25;  ///< in radians
 
@@ -58,7 +60,7 @@ class SightLine {
     for (int walk = 0; walk < kMostWalks; ++walk) {
       if (!follow(aim)) return std::nullopt;
       if (leaving_ < 0) {
-        // Steps after the first are halved, since full ones may alternate between two aims.
+        // Full steps may alternate between two aims, so steps after the first are half as long.
         aim += (walk == 0 ? 1 : 0.5) * better_;
         continue;
       }
@@ -87,7 +89,7 @@ class SightLine {
 
   /// Follows the line to an aim across faces up to one with the vertex. If the aim lies in an
   /// earlier face, `leaving_` is negative and `better_` leads from the aim to a better one. Returns
-  /// false if the line cannot be followed.
+  /// false if the line cannot continue.
   bool follow(const Vec2& aim) {
     leaving_ = -1;
     sideCount_ = 0;

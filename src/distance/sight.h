@@ -4,18 +4,18 @@
 
 #include "distance/distance_solver.h"
 
-/// Straight paths to near vertices. Each is found independently, so that a few of them cost less
-/// than a solver that grows over all vertices between.
+/// Straight paths to near vertices. A search finds each by itself, so that a few of them cost less
+/// than a solver that grows over all vertices between. It unfolds the faces along the line in
+/// space, pulls the path tight between the sides of this strip, and leads the strip around the
+/// other side of a vertex as long as that makes the path shorter. This is the algorithm of
+/// strip_path.h, but it uses only the stack and finds only the length and the direction.
 ///
-/// The faces along the line in space are unfolded, the path is pulled tight between the sides of
-/// this strip, and the strip is led around the other side of a vertex as long as that makes the
-/// path shorter. This is the algorithm of strip_path.h, but it uses only the stack and finds only
-/// the length and the direction. Among several straight paths it usually finds the shortest. Among
-/// vertices up to 6 edges away, no path is a thousandth too long on stanford-bunny, .07 % are on
-/// armadillo, and .2 % on spot, whose ears are thin, by a quarter at most.
+/// Among several straight paths it usually finds the shortest. Among vertices up to 6 edges away,
+/// no path is a thousandth too long on stanford-bunny, .07 % are on armadillo, and .2 % on spot,
+/// whose ears are thin, by a quarter at most.
 namespace karcher {
 
-/// The most faces that a path crosses. Paths that cross more are left to solvers.
+/// The most faces that a path crosses. Solvers find paths that cross more.
 inline constexpr int kMostFacesOfSight = 64;
 
 /// The start of paths, in one of its faces.
@@ -39,9 +39,9 @@ struct Sight {
   Vec2 logVector = Vec2::Zero();  ///< -2 log_v(source), in the frame of the vertex
 };
 
-/// The path from a source to a near vertex. None if no straight path is found, or if it is so much
-/// longer than the line in space that another may be shorter. It depends only on the source and the
-/// vertex; on a plane it is the straight line.
+/// The path from a source to a near vertex. It depends only on the source and the vertex; on a
+/// plane it is the straight line. It is empty if the search finds no straight path, or if the path
+/// is so much longer than the line in space that another may be shorter.
 std::optional<Sight> sightFrom(const Geometry& geometry, const SightSources& sources, int vertex);
 
 }  // namespace karcher

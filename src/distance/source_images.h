@@ -50,23 +50,23 @@ class SourceImages {
 
   /// Adds the source in one of its own faces.
   void addSource(int face, const SurfacePoint& source);
-  /// Adds the sources of windows that are propagated across the face of half-edge h, if the face
-  /// may have points at the distance. An image without such points may still matter where its paths
-  /// are shorter than another's. `tailDistance` is that of h's tail.
+  /// Adds the sources of windows that cross the face of half-edge h, if the face may have points at
+  /// the distance. An image without such points may still matter where its paths are shorter than
+  /// another's. `tailDistance` is that of h's tail.
   void addWindows(int h, const Array<Window>& windows, double tailDistance);
   /// Adds a vertex at `distance` at which paths turn, for the corner of half-edge h between the
   /// angles `from` and `to`, measured from h.
   void addCorner(int h, double distance, double from, double to);
 
  private:
-  /// Whether a face has no relevant points, given that all of its points lie between two distances.
+  /// Whether a face has no relevant points, if all of its points lie between two distances.
   bool isNotAsked(int face, double nearest, double farthest) const {
     if (!faces_.empty()) return !std::binary_search(faces_.begin(), faces_.end(), face);
     return nearest > distance_ || farthest < distance_;
   }
 
   const Geometry& geometry_;
-  double distance_ = -1;  ///< -1 if none are kept
+  double distance_ = -1;  ///< -1 if no distance matters
   Array<int> faces_;      ///< sorted faces; empty if the distance decides
   Array<SourceImage> images_;
 };

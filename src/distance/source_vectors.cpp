@@ -39,7 +39,7 @@ void SourceVectors::know(int vertex, const Vec2& vector) {
 }
 
 const Vec2& SourceVectors::at(const DistanceSolver& solver, int vertex) {
-  // Each vertex is visited once, so that the loop ends. If rounding makes two paths come from each
+  // The loop visits each vertex once, so that it ends. If rounding makes two paths come from each
   // other's vertices, only the other end of the edge counts.
   ask(solver, vertex);
   while (!asked_.empty()) {

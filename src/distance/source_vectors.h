@@ -5,11 +5,10 @@
 /// The log vectors of vertices at the source of their distances: the directions in which shortest
 /// paths leave the source, scaled to their lengths.
 ///
-/// A path to a vertex crosses the edge between two others. The log vector at the crossing is
-/// interpolated between the edge's ends, and only its length changes on the way to the vertex. So
-/// directions are propagated outwards from the source (after E. Melvaer, M. Reimers, "Geodesic
-/// Polar Coordinates on Polygonal Meshes", 2012, who interpolate angles). On a plane they are
-/// exact.
+/// A path to a vertex crosses the edge between two others. The class interpolates the log vector at
+/// the crossing between the edge's ends; only its length changes on the way to the vertex. So
+/// directions spread outwards from the source (after E. Melvaer, M. Reimers, "Geodesic Polar
+/// Coordinates on Polygonal Meshes", 2012, who interpolate angles). On a plane they are exact.
 namespace karcher {
 
 class SourceVectors {

@@ -12,10 +12,10 @@
 namespace karcher {
 namespace {
 
-/// The number of parts of a line between whose ends its nearest point is searched.
+/// The number of parts of a line. The search for the nearest point begins at their ends.
 constexpr int kParts = 12;
 
-/// A point of a line, and the path to it from the point that is mirrored.
+/// A point of a line, and the path to it from the mirrored point.
 struct LinePoint {
   double length = 0;  ///< the length from the line's start
   SurfacePath path;
@@ -48,8 +48,8 @@ LinePoint linePointAt(const Geometry& geometry, const SurfacePath& line, double 
       "end");
 }
 
-/// The point of a line nearest to a point. It is searched between the neighbours of the nearest of
-/// a dozen points of the line.
+/// The point of a line nearest to a point. The search goes on between the neighbours of the nearest
+/// of a dozen points of the line.
 LinePoint footOn(const Geometry& geometry, const SurfacePath& line, const SurfacePoint& point,
                  FindPathWorkspace& workspace) {
   const double whole = line.length();

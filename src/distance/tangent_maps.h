@@ -3,21 +3,18 @@
 #include "distance/find_path.h"
 #include "intrinsic/tangent.h"
 
-/// Log and exp maps of points with directions, which are transported in parallel. The paths of the
-/// log map are the fast ones (find_path.h): locally shortest, and the same in both directions. The
-/// maps are inverse wherever the straightest geodesic of the exp map is the path that the log map
-/// finds to its end.
-///
-/// Vectors and directions are those of tangent planes (tangent.h). A direction of length 0 stands
-/// for no direction.
+/// Log and exp maps of points with directions, by parallel transport. The paths of the log map are
+/// the fast ones (find_path.h): locally shortest, and the same in both directions. The maps are
+/// inverse if the straightest geodesic of the exp map is the path that the log map finds to its
+/// end. Vectors and directions are those of tangent planes (tangent.h). A direction of length 0
+/// stands for no direction.
 namespace karcher {
 
 /// The path of the log map. Throws Error kUnreachable if the points lie on different components.
 SurfacePath pathBetween(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                         FindPathWorkspace& workspace);
 
-/// Another point, and a direction there, in the tangent plane of the point from which they are
-/// seen.
+/// A point and a direction there, as seen in the tangent plane of another point.
 struct LogMapped {
   Vec2 vector = Vec2::Zero();     ///< the log vector, as long as the path
   Vec2 direction = Vec2::Zero();  ///< the direction at the other point, transported along the path
@@ -36,10 +33,10 @@ ExpMapped expMap(const Geometry& geometry, const SurfacePoint& from, const Vec2&
                  const Vec2& direction);
 
 /// Mirrors a point and a direction in a geodesic line. The path leads to the line's nearest point,
-/// is reflected there and continues by the same length. The nearest point is searched near the best
-/// of a dozen points of the line; there the path is perpendicular to the line, up to rounding.
-/// Throws Error kUnreachable as above, and kBadArgument if the line has no length, or if its
-/// nearest point is an end without a perpendicular to the point.
+/// is reflected there and continues by the same length. The search for the nearest point begins
+/// near the best of a dozen points of the line; there the path is perpendicular to the line, up to
+/// rounding. Throws Error kUnreachable as above, and kBadArgument if the line has no length, or if
+/// its nearest point is an end without a perpendicular to the point.
 ExpMapped mirrored(const Geometry& geometry, const SurfacePath& line, const SurfacePoint& point,
                    const Vec2& direction, FindPathWorkspace& workspace);
 

@@ -7,7 +7,7 @@
 namespace karcher {
 namespace {
 
-/// The bound on the windows of one call. Only a surface folded upon itself many times comes near.
+/// The limit for the windows of one call. Only a surface folded upon itself many times comes near.
 constexpr int kMostWindows = 200'000;
 
 /// The most edges of a vertex past which rings extend. All neighbours of a vertex with more edges

@@ -6,9 +6,9 @@
 namespace karcher {
 
 /// The vertices that a point sees in a straight line across the faces around it, unfolded: the arcs
-/// of the graph solver. A window is the part of an edge that the point sees. It is propagated
-/// across the face behind and split at the vertex there. Unlike in window_distance.h, paths do not
-/// turn at vertices: a path that does consists of several arcs.
+/// of the graph solver. A window is the part of an edge that the point sees. It crosses the face
+/// behind and splits at the vertex there. Unlike in window_distance.h, paths do not turn at
+/// vertices: a path that does consists of several arcs.
 class Visibility {
  public:
   struct Sight {
@@ -20,7 +20,7 @@ class Visibility {
   explicit Visibility(const Geometry& geometry);
 
   /// The vertices that a vertex sees within its k-ring: the faces whose corners are all at most
-  /// `rings` edges away. Each has its shortest line; a line longer than another path may be
+  /// `rings` edges away. Each has its shortest line. A line longer than another path may be
   /// omitted.
   const Array<Sight>& fromVertex(int vertex, int rings);
 
@@ -47,7 +47,7 @@ class Visibility {
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
   /// The number of the last call that allowed each vertex and of the last that saw it. With these a
-  /// new call need not clear them.
+  /// new call need not clear the arrays.
   Array<int> ringCall_;
   Array<int> sightCall_;
   Array<int> sightOf_;  ///< the number of each vertex in sights_

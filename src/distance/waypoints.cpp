@@ -75,7 +75,7 @@ Array<SurfacePoint> waypointsOf(const Geometry& geometry, const SurfacePath& pat
     return findPathBy(geometry, path.start(), waypoints, path.end(), workspace, found) &&
            areAlike(mesh, path, found);
   };
-  // With as many waypoints as the path has points, straightening could move none.
+  // With as many waypoints as the path has points, no point could move.
   for (int count = 0; count == 0 || count < path.points.count() - 2; count = 2 * count + 1) {
     waypoints.clear();
     for (int i = 1; i <= count; ++i) {

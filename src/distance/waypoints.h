@@ -2,21 +2,21 @@
 
 #include "distance/find_path.h"
 
-/// Paths between two points that are not the shortest, given by a few of their points.
+/// Paths between two points that are not the shortest, determined by a few of their points.
 namespace karcher {
 
 /// Writes to `path` the locally shortest path from `from` to `to` along the waypoints: the fast
 /// paths (find_path.h) from each to the next, pulled tight as a whole. Without waypoints it is the
-/// fast path itself. If the waypoints all lie on edges, and consecutive ones share a face, also the
-/// ends with the waypoints next to them, they are the path itself, which is left unchanged. Returns
+/// fast path itself. The waypoints may themselves be the path: then they lie on edges, and each
+/// shares a face with the next, as do the ends with theirs. Such a path stays unchanged. Returns
 /// false and changes nothing if the points lie on several components.
 bool findPathBy(const Geometry& geometry, const SurfacePoint& from,
                 const Array<SurfacePoint>& waypoints, const SurfacePoint& to,
                 FindPathWorkspace& workspace, SurfacePath& path);
 
 /// A few points of a locally shortest path by which `findPathBy` finds it again, to a
-/// ten-thousandth of its length. None if `findPath` with these options finds it between its ends;
-/// all points of the path if a few are not enough.
+/// ten-thousandth of its length. The result is empty if `findPath` with these options finds the
+/// path between its ends. It has all points of the path if a few are not enough.
 Array<SurfacePoint> waypointsOf(const Geometry& geometry, const SurfacePath& path,
                                 FindPathWorkspace& workspace, const FindPathOptions& options = {});
 

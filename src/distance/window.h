@@ -24,12 +24,12 @@ struct Window {
 /// surface whose shape is rounding noise comes near the limit.
 inline constexpr int kMostWindowsPerFace = 10'000;
 
-/// The least width of a window, or of the rest of one, as a part of its edge. Narrower ones are
-/// dropped, and the region behind is found from their neighbours, with an error of second order in
-/// this number.
+/// The least width of a window, or of the rest of one, as a part of its edge. The solver drops
+/// narrower ones; their neighbours find the region behind, with an error of second order in this
+/// number.
 inline constexpr double kNarrowestWindow = 1e-11;
 
-/// The length with which a path beats others: these must be longer by more than rounding.
+/// The length by which a path beats others: these must be longer by more than rounding.
 inline double beatingLength(double length) { return length * (1 + kLocalRounding); }
 
 inline double square(double x) { return x * x; }
@@ -64,7 +64,7 @@ inline Window mirrored(const Window& w, double length) {
 }
 
 /// Trims the part of the interval that the path over the half-edge's tail and along the edge beats,
-/// up to where both are equal. Returns false if nothing is left.
+/// up to where both are equal. Returns false if nothing remains.
 inline bool trimByTail(Window& w, double tailDistance) {
   const double lead = beatingLength(tailDistance) - w.offset;
   const double leg = square(w.sourceX) + square(w.depth);
@@ -92,15 +92,15 @@ inline bool trimByHead(Window& w, double headDistance, double length) {
 
 inline bool isTooNarrow(const Window& w, double width) { return !(w.end - w.begin > width); }
 
-/// A window propagated across its face to the edge that leaves the tail along the unit vector
-/// `along`, in the frame of that edge with the same tail. `apexCrossing` is where the line from the
-/// source to the face's apex crosses the half-edge, of length `from`; `length` is that of the new
-/// edge.
+/// The window behind its face, on the edge that leaves the tail along the unit vector `along`, in
+/// the frame of that edge with the same tail. `apexCrossing` is where the line from the source to
+/// the face's apex crosses the half-edge, of length `from`; `length` is that of the new edge.
 inline Window carriedToTailEdge(const Window& w, const Vec2& along, double from, double length,
                                 double apexCrossing) {
-  // Positions on an edge, and those of sources beside it, are known to a part of its length. Ends
-  // of windows this near to an end of the edge, or to the line to the apex, are moved there: a
-  // source much nearer than the edge is long would miss everything behind such a gap.
+  // Positions on an edge, and those of sources beside it, have errors up to a part of its length.
+  // If the end of a window lies this near to an end of the edge, or to the line to the apex, it
+  // moves there: a source much nearer than the edge is long would miss everything behind such a
+  // gap.
   const double rounding = kStepRounding * from;
   const auto hit = [&](double x) {
     const double across = along.x() * w.depth - along.y() * (x - w.sourceX);
@@ -131,7 +131,7 @@ struct WindowBlock {
   int next = -1;
 };
 
-/// Memory for waiting windows; freed blocks are reused.
+/// Memory for waiting windows, which reuses freed blocks.
 class WindowPool {
  public:
   WindowBlock& operator[](int block) { return blocks_[block]; }

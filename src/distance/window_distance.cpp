@@ -14,8 +14,8 @@ namespace karcher {
 namespace {
 
 /// The width of the queue's buckets: wide enough that many windows cross a face together, narrow
-/// enough that few are propagated in vain. It is half a mean edge, halved until at most a fourth of
-/// a sample of the edges are shorter than half a bucket.
+/// enough that few do so in vain. It is half a mean edge, halved until at most a fourth of a sample
+/// of the edges are shorter than half a bucket.
 double bucketWidth(const Geometry& geometry) {
   constexpr int kMostEdges = 1024;
   const int count = geometry.edgeLength.count();
@@ -37,18 +37,18 @@ double bucketWidth(const Geometry& geometry) {
 /// is flat up to kChainRounding.
 constexpr double kSliver = 1e-8;
 
-/// The ratio of lengths above which the apex of a face is computed from both ends of the edge that
-/// windows cross (FaceSides), so that short lengths are not differences of long ones. Windows that
-/// leave a source inside a face always have it so.
+/// The ratio of lengths above which both ends of the edge that windows cross determine the apex of
+/// a face (FaceSides), so that short lengths are not differences of long ones. Windows that leave a
+/// source inside a face always do so.
 constexpr double kWide = 1e6;
 
 /// The ratio of lengths above which a window may circle over the same edges without coming nearer
 /// to a vertex that would beat it.
 constexpr double kThin = 1e3;
 
-/// How far the rays at the ends of a window may turn where windows are joined, in tolerances: as
-/// far as those of a front that is changed by a parabola, zero at both ends and as high as the
-/// tolerance permits, over a window as wide as the face is high.
+/// The angle, in tolerances, by which a join may turn the rays at the ends of a window. A front
+/// turns as far if a parabola changes it, zero at both ends and as high as the tolerance permits,
+/// over a window as wide as the face is high.
 constexpr double kTurn = 4;
 
 /// The two sides of a face above half-edge h, as vectors from its tail and from its head. Each is
@@ -66,7 +66,7 @@ FaceSides sidesOver(const Geometry& geometry, int h) {
           geometry.edgeLength[right] * Vec2(-atHead.x(), atHead.y())};
 }
 
-/// An edge to which windows are propagated, seen from its end on the previous edge.
+/// An edge to which windows cross a face, seen from its end on the previous edge.
 struct SideEdge {
   int twin;  ///< the half-edge where they will wait; -1 at the boundary
   double length;
@@ -83,8 +83,8 @@ inline double squaredLeg(const Window& w, const Vec2& point) {
   return square(point.x() - w.sourceX) + square(point.y() + w.depth);
 }
 
-/// Trims a window that was propagated to a side, by the distances of the face's three corners.
-/// Returns false if nothing worth keeping is left.
+/// Trims a window on a side of the face, by the distances of the face's three corners. Returns
+/// false if nothing worth keeping remains.
 inline bool isWorthKeeping(const SideEdge& side, double narrowest, Window& window) {
   return trimByTail(window, side.nearDistance) &&
          trimByHead(window, side.apexDistance, side.length) &&
@@ -298,7 +298,7 @@ void WindowDistance::takeWaiting(int h) {
   waiting = {};
 }
 
-/// Propagates the windows that wait at half-edge h across its face: first to the apex, whose best
+/// Leads the windows that wait at half-edge h across its face: first to the apex, whose best
 /// distance then trims them all, then to the edges on its sides.
 void WindowDistance::carryAcross(int h) {
   const double length = geometry_.edgeLength[h];
@@ -319,7 +319,7 @@ void WindowDistance::carryAcross(int h) {
   VertexRecord& top = vertices_.touch(apexVertex);
 
   takeWaiting(h);
-  // Distances of joint windows, and of vertices that they reached, are known to the tolerance.
+  // Distances of joint windows, and of vertices that they reached, are right up to the tolerance.
   double slack = 0;
   if (tolerance_ > 0) {
     const double least = length * apex.y() / std::max({length, leftLength, rightLength});
@@ -362,7 +362,7 @@ void WindowDistance::carryAcross(int h) {
     arriveBent(apexVertex, top, h, apex, batch_[nearest], crossings_[nearest]);
   }
   if (tolerance_ > 0) {
-    // Joint windows may miss the apex, which is no farther than along the edges to it.
+    // Joint windows may miss the apex. The edges to it bound its distance.
     const bool byTail = tail + leftLength <= head + rightLength;
     const double end = byTail ? tail : head;
     const double along = bentLength(end + (byTail ? leftLength : rightLength));
@@ -374,8 +374,8 @@ void WindowDistance::carryAcross(int h) {
     for (const Window& window : batch_) target_.arriveThrough(h, window);
   }
 
-  // The path to the right is the mirror image of the path to the left. Unit vectors are normalized,
-  // since in a needle the apex is known only to the rounding of the long edges.
+  // The path to the right is the mirror image of the path to the left. In a needle the apex is
+  // exact only up to the rounding of the long edges, so unit vectors are normalized.
   const SideEdge leftSide{mesh_.twin[left], leftLength,   apex.normalized(),
                           length,           tail + slack, top.arrival.distance + slack,
                           head + slack};
@@ -399,7 +399,7 @@ void WindowDistance::carryAcross(int h) {
 }
 
 /// Takes the path to the apex that bends slightly at the end of a window that does not see it. Its
-/// length is an upper bound, and exact if rounding left a gap between two windows.
+/// length is an upper bound. If rounding left a gap between two windows, it is exact.
 void WindowDistance::arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex,
                                 const Window& window, double crossing) {
   // If the straight path is too long, so is the bent one.

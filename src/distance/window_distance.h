@@ -17,29 +17,29 @@
 ///
 /// A window is an interval of an edge with the position of the source, or of a vertex at which
 /// shortest paths turn, unfolded into the plane of the face behind it: all points of the interval
-/// see that source in a straight line. Windows are propagated across faces from the nearest
-/// outwards (J. Chen, Y. Han, "Shortest paths on a polyhedron", 1990). Those that a vertex of their
-/// face beats are trimmed or dropped (S. Xin, G. Wang, "Improving Chen and Han's algorithm on the
-/// discrete geodesic problem", 2009). All windows that wait at an edge are propagated across its
-/// face at once. Edges follow in the order of distance, up to half an ordinary edge (after the
-/// triangle-oriented propagation of Y. Qin, X. Han, H. Yu, Y. Yu, J. Zhang, "Fast and exact
-/// discrete geodesic computation based on triangle-oriented wavefront propagation", 2016).
+/// see that source in a straight line. Windows cross the faces from the nearest outwards (J. Chen,
+/// Y. Han, "Shortest paths on a polyhedron", 1990). A vertex of their face that beats them trims or
+/// ends them (S. Xin, G. Wang, "Improving Chen and Han's algorithm on the discrete geodesic
+/// problem", 2009). All windows that wait at an edge cross its face at once. Edges follow in the
+/// order of distance, up to half an ordinary edge (after the triangle-oriented propagation of Y.
+/// Qin, X. Han, H. Yu, Y. Yu, J. Zhang, "Fast and exact discrete geodesic computation based on
+/// triangle-oriented wavefront propagation", 2016).
 ///
 /// Where edges of very different lengths meet, the rounding of the long ones may exceed the width
-/// of a window on the short ones, so that no window comes to a vertex. Such a vertex is reached
-/// along edges.
+/// of a window on the short ones, so that no window comes to a vertex. Paths along edges lead to
+/// such a vertex.
 ///
 /// A vertex at which shortest paths turn sends windows only into the wedge that lies straight
 /// behind it, at least pi from the path that reached it on both sides.
 ///
-/// With a tolerance, windows that wait at an edge are joined if that changes distances along the
+/// With a tolerance, windows that wait at an edge become one if that changes distances along the
 /// edge by less than the tolerance times the height of the next face (after V. Surazhsky, T.
 /// Surazhsky, D. Kirsanov, S. Gortler, H. Hoppe, "Fast exact and approximate geodesics on meshes",
 /// 2005): the height is the length that a path through the face gains. A joint window's source and
 /// offset are those of the front to which both windows belong, so that on smooth surfaces distances
 /// converge with the mesh as exact ones do. It sees what both windows saw, but for turns of the
-/// rays at its ends by a few tolerances. Errors of many faces are of both signs; distances are
-/// off by far less than the tolerance, which is measured (`npm run study -- fields`) and not
+/// rays at its ends by a few tolerances. Errors of many faces are of both signs, so that distances
+/// are off by far less than the tolerance. This is measured (`npm run study -- fields`) and not
 /// proven.
 namespace karcher {
 
@@ -57,9 +57,9 @@ class WindowDistance final : public DistanceSolver {
   void setSource(const SurfacePoint& source) override;
   const SurfacePoint& source() const { return source_; }
 
-  /// Propagates windows. Steps are taken in one fixed order, and none changes a vertex nearer than
-  /// its least key. Throws Error kBadArgument if more than kMostWindowsPerFace windows for each
-  /// face are needed.
+  /// Propagates windows. The order of the steps is fixed, and none changes a vertex nearer than its
+  /// least key. Throws Error kBadArgument if the search needs more than kMostWindowsPerFace windows
+  /// for each face.
   void grow(double radius) override;
   /// The number of windows propagated since `setSource`.
   int64_t windowsCarried() const {
@@ -87,7 +87,7 @@ class WindowDistance final : public DistanceSolver {
   const Arrival& arrival(int vertex) const { return vertices_.find(vertex)->arrival; }
 
   /// The unscaled direction (geometry.h), in [0, total angle], in which the shortest path leaves
-  /// the vertex towards the source; 0 at the source itself. It is meaningless where no path has
+  /// the vertex towards the source; 0 at the source itself. It has no meaning where no path has
   /// arrived.
   double direction(int vertex) const;
   Vec2 logVector(int vertex) const override {
@@ -133,7 +133,7 @@ class WindowDistance final : public DistanceSolver {
     int via = -1;
     int bucket = kNotQueued;  ///< the bucket in which the vertex waits to send out its own windows
   };
-  /// The windows that wait at a half-edge to be carried across its face.
+  /// The windows that wait at a half-edge to cross its face.
   struct WaitingWindows {
     int first = -1;
     int bucket = kNotQueued;

@@ -9,8 +9,8 @@
 namespace karcher {
 namespace {
 
-/// Uses the two shortest edges: rounding is proportional to the product of the lengths, which for
-/// the long edges of a needle far exceeds its area.
+/// The area by the two shortest edges. Rounding is proportional to the product of the lengths,
+/// which for the long edges of a needle far exceeds its area.
 double doubledArea(const Vec3& e0, const Vec3& e1, const Vec3& e2) {
   const double a = e0.squaredNorm();
   const double b = e1.squaredNorm();

@@ -98,8 +98,8 @@ EdgeDirection directionOfEdge(const Geometry& geometry, int h);
 
 /// The corner (a half-edge that leaves the vertex) into which an unscaled direction points, and the
 /// angle from that half-edge to the direction. Directions wrap around at interior vertices. At the
-/// boundary a direction outside [0, totalAngle] is shifted by a full turn if the shifted one lies
-/// within; else it leaves the surface, and halfedge is -1.
+/// boundary a direction outside [0, totalAngle] turns by a full turn if it then lies within; else
+/// it leaves the surface, and halfedge is -1.
 struct CornerDirection {
   int halfedge = -1;
   double angle = 0;

@@ -18,7 +18,7 @@ Vec2 unitAtAngle(const Geometry& geometry, int h, double angle) {
   return rotate(unitVector(angle), halfedgeInFace(geometry, h)) / geometry.edgeLength[h];
 }
 
-/// The walker that leaves `vertex` in an unscaled direction; none if the direction points off the
+/// The walker that leaves `vertex` in an unscaled direction; empty if the direction points off the
 /// surface.
 std::optional<Walker> leaveVertex(const Geometry& geometry, int vertex, double direction) {
   const CornerDirection corner = cornerOfDirection(geometry, vertex, direction);
@@ -27,7 +27,7 @@ std::optional<Walker> leaveVertex(const Geometry& geometry, int vertex, double d
                 unitAtAngle(geometry, corner.halfedge, corner.angle)};
 }
 
-/// The walker that continues after arriving at the tail of h along `direction` in h's face.
+/// The walker that continues after it arrives at the tail of h along `direction` in h's face.
 std::optional<Walker> passVertex(const Geometry& geometry, int h, const Vec2& direction) {
   const int vertex = geometry.mesh->tail(h);
   const double back = directionAtTail(geometry, h, -direction);
@@ -47,7 +47,7 @@ Vec3 barycentricRates(const Geometry& geometry, int f, const Vec2& direction) {
 }
 
 /// Moves a walker that starts on an edge or a vertex into the face into which its direction points.
-/// Returns none if the direction points off the surface.
+/// The result is empty if the direction points off the surface.
 std::optional<Walker> enterFace(const Geometry& geometry, const Walker& walker) {
   const PointLocation location = locate(*geometry.mesh, walker.point);
   if (location.simplex == Simplex::kVertex) {
@@ -78,7 +78,7 @@ FaceExit exitOfFace(const Vec3& bary, const Vec3& rates) {
   // A walk along an edge stays in the face, since its rate of leaving is rounding noise.
   const double threshold = -1e-13 * rates.cwiseAbs().maxCoeff();
   for (int k = 0; k < 3; ++k) {
-    // A walk does not leave by the edge that it starts on: on slivers the noise exceeds the
+    // A walk does not leave by the edge that it starts on. On slivers the noise exceeds the
     // threshold, and the walk would circle its vertex forever.
     if (bary[k] == 0 || rates[k] >= threshold) continue;
     const double length = bary[k] / -rates[k];
@@ -117,7 +117,7 @@ class Walk {
     path_.path.lengths.push_back(walked_);
   }
 
-  /// Walks through one face. Returns the walker in the next one, or none at the end or the
+  /// Walks through one face. Returns the walker in the next one; nothing at the end or the
   /// boundary.
   std::optional<Walker> step(const Walker& walker) {
     const int f = walker.point.face;

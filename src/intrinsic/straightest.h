@@ -9,9 +9,9 @@
 namespace karcher {
 
 enum class TraceStop {
-  kComplete,  ///< the whole length was walked
-  kBoundary,  ///< the path met the boundary; the length `remaining` was not walked
-  kLimit,     ///< the path crossed `maxCrossings` edges; the length `remaining` was not walked
+  kComplete,  ///< the walk has its whole length
+  kBoundary,  ///< the path met the boundary, with the length `remaining` left
+  kLimit,     ///< the path crossed `maxCrossings` edges, with the length `remaining` left
 };
 
 /// The name of a stop in reports: "boundary".
@@ -21,8 +21,8 @@ struct StraightestOptions {
   int maxCrossings = 1'000'000;
 };
 
-/// A bound on the number of crossings in all steps of a search together. It is many times that of a
-/// shortest path, which visits a face at most once. A longer walk winds around the surface, for
+/// The limit for the crossings in all steps of a search together. It is many times the crossings of
+/// a shortest path, which visits a face at most once. A longer walk winds around the surface, for
 /// example around the tip of a cone 1 wide and 1e5 high, where half the height takes a million
 /// crossings.
 int mostCrossingsOfSearch(const TriangleMesh& mesh);
@@ -32,7 +32,7 @@ struct StraightestPath {
   /// of the later one: a crossing of an edge appears in the face that the path leaves, and again in
   /// the face that it enters.
   SurfacePath path;
-  double remaining = 0;  ///< the length that was not walked
+  double remaining = 0;  ///< the length that the walk did not reach
   TraceStop stop = TraceStop::kComplete;
   Vec2 direction =
       Vec2(1, 0);  ///< the unit direction of travel at the end, in the frame of the end's face

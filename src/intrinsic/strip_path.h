@@ -3,16 +3,14 @@
 #include "intrinsic/geometry.h"
 #include "intrinsic/strip_search.h"
 
-/// Locally shortest paths in a strip of faces.
-///
-/// The strip is unfolded into the plane and the path pulled tight between its sides by the funnel
-/// algorithm (D. Lee, F. Preparata, "Euclidean shortest paths in the presence of rectilinear
-/// barriers", 1984). If the path then bends at a vertex with less than pi of surface on the side
-/// away from the strip, the strip is led round that side and pulled tight again (S. Xin, G. Wang,
-/// "Efficiently determining a locally exact shortest path on polyhedral surfaces", 2007; N. Sharp,
-/// K. Crane, "You Can Find Geodesic Paths in Triangle Meshes by Just Flipping Edges", 2020). Each
-/// turn shortens the path, until no bend allows another turn. A turn only pulls the adjacent legs
-/// tight again.
+/// Locally shortest paths in a strip of faces. The strip unfolds into the plane, and the funnel
+/// algorithm pulls the path tight between its sides (D. Lee, F. Preparata, "Euclidean shortest
+/// paths in the presence of rectilinear barriers", 1984). The path may then bend at a vertex with
+/// less than pi of surface on the side away from the strip. If so, the strip turns to that side,
+/// and the path is pulled tight again (S. Xin, G. Wang, "Efficiently determining a locally exact
+/// shortest path on polyhedral surfaces", 2007; N. Sharp, K. Crane, "You Can Find Geodesic Paths in
+/// Triangle Meshes by Just Flipping Edges", 2020). Each turn shortens the path, until no bend
+/// allows another turn. A turn changes only the adjacent legs.
 namespace karcher {
 
 /// A strip to pull tight, and scratch memory, which can be reused.
@@ -59,7 +57,7 @@ struct StripWorkspace {
 double appendStripPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                        StripWorkspace& workspace, Array<SurfacePoint>& out);
 
-/// The same path, but the strip is also led over vertices beside the path as long as that makes the
+/// The same path, but the strip also passes over vertices beside the path as long as that makes the
 /// path shorter.
 double appendShorterStripPath(const Geometry& geometry, const SurfacePoint& from,
                               const SurfacePoint& to, StripWorkspace& workspace,

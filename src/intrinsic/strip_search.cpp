@@ -45,7 +45,7 @@ class StripSearch {
   }
 
   bool run(Strip& strip) {
-    // Each face is expanded once, and enters the queue at most once for each of its edges.
+    // The search expands each face once, and queues it at most once for each of its edges.
     while (found_ < 0 && !workspace_.queue.empty()) {
       std::pop_heap(workspace_.queue.begin(), workspace_.queue.end(), later);
       const QueueEntry top = workspace_.queue.back();

@@ -6,7 +6,7 @@
 namespace karcher {
 namespace {
 
-/// The number of vertices beside a leg that are tried, those with the greatest gains.
+/// The number of vertices beside a leg that the search tries, those with the greatest gains.
 constexpr int kPassages = 4;
 
 }  // namespace
@@ -17,9 +17,9 @@ double Tightening::length() const {
   return sum;
 }
 
-/// Leads the path over vertices beside it wherever it gets shorter. If a vertex has an angle of
-/// less than 2 pi, paths on both of its sides can be locally shortest. On a cone, the shorter one
-/// is on the side with less angle between the leg's ends.
+/// Leads the path over vertices beside it wherever that makes it shorter. If a vertex has an angle
+/// of less than 2 pi, paths on both of its sides can be locally shortest. On a cone, the shorter
+/// one is on the side with less angle between the leg's ends.
 void Tightening::passOverVertices() {
   passagesLeft_ = 64 + 4 * crossingCount();
   for (int leg = 0; leg <= bends_.count() && passagesLeft_ > 0;) {

@@ -2,7 +2,7 @@
 
 #include "mesh/surface_point.h"
 
-/// Paths on the surface: the one type for shortest paths, straightest ones, parts of curves and a
+/// Paths on the surface: one type for shortest paths, straightest ones, parts of curves and a
 /// caller's own.
 namespace karcher {
 
@@ -41,11 +41,11 @@ int pieceAt(const Array<double>& lengths, double length);
 SurfacePoint pointAlong(const TriangleMesh& mesh, const SurfacePath& path, double length);
 
 /// Appends to `out` the part of a path between two lengths from its start, backwards if `from` >
-/// `to`. A first point that equals the last of `out` is not repeated.
+/// `to`. If the first point equals the last of `out`, it is not repeated.
 void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
                 SurfacePath& out);
 
-/// The same without lengths, for a path that will be straightened.
+/// The same without lengths, for a path that is to be straightened.
 void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
                 Array<SurfacePoint>& out);
 

@@ -26,13 +26,13 @@ bool expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& v
               SurfacePath& path);
 
 /// Parallel transport of a vector of the tangent plane at a path's start to its end. The vector
-/// keeps its angle with a locally shortest path, except for turns around vertices, which are
-/// measured in the vertex's frame.
+/// keeps its angle with a locally shortest path, except for turns around vertices. Their angles are
+/// those of the vertex's frame.
 Vec2 transportAlong(const Geometry& geometry, const SurfacePath& path, const Vec2& vector);
 
 /// Converts a vector of the tangent plane at a point to a vector in space, in the plane of the
-/// point's face, and back by projection. At a vertex it is rotated between the vertex's frame and
-/// the face's (vertexToFace).
+/// point's face, and back by projection. At a vertex the vector turns between the vertex's frame
+/// and the face's (vertexToFace).
 Vec3 tangentToSpace(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector);
 Vec2 tangentFromSpace(const Geometry& geometry, const SurfacePoint& point, const Vec3& vector);
 

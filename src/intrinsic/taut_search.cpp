@@ -11,8 +11,8 @@ namespace {
 using TautNode = TautSearchWorkspace::Node;
 using TautEntry = TautSearchWorkspace::QueueEntry;
 
-/// The part of an edge by which points of the edge, to which lengths are measured, keep away from
-/// its ends.
+/// The part of an edge by which the points to which lengths are measured keep away from the edge's
+/// ends.
 constexpr double kOffVertices = 0.01;
 
 bool isLater(const TautEntry& a, const TautEntry& b) { return a.key > b.key; }
@@ -45,7 +45,7 @@ class TautSearch {
   bool run(Strip& strip) {
     start();
     Array<TautEntry>& queue = workspace_.queue;
-    // Each half-edge is expanded once, and enters the queue at most twice.
+    // The search expands each half-edge once, and queues it at most twice.
     while (!queue.empty()) {
       std::pop_heap(queue.begin(), queue.end(), isLater);
       const TautEntry first = queue.back();
@@ -94,7 +94,7 @@ class TautSearch {
   }
 
   void expand(int number) {
-    // This is a copy, since adding nodes may move them.
+    // This is a copy, since new nodes may move the others.
     const TautNode node = workspace_.nodes[number];
     const int h = node.halfedge;
     const Vec2 apex = oppositeOverHalfedge(geometry_, h);

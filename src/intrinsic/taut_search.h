@@ -4,9 +4,8 @@
 #include "intrinsic/strip_search.h"
 
 /// A* search for a strip of faces between two points, which measures paths in the unfolded strip.
-///
-/// As in strip_search.h, faces are visited in order of the length so far plus the straight distance
-/// to the target. Each entered edge stores, like a window of the exact distances, the position of
+/// As in strip_search.h, it visits faces in order of the length so far plus the straight distance
+/// to the target. Like a window of the exact distances, each entered edge stores the position of
 /// the unfolded source and the two vertices between which the source sees the edge. So the length
 /// so far is that of a path that is tight after its last bend. Each edge keeps its best window
 /// only. The strip is better than that of searchStrip, and takes three times the work.

@@ -126,7 +126,7 @@ void Tightening::measureBends(int first, int last, const Vec2& start, const Vec2
     const Vec2 at = positionOf(bend);
     const Vec2 to = i + 1 < bends.count() ? positionOf(bends[i + 1]) : end;
     const Run run = runAround(bend);
-    // If the bend has edges beyond this frame, a leg coincides with one of its edges in it.
+    // If the bend has edges beyond this frame, a leg coincides with one of its edges in the frame.
     bend.before =
         run.first >= first ? angleBetween(from - at, acrossFrom(bend, run.first) - at) : 0;
     bend.after = run.last <= last ? angleBetween(to - at, acrossFrom(bend, run.last) - at) : 0;
@@ -248,7 +248,7 @@ bool Tightening::turnSharpBends() {
 }
 
 /// Leads the strip around the other side of a bend's vertex and pulls the path tight between the
-/// two neighbouring bends. Returns false if the boundary is in the way.
+/// two neighbouring bends. Returns false if it meets the boundary.
 bool Tightening::turnRound(const Bend& bend, int before, int after) {
   const Run run = runAround(bend);
   const int lastFace = faceOf(mesh_.twin[crossing(run.last)]);

@@ -36,7 +36,7 @@ class Tightening {
     const int64_t crossings = crossingCount();
     turnsLeft_ = 64 + 16 * crossings + crossings * crossings / 4;
     trimEnds();
-    // The final path is read from a single frame.
+    // A single frame gives the final path.
     pullAllTight();
     while (turnSharpBends() || shorten) {
       if (shorten) passOverVertices();

@@ -60,7 +60,7 @@ class OrientedSets {
       root = parent_[root];
     }
     const Place place{root, turned};
-    // Every face on the path is made to point at the root.
+    // Every face on the path then points at the root.
     while (f != root) {
       const int up = parent_[f];
       const bool own = turned_[f] != 0;
@@ -72,7 +72,7 @@ class OrientedSets {
     return place;
   }
 
-  /// Joins the sets of two adjacent faces; `turned` says whether their orientations differ. Returns
+  /// Joins the sets of two adjacent faces; `turned` is true if their orientations differ. Returns
   /// false and changes nothing if the opposite is known.
   bool unite(int f, int g, bool turned) {
     const Place a = find(f);

@@ -9,9 +9,9 @@
 
 #include "mesh/split_triangles.h"
 
-// A slab of cubes without three of them has the right topology. Its faces are subdivided, and its
-// vertices are projected to the zero set of a smooth function and spread out there; this is
-// repeated at half the size.
+// A slab of cubes without three of them has the right topology. Subdivision of its faces gives
+// vertices, which are projected to the zero set of a smooth function and spread out there. A second
+// round does the same at half the size.
 
 namespace karcher {
 namespace {
@@ -128,7 +128,7 @@ TriangleMesh splitMesh(const TriangleMesh& mesh, int parts) {
 
 TriangleSoup genusThree(int triangles) {
   const TriangleMesh coarse = slab();
-  // The number of parts is 2 to 7, and is doubled as often as needed.
+  // The number of parts is 2 to 7, and doubles as often as needed.
   double parts = std::sqrt(static_cast<double>(triangles) / coarse.faceCount());
   int doublings = 0;
   for (; parts > 7.5; parts /= 2) ++doublings;

@@ -13,7 +13,7 @@
 namespace karcher {
 namespace {
 
-/// The most faces of an edge that are paired. The time grows with the square of their number.
+/// The most faces of an edge that the repair pairs. The time grows with the square of their number.
 constexpr int kMostPaired = 64;
 
 class ManifoldRepair {
@@ -61,8 +61,8 @@ class ManifoldRepair {
     return branching_.empty() && mirrored_.empty();
   }
 
-  /// Turns faces over until the two half-edges of each edge with two faces are opposite, and finds
-  /// the sets of faces that such edges connect.
+  /// Turns faces over until the two half-edges of each edge with two faces are opposite. Finds the
+  /// sets of faces that such edges connect.
   void orient() {
     OrientedSets sets(mesh_.faceCount());
     for (int h = 0; h < mesh_.halfedgeCount(); ++h) {
@@ -80,7 +80,7 @@ class ManifoldRepair {
       ++faces[place.set];
       turned[place.set] += place.turned;
     }
-    // If both halves are equal, the one without the caller's first face is turned.
+    // If both halves are equal, the one without the caller's first face turns over.
     Array<int> first(mesh_.faces.size(), -1);
     for (int f = 0; f < mesh_.faceCount(); ++f) {
       int& face = first[part_[f]];

@@ -7,13 +7,13 @@ namespace karcher {
 struct ManifoldRepairs {
   int turnedOver = 0;  ///< the number of faces turned over
   int branching = 0;   ///< the number of edges of more than two faces
-  /// the number of vertices that were split, without those at the ends of such edges
+  /// the number of split vertices, without those at the ends of such edges
   int bowTies = 0;
 };
 
-/// Makes a manifold of faces that may not form one. If faces disagree with their neighbours on the
-/// direction of an edge, the fewer ones of each connected part are turned over. If an edge has more
-/// than two faces, pairs of them with the widest dihedral angle are joined, and the others get
+/// Turns faces that may not form a manifold into one. If faces disagree with their neighbours on
+/// the direction of an edge, the fewer ones of each connected part turn over. If an edge has more
+/// than two faces, pairs of them with the widest dihedral angle share an edge, and the others have
 /// edges of their own. A vertex whose faces form several fans becomes one vertex for each; the fan
 /// with the file's first face keeps the number. Fills the adjacency of `mesh` and changes its
 /// positions and faces and the numbers in `numbering`. Throws Error kNotOrientable, with the

@@ -54,7 +54,7 @@ constexpr std::array<Words, 12> kWords = {{
 
 const Words& wordsOf(Repair::Kind kind) { return kWords[static_cast<size_t>(kind)]; }
 
-/// Counts of the repairs made while polygons were cut.
+/// Counts of the repairs of polygons.
 struct CutRepairs {
   int polygonsCut;
   int repeatedCorners;

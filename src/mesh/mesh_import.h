@@ -9,7 +9,7 @@
 #include "mesh/triangle_mesh.h"
 #include "mesh/triangle_soup.h"
 
-/// Import of a caller's mesh: it is checked, repaired, and renumbered along a Morton curve, so that
+/// Import of a caller's mesh: checks, repairs, and new numbers along a Morton curve, so that
 /// neighbours on the surface are neighbours in memory.
 namespace karcher {
 
@@ -38,12 +38,12 @@ struct Repair {
 const char* repairName(Repair::Kind kind);
 
 struct ImportOptions {
-  /// Whether to repair. If false, meshes that are not manifold surfaces are rejected, and only
-  /// vertices at exactly the same place are welded.
+  /// Whether to repair. If false, the import rejects meshes that are not manifold surfaces, and
+  /// welds only vertices at exactly the same place.
   bool repair = true;
-  /// The largest distance between vertices that are welded, in the mesh's units. 0 welds only equal
-  /// positions. A negative value stands for the smaller of 1e-6 of the diagonal and 1 % of the
-  /// shortest edge at either vertex.
+  /// The largest distance between vertices that the import welds, in the mesh's units. 0 welds only
+  /// equal positions. A negative value stands for the smaller of 1e-6 of the diagonal and 1 % of
+  /// the shortest edge at either vertex.
   double weld = -1;
 };
 
@@ -75,8 +75,8 @@ ImportedMesh importMesh(TriangleSoup soup, const ImportOptions& options = {});
 /// not the number of `corners`.
 ImportedMesh importPolygons(PolygonSoup polygons, const ImportOptions& options = {});
 
-/// Imports the result of `readObj`. Face numbers are those of triangles. Throws as `importMesh`
-/// does.
+/// Imports the result of `readObj`. Face numbers are those of triangles. Throws what `importMesh`
+/// throws.
 ImportedMesh importObj(ObjContents contents, const ImportOptions& options = {});
 /// Reads an OBJ file's content and imports it.
 ImportedMesh importObj(std::string_view bytes, const ImportOptions& options = {});

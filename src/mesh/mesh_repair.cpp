@@ -33,8 +33,8 @@ Array<int> usedVertices(const TriangleSoup& soup) {
   return result;
 }
 
-/// The number of each face, by its smallest vertex, and thus along the curve that the vertices
-/// follow.
+/// The number of each face in the order of the faces' smallest vertices, and thus along the curve
+/// that the vertices follow.
 Array<int> faceOrder(const Array<Triangle>& faces, int vertexCount) {
   Array<int> slot(static_cast<size_t>(vertexCount) + 1, 0);
   for (const Triangle& t : faces) ++slot[t.minCoeff() + 1];
@@ -94,8 +94,8 @@ class MeshRepair {
     return before - faces_.count();
   }
 
-  /// Contracts short edges and omits faces that lost an edge. Returns the number of vertices that
-  /// were merged into another.
+  /// Contracts short edges, and omits faces that lost an edge. Returns the number of merged
+  /// vertices.
   int contractShortEdges(double diagonal) {
     int contracted = 0;
     for (const Triangle& t : faces_.corners) {
@@ -200,7 +200,7 @@ class MeshRepair {
     return numbering.images[-1 - entry];
   }
 
-  /// Maps duplicates to the faces that were kept.
+  /// Maps duplicates to the faces that stay.
   void follow(const Array<DuplicateFace>& duplicates) {
     Numbering& numbering = result_.numbering;
     for (const auto& [source, kept, corner] : duplicates) {

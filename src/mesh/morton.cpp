@@ -31,7 +31,7 @@ Array<int> mortonOrder(const Array<Vec3>& positions, Array<int> vertices) {
     low = low.cwiseMin(positions[v]);
     high = high.cwiseMax(positions[v]);
   }
-  // Halves are subtracted, since the difference of two finite numbers may overflow.
+  // The difference of two finite numbers may overflow, so this subtracts halves.
   const double halfWidth = (high / 2 - low / 2).maxCoeff();
   constexpr double kCells = (1 << 21) - 1;  // the greatest number of 21 bits
   const double scale = halfWidth > 0 ? kCells / halfWidth : 0;

@@ -2,7 +2,7 @@
 
 #include "mesh/types.h"
 
-/// Order along a Morton (Z-order) curve, by which neighbours in space become neighbours in memory.
+/// Order along a Morton (Z-order) curve, which brings neighbours in space together in memory.
 namespace karcher {
 
 /// Sorts `vertices`, numbers of entries of `positions` (all finite), by the Morton codes of their

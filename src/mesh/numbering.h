@@ -28,12 +28,12 @@ struct Numbering {
   /// split vertex has that of its first part.
   Array<int> engineVertex;
   Array<int> inputVertex;  ///< the first input vertex that became each engine vertex
-  /// The engine's face that equals each input triangle, with the same order of corners. If there is
-  /// none, -1 - i, and images[i] describes the triangle's image.
+  /// The engine's face that equals each input triangle, with the same order of corners; else -1 -
+  /// i, and images[i] describes the triangle's image.
   Array<int> engineFace;
   Array<int> inputFace;  ///< the input triangle that each engine face is, or is a part of
-  /// 1 for each input triangle whose face was turned over, which swaps corners 1 and 2; empty if no
-  /// face was.
+  /// 1 for each input triangle whose face turned over, which swaps corners 1 and 2; empty if no
+  /// face did
   Array<uint8_t> turnedOver;
   Array<FaceImage> images;
 
@@ -45,9 +45,9 @@ struct Numbering {
 };
 
 /// Converts a caller's point to the engine's and checks it by `checkedPoint`. If the input triangle
-/// was cut, the result is in the piece that holds the point; if it was omitted, the result is the
+/// was cut, the result lies in the piece that holds the point. If it was omitted, the result is the
 /// nearest point of the adjacent faces. Throws what `checkedPoint` throws, and Error kBadIndex for
-/// a triangle that was omitted and has no adjacent faces.
+/// an omitted triangle without adjacent faces.
 SurfacePoint toEngine(const Numbering& numbering, const TriangleMesh& mesh, int inputFace,
                       const Vec3& bary);
 

@@ -27,7 +27,7 @@ struct NotFinite {
   std::string sentence;
 };
 
-/// The result of checking an OBJ file's lines.
+/// The result of a check of an OBJ file's lines.
 struct ObjLines {
   int vertices = 0;
   int faces = 0;
@@ -37,7 +37,7 @@ struct ObjLines {
 };
 
 /// Checks that every vertex line has three decimal or non-finite numbers, and that every face line
-/// names vertices of the file. Throws Error as `readObj` does.
+/// names vertices of the file. Throws what `readObj` throws.
 ObjLines checkObjLines(std::string_view text);
 
 /// The sentence that says that the face in this line has too few corners.

@@ -13,7 +13,8 @@
 #include "mesh/polygon_soup.h"
 #include "mesh/positions.h"
 
-// The namespace is renamed, since a program that links this library may have its own tinyobjloader.
+// Another name for the namespace, since a program that links this library may have its own
+// tinyobjloader.
 #define tinyobj karcherTinyobj
 #define TINYOBJLOADER_USE_DOUBLE
 #define TINYOBJLOADER_IMPLEMENTATION
@@ -23,9 +24,9 @@ namespace karcher {
 namespace {
 
 /// A checked file in a form that tinyobjloader reads, since it knows neither a backslash at a
-/// line's end nor a comment after a number. It gets only the lines that are used, each on one line,
-/// with corners reduced to the vertex. A vertex's color is passed as a normal, since callbacks get
-/// no colors in the versions of Debian 12 and 13.
+/// line's end nor a comment after a number. It has only the lines that matter, each on one line,
+/// with the vertex alone of each corner. A vertex's color takes the place of a normal: in the
+/// versions of Debian 12 and 13, callbacks do not receive colors.
 class PlainLines : public std::streambuf {
  public:
   explicit PlainLines(std::string_view text) : text_(text) {}
@@ -128,7 +129,7 @@ class Reading {
     checkParts();
   }
 
-  /// The marks of the triangles into which the faces were cut.
+  /// The marks of the faces' triangles.
   ObjMarks marksOf(const Array<int>& triangles) {
     ObjMarks marks;
     const auto of = [&](auto member) {

@@ -6,14 +6,14 @@
 
 #include "mesh/triangle_soup.h"
 
-/// Reading of Wavefront OBJ files: vertex positions, faces, parts, materials and colors. Normals,
-/// texture coordinates, lines and points are ignored.
+/// A reader of Wavefront OBJ files: vertex positions, faces, parts, materials and colors. It
+/// ignores normals, texture coordinates, lines and points.
 namespace karcher {
 
 /// An object or group, which a line `o` or `g` begins. A repeated name continues its part.
 struct ObjPart {
   std::string name;   ///< "object, group"; "mesh" for faces before any such line
-  int triangles = 0;  ///< the number of triangles; a polygon counts as those into which it is cut
+  int triangles = 0;  ///< the number of triangles; a polygon counts as its triangles
 };
 
 /// The parts, materials and colors of an OBJ file.
@@ -40,20 +40,19 @@ struct ObjContents {
 };
 
 struct ObjOptions {
-  /// Whether to mend the file: non-finite coordinates are accepted for vertices that no face uses,
+  /// Whether to mend the file. If so, vertices that no face uses may have non-finite coordinates,
   /// faces of fewer than three corners are omitted, and polygons are mended as by `cutPolygons`.
   bool mend = true;
-  /// The parts whose faces are read; all parts if unset.
+  /// The parts whose faces to read; all parts if unset.
   std::optional<Array<int>> parts;
 };
 
-/// `bytes` is the content of the file, with any line ends. Every line is checked before
-/// tinyobjloader reads the file, since tinyobjloader reads 0 where it does not understand a number.
-/// Numbers are read to within 10 units in the last place. Throws Error with the number of the line,
-/// from 1: kBadFile (not text, no faces, a vertex or face that cannot be read), kNotFinite (a
-/// coordinate nan or inf), kBadIndex (a face uses a vertex that the file does not have),
-/// kDegenerateFace (a polygon that cannot be cut into triangles); and kBadArgument for a part that
-/// does not exist.
+/// `bytes` is the content of the file, with any line ends. A check of every line precedes
+/// tinyobjloader, which reads 0 where it does not understand a number. Numbers are right to within
+/// 10 units in the last place. Throws Error with the number of the line, from 1: kBadFile (not
+/// text, no faces, a vertex or face that cannot be read), kNotFinite (a coordinate nan or inf),
+/// kBadIndex (a face uses a vertex that the file does not have), kDegenerateFace (a polygon that
+/// cannot be cut into triangles); and kBadArgument for a part that does not exist.
 ObjContents readObj(std::string_view bytes, const ObjOptions& options = {});
 
 }  // namespace karcher

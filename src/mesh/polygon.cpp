@@ -30,8 +30,8 @@ Array<Vec2> projected(const Array<Vec3>& corners) {
   return result;
 }
 
-/// Points of the plane in the cells of a grid, about one in each, so that points in a box are found
-/// without visiting all points.
+/// Points of the plane in the cells of a grid, about one in each. A search for the points in a box
+/// visits few others.
 class PointGrid {
  public:
   explicit PointGrid(const Array<Vec2>& points)

@@ -12,7 +12,7 @@ struct PolygonSoup {
   Array<Vec3> positions;
   Array<int> corners;
   Array<int> cornerCount;  ///< the number of corners of each face, at least 3
-  Array<int> mark;         ///< a number for each face, which its triangles get; may be empty
+  Array<int> mark;         ///< a number for each face, which its triangles inherit; may be empty
 };
 
 /// A face's number among all faces, and among those of more than three corners.
@@ -34,11 +34,12 @@ struct CutPolygons {
 };
 
 /// Cuts polygons into triangles; their corners must be existing vertices with finite positions.
-/// With `mend`, a vertex that a polygon names twice in a row counts once, a polygon whose corners
-/// all lie on a line becomes a fan of triangles without area, a quad that crosses itself is cut
-/// along its shorter diagonal, and others that cannot be cut are omitted, unless no face would be
-/// left. Throws Error kDegenerateFace for a polygon that cannot be cut, naming it by `placeOf`:
-/// "line 12".
+///
+/// With `mend`, a vertex that a polygon names twice in a row counts once. A polygon whose corners
+/// all lie on a line becomes a fan of triangles without area. The shorter diagonal cuts a quad that
+/// crosses itself. Other polygons that cannot be cut are omitted, unless no face would remain.
+/// Throws Error kDegenerateFace for a polygon that cannot be cut, and names it by `placeOf`: "line
+/// 12".
 CutPolygons cutPolygons(PolygonSoup polygons, bool mend,
                         const std::function<std::string(PolygonNumber)>& placeOf);
 

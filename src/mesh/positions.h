@@ -5,7 +5,7 @@
 namespace karcher {
 
 /// Checks the positions of a mesh, or of some of its vertices, so that products of a few lengths
-/// neither overflow nor underflow: coordinates must be within 1e30, and the mesh must be a single
+/// neither overflow nor underflow. Coordinates must be within 1e30, and the mesh must be a single
 /// point or at least 1e-30 wide. Returns the length of the diagonal of the box around them. Throws
 /// Error kNotFinite, kBadArgument.
 double checkPositions(const Array<Vec3>& positions, const Array<int>* vertices = nullptr);
@@ -13,7 +13,7 @@ double checkPositions(const Array<Vec3>& positions, const Array<int>* vertices =
 /// Checks a place beside a mesh as `checkPositions` does. Throws Error kNotFinite, kBadArgument.
 void checkPlace(const Vec3& place);
 
-/// Twice the largest distance of a position from the mean of all; 0 if there are none.
+/// Twice the largest distance of a position from the mean of all; 0 without positions.
 double extentOf(const Array<Vec3>& positions);
 
 }  // namespace karcher

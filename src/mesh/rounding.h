@@ -1,8 +1,8 @@
 #pragma once
 
-/// The largest differences between computed numbers that should be equal, as parts of the numbers
-/// from which they are computed. The longer the computation, the larger the difference. A
-/// comparison uses the constant that fits its numbers.
+/// The largest differences between computed numbers that should be equal, as parts of their inputs.
+/// The longer the computation, the larger the difference. A comparison uses the constant that fits
+/// its numbers.
 namespace karcher {
 
 /// A few operations on doubles, each of which rounds by 1.1e-16.

@@ -14,7 +14,7 @@ namespace {
 /// The default tolerance relative to the shortest edge; relative to the diagonal it is
 /// kFloatRounding.
 constexpr double kNearPartOfEdge = 0.01;
-/// The largest tolerance relative to the shortest edge, even on a caller's request, so that
+/// The largest tolerance relative to the shortest edge, also for a caller's own tolerance, so that
 /// triangles keep their shape.
 constexpr double kMostPartOfEdge = 1.0 / 3;
 
@@ -187,7 +187,7 @@ class Seams {
     DisjointSets sets(positions_.count());
     if (!uniteNear(points, reach, most, sets)) return false;
     Array<int> joined = sets.names();
-    // Two corners of a face are never united. A set that would unite them is left unchanged.
+    // Two corners of a face never become one. A set that would unite them stays unchanged.
     Array<uint8_t> torn(positions_.size(), 0);
     for (const Triangle& t : faces_.corners) {
       for (int k = 0; k < 3; ++k) {
@@ -203,8 +203,8 @@ class Seams {
   }
 
   /// Unites points that lie within each other's reach; `most` is the greatest reach. Returns
-  /// whether it united any. Points in one small cube are all within each other's reach and are
-  /// united without comparing pairs, so that a large cluster does not take quadratic time.
+  /// whether it united any. Points in one small cube are all within each other's reach, so it
+  /// unites them without comparing pairs: a large cluster does not take quadratic time.
   bool uniteNear(const Array<int>& points, const Array<double>& reach, double most,
                  DisjointSets& sets) const {
     double least = most;
@@ -353,10 +353,10 @@ class Seams {
     repairs_.welded += target_.unite(v, w) ? 1 : 0;
   }
 
-  /// Keeps one end of an edge that two faces share in the file from being welded, if welding both
-  /// ends would give the edge more faces: separating these might then separate the two. So a sheet
-  /// and its turned copy, welded along their rim, are not torn where an edge leads from rim to rim.
-  /// Returns whether such an end had been welded.
+  /// Finds edges that two faces share in the file and whose ends would both be welded, so that the
+  /// edge would have more faces. A later separation of these might part the two. So one end of the
+  /// edge stays unwelded. Then a sheet and its turned copy, welded along their rim, do not tear at
+  /// an edge from rim to rim. Returns whether such an end had been welded.
   bool keepWholeEdges() {
     // the most sides compared; the time grows with their square
     constexpr size_t kMostCompared = 64;
@@ -398,8 +398,8 @@ class Seams {
     unite(vertexAt(nextCorner(g)), vertexAt(turned ? nextCorner(h) : h));
   }
 
-  /// First joins half-edges whose faces are joined in the file, then the others, as long as the
-  /// surface stays two-sided.
+  /// First joins half-edges whose faces the file joins, then the others, as long as the surface
+  /// stays two-sided.
   void weldMirrored(const Edges& edges) {
     const auto isJoined = [&](const std::array<int, 2>& pair) {
       const auto same = [&](int v, int w) { return target_.find(v) == target_.find(w); };

@@ -8,8 +8,9 @@ namespace karcher {
 struct SeamOptions {
   /// The diagonal of the box around the vertices.
   double diagonal = 0;
-  /// The largest distance between vertices that are welded. 0 welds nothing. A negative value
-  /// stands for the smaller of 1e-6 of the diagonal and 1 % of the shortest edge at either vertex.
+  /// The largest distance between vertices that the function welds. 0 welds nothing. A negative
+  /// value stands for the smaller of 1e-6 of the diagonal and 1 % of the shortest edge at either
+  /// vertex.
   double tolerance = -1;
   /// Whether to weld only vertices at exactly the same place, and only if every edge then has at
   /// most two faces, in opposite directions. No face is omitted.
@@ -25,20 +26,25 @@ struct DuplicateFace {
 };
 
 struct SeamRepairs {
-  int welded = 0;     ///< the number of vertices that were replaced by another
-  int keptApart = 0;  ///< the number of vertices at the place of another that were kept
+  int welded = 0;     ///< the number of vertices that became another
+  int keptApart = 0;  ///< the number of vertices that stayed at the place of another
   Array<DuplicateFace> duplicates;
 };
 
 /// Welds vertices where two faces have an edge at the same place: vertices at the same position (0
 /// and -0 are the same), and on boundaries those within the tolerance. Parts that only touch stay
-/// apart, and so do the corners of one face. If the two edges have the same direction, one side is
-/// turned over (`connectRepaired`), unless that would make the surface one-sided. An edge that two
-/// faces share gets no other faces: if it leads from seam to seam beside another one, its first end
-/// is not welded. A face at the place of an earlier one is omitted: always if it has the same
-/// orientation; with the opposite one if an edge has more than two faces and the face is attached
-/// to no other. `order` lists the vertices of the faces, equal positions next to each other
-/// (`mortonOrder`). `target` maps each vertex to its representative, and is updated.
+/// apart, and so do the corners of one face. If the two edges have the same direction, one side
+/// turns over (`connectRepaired`), unless that would make the surface one-sided.
+///
+/// No third face may join an edge that two faces share. If welding both ends of such an edge would
+/// add one, its first end stays apart.
+///
+/// The function omits a face at the place of an earlier one if both have the same orientation. With
+/// opposite orientations it does so only if an edge has more than two faces and the face is
+/// attached to no other.
+///
+/// `order` lists the vertices of the faces, equal positions next to each other (`mortonOrder`).
+/// `target` maps each vertex to its representative; the function updates it.
 SeamRepairs closeSeams(const Array<Vec3>& positions, const Array<int>& order, WorkFaces& faces,
                        const SeamOptions& options, DisjointSets& target);
 

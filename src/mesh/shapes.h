@@ -2,7 +2,7 @@
 
 #include "mesh/triangle_soup.h"
 
-/// Built-in surfaces. Each is manifold, about 1 in size, and faces outwards.
+/// Built-in surfaces. Each is manifold and about 1 in size, and its faces are oriented outwards.
 namespace karcher {
 
 enum class Shape {

@@ -6,8 +6,8 @@ namespace karcher {
 
 /// The place between `from` and `to` at which a function changes its sign, up to `rounding`. The
 /// search is by regula falsi, which halves the value of an end that stays twice (the Illinois
-/// rule). It becomes bisection where a value is not finite, or after many steps. If the values at
-/// both ends have the same sign, the first is taken to be negative.
+/// rule). Where a value is not finite, or after many steps, it becomes bisection. If the values at
+/// both ends have the same sign, the first counts as negative.
 template <class Function>
 double signChange(double from, double to, double atFrom, double atTo, double rounding,
                   const Function& valueAt) {

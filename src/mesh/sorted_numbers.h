@@ -4,7 +4,8 @@
 
 #include "mesh/types.h"
 
-/// A sort that rare callers share. Each instance of std::sort would add three kilobytes of code.
+/// A sort for callers that need it rarely. Each instance of std::sort would add three kilobytes of
+/// code.
 namespace karcher {
 
 /// Sorts numbers by a comparison, and equal ones in ascending order.

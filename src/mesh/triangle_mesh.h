@@ -82,10 +82,10 @@ inline HalfedgesAround<TriangleMesh> outgoingHalfedges(const TriangleMesh& mesh,
 /// that edge, so that its angles are rounding noise.
 bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Builds the adjacency. Every vertex must belong to a face; any number of components and
-/// boundaries is allowed. Throws Error: kBadFile (no faces), kBadIndex, kNotFinite, kBadArgument
-/// (size), kDegenerateFace, kNonManifoldEdge, kNonManifoldVertex. Each names the place by the
-/// caller's indices.
+/// Builds the adjacency. Every vertex must belong to a face; the mesh may have any number of
+/// components and boundaries. Throws Error: kBadFile (no faces), kBadIndex, kNotFinite,
+/// kBadArgument (size), kDegenerateFace, kNonManifoldEdge, kNonManifoldVertex. Each names the place
+/// by the caller's indices.
 TriangleMesh buildMesh(Array<Vec3> positions, Array<Triangle> faces);
 
 /// The first half of `buildMesh`, for callers that renumber before the second. Checks positions and
@@ -114,8 +114,8 @@ struct MeshNames {
 /// Throws Error: kNonManifoldEdge, kNonManifoldVertex, kBadIndex (a vertex without a face).
 TriangleMesh connectMesh(Array<Vec3> positions, Array<Triangle> faces, const MeshNames& names);
 
-/// Fills `outgoing` and `onBoundary` from `twin`. If a vertex has several fans of faces, one of
-/// them is used, at the boundary if possible. Every vertex must belong to a face.
+/// Fills `outgoing` and `onBoundary` from `twin`. If a vertex has several fans of faces, it takes
+/// one of them, at the boundary if possible. Every vertex must belong to a face.
 void connectVertices(TriangleMesh& mesh);
 
 /// The length of the bounding box's diagonal.

@@ -18,8 +18,8 @@ using Vec3 = Eigen::Vector3d;
 /// Corner indices of a triangle, counterclockwise seen from outside.
 using Triangle = Eigen::Vector3i;
 
-/// A std::vector that is indexed by int. Vertices, faces and half-edges have int numbers, and -1
-/// stands for none.
+/// A std::vector with int indices. Vertices, faces and half-edges have int numbers, and -1 stands
+/// for none.
 template <class T>
 class Array : public std::vector<T> {
  public:

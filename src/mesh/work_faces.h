@@ -10,8 +10,8 @@ namespace karcher {
 struct WorkFaces {
   Array<Triangle> corners;
   Array<int> source;  ///< the input triangle that each face is, or is a part of
-  /// The index, for each face, of its corners' weights in `weights`, or -1 if it is the whole input
-  /// triangle; empty if all are whole.
+  /// The index, for each face, of its corners' weights in `weights`; -1 if the face is the whole
+  /// input triangle. The array is empty if all faces are whole.
   Array<int> part;
   Array<std::array<Vec3, 3>> weights;
 

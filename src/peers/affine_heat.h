@@ -3,18 +3,17 @@
 #include "peers/vector_heat.h"
 
 /// The affine heat method: Y. Soliman, N. Sharp, "The Affine Heat Method", Computer Graphics Forum
-/// 44 (2025), the successor of the vector heat method for log maps.
-///
-/// Heat transports positions instead of directions: each vertex has the source as a point of its
-/// own tangent plane, in homogeneous coordinates, and an edge changes planes by a rotation and by a
-/// translation along itself. Heat that starts as the origin at the source spreads as (v, u), and v
-/// / u, turned back by a transported frame, is the logarithm. The method needs no Poisson equation
-/// and is exact on the plane.
+/// 44 (2025), the successor of the vector heat method for log maps. Heat transports positions
+/// instead of directions. Each vertex has the source as a point of its own tangent plane, in
+/// homogeneous coordinates; an edge changes planes by a rotation and by a translation along itself.
+/// Heat that starts as the origin at the source spreads as (v, u), and v / u, turned back by a
+/// transported frame, is the logarithm. The method needs no Poisson equation and is exact on the
+/// plane.
 ///
 /// The 3 n x 3 n operator of the paper is block triangular: u is ordinary heat, and v is heat of
 /// vectors with a source that u determines. So both variants need only the factors of the vector
-/// heat method, and not the unsymmetric factor (of which the adaptive variant would need one for
-/// each source).
+/// heat method. They do not need the unsymmetric factor, of which the adaptive variant would need
+/// one for each source.
 namespace karcher {
 
 enum class AffineVariant {

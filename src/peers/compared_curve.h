@@ -12,7 +12,7 @@
 
 /// Curves by every compared method, including our own and the paper's, in the same steps: prepare
 /// the mesh, trace a curve, move a point. All use the same weights and start each search at the
-/// same points (`Seeds`), so that times and results can be compared. The paper's method and ours
+/// same points (`Seeds`), so that times and results are comparable. The paper's method and ours
 /// restart after failures (`findRestarts`), as in the engine.
 namespace karcher {
 
@@ -29,8 +29,8 @@ enum class Seeds {
   /// The starts of the engine (traceSegment): both ends of a segment start at the control point of
   /// the largest weight, other samples at the last one that converged.
   kHeaviest,
-  /// The starts of the program of the paper's authors: samples start at the geodesic de Boor point
-  /// (repeatedAverage) until a center is found, then each at the last one found, through all
+  /// The starts of the program of the paper's authors. Samples start at the geodesic de Boor point
+  /// (repeatedAverage) until a search finds a center, then each at the last center, through all
   /// segments, without restarts.
   kAuthors,
 };
@@ -45,15 +45,16 @@ struct ComparedOptions {
   EmbeddingOptions embedding;  ///< the options of kWeightedAverages
   /// the solver of landmarks' distances, kFast or kExact
   Solver landmarkDistances = Solver::kFast;
-  /// A function that is called before the distances of each landmark, and may throw to cancel.
+  /// A function that the method calls before the distances of each landmark, and that may throw to
+  /// cancel.
   std::function<void(int landmarks)> progress;
 };
 
 /// The data that a method computes once for a mesh and all curves on it.
 class PreparedMethod {
  public:
-  /// The surface must outlive the method. Throws Error as the method does: kNoEmbedding,
-  /// kDegenerateFace, kUnreachable, kBadArgument.
+  /// The surface must outlive the method. Throws Error: kNoEmbedding, kDegenerateFace,
+  /// kUnreachable, kBadArgument, each by some methods.
   PreparedMethod(Surface& surface, const ComparedOptions& options);
   PreparedMethod(const PreparedMethod&) = delete;
   PreparedMethod& operator=(const PreparedMethod&) = delete;
@@ -88,7 +89,7 @@ class ComparedCurve {
   /// (descent of more than two points).
   ComparedCurve(PreparedMethod& method, ComparedPlan plan);
 
-  /// Replaces a control point, whose segments must then be traced again. Throws Error kBadIndex.
+  /// Replaces a control point, whose segments then need a new trace. Throws Error kBadIndex.
   void movePoint(int i, const SurfacePoint& point);
 
   /// Sets the start of searches for a segment's ends, instead of the control point of the largest
@@ -96,7 +97,7 @@ class ComparedCurve {
   void startAt(const SurfacePoint& start) { start_ = start; }
 
   /// Does the next step: the field of one point, or up to `samples` samples of a segment. Returns
-  /// true when all is done. Throws Error as the method does.
+  /// true when all is done. Throws what the method throws.
   bool advance(int samples);
 
   int segmentCount() const { return segments_.count(); }

@@ -66,7 +66,7 @@ class Descent {
     return crossFace(here);
   }
 
-  /// Distances are read only along the path, so that other components need none.
+  /// The search reads distances only along the path, so that other components need none.
   double distanceOf(int vertex) const {
     const double distance = distances_[vertex];
     if (std::isfinite(distance)) return distance;
@@ -86,7 +86,7 @@ class Descent {
 
   bool leaveEdge(const SurfacePoint& here, int h) {
     const int twin = mesh_.twin[h];
-    // The point's own face is the one from which the path comes, so that the other is tried first.
+    // The path comes from the point's own face, so the other face comes first.
     if (twin >= 0 && leadsInside(twin)) {
       return crossFace(edgePoint(twin, here.bary[cornerOf(h)]));
     }
@@ -197,7 +197,7 @@ CenterOfMass descentCenterOfMass(const Geometry& geometry, const DescentPath& pa
     const double piece = (to - from).norm();
     center.point = path.points[i];
     if (left <= piece) {
-      // Both ends are converted to one face: the later one's, or else the earlier one's.
+      // Both ends become points of one face: the later one's, or else the earlier one's.
       const bool later = liesInFace(mesh, locate(mesh, path.points[i - 1]), path.points[i].face);
       const int f = later ? path.points[i].face : path.points[i - 1].face;
       const Vec3 a = inFace(mesh, path.points[i - 1], f).bary;

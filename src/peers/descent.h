@@ -4,11 +4,10 @@
 
 /// Paths by piecewise-linear descent of a distance field: R. Kimmel, J. Sethian, "Computing
 /// geodesic paths on manifolds", Proceedings of the National Academy of Sciences 95 (1998); the
-/// magenta path of Mancinelli and Puppo's Fig. 3.
-///
-/// Distances at the vertices are extended linearly to each face, where their gradient is constant.
-/// From the start the path descends against the gradient from face to face. It follows an edge to
-/// which both of its faces lead, and at a vertex it takes the steepest descent.
+/// magenta path of Mancinelli and Puppo's Fig. 3. Distances at the vertices determine a linear
+/// function in each face, with a constant gradient. From the start the path descends against the
+/// gradient from face to face. It follows an edge to which both of its faces lead, and at a vertex
+/// it takes the steepest descent.
 namespace karcher {
 
 enum class DescentStop {
@@ -29,15 +28,15 @@ struct DescentPath {
 Vec2 faceGradient(const Geometry& geometry, const Array<double>& values, int f);
 
 /// Descends from `start` to `source`, to which `distances` (one for each vertex) belong. They must
-/// be finite only along the path, so that vertices of other components may have none. Throws Error:
+/// be finite along the path, but need not be elsewhere, as on other components. Throws Error:
 /// kBadArgument (not one distance for each vertex), kNotFinite.
 DescentPath descendDistance(const Geometry& geometry, const Array<double>& distances,
                             const SurfacePoint& source, const SurfacePoint& start);
 
 /// The center of mass of two points that a path joins, the source with weights[0] and the start
-/// with weights[1]: the point at the part weights[1] of the path's length from the source. The
-/// status is kNoProgress if the path did not arrive. Throws Error kBadWeights unless there are two
-/// weights, neither negative, with the sum 1.
+/// with weights[1]. It is the point at the part weights[1] of the path's length from the source.
+/// The status is kNoProgress if the path did not arrive. Throws Error kBadWeights unless there are
+/// two weights, neither negative, with the sum 1.
 CenterOfMass descentCenterOfMass(const Geometry& geometry, const DescentPath& path,
                                  Weights weights);
 

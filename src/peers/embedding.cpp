@@ -133,8 +133,8 @@ class LeastSquaresMesh {
   Eigen::SparseMatrix<double> energy_;
 };
 
-/// The place of a new landmark among the earlier ones. It is found by the same majorization as
-/// theirs, from its place in the least-squares mesh.
+/// The place of a new landmark among the earlier ones, by the same majorization as theirs, from its
+/// place in the least-squares mesh.
 EmbeddedPoint placeAmong(const Landmarks& landmarks, int i, const Positions& places,
                          EmbeddedPoint place) {
   constexpr int kIterations = 50;

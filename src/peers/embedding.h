@@ -6,12 +6,11 @@
 
 /// A mesh embedded in eight dimensions, where straight lines are about as long as the shortest
 /// paths on the surface: D. Panozzo, I. Baran, O. Diamanti, O. Sorkine-Hornung, "Weighted Averages
-/// on Surfaces" (2013), section 3.5.
-///
-/// Landmarks, each as far as possible from the earlier ones, are placed by metric multidimensional
-/// scaling of their geodesic distances. Between them the surface is as smooth as possible: the
-/// least-squares mesh (O. Sorkine, D. Cohen-Or, "Least-squares meshes", 2004). If some of its faces
-/// are folded over, local refinement adds landmarks, places them among all others, and tries again.
+/// on Surfaces" (2013), section 3.5. Metric multidimensional scaling of their geodesic distances
+/// places landmarks, each as far as possible from the earlier ones. Between them the surface is as
+/// smooth as possible: the least-squares mesh (O. Sorkine, D. Cohen-Or, "Least-squares meshes",
+/// 2004). If some of its faces fold over, local refinement adds landmarks, places them among all
+/// others, and tries again.
 namespace karcher {
 
 /// A function that returns the geodesic distances from a vertex to all vertices.
@@ -20,10 +19,10 @@ using DistancesFromVertex = std::function<Array<double>(int vertex)>;
 struct EmbeddingOptions {
   int landmarks = 500;  ///< the number of landmarks, at least 4; all vertices if the mesh has fewer
   int mostRefinements = 5;
-  /// The largest share of folded faces in an embedding that is accepted.
+  /// The largest share of folded faces in an acceptable embedding.
   double mostFolded = 0.01;
   /// The largest root mean square of the relative errors of the landmarks' distances in an
-  /// embedding that is accepted.
+  /// acceptable embedding.
   double mostStress = 0.3;
 };
 
@@ -35,9 +34,9 @@ struct Embedding {
   double stress = 0;  ///< the stress of the first landmarks, before refinement
 };
 
-/// Throws Error: kNoEmbedding if no acceptable embedding is found; kUnreachable (several
-/// components), kBadArgument (too few landmarks, or not one distance for each vertex),
-/// kDegenerateFace.
+/// The embedding of a surface. Throws Error: kNoEmbedding if no embedding is acceptable;
+/// kUnreachable (several components), kBadArgument (too few landmarks, or not one distance for each
+/// vertex), kDegenerateFace.
 Embedding embedSurface(const Geometry& geometry, const DistancesFromVertex& distancesFrom,
                        const EmbeddingOptions& options = {});
 

@@ -47,13 +47,13 @@ class HeatOperators {
   /// The half-edges that leave a vertex in the triangulation, one for each corner.
   std::span<const int> halfedgesFrom(int vertex) const;
 
-  /// The factors of Mass + t Laplacian for functions, computed on first use. These factors throw
-  /// Error kDegenerateFace if the matrix is singular.
+  /// The factors of Mass + t Laplacian for functions, computed on first use. These and the
+  /// following factors throw Error kDegenerateFace if the matrix is singular.
   const SparseFactor<double>& scalarHeat() const;
   /// The factors of Mass + t connection Laplacian, for vectors in the vertices' frames.
   const SparseFactor<Complex>& vectorHeat() const;
-  /// The factors of the Laplacian with the first vertex of each component held at 0. Right-hand
-  /// sides must be 0 there.
+  /// The factors of the Laplacian, with 0 at the first vertex of each component. Right-hand sides
+  /// must be 0 there.
   const SparseFactor<double>& poisson() const;
   const Array<int>& heldVertices() const { return heldVertices_; }
 

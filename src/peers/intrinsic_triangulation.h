@@ -4,11 +4,10 @@
 
 #include "intrinsic/geometry.h"
 
-/// A triangulation of a surface given by its edge lengths alone: the mesh itself, or the intrinsic
-/// Delaunay triangulation, which has the same vertices and metric but other edges.
-///
-/// Edges are flipped, and the directions in which they leave their vertices are kept, after N.
-/// Sharp, Y. Soliman, K. Crane, "The Vector Heat Method" (2019), section 5.4.
+/// A triangulation of a surface by its edge lengths alone: the mesh itself, or the intrinsic
+/// Delaunay triangulation, which has the same vertices and metric but other edges. Flips change the
+/// edges and keep the directions in which they leave their vertices, after N. Sharp, Y. Soliman, K.
+/// Crane, "The Vector Heat Method" (2019), section 5.4.
 namespace karcher {
 
 /// A tangent vector as a complex number.

@@ -29,7 +29,7 @@ void LogMapMean::movePoint(int i, const SurfacePoint& point) {
     if (!known.whole.empty() && known.ofPoints[i].allFinite()) {
       ++at;
     } else {
-      // A point without a logarithm is reported by the search that needs it.
+      // The search that needs a missing logarithm reports the point.
       keptBytes_ -= known.whole.size() * sizeof(Vec2);
       at = known_.erase(at);
     }

@@ -13,14 +13,14 @@ namespace karcher {
 struct LogMapMeanOptions {
   double tolerance = 1e-6;  ///< the tolerance of the weighted sum of logarithms, in mean edges
   int maxIterations = 100;
-  /// The memory for whole log maps, which are kept for points that move. Each map takes 16 bytes
-  /// for each vertex.
+  /// The memory for whole log maps, which serve points that move. Each map takes 16 bytes for each
+  /// vertex.
   size_t mostBytes = size_t{1} << 29;
 };
 
-/// The center of mass of control points that stay the same for many weights. A log map is computed
-/// once for each vertex that a search visits. It does not depend on the control points and is kept
-/// whole while memory suffices, so that the logarithms of a moved point are looked up.
+/// The center of mass of control points that stay the same for many weights. The first search that
+/// visits a vertex computes its log map. The map does not depend on the control points. While
+/// memory suffices, the mean keeps it whole, so that it has the logarithms of a moved point.
 class LogMapMean {
  public:
   /// The geometry must outlive the mean.
@@ -30,7 +30,7 @@ class LogMapMean {
   /// Replaces the control points and forgets all log maps.
   void setPoints(Array<SurfacePoint> points);
 
-  /// Replaces control point i, which must exist. Discards log maps that were not kept whole.
+  /// Replaces control point i, which must exist. Discards log maps that are not whole.
   void movePoint(int i, const SurfacePoint& point);
 
   /// The center of mass. The weights should sum to 1. Statuses: kConverged; kNoProgress if no step
@@ -44,7 +44,7 @@ class LogMapMean {
   /// than a third of the root of the face's area (geometry-central, findCenter).
   bool metLibraryRule() const { return metLibraryRule_; }
 
-  /// The number of log maps computed since the points were set.
+  /// The number of log maps computed since the last `setPoints`.
   int logMapCount() const { return logMapCount_; }
 
   /// The number of log maps used. The authors' library, which keeps none, would have computed all

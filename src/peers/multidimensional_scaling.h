@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 
 /// Metric multidimensional scaling: points in a Euclidean space whose distances approximate given
-/// ones. The sum of the squared relative errors is lowered by majorization, from a start by
-/// classical scaling (J. de Leeuw, "Applications of convex analysis to multidimensional scaling",
-/// 1977; T. Cox, M. Cox, "Multidimensional Scaling", 2000).
+/// ones. Majorization lowers the sum of the squared relative errors, from a start by classical
+/// scaling (J. de Leeuw, "Applications of convex analysis to multidimensional scaling", 1977; T.
+/// Cox, M. Cox, "Multidimensional Scaling", 2000).
 namespace karcher {
 
 struct ScalingOptions {

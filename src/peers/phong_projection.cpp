@@ -36,7 +36,7 @@ Complex turnBetween(const TangentPlane& from, const TangentPlane& to) {
   return size > 0 ? turn / size : Complex(1);
 }
 
-/// The weights of the planes at the corners. Along each edge two planes are blended linearly; the
+/// The weights of the planes at the corners. Along each edge two planes blend linearly; the
 /// products of the ends' weights blend these three results. first[k] belongs to corner k in the
 /// blend of the edge from k to k + 1, second[k] in that of the edge from k - 1 to k. All sum to 1.
 struct BlendWeights {

@@ -6,12 +6,11 @@
 #include "peers/intrinsic_triangulation.h"
 
 /// Phong projection: D. Panozzo, I. Baran, O. Diamanti, O. Sorkine-Hornung, "Weighted Averages on
-/// Surfaces", ACM Transactions on Graphics 32 (2013), section 4.
-///
-/// A mesh embedded in eight dimensions has a tangent plane at each vertex. Between the vertices the
-/// planes change continuously over the surface. A point of the space projects to the point of the
-/// mesh whose plane is orthogonal to the line between them. Unlike the nearest point, this
-/// projection depends smoothly on the point.
+/// Surfaces", ACM Transactions on Graphics 32 (2013), section 4. A mesh embedded in eight
+/// dimensions has a tangent plane at each vertex. Between the vertices the planes change
+/// continuously over the surface. A point of the space projects to the point of the mesh whose
+/// plane is orthogonal to the line between them. Unlike the nearest point, this projection depends
+/// smoothly on the point.
 namespace karcher {
 
 inline constexpr int kEmbeddingDimensions = 8;
@@ -39,8 +38,8 @@ class PhongSurface {
   /// The blended tangent plane at a point: orthonormal rows.
   TangentPlane planeAt(const SurfacePoint& point) const;
 
-  /// The projection of p, searched from face to face and then around the nearest vertex. None if it
-  /// lies beyond the boundary or no face has a projection.
+  /// The projection of p; the search goes from face to face and then around the nearest vertex. It
+  /// is empty if it lies beyond the boundary or no face has a projection.
   std::optional<SurfacePoint> project(const EmbeddedPoint& p, const SurfacePoint& start) const;
 
  private:
@@ -51,7 +50,7 @@ class PhongSurface {
     Complex turnFirst[3];
     Complex turnSecond[3];  ///< the same for the edge that leads to k
     Complex corners[3][3];  ///< corner c in the plane of corner k, as [k][c]
-    Complex target[3];      ///< the point that is projected
+    Complex target[3];      ///< the point to project
   };
   struct FaceProjection {
     Vec3 bary;

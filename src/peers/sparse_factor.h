@@ -7,11 +7,10 @@
 #include "mesh/error.h"
 #include "mesh/types.h"
 
-/// A sparse Hermitian matrix that is factorised once and used in many solves.
-///
-/// The factor L D L* is Eigen's (simplicial, approximate minimum degree ordering, no pivoting). The
-/// triangular solves here handle several right-hand sides in one pass over L. This pass takes most
-/// of the time, since L does not fit into the cache.
+/// A sparse Hermitian matrix with one factorisation for many solves. The factor L D L* is Eigen's
+/// (simplicial, approximate minimum degree ordering, no pivoting). The triangular solves here
+/// handle several right-hand sides in one pass over L. This pass takes most of the time, since L
+/// does not fit into the cache.
 namespace karcher {
 
 /// Right-hand sides, or solutions; the values of one row are adjacent.
@@ -78,8 +77,8 @@ class SparseFactor {
     return Eigen::Map<const Row<kColumns>>(x.data() + static_cast<ptrdiff_t>(i) * kColumns);
   }
 
-  // Complex products are written out, since the language's own ones check for infinities, which
-  // takes time.
+  // Complex products are written out, since the language's own check for infinities, which takes
+  // time.
   template <int kColumns>
   static void subtractProduct(Columns<Scalar, kColumns>& x, int i, const Scalar& a,
                               const Row<kColumns>& b) {

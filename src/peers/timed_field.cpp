@@ -6,7 +6,8 @@
 namespace karcher {
 namespace {
 
-/// Searches from vertex to vertex, so that only the neighbourhood is visited.
+/// The vertices within the radius. The search goes from vertex to vertex, so that it visits only
+/// the neighbourhood.
 Array<int> verticesWithin(const TriangleMesh& mesh, PointField& field, double radius) {
   Array<int> stack;
   std::unordered_set<int> seen;

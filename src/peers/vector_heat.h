@@ -6,13 +6,12 @@
 #include "peers/heat_operators.h"
 
 /// The vector heat method: N. Sharp, Y. Soliman, K. Crane, "The Vector Heat Method", ACM
-/// Transactions on Graphics 38 (2019).
-///
-/// Vectors are transported along shortest paths by short-time heat flow with the connection
-/// Laplacian. From a vertex, heat that starts as all outward directions at once gives the direction
-/// in which shortest paths arrive (the radial field). Heat that starts as one direction transports
-/// the vertex's own x axis. The angle between the two is the angle of the logarithm; its length is
-/// the potential whose gradient is nearest to the radial field.
+/// Transactions on Graphics 38 (2019). Short-time heat flow with the connection Laplacian
+/// transports vectors along shortest paths. From a vertex, heat that starts as all outward
+/// directions at once gives the direction in which shortest paths arrive (the radial field). Heat
+/// that starts as one direction transports the vertex's own x axis. The angle between the two is
+/// the angle of the logarithm; its length is the potential whose gradient is nearest to the radial
+/// field.
 namespace karcher {
 
 /// The logarithm of each vertex; (kInfinity, 0) if it is on another component or so far away that

@@ -53,7 +53,7 @@ class Cells {
   /// The half-edge in the opposite direction, in the cell across h; -1 at the boundary.
   int twin(int h) const { return cut_ ? cutTwin(h) : mesh_.twin[h]; }
 
-  /// The first of the half-edges that leave h's tail: TriangleMesh::outgoing.
+  /// The first of the half-edges that leave h's tail (TriangleMesh::outgoing).
   int firstAround(int h) const;
   /// The half-edges that leave h's tail, counterclockwise from `firstAround`.
   HalfedgesAround<Cells> around(int h) const { return {*this, firstAround(h)}; }

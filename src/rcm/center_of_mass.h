@@ -36,14 +36,13 @@ struct CenterOfMass {
 /// inside (deepest_zero.h).
 bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point);
 
-/// The zero on an edge if each of the cells on both sides has its zero beyond the edge; else the
-/// zero around the end of the edge beyond which it lies. `h` is a half-edge of a cell, not on the
-/// boundary.
+/// The zero on the edge of half-edge h if the cells on both its sides have their zeros beyond it;
+/// else the zero around the end of h beyond which it lies. The edge must not lie on the boundary.
 CenterOfMass centerBetween(FieldBlend& fields, Weights weights, int h);
 
 /// Finds the zero of the blended field by walking from face to face. In each face the zero has a
-/// closed form; if it lies outside, the walk crosses the edge beyond which it lies. A near start
-/// takes one or two faces. Zeros between faces are placed on their edge or vertex.
+/// closed form; if it lies outside, the walk crosses the edge beyond which it lies. From a near
+/// start it visits one or two faces. A zero between faces lies on their edge or vertex.
 CenterOfMass walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start);
 
 }  // namespace karcher

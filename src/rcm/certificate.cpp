@@ -9,8 +9,8 @@
 namespace karcher {
 namespace {
 
-/// The certificate of a point on an edge or at a vertex. Distances from one source would need a
-/// point inside a face.
+/// The certificate of a point on an edge or at a vertex. Distances from one source need a point
+/// inside a face.
 Certificate byPaths(const Geometry& geometry, const WeightedPoints& points,
                     const SurfacePoint& point) {
   Certificate result;

@@ -15,8 +15,8 @@ struct FieldValue {
   double squaredDistance = 0;    ///< d(v, p)^2
 };
 
-/// The field of one control point. The value at a vertex is computed on first use and kept. So
-/// memory and time of a field depend on the part of the mesh where it is read.
+/// The field of one control point. It computes the value at a vertex on first use and keeps it, so
+/// that its memory and time depend on the part of the mesh where callers read it.
 class ControlField {
  public:
   /// A function that computes the value at a vertex. The value must depend on the vertex alone, not
@@ -41,7 +41,7 @@ class ControlField {
   const FieldValue& at(int vertex) {
     const int number = numberOf_.find(vertex);
     if (number >= 0) return values_[number];
-    // The entry is added after the evaluation, which may throw.
+    // The evaluation may throw, so the entry follows it.
     const FieldValue value = evaluate_(vertex);
     numberOf_.add(vertex);
     return values_.emplace_back(value);
@@ -49,8 +49,8 @@ class ControlField {
 
   bool hasMidpoints() const { return static_cast<bool>(evaluateMidpoint_); }
 
-  /// The field at the midpoint of a half-edge minus the mean of its ends. Callers must always use
-  /// the same half-edge of an edge.
+  /// The field at the midpoint of a half-edge minus the mean of its ends. Callers must use the same
+  /// half-edge of an edge each time.
   const Vec2& midpointCorrection(int halfedge) {
     const auto [entry, isNew] = corrections_.try_emplace(halfedge);
     if (isNew) {
@@ -64,7 +64,7 @@ class ControlField {
     return entry->second;
   }
 
-  /// The same value, which is not kept, for callers that read each value once.
+  /// The same value for callers that read each value once: the field does not keep it.
   Vec2 midpointCorrectionUnkept(int halfedge) const { return evaluateMidpoint_(halfedge); }
 
  private:

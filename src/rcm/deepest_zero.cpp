@@ -13,7 +13,7 @@ class DeepestZero {
       : fields_(fields), cells_(fields.cells()), weights_(weights), cell_(cell), best_(zero) {}
 
   SurfacePoint run() {
-    // Each step goes to a deeper zero, so that no cell is met twice and the loop ends.
+    // Each step goes to a deeper zero. So the loop visits no cell twice, and ends.
     bool isDeeper = true;
     while (isDeeper && best_.depth() < kNearEdge) isDeeper = goDeeper();
     return cells_.point(cell_, best_.bary);
@@ -31,7 +31,7 @@ class DeepestZero {
     return cell_ != cell;
   }
 
-  /// Whether the cell across the edge opposite to corner k may have a zero as well (isTheOnlyZero).
+  /// Whether the cell across the edge opposite to corner k may also have a zero (isTheOnlyZero).
   bool isDoubtful(int k) const {
     if (best_.bary[k] >= kNearEdge) return false;
     const int i = k == 2 ? 0 : k + 1;

@@ -10,12 +10,12 @@ namespace karcher {
 /// neither of them. If both have one, the zero that lies deeper inside its cell counts, so that a
 /// center does not depend on the cell that the search visited first.
 ///
-/// `zero` is the blend's zero in `cell` and lies inside it. Returns the deepest of it and the zeros
-/// around it. If `isTheOnlyZero` holds, which is usual and quickly decided, that is `zero` itself.
+/// `zero` is the blend's zero in `cell` and lies inside it. Returns the deepest of this zero and
+/// those around it. Usually `isTheOnlyZero` shows quickly that this is `zero` itself.
 SurfacePoint deepestZero(FieldBlend& fields, Weights weights, int cell, const CellZero& zero);
 
-/// The least weights of a zero that is certainly the only one near by: the field's discontinuity
-/// moves a zero by a smaller part of an edge. (Larger discontinuities make a curve jump, which
+/// A zero with greater weights than this is the only one near by: the field's discontinuity moves a
+/// zero by a smaller part of an edge. (Larger discontinuities make a curve jump, which
 /// curves/trace/bridge.h finds.)
 inline constexpr double kNearEdge = 0.1;
 

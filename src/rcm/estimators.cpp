@@ -11,7 +11,7 @@ namespace {
 using Neighbour = StencilNeighbour;
 
 /// Adds the transport along one edge to the neighbours from index `begin` on; earlier ones lie in
-/// finished rings. A neighbour's sums are kept in `place` and `rotation`.
+/// finished rings. A neighbour's `place` and `rotation` hold its sums.
 void carry(Array<Neighbour>& ring, int begin, Array<int>& ways, const Neighbour& from, int vertex,
            double length, double directionThere, double directionBack) {
   const auto known = std::find_if(ring.begin(), ring.end(),
@@ -29,11 +29,11 @@ void carry(Array<Neighbour>& ring, int begin, Array<int>& ways, const Neighbour&
   ++ways[number - begin];
 }
 
-/// Writes to `ring` the vertex itself and then its neighbours, ring by ring. Each is placed by the
-/// mean of the transports along all edges from the previous ring, so that it does not depend on the
-/// numbers of vertices and faces. Rings do not extend past a hub, whose estimate is its own log
-/// vector: the size of stencils through hubs would grow as the square of their edges, and they
-/// would mix paths around all sides of the hubs.
+/// Writes to `ring` the vertex itself and then its neighbours, ring by ring. The mean of the
+/// transports along all edges from the previous ring places a neighbour, so that its place does not
+/// depend on the numbers of vertices and faces. Rings do not extend past a hub, whose estimate is
+/// its own log vector. The size of stencils through a hub would grow as the square of its edges,
+/// and they would mix paths around all its sides.
 void findRings(const Geometry& geometry, int vertex, int rings, Array<Neighbour>& ring,
                Array<int>& ways) {
   const TriangleMesh& mesh = *geometry.mesh;
@@ -110,8 +110,8 @@ double wideGaussian(const Vec2& white) { return std::exp(-white.squaredNorm() / 
 /// near the vertex the fit stays closer to the polyhedron's own distances.
 double narrowGaussian(const Vec2& white) { return std::exp(-2 * white.squaredNorm()); }
 
-/// Writes terms of log vectors, or only that of the vertex's own vector if the fit is not
-/// determined.
+/// Writes terms of log vectors. If they do not determine the fit, it writes only the term of the
+/// vertex's own vector.
 void linearTerms(const Array<Neighbour>& ring, double share, Array<StencilTerm>& terms) {
   const Eigen::Matrix2d toWhite = whitening(ring);
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();

@@ -25,9 +25,9 @@ enum class Estimator {
   /// the same fit over the 2-ring
   kLinear2,
   /// The gradient at the vertex of a quadratic least-squares fit to squared distances over the
-  /// 2-ring, through the vertex's own value. It is of second order, and is kLinear2 if the ring
-  /// does not determine the fit. It needs exact log vectors. Their share also depends on the field
-  /// (shareOfLogVector).
+  /// 2-ring, through the vertex's own value. It is of second order, and needs exact log vectors.
+  /// Their share also depends on the field (shareOfLogVector). If the ring does not determine the
+  /// fit, the estimate is that of kLinear2.
   kQuadratic2,
 };
 
@@ -75,8 +75,8 @@ struct Stencil {
 };
 
 /// The share of the log vector in an estimate; `share` is the part that the mesh determines.
-/// `difference` is that of the log vector and the fit, both times -2. Divided by twice `distance`,
-/// the distance from the source, it is an angle at the source. If the angle exceeds what smooth
+/// `difference` is the log vector minus the fit, times -2. Divided by twice `distance`, the
+/// distance from the source, its length is an angle at the source. If the angle exceeds what smooth
 /// surfaces leave between neighbours, paths arrive from both sides of a ridge, and a fit over both
 /// belongs to no path.
 inline double shareOfLogVector(double share, const Vec2& difference, double distance) {

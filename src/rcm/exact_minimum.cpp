@@ -95,12 +95,12 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
     const double weight = weights_.data()[i];
     if (weight == 0) continue;
     const double straight = (position(mesh, points_[i]) - middle).norm();
-    // The fast solver's distances are seldom too short by more than this factor.
+    // The fast solver's distances are too short by more than this factor only rarely.
     constexpr double kTooShort = 1.002;
     double most = kTooShort * std::max(guesses[i], straight) + 2 * radius;
-    // A search with a too short aim either finds a path that is long enough, or its aim is raised.
-    // The loop ends: a farther search makes no path longer, and while it finds none the aim grows
-    // until it covers the mesh.
+    // If the aim is too short, the search either finds a path that is long enough or the loop
+    // raises the aim. The loop ends: a farther search makes no path longer, and while it finds none
+    // the aim grows until it covers the mesh.
     for (;;) {
       distance.aimAt(PathAim{middle, radius, most});
       distance.setSource(points_[i]);
@@ -150,8 +150,8 @@ struct Compared {
   Array<SurfacePoint> places;
   Array<double> values;
   int checked = 0;  ///< the number of places: the center and its checked circle
-  /// Whether the lowest place counts as a minimum without another comparison, provided that no
-  /// place of the circle is lower than the center.
+  /// Whether the lowest place counts as a minimum without another comparison if no place of the
+  /// circle is lower than the center.
   bool isSettled = false;
 
   void take(const SurfacePoint& place, double value) {
@@ -188,8 +188,8 @@ ExactMinimum descend(const Geometry& geometry, ExactMinimum result, const Compar
   return result;
 }
 
-/// The quadratic here + first . x + bowl |x|^2 + second . (x^2 - y^2, 2 x y), in units of the
-/// circle's radius, that fits values on a circle best, by Fourier coefficients.
+/// The quadratic here + first . x + bowl |x|^2 + second . (x^2 - y^2, 2 x y) that fits values on a
+/// circle best, by Fourier coefficients. Its unit is the circle's radius.
 struct Quadratic {
   Vec2 first = Vec2::Zero();
   Vec2 second = Vec2::Zero();
@@ -236,8 +236,8 @@ Dip dipOf(std::span<const double> onCircle) {
   return {(k + 0.5 + beside) / count, at(k) + slope * beside / 2};
 }
 
-/// Whether the boundary cuts off no point of a circle. On very steep cones a point lies nearer in
-/// space than along the surface.
+/// Whether the boundary cuts off no point of a circle. On steep cones distances in space are
+/// shorter than along the surface.
 bool isWhole(const TriangleMesh& mesh, const Array<SurfacePoint>& places, double radius) {
   constexpr double kNearest = 0.5;
   const Vec3 center = position(mesh, places[0]);
@@ -259,7 +259,7 @@ ExactMinimum exactMinimumNear(const Geometry& geometry, ExactEnergy& energy,
            circleAround(geometry, at.point, circle.radius * edge, circle.count)) {
         compared.places.push_back(point);
       }
-      // The smaller circles are compared only if the center has moved.
+      // The search compares the smaller circles only if the center has moved.
       if (at.moves == 0) break;
     }
     compared.checked = 1 + kCircles[0].count;
@@ -271,7 +271,7 @@ ExactMinimum exactMinimumNear(const Geometry& geometry, ExactEnergy& energy,
 ExactMinimum exactMinimumNear(const Geometry& geometry, ExactOneSourceEnergy& energy,
                               const SurfacePoint& start) {
   const double radius = kCircleOfMany.radius * geometry.meanEdge;
-  // A step by the exact gradient comes first, to avoid a circle about the wrong place.
+  // A step along the exact gradient comes first, so that the circle lies about the right place.
   const EnergyAt here = energy.at(start);
   const Vec2 way = here.step * std::min(1.0, geometry.meanEdge / here.step.norm());
   const SurfacePoint there =

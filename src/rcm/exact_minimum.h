@@ -7,12 +7,12 @@
 /// Minima of the energy K(p) = sum_i w_i d(p, p_i)^2 by exact distances, near centers of mass.
 ///
 /// On a smooth surface a zero of blended fields is a minimum of K. On a rough or creased one K has
-/// many shallow minima, which estimates at vertices smooth away, and a zero may lie beside all of
-/// them. So K is compared on circles about the zero. If a point of a circle is lower, the search
-/// continues from there.
+/// many shallow minima. Estimates at vertices smooth them away, so that a zero may lie beside all
+/// of them. So the search compares K on circles about the zero, and continues from a point of a
+/// circle that is lower.
 ///
-/// Exact distances are needed in a few faces only. They are found by the windows that can reach
-/// these faces (WindowDistance::aimAt), which are far fewer than those of a whole field.
+/// Only a few faces need exact distances. The windows that can reach these faces
+/// (WindowDistance::aimAt) give them; they are far fewer than those of a whole field.
 namespace karcher {
 
 /// The radius, in mean edges, of the circle about a `converged` center on which K is nowhere lower
@@ -27,7 +27,7 @@ class ExactEnergy {
   ExactEnergy(const Geometry& geometry, const Array<SurfacePoint>& points, Weights weights);
 
   /// K at places that lie within `radius` of `center` along the surface. The search starts from
-  /// `guesses`, and is faster if these are better.
+  /// `guesses`; better guesses make it faster.
   Array<double> at(const SurfacePoint& center, double radius, const Array<SurfacePoint>& places);
 
   /// The distance of each point from the last center, or a caller's estimate of it.
@@ -39,14 +39,14 @@ class ExactEnergy {
   Weights weights_;
 };
 
-/// The radius of a circle around a point, as a straightest geodesic whose direction is this part, 0
-/// to 1, of the total angle from the circle's start. That follows from the shape of the mesh, so
-/// that a circle's points do not depend on the numbers of the faces. The geodesic is shorter if the
-/// boundary is in the way.
+/// The radius of a circle around a point: a straightest geodesic at this part, 0 to 1, of the total
+/// angle from the circle's start. The shape of the mesh determines the start, so that a circle's
+/// points do not depend on the numbers of the faces. The geodesic is shorter if it meets the
+/// boundary.
 StraightestPath circleRadius(const Geometry& geometry, const SurfacePoint& center, double radius,
                              double part);
 
-/// The ends of `count` radii at equal parts of the total angle, the first half a part from the
+/// The ends of `count` radii at equal parts of the total angle. The first lies half a part from the
 /// circle's start.
 Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& center,
                                  double radius, int count);
@@ -61,14 +61,14 @@ struct ExactMinimum {
 };
 
 /// Returns `start` itself if it is lowest in this sense, else the result of a bounded number of
-/// moves to the lowest place compared. For few points many places are compared, since each point's
-/// distances are found for all places at once.
+/// moves to the lowest compared place. With few points a comparison is of many places, since one
+/// search from each point gives its distances to all of them.
 ExactMinimum exactMinimumNear(const Geometry& geometry, ExactEnergy& energy,
                               const SurfacePoint& start);
 
-/// The same for many points, whose distances are found for one place after another. Only few places
-/// of a circle are compared: the energy of many points is smooth except for small creases, and a
-/// quadratic fit to these places finds its minimum.
+/// The same for many points. A place needs a search of its own, so only few places of a circle are
+/// compared. The energy of many points is smooth except for small creases, and a quadratic fit to
+/// these places finds its minimum.
 ExactMinimum exactMinimumNear(const Geometry& geometry, ExactOneSourceEnergy& energy,
                               const SurfacePoint& start);
 

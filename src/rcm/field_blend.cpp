@@ -56,7 +56,7 @@ void FieldBlend::setFields(const Array<ControlField*>& fields) {
 }
 
 TriangleField FieldBlend::blend(int cell, Weights weights) {
-  // The six components of a field are stored side by side, so that the sums vectorise.
+  // The six components of a field lie side by side, so that the sums vectorise.
   const double* vectors = vectorsOf(slotOf(cell));
   double sum[6] = {};
   for (const double w : weights) {
@@ -179,7 +179,7 @@ int FieldBlend::findSlot(int cell) {
   if (slot < 0) {
     slot = slots_.count();
     fillSlot(slot, cell);
-    // The slot is added last, since the evaluation of a field may throw.
+    // The evaluation of a field may throw, so the slot follows it.
     slots_.add(cell);
   }
   lastCell_ = cell;
@@ -189,7 +189,7 @@ int FieldBlend::findSlot(int cell) {
 
 void FieldBlend::fillSlot(int slot, int cell) {
   if (slot == shapes_.count()) {
-    // Memory is reserved for many cells at once, since a segment passes some dozens.
+    // A segment passes some dozens of cells, so the blend reserves memory for many at once.
     const size_t room = static_cast<size_t>(slot == 0 ? 32 : 2 * slot);
     vectors_.resize(room * static_cast<size_t>(width_));
     shapes_.resize(room);

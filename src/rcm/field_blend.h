@@ -9,10 +9,9 @@
 #include "rcm/cells.h"
 #include "rcm/control_field.h"
 
-/// The weighted sum of control points' fields, which is grad K for the energy
-/// K(p) = sum_i w_i d(p, p_i)^2 (Mancinelli, Puppo, Eq. 1). It is linear in each cell: in each
-/// face, or, if a field has values at the midpoints of edges, in each of the four triangles into
-/// which these divide it.
+/// The weighted sum of control points' fields: grad K for the energy K(p) = sum_i w_i d(p, p_i)^2
+/// (Mancinelli, Puppo, Eq. 1). The sum is linear in each cell. A cell is a face, or, if a field has
+/// values at the midpoints of edges, one of the four triangles into which these divide the face.
 namespace karcher {
 
 /// Weights, one for each field. They sum to 1 up to kChainRounding.
@@ -73,8 +72,8 @@ struct CellZero {
   /// The determinant of the field's Jacobian, times that of the map from weights to the cell.
   double determinant;
   /// The largest angle by which the values at an edge's ends turn relative to each other between
-  /// the faces on both sides. It is not zero because the corners, of pi at both ends together, are
-  /// scaled to their vertices' frames.
+  /// the faces on both sides. It is not zero because vertices' frames scale the corners at both
+  /// ends, which together have pi.
   double holonomy;
 
   /// The depth of the zero inside the cell: its smallest weight.
@@ -101,8 +100,8 @@ class FieldBlend {
   /// The weighted sum of the fields at a point, in the frame of its face.
   Vec2 at(const SurfacePoint& point, Weights weights);
 
-  /// Finds the zero of `blend`. Returns false if its Hessian is not positive definite. A search
-  /// needs no more than this at each sample, so that it is one function.
+  /// Finds the zero of `blend`. Returns false if its Hessian is not positive definite. It is one
+  /// function because a search usually needs no more at a sample.
   [[gnu::always_inline]] bool findZero(int cell, Weights weights, CellZero& zero);
 
   /// The weighted sum of the fields at a vertex, in its frame.
@@ -120,7 +119,7 @@ class FieldBlend {
   /// Writes to `result` the fields along half-edge h of a face or, if faces are cut, along its
   /// first half from the tail (0) or its second (1).
   void alongEdge(int h, int half, EdgeField& result);
-  /// The weighted sum of the fields that `alongEdge` writes, computed at once.
+  /// The weighted sum of the fields that `alongEdge` writes, in one pass.
   EdgeValues blendAlongEdge(int h, int half, Weights weights);
 
   /// The rate of change of a blend along the axes of its cell.
@@ -143,7 +142,7 @@ class FieldBlend {
     double holonomy = 0;  ///< see CellZero
   };
 
-  /// The slot of a cell, which is filled on first use.
+  /// The slot of a cell. The first use fills it.
   int slotOf(int cell) { return cell == lastCell_ ? lastSlot_ : findSlot(cell); }
   int findSlot(int cell);
   void fillSlot(int slot, int cell);
@@ -167,11 +166,11 @@ class FieldBlend {
   int lastSlot_ = 0;
 };
 
-// Defined here so that the compiler inlines it into the searches.
+// The definition is here so that the compiler inlines it into the searches.
 inline bool FieldBlend::findZero(int cell, Weights weights, CellZero& zero) {
   const int slot = slotOf(cell);
   const double* v = vectorsOf(slot);
-  // The six components of a field are stored side by side, so that the sums vectorise.
+  // The six components of a field lie side by side, so that the sums vectorise.
   double sum[6] = {};
   for (const double w : weights) {
     for (int c = 0; c < 6; ++c) sum[c] += w * v[c];

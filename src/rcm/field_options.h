@@ -5,11 +5,11 @@
 #include "distance/distance_solver.h"
 #include "rcm/surface.h"
 
-/// Options of points' fields, and all that follows from the choice of a solver. No other file
-/// distinguishes solvers.
+/// Options of points' fields, and all that follows from the choice of a solver. Other files do not
+/// distinguish solvers.
 namespace karcher {
 
-/// The method by which a control point's field is computed.
+/// The method that computes a control point's field.
 enum class Method {
   kKarcher,  ///< log vectors: the directions in which shortest paths arrive
   kPaper,    ///< gradients of squared distances (Mancinelli, Puppo, Eq. 3)
@@ -31,13 +31,13 @@ struct FieldOptions {
   bool operator==(const FieldOptions&) const = default;
 };
 
-/// Whether centers of mass in such fields are checked by exact distances (exact_minimum.h). Centers
-/// in other fields are minima of another energy.
+/// Whether exact distances (exact_minimum.h) check centers of mass in such fields. Centers in other
+/// fields are minima of another energy.
 inline bool areHeldToExact(const FieldOptions& options) {
   return options.method == Method::kKarcher && options.solver != Solver::kGraph;
 }
 
-/// Whether curves by the method may be refined. The paper's have one center of mass for each
+/// Whether curves by the method may have levels. The paper's have one center of mass for each
 /// segment.
 inline bool takesLevels(Method method) { return method != Method::kPaper; }
 

@@ -28,7 +28,7 @@ std::shared_ptr<PointField> FieldSet::at(const SurfacePoint& point, bool isNear)
   const auto known = placeOf_.find({point, isNear});
   if (known != placeOf_.end()) return fields_[known->second];
   int place = findSpare();
-  // The map entry of a field that moves is reused.
+  // A field that moves keeps its map entry.
   decltype(placeOf_)::node_type entry;
   if (place < 0) {
     place = fields_.count();
@@ -45,8 +45,8 @@ std::shared_ptr<PointField> FieldSet::at(const SurfacePoint& point, bool isNear)
       placeOf_.insert(std::move(entry));
     }
   } catch (...) {
-    // A half-built field must neither be found by its point nor stay. Nothing may be allocated
-    // here.
+    // The map must not find a half-built field, and the set must not keep it. Nothing may be
+    // allocated here.
     if (place + 1 < fields_.count()) {
       std::swap(fields_[place], fields_.back());
       renumber(place);

@@ -12,8 +12,8 @@ namespace karcher {
 /// the field of a point. A field's values depend only on the surface, the options and the point, so
 /// that no result depends on the fields that a set holds.
 ///
-/// A field without a holder is spare. It can still be found by its point until it is moved to a new
-/// point: a drag creates no fields but moves spare ones.
+/// A field without a holder is spare. The set finds it by its point until it moves it to a new
+/// point: a drag moves spare fields and creates none.
 class FieldSet {
  public:
   /// The surface must outlive the set. Throws what `checkFieldOptions` throws.
@@ -24,8 +24,8 @@ class FieldSet {
   const FieldOptions& options() const { return options_; }
   Surface& surface() const { return surface_; }
 
-  /// The field of a point, near or not (point_field.h): the existing one, else a spare one that is
-  /// moved there, else a new one.
+  /// The field of a point, near or not (point_field.h): the existing one, else a spare one that the
+  /// set moves there, else a new one.
   std::shared_ptr<PointField> at(const SurfacePoint& point, bool isNear = false);
 
   /// The existing field of a point, or null.
@@ -40,7 +40,7 @@ class FieldSet {
   /// The limit for the bytes that the solvers of all fields hold. Above it unused fields rest.
   static constexpr int64_t kMostBytes = int64_t{1} << 29;
 
-  /// Marks a field as used, as those of the current curve are.
+  /// Marks a field as used, such as those of the current curve.
   void use(PointField& field) const { field.setLastUse(uses_); }
 
   /// Ends this use. While the solvers of all fields hold more than `most` bytes, fields outside the
@@ -67,10 +67,10 @@ class FieldSet {
   };
   static Key keyOf(const PointField& field) { return {field.point(), field.isNear()}; }
 
-  /// Updates the map for a field that was moved to a place in `fields_`.
+  /// Updates the map for a field that has moved to a place in `fields_`.
   void renumber(int place);
 
-  /// The place of the next spare field, in turn; -1 if there is none.
+  /// The place of the next spare field, in turn; -1 if no field is spare.
   int findSpare();
 
   Surface& surface_;
@@ -83,8 +83,8 @@ class FieldSet {
   int uses_ = 1;
 };
 
-/// The same set for a curve, which may hold many fields. When the last copy of the pointer is
-/// destroyed, the curve's fields become spare, and the set is trimmed.
+/// The same set for a curve, which may hold many fields. The end of the last copy of the pointer
+/// makes the curve's fields spare, and trims the set.
 std::shared_ptr<FieldSet> trimmedAfter(std::shared_ptr<FieldSet> set);
 
 /// The sets of one surface, one for each value of the options in use.

@@ -10,8 +10,8 @@
 namespace karcher {
 
 /// The average of the first two points along the path between them, averaged with the third, and so
-/// on: the mean itself on a plane, and near it elsewhere. None if a weight is negative or no path
-/// joins two of the points.
+/// on: the mean itself on a plane, and near it elsewhere. It is empty if a weight is negative or no
+/// path joins two of the points.
 std::optional<SurfacePoint> averageOfAverages(const Geometry& geometry,
                                               const Array<SurfacePoint>& points, Weights weights);
 

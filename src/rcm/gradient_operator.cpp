@@ -41,7 +41,7 @@ void addFace(const Geometry& geometry, int h, Row& row) {
   row.area += doubleArea(geometry, f);
 }
 
-/// Adds the face across the edge opposite to h's tail, if there is one.
+/// Adds the face, if any, across the edge opposite to h's tail.
 void addOuterFace(const Geometry& geometry, int h, Row& row) {
   const int inward = geometry.mesh->twin[next(h)];
   if (inward < 0) return;

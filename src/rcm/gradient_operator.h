@@ -12,18 +12,19 @@ namespace karcher {
 /// each column is a vertex.
 using GradientOperator = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// The faces whose gradients are averaged at a vertex.
+/// The faces whose gradients the operator averages at a vertex.
 enum class Star {
   /// The faces around the vertex and those across its ring's outer edges, as in the program of the
-  /// paper's authors. With it our curves equal theirs to 1e-4 of an edge, with kRing to 0.03 to
-  /// 0.11 (tests/bench/authors_study).
+  /// paper's authors. Our curves with it equal theirs to 1e-4 of an edge; with kRing the difference
+  /// is 0.03 to 0.11 edges (tests/bench/authors_study).
   kWide,
   kRing,  ///< the faces around the vertex: Eq. 3 as the paper prints it
 };
 
 /// The operator that gives at each vertex the area-weighted mean of the constant gradients of the
-/// faces of its star. Each is turned into the vertex's frame, through the adjacent face of the ring
-/// if it lies beyond it. Apply the operator to squared distances, which are smooth at the source.
+/// faces of its star. It turns each into the vertex's frame; from beyond the ring, through the
+/// adjacent face of the ring. Apply the operator to squared distances, which are smooth at the
+/// source.
 GradientOperator buildGradientOperator(const Geometry& geometry, Star star = Star::kWide);
 
 /// The gradient at each vertex, in its frame. `values` has one entry for each vertex.

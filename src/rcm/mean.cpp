@@ -58,7 +58,7 @@ Mean withSoundEnergy(Mean mean, const Array<double>& weights) {
   return mean;
 }
 
-/// Upper bounds on the distances of the points from a place, from their fields at a vertex of its
+/// Upper bounds on the distances of the points from a place, by their fields at a vertex of its
 /// face.
 Array<double> distancesNear(const Geometry& geometry, const Array<ControlField*>& fields,
                             const SurfacePoint& point) {
@@ -77,7 +77,7 @@ bool isToBeChecked(const Mean& mean, const MeanOptions& options) {
   return options.isChecked && mean.status == Status::kConverged && areHeldToExact(options.field);
 }
 
-/// The points of a mean, and the blend of their fields in which it was found. `fields`, if not
+/// The points of a mean, and the blend of fields in which the search found it. `fields`, if not
 /// empty, are the points' own.
 struct Blended {
   FieldBlend& blend;
@@ -105,10 +105,11 @@ Mean heldToExact(const Mean& zero, const Blended& in) {
   return held;
 }
 
-/// The number of points whose exact energy is smooth enough to be compared at few places.
+/// The number of points from which on the exact energy is smooth enough for a comparison at few
+/// places.
 constexpr int kSmooth = 200;
 
-/// The mean of many points; none if fields find it better.
+/// The mean of many points; empty if fields find it better.
 std::optional<Mean> checkedMeanOfMany(Surface& surface, const Array<SurfacePoint>& points,
                                       const Array<double>& weights, const MeanOptions& options) {
   const WeightedPoints merged = mergedPoints(points, weights);
@@ -126,8 +127,8 @@ std::optional<Mean> checkedMeanOfMany(Surface& surface, const Array<SurfacePoint
              : held(ExactOneSourceEnergy(geometry, merged));
 }
 
-/// Checks a mean and its other minima. Zeros that are not minima are removed from the others. With
-/// `lowest`, a minimum that proves lower than the center replaces it.
+/// Checks a mean and its other minima, and removes the zeros that are not minima. With `lowest`,
+/// another minimum replaces the center if it is lower.
 Mean checkedMean(const Mean& mean, const Blended& in, bool lowest) {
   Mean center = heldToExact(mean, in);
   Array<Minimum> others;
@@ -159,7 +160,7 @@ double likelyValues(const Surface& surface, const Array<SurfacePoint>& points, b
   return all * std::min(spread * spread, 1.0);
 }
 
-/// Sets the uniqueness of a mean for which other minima were searched.
+/// Sets the uniqueness of a mean after a search for other minima.
 void judgeUniqueness(const Surface& surface, const Array<SurfacePoint>& points,
                      const Array<double>& weights, const std::optional<CurvatureBound>& smooth,
                      Mean& mean) {
@@ -169,8 +170,7 @@ void judgeUniqueness(const Surface& surface, const Array<SurfacePoint>& points,
   }
   const double radius = provedRadius(surface, points, weights, mean.point, smooth);
   const Vec3 center = position(surface.mesh(), mean.point);
-  // Other minima that contradict the proof show an error of the fields, and count more than the
-  // proof.
+  // Other minima that contradict the proof show an error of the fields, and overrule the proof.
   const bool contradicted =
       std::any_of(mean.otherMinima.begin(), mean.otherMinima.end(), [&](const Minimum& other) {
         return other.energy <= mean.energy ||
@@ -183,7 +183,7 @@ void judgeUniqueness(const Surface& surface, const Array<SurfacePoint>& points,
   }
 }
 
-/// The fields of points from a set: existing ones stay, others are moved or created.
+/// The fields of points from a set, which keeps existing ones and moves or creates the others.
 Array<std::shared_ptr<PointField>> fieldsOf(FieldSet& set, const Array<SurfacePoint>& points) {
   Array<std::shared_ptr<PointField>> fields;
   for (const SurfacePoint& point : points) fields.push_back(set.find(point));
@@ -216,7 +216,7 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
                   const MeanOptions& options, std::shared_ptr<FieldSet>& kept) {
   Surface& surface = sets.surface();
   std::shared_ptr<FieldSet> set = sets.of(options.field);
-  // No set is kept after an error.
+  // After an error there is no set to keep.
   kept = nullptr;
   checkWeights(weights, points.count(), options.normalize);
   Array<SurfacePoint> connected = points;
@@ -258,7 +258,7 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
   mean = finished(std::move(mean));
   const bool isKept = values <= options.mostValues / 4;
   if (!isKept) fields.clear();
-  // At most as many spare fields are kept as there are points.
+  // The set keeps at most as many spare fields as there are points.
   set->dropSpare(isKept ? points.count() : 0);
   if (isKept) kept = std::move(set);
   return mean;
@@ -309,7 +309,7 @@ Array<Mean> centersOfMass(FieldSets& sets, const Array<SurfacePoint>& points,
   Array<ControlField*> pointers;
   for (const auto& field : fields) pointers.push_back(&field->field());
   FieldBlend blend(surface.geometry(), pointers);
-  // All rows start at the center of equal weights. Averages of averages would take several path
+  // All rows start at the center of equal weights. An average of averages would take several path
   // searches for each row.
   const Array<double> equal(points.size(), 1.0 / width);
   const SurfacePoint shared = findMean(surface, blend, equal, points, equal, options).point;

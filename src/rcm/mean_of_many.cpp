@@ -11,13 +11,13 @@
 namespace karcher {
 namespace {
 
-/// The number of points at which K is compared first, and of those from which descents begin.
+/// The number of points at which the search compares K first, and the number of descents.
 constexpr int kStarts = 16;
 constexpr int kDescents = 3;
 constexpr int kMostSolves = 24;        ///< the most solves in one descent
 constexpr double kLongestStep = 0.25;  ///< the longest step, relative to the mesh's extent
 
-/// The length of a step, in mean edges, below which a descent ends, since the gradient is no more
+/// The length of a step, in mean edges, below which a descent ends: the gradient is no more
 /// accurate.
 constexpr double kLastStep = 0.1;
 /// The distance, in mean edges, from the end of an earlier descent at which another one stops,
@@ -60,7 +60,7 @@ struct State {
 
 enum class Ended {
   kAtMinimum,  ///< the next step is shorter than the accuracy of the gradient
-  kStuck,      ///< no lower K was found within the accuracy of the gradient
+  kStuck,      ///< the descent found no lower K within the accuracy of the gradient
   kAtBoundary,
   kKnown,  ///< the descent came to the end of another one
 };
@@ -70,8 +70,8 @@ struct Descent {
   Ended ended = Ended::kStuck;
 };
 
-/// Descends from a place. `energyAt` returns K and the natural step, or none if the descent may end
-/// there.
+/// Descends from a place. `energyAt` returns K and the natural step, or nothing if the descent may
+/// end there.
 template <class EnergyFunction>
 Descent descend(const Geometry& geometry, State state, const EnergyFunction& energyAt) {
   double most = kLongestStep * geometry.extent;
@@ -108,8 +108,8 @@ Descent descend(const Geometry& geometry, State state, const EnergyFunction& ene
   return {state, Ended::kStuck};
 }
 
-/// The points at which equal parts of the weight are reached, in the order of the points, which is
-/// spatially coherent.
+/// The points that end equal parts of the weight, in the order of the points, which is spatially
+/// coherent.
 Array<SurfacePoint> startsOf(const WeightedPoints& points, int count) {
   Array<SurfacePoint> starts;
   double sum = 0;
@@ -131,8 +131,8 @@ int nearestCorner(const TriangleMesh& mesh, const SurfacePoint& point) {
 }
 
 /// The starts of the lowest K by distances along edges. These take a quarter of the time and are
-/// all too long by nearly the same factor. A start is skipped if K by straight lines in space,
-/// which is lower, exceeds each of the kDescents lowest K found so far.
+/// all too long by nearly the same factor. K by straight lines in space is a lower bound. If it
+/// exceeds each of the kDescents lowest K found so far, the search skips the start.
 Array<SurfacePoint> lowestStarts(const Geometry& geometry, const WeightedPoints& points) {
   const TriangleMesh& mesh = *geometry.mesh;
   const Array<SurfacePoint> starts = startsOf(points, kStarts);

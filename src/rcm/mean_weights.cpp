@@ -41,8 +41,8 @@ class Balance {
     const int count = weights.count();
     Array<char> free(weights.size(), 0);
     for (int i = 0; i < count; ++i) free[i] = weights[i] > 0;
-    // Each set of held weights occurs once. There are seldom more such sets than a few times the
-    // number of weights.
+    // Each set of held weights occurs once. The number of sets is seldom more than a few times that
+    // of weights.
     const int bound = 100 + 50 * count;
     for (int step = 0; step < bound; ++step) {
       Array<double> next = given_;
@@ -130,7 +130,7 @@ class Balance {
   /// Non-negative weights of at most three vectors around 0.
   Array<double> feasible() const {
     const int count = columns_.count();
-    // The given weights are tried first.
+    // The given weights come first.
     Array<double> weights = given_;
     Array<char> free(weights.size(), 1);
     project(free, weights);
@@ -237,7 +237,7 @@ MeanWeights weightsOf(FieldSet& set, const SurfacePoint& x, const Array<SurfaceP
     unit[i] = 0;
   }
   MeanWeights result{balancedWeights(vectors, given, options.nonNegative), false};
-  // The gradient vanishes for balanced weights, so that only the Hessian matters here.
+  // For balanced weights the gradient vanishes, so that only the Hessian matters here.
   result.isMinimum = isZero(blend, result.weights, x);
   if (result.isMinimum && areHeldToExact(set.options())) {
     ExactEnergy energy(set.surface().geometry(), points, result.weights);

@@ -6,29 +6,29 @@
 namespace karcher {
 
 struct MeanWeightsOptions {
-  /// The target weights: the result has the least sum of squared differences from them. They are
-  /// divided by their sum; if empty, they are equal.
+  /// The target weights, divided by their sum; if empty, equal ones. The result has the least sum
+  /// of squared differences from them.
   Array<double> given;
   bool nonNegative = false;  ///< whether no weight may be below 0
 };
 
 struct MeanWeights {
   Array<double> weights;  ///< the weights, one for each point, of sum 1
-  /// Whether `centerOfMass` with these weights and the point as its start stays there. It does not
-  /// if the energy's Hessian is not positive definite, as with negative weights or distant points,
-  /// or if the energy by exact distances is lower near by (exact_minimum.h).
+  /// Whether a search by `centerOfMass` that starts at the point stays there. It does not if the
+  /// energy's Hessian is not positive definite, as with negative weights or distant points. Nor
+  /// does it if the energy by exact distances is lower near by (exact_minimum.h).
   bool isMinimum = false;
 };
 
-/// Weights w of sum 1 with sum_i w_i v_i = 0 for v_i = log_x p_i (Mancinelli, Puppo, Eq. 2): the
-/// gradient of the energy of the points p_i then vanishes at x. The log vectors are those of the
-/// points' fields in the set, as in `centerOfMass`. For three points the weights are determined;
-/// for more points they are the nearest to the given weights. Time: one field for each point, and
-/// O(points) for each step of the active set. Throws Error: kTooFewPoints (none), kUnreachable
-/// (several components), kBadWeights (given ones that are not one for each point, not finite, or of
-/// a sum that is not positive), kBadArgument if no such weights exist: seen from x, the points lie
-/// on one line that misses x, or, for non-negative weights, 0 is outside the log vectors' convex
-/// hull.
+/// Weights w of sum 1 with sum_i w_i v_i = 0 for v_i = log_x p_i (Mancinelli, Puppo, Eq. 2): with
+/// them the gradient of the energy of the points p_i vanishes at x. The log vectors are those of
+/// the points' fields in the set, as in `centerOfMass`. For three points the weights are
+/// determined; for more points they are the nearest to the given weights. Time: one field for each
+/// point, and O(points) for each step of the active set. Throws Error: kTooFewPoints (none),
+/// kUnreachable (several components), kBadWeights (given ones that are not one for each point, not
+/// finite, or of a sum that is not positive), kBadArgument if no such weights exist: seen from x,
+/// the points lie on one line that misses x, or, for non-negative weights, 0 is outside the log
+/// vectors' convex hull.
 MeanWeights weightsOf(FieldSet& set, const SurfacePoint& x, const Array<SurfacePoint>& points,
                       const MeanWeightsOptions& options);
 

@@ -20,7 +20,8 @@ bool better(const Mean& a, const Mean& b) {
 
 constexpr int kSpreadStarts = 32;
 
-/// Whether minima are two. Searches from both sides of an edge may end kNearEdge mean edges apart.
+/// Whether two minima are different. Searches from both sides of an edge may end kNearEdge mean
+/// edges apart.
 bool areApart(const Geometry& geometry, const SurfacePoint& a, const SurfacePoint& b) {
   const TriangleMesh& mesh = *geometry.mesh;
   return (position(mesh, a) - position(mesh, b)).norm() > kNearEdge * geometry.meanEdge;
@@ -58,7 +59,7 @@ SurfacePoint facedDownhill(FieldBlend& fields, Weights weights, const SurfacePoi
   return start;
 }
 
-/// A sequence of searches. The first result is the center; with `lowest`, the best one is.
+/// A sequence of searches. The center is the first result; with `lowest`, the best one.
 class MinimumSearch {
  public:
   MinimumSearch(FieldBlend& fields, const Array<double>& weights, Method method)
@@ -97,12 +98,12 @@ class MinimumSearch {
 };
 
 /// The factor on the distance at which a lower minimum may be: control points within it are starts.
-/// Of 810 means of three to eight points on three meshes, four are higher than with searches from
-/// all control points, and eight, which the average of averages found, are lower.
+/// On three meshes with 810 means of three to eight points, four means are higher than with
+/// searches from all control points. Eight, which the average of averages found, are lower.
 constexpr double kSearched = 2;
 
-/// Searches from `start`, if any, and from the control points near which a lower minimum may be. It
-/// takes all control points if `all`, if a weight is negative, or if the first search failed.
+/// Searches from `start`, if any, and from the control points near which a lower minimum may be;
+/// from all control points if `all`, if a weight is negative, or if the first search failed.
 void searchFew(const TriangleMesh& mesh, const Array<SurfacePoint>& points,
                const Array<double>& weights, bool all, const std::optional<SurfacePoint>& start,
                MinimumSearch& minima) {

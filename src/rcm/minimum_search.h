@@ -19,7 +19,7 @@ void setOtherMinima(const Geometry& geometry, const Array<Minimum>& minima, Mean
 
 /// The mean in a blend of fields. The weights of the fields and of the points are separate: one
 /// summed field has one weight, and many points. Without options.start it is the lowest minimum
-/// found. The first search starts at `shared` if given, else at the average of averages
+/// found. The first search starts at `shared` if present, else at the average of averages
 /// (first_start.h).
 Mean findMean(Surface& surface, FieldBlend& fields, const Array<double>& weights,
               const Array<SurfacePoint>& points, const Array<double>& ofPoints,

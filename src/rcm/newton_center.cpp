@@ -4,8 +4,8 @@
 #include "rcm/paper_method.h"
 
 /// Algorithm 1 of C. Mancinelli, E. Puppo, "Computing the Riemannian Center of Mass on Meshes". The
-/// paper does not specify the tolerance, the bound on iterations, or the continuation if the start
-/// of a geodesic is its own best point (see goOn).
+/// paper does not specify the tolerance and the bound on iterations. Nor does it specify how the
+/// search continues if the start of a geodesic is its own best point (see goOn).
 namespace karcher {
 namespace {
 
@@ -92,7 +92,7 @@ class NewtonSearch {
     return best;
   }
 
-  /// Continues when no joint of the geodesic is better than its start. Inside a face, the search
+  /// Continues if no joint of the geodesic is better than its start. Inside a face, the search
   /// moves to the best point of the step inside the face. On an edge, the zero lies there if each
   /// face has its zero beyond the edge; else the search enters the other face. At a vertex, the
   /// search tries the faces around it in turn. Returns false at the end of the search, with its
@@ -123,7 +123,7 @@ class NewtonSearch {
       point_ = edgePoint(h, fields_.zeroAlongEdge(h, weights_));
       return false;
     }
-    // The gradients of the two faces differ at the same place, so that a smaller one is no
+    // The gradients of the two faces differ at one place, so that a smaller gradient is no
     // progress.
     const int edge = std::min(h, twin);
     const bool cameBack = facesTried_ > 0 || crossed_ == edge;

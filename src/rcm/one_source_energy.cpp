@@ -33,7 +33,7 @@ Vec2 logOf(const TriangleMesh& mesh, const SurfacePoint& point, const DistanceSo
 }
 
 /// The squared distance of a point, by the positions from which the corners of its face see the
-/// source. If these differ, as on both sides of the cut locus, the nearest counts.
+/// source. If these differ, as on both sides of the cut locus, the nearest one counts.
 double squaredDistanceOf(const Geometry& geometry, const SurfacePoint& point,
                          const DistanceSolver& solver) {
   const Vec2 place = pointInFace(geometry, point);
@@ -157,8 +157,7 @@ Vec2 ExactOneSourceEnergy::directionTo(int vertex) {
   return direction;
 }
 
-/// The direction in which a path leaves the source. `back` has been traced from its end to the
-/// source.
+/// The direction in which a path leaves the source. `back` is its trace from its end to the source.
 Vec2 ExactOneSourceEnergy::directionBefore(const StraightestPath& back) const {
   const int face = solver_.source().face;
   const Array<SurfacePoint>& points = back.path.points;
@@ -180,8 +179,8 @@ void ExactOneSourceEnergy::grow(const SurfacePoint& place) {
   for (const SurfacePoint& point : points_.points) {
     radius = std::max(radius, (position(mesh, point) - position(mesh, place)).norm());
   }
-  // The loop ends, since growing makes no corner farther, and an increasing radius reaches all of
-  // the mesh.
+  // The loop ends: no growth makes a corner farther, and an increasing radius reaches all of the
+  // mesh.
   for (;;) {
     solver_.grow(radius);
     if (solver_.reached() == kInfinity) break;

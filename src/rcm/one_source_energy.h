@@ -4,10 +4,9 @@
 #include "distance/window_distance.h"
 #include "intrinsic/straightest.h"
 
-/// The energy K(p) = sum_i w_i d(p, p_i)^2 of many points at few places.
-///
-/// Since distances are symmetric, those from one source, the place, determine K there, and the log
-/// vectors at the place sum to grad K. Thousands of points take as much work as one.
+/// The energy K(p) = sum_i w_i d(p, p_i)^2 of many points at few places. Distances are symmetric,
+/// so those from one source, the place, determine K there; half of -grad K is the weighted sum of
+/// the log vectors at the place. Thousands of points take as much work as one.
 namespace karcher {
 
 /// Points with nonzero weights, sorted by their faces, with equal ones merged. So K does not depend
@@ -34,7 +33,7 @@ class OneSourceEnergy {
   /// a plane.
   EnergyAt at(const SurfacePoint& place);
 
-  /// The number of times that distances were computed.
+  /// The number of times that the energy computed distances.
   int solved() const { return solved_; }
 
  private:
@@ -45,8 +44,8 @@ class OneSourceEnergy {
   int solved_ = 0;
 };
 
-/// K by exact distances to the points themselves, and the exact natural step by the directions in
-/// which shortest paths leave the place.
+/// K by exact distances to the points themselves. The natural step is exact, too: it follows from
+/// the directions in which shortest paths leave the place.
 class ExactOneSourceEnergy {
  public:
   /// The conditions are those of OneSourceEnergy. Throws what WindowDistance throws.
@@ -75,7 +74,8 @@ class ExactOneSourceEnergy {
   const WeightedPoints& points_;
   WindowDistance solver_;
   Array<Way> ways_;         ///< the ways, one for each point
-  Array<Vec2> directions_;  ///< the directions to the vertices that were needed
+  Array<Vec2> directions_;  ///< the directions of shortest paths to the vertices on which the ways
+                            ///< depend
   int solved_ = 0;
 };
 

@@ -19,7 +19,7 @@ ControlField fieldOfSquares(Surface& surface, Star star, Array<double> squaredDi
 ControlField fieldFromDistances(Surface& surface, const Array<double>& distances);
 
 /// Newton's method along geodesics (Algorithm 1) from `start`. If each of two neighbouring faces
-/// has its zero in the other, the zero is placed on their edge (FieldBlend::zeroAlongEdge).
+/// has its zero in the other, the center is the zero on their edge (FieldBlend::zeroAlongEdge).
 CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start);
 
 /// Counts of a search's steps, for studies of the paper's claims.
@@ -32,7 +32,7 @@ struct NewtonSteps {
   int stuck = 0;
   bool inside = false;  ///< whether a zero inside a triangle ended the search
   /// The lengths of the gradients at the starts of the last three iterations, the last one first; 0
-  /// for none.
+  /// for a missing iteration.
   std::array<double, 3> gradients{};
 };
 

@@ -140,7 +140,7 @@ int64_t PointField::bytesOfSolver() const {
 double PointField::distanceAt(int vertex) {
   double distance = solver_->growTo(vertex);
   if (distance == kInfinity && isAimed_) {
-    // No path is as short as `most`; the whole field finds the distances.
+    // No path is as short as `most`, so the whole field finds the distances.
     isAimed_ = false;
     solver_->aimAt(std::nullopt);
     solver_->setSource(point_);

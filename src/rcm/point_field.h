@@ -14,8 +14,8 @@
 namespace karcher {
 
 /// A control point with its solver and its field. The field's values depend only on the surface,
-/// the options and the point. With log vectors a value is computed when it is first read: the
-/// solver grows only to the vertices that searches request.
+/// the options and the point. With log vectors the first read of a value computes it, and the
+/// solver grows only to the vertices that searches need.
 class PointField {
  public:
   /// The surface must outlive the field. Fields may share the scratch memory of their path
@@ -25,30 +25,31 @@ class PointField {
   PointField(const PointField&) = delete;
   PointField& operator=(const PointField&) = delete;
 
-  /// Moves the field to a point. A near field is meant to be read only close to its point. Each of
-  /// its values comes from one straight path between the point and the vertex, found separately: by
-  /// sight (sight.h), or else by a path search (find_path.h). So a value depends on the surface,
-  /// the point and the vertex alone, costs only the work between these two, and takes no other
-  /// memory. Beside hubs (hubs.h), where many values are read and each search would go round all of
-  /// a hub, exact windows find all paths out of sight at once. The log vectors of a near field need
+  /// Moves the field to a point. A near field is for reads close to its point. A path search for
+  /// each vertex finds one straight path between it and the point: by sight (sight.h), or else by
+  /// find_path.h. So a value depends on the surface, the point and the vertex alone, costs only the
+  /// work between these two, and takes no other memory.
+  ///
+  /// Beside hubs (hubs.h) callers read many values, and each search would go round all of a hub;
+  /// there exact windows find all paths out of sight at once. The log vectors of a near field need
   /// no fit (estimators.h). With exact distances each path is compared with the shortest one by
   /// exact windows, at many times the cost. With graph distances, and with the paper's method, a
   /// near field is like any other.
   void setPoint(const SurfacePoint& point, bool isNear = false);
-  /// Moves the field to a point, to be read only near a place and for distances up to `most`. With
-  /// windows it costs the region between the point and the place, instead of the whole disk up to
-  /// the place. Longer distances are upper bounds.
+  /// Moves the field to a point. Callers read it only near a place and for distances up to `most`.
+  /// With windows it costs the region between the point and the place, instead of the whole disk up
+  /// to the place. Longer distances are upper bounds.
   void setPointFor(const SurfacePoint& point, const SurfacePoint& place, double most);
   const SurfacePoint& point() const { return point_; }
   bool isNear() const { return isNear_; }
 
-  /// Whether the value of a near field at a vertex is that of a path by sight.
+  /// Whether a path by sight gives the value of a near field at a vertex.
   bool sees(int vertex) const {
     return sightFrom(surface_.geometry(), sights_, vertex).has_value();
   }
 
-  /// Releases the memory of a whole field's solver. Values that were read stay. Reading another
-  /// value starts the solver anew, with the same result.
+  /// Releases the memory of a whole field's solver, but keeps the values read so far. The next read
+  /// of another value starts the solver anew, with the same result.
   void rest();
   /// The approximate number of these bytes.
   int64_t bytesOfSolver() const;
@@ -58,7 +59,7 @@ class PointField {
   int lastUse() const { return lastUse_; }
   void setLastUse(int use) { lastUse_ = use; }
 
-  /// The field. Reading a value on another component than the point's throws Error kUnreachable.
+  /// The field. A read on another component than the point's throws Error kUnreachable.
   ControlField& field() { return field_; }
 
  private:
@@ -90,11 +91,11 @@ class PointField {
   SightSources sights_;
   std::shared_ptr<FindPathWorkspace> paths_;
   SurfacePath path_;
-  /// the exact solver, created when a value beside a hub is read
+  /// the exact solver; the first read beside a hub creates it
   std::unique_ptr<DistanceSolver> aroundHubs_;
   bool isAroundHubs_ = false;  ///< whether the solver's source is the point
-  // The following members estimate the log vectors of all other fields, and are created with the
-  // first one.
+  // The following members estimate the log vectors of all other fields. The first such field
+  // creates them.
   Estimator estimator_ = Estimator::kLinear1;
   std::unique_ptr<DistanceSolver> solver_;
   bool isAimed_ = false;

@@ -101,7 +101,7 @@ RobustMean search(FieldSets& sets, const Array<SurfacePoint>& points, const Arra
         break;
       }
     }
-    // At a point that is no minimum, the pull of the others leads the search away.
+    // Unless the point is a minimum, the pull of the others leads the search away.
     Array<double> factors = weights;
     for (int i = 0; i < factors.count(); ++i)
       factors[i] *= rule.pull(std::max(distances[i], least));

@@ -27,20 +27,20 @@ struct RobustMean {
 
 /// The geometric median: the minimum of the weighted sum of distances to points. It stays near the
 /// majority if less than half of the points lie elsewhere. The search finds the minimum near its
-/// start: each step leads to the center of mass with weights divided by the distances (E.
-/// Weiszfeld, "Sur le point pour lequel la somme des distances de n points donnes est minimum",
-/// 1937; P. T. Fletcher, S. Venkatasubramanian, S. Joshi, "The geometric median on Riemannian
-/// manifolds", 2009), and takes one exact search of distances. If the search comes to one of the
-/// points, that point is the median if the joint pull of the others there is no more than its own
-/// weight. Throws as `centerOfMass` does (mean.h), and Error kBadArgument unless there is one
-/// positive weight for each point.
+/// start. Each step leads to the center of mass with weights divided by the distances, and takes
+/// one exact search of distances. (E. Weiszfeld, "Sur le point pour lequel la somme des distances
+/// de n points donnes est minimum", 1937; P. T. Fletcher, S. Venkatasubramanian, S. Joshi, "The
+/// geometric median on Riemannian manifolds", 2009.) If the search comes to one of the points, that
+/// point is the median if the joint pull of the others there is no more than its own weight. Throws
+/// what `centerOfMass` throws (mean.h), and Error kBadArgument unless there is one positive weight
+/// for each point.
 RobustMean median(FieldSets& sets, const Array<SurfacePoint>& points, const Array<double>& weights,
                   const RobustOptions& options = {});
 
-/// The minimum of the weighted sum of d^2 / 2 for distances d up to a threshold t, and of
-/// t (d - t / 2) beyond: more distant points pull no more than points at it (P. J. Huber, "Robust
-/// Estimation of a Location Parameter", 1964). Throws as `median` does, and for a threshold that is
-/// not positive.
+/// The minimum of the weighted sum of d^2 / 2 for distances d up to a threshold t, and of t (d - t
+/// / 2) beyond: points beyond the threshold pull no more than points at it (P. J. Huber, "Robust
+/// Estimation of a Location Parameter", 1964). Throws what `median` throws, and Error kBadArgument
+/// for a threshold that is not positive.
 RobustMean huberMean(FieldSets& sets, const Array<SurfacePoint>& points,
                      const Array<double>& weights, double threshold,
                      const RobustOptions& options = {});
@@ -52,22 +52,22 @@ struct EnergyGradient {
 };
 
 /// The energy and its gradient by the paths of the log map (tangent_maps.h). The gradient is that
-/// on the polyhedron: at a center of mass it is small but not zero, since centers are found in
-/// fields that smooth these paths. Throws Error kUnreachable as the log map does.
+/// on the polyhedron. At a center of mass it is small but not zero, since fields that smooth these
+/// paths find centers. Throws Error kUnreachable as the log map does.
 EnergyGradient energyAt(const Geometry& geometry, const Array<SurfacePoint>& points,
                         Weights weights, const SurfacePoint& place);
 
 /// The second derivatives of the energy at a place inside a face, along the axes of the face's
-/// frame, by differences of gradients on both sides. On a plane it is twice the sum of the weights
-/// times the identity. It does not exist where several shortest paths lead to one of the points.
-/// Throws as above, and Error kBadArgument for a place on an edge or at a vertex.
+/// frame, by differences of gradients on both sides. On a plane the Hessian is twice the sum of the
+/// weights times the identity. It does not exist where several shortest paths lead to one of the
+/// points. Throws as above, and Error kBadArgument for a place on an edge or at a vertex.
 Eigen::Matrix2d hessianAt(const Geometry& geometry, const Array<SurfacePoint>& points,
                           Weights weights, const SurfacePoint& place);
 
-/// The derivatives of the center of mass of these weights with respect to each weight, the others
-/// being fixed: vectors in the frame of its face, on the polyhedron as above. The center must lie
-/// inside a face. Throws as `hessianAt` does, and Error kBadArgument where the Hessian is not
-/// positive definite.
+/// The derivatives of the center of mass of these weights with respect to each weight, with the
+/// others fixed. They are vectors in the frame of its face, on the polyhedron as above. The center
+/// must lie inside a face. Throws what `hessianAt` throws, and Error kBadArgument where the Hessian
+/// is not positive definite.
 Array<Vec2> weightDerivatives(const Geometry& geometry, const Array<SurfacePoint>& points,
                               Weights weights, const SurfacePoint& center);
 

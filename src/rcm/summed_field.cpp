@@ -26,11 +26,11 @@ void addPoint(DistanceSolver& solver, const SurfacePoint& point, double weight, 
   }
 }
 
-/// Whether a field's midpoint is evaluated for this half-edge of its edge (FieldBlend).
+/// Whether blends read a field's midpoint at this half-edge of its edge (FieldBlend).
 bool isAskedFor(const TriangleMesh& mesh, int h) { return h < mesh.twin[h]; }
 
-/// The sum of fields with values at the midpoints of edges. The share of log vectors in their
-/// estimates depends on the vectors, so that each field is estimated before it is added.
+/// The sum of fields with values at the midpoints of edges. The share of log vectors in an estimate
+/// depends on the vectors, so the function estimates each field before it adds it.
 ControlField sumOfEstimates(Surface& surface, const Array<SurfacePoint>& points,
                             const Array<double>& weights, const FieldOptions& options) {
   const TriangleMesh& mesh = surface.mesh();

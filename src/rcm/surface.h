@@ -10,9 +10,9 @@
 
 namespace karcher {
 
-/// A mesh with its derived data. The geometry is computed at once; data that only some methods need
-/// is computed on first use. A surface is neither copied nor moved, since its parts point to one
-/// another.
+/// A mesh with its derived data. The constructor computes the geometry; the first use of data that
+/// only some methods need computes them. A surface can be neither copied nor moved, since its parts
+/// point to one another.
 class Surface {
  public:
   explicit Surface(TriangleMesh mesh);
@@ -25,15 +25,16 @@ class Surface {
   /// The number of a vertex's connected component.
   int component(int vertex);
 
-  /// The graph of the paper's graph distances. It is built at once unless `takeRingGraph` gave one.
+  /// The graph of the paper's graph distances. The first use builds it unless `takeRingGraph` gave
+  /// one.
   const RingGraph& ringGraph(int rings);
   bool hasRingGraph(int rings) const { return ringGraphs_.count(rings) != 0; }
-  /// Keeps a graph that was built in slices.
+  /// Keeps a graph that slices of work built.
   void takeRingGraph(int rings, RingGraph graph);
 
   const GradientOperator& gradientOperator(Star star = Star::kWide);
 
-  /// The stencils of an estimator, computed when they are first read.
+  /// The stencils of an estimator, each computed when it is first read.
   StencilTable& stencils(Estimator estimator);
 
   /// Whether a vertex is a hub (hubs.h) or has an edge to one.

@@ -10,10 +10,10 @@
 namespace karcher {
 namespace {
 
-/// The radius, relative to that of a ball about the center, within which paths are considered. A
-/// shortest path between two points in the ball stays within twice its radius. A path from such a
-/// point to a place at twice the radius, where the energy is larger than at the center, stays
-/// within three times.
+/// The radius of the region in which paths lie, relative to that of a ball about the center. A
+/// shortest path between two points in the ball stays within twice its radius. At twice the radius
+/// the energy is larger than at the center; a path from there to a point in the ball stays within
+/// three times.
 constexpr double kReach = 3;
 
 /// The part used of the radius up to which the energy is convex on a smooth surface. The mesh
@@ -73,7 +73,7 @@ bool isDiskWithoutPositiveCurvature(const Geometry& geometry, const FaceSet& set
       if (isPositivelyCurved(geometry, vertex)) return false;
       if (isCounted[vertex] == 0) ++vertices;
       isCounted[vertex] = 1;
-      // An interior edge is counted from both sides.
+      // The loop counts an interior edge from both sides.
       const bool inside = mesh.twin[h] >= 0 && set.isIn[faceOf(mesh.twin[h])] != 0;
       sides += inside ? 1 : 2;
     }
@@ -137,7 +137,7 @@ double provedRadius(const Surface& surface, const Array<SurfacePoint>& points,
     if (weights[i] == 0) continue;
     chord = std::max(chord, (position(mesh, points[i]) - position(mesh, center)).norm());
   }
-  // Chords are tested first, since paths are no shorter and take longer to find.
+  // Chords come first, since paths are no shorter and take longer to find.
   if (!isProved(chord)) return -1;
   double radius = chord;
   for (int i = 0; i < points.count(); ++i) {

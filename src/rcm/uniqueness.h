@@ -5,21 +5,21 @@
 #include "mesh/shapes.h"
 #include "rcm/surface.h"
 
-/// Uniqueness of centers of mass.
+/// Uniqueness of centers of mass. Suppose that the points lie in a ball that is small compared with
+/// the curvature and the injectivity radius. Then the energy is convex there, and has no other
+/// minimum in the ball and no lower value outside (H. Karcher, "Riemannian Center of Mass and
+/// Mollifier Smoothing", 1977).
 ///
-/// If the points lie in a ball that is small compared with the curvature and the injectivity
-/// radius, the energy is convex there, and has no other minimum in the ball and no lower value
-/// outside (H. Karcher, "Riemannian Center of Mass and Mollifier Smoothing", 1977). On a mesh the
-/// same is true for a ball of any size if no vertex has positive curvature and the ball lies in a
-/// disk: such a disk has unique shortest paths and convex squared distances (M. Bridson, A.
-/// Haefliger, "Metric Spaces of Non-Positive Curvature", chapter II.4; R. Bishop, "The Intrinsic
-/// Geometry of a Jordan Domain", for its boundary).
+/// On a mesh the same is true for a ball of any size if no vertex has positive curvature and the
+/// ball lies in a disk: such a disk has unique shortest paths and convex squared distances (M.
+/// Bridson, A. Haefliger, "Metric Spaces of Non-Positive Curvature", chapter II.4; R. Bishop, "The
+/// Intrinsic Geometry of a Jordan Domain", for its boundary).
 namespace karcher {
 
 /// The knowledge of other minima of the energy.
 enum class Uniqueness {
-  kNotLooked,  ///< other minima were searched at most from the control points
-  kCertain,    ///< it is proved that no other minimum is lower, and none is near the points
+  kNotLooked,  ///< searches started at most at the control points
+  kCertain,    ///< no other minimum is lower, and none is near the points: this is proved
   kLikely,     ///< all searches ended at this minimum
   kNotUnique,  ///< some searches ended at other minima
 };

@@ -151,7 +151,7 @@ class Builder {
       int last = i;
       while (last + 1 < leaving.count() && leaving[last + 1].vertex == leaving[i].vertex) ++last;
       const bool isSide = leaving[i].rank < 0;
-      // All others lie to the left of the arriving side.
+      // The other half-edges lie to the left of the arriving side.
       if (isSide) all_.next[previousSide(first, end, leaving[i].halfedge)] = leaving[last].halfedge;
       for (int j = isSide ? i + 1 : i; j <= last; ++j) {
         all_.next[all_.twin[leaving[j].halfedge]] = leaving[j > i ? j - 1 : last].halfedge;
@@ -378,7 +378,7 @@ int pieceHolding(const TriangleMesh& mesh, const Arrangement& arrangement,
   const int f = point.face;
   const int first = arrangement.firstOfFace[f];
   const int end = arrangement.firstOfFace[f + 1];
-  // Points on the sides of the face are moved inwards.
+  // Points on the sides of the face move inwards.
   constexpr double inwards = kTogether / 4;
   const Vec3 bary = (1 - inwards) * point.bary + Vec3::Constant(inwards / 3);
   const Vec2 place(onGrid(bary[1]), onGrid(bary[2]));

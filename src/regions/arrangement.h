@@ -3,12 +3,10 @@
 #include "intrinsic/geometry.h"
 #include "regions/drawing.h"
 
-/// The surface divided by paths into cells, as half-edges.
-///
-/// The drawing's lines divide each face into pieces; a piece with isolated lines inside has several
-/// loops. Pieces meet across an edge of the mesh at the drawing's vertices on it. Both faces share
-/// these, so that the pieces always fit. A cell consists of the pieces that can be reached without
-/// crossing a path.
+/// The surface divided by paths into cells, as half-edges. The drawing's lines divide each face
+/// into pieces; a piece with isolated lines inside has several loops. Pieces meet across an edge of
+/// the mesh at the drawing's vertices on it. Both faces share these, so that the pieces always fit.
+/// A cell is a largest set of pieces between which no path lies.
 namespace karcher {
 
 /// The use of an edge of the arrangement by a path.
@@ -22,12 +20,13 @@ struct PathUse {
 struct Arrangement {
   int meshVertices = 0;
   int paths = 0;
-  /// The vertices added to the mesh's. Numbers are consecutive: first the mesh's vertices, then
-  /// these.
+  /// The vertices that paths add to the mesh's. Numbers are consecutive: first the mesh's vertices,
+  /// then these.
   Array<DrawnVertex> added;
 
-  // Arrays by half-edge. Those of face f are firstOfFace[f] to firstOfFace[f + 1], beginning with
-  // those on its sides, counterclockwise from corner 0. The piece lies left of its half-edges.
+  // Arrays by half-edge. The half-edges of face f are those from firstOfFace[f] to before
+  // firstOfFace[f + 1]. The first of them lie on the face's sides, counterclockwise from corner 0.
+  // Each piece lies left of its half-edges.
   Array<int> firstOfFace;
   Array<int> tail;
   Array<int> next;

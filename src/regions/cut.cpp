@@ -30,8 +30,8 @@ class FaceTriangles {
   void addLine(int from, int to) {
     lines_.emplace(std::minmax(from, to), 0);
     Array<Side> crossed = sidesAcross(from, to);
-    // Each flip may leave a crossing side, and sides of a nonconvex quad wait, so that the number
-    // of flips may be quadratic.
+    // Each flip may leave a crossing side, and sides of a nonconvex quad wait, so the number of
+    // flips may be quadratic.
     const int64_t most = 100 + int64_t{4} * crossed.count() * crossed.count();
     for (int i = 0; i < crossed.count(); ++i) {
       if (i == most) refuse("a face could not be cut into triangles");
@@ -90,7 +90,7 @@ class FaceTriangles {
       const double toC = left(a, b, p);
       const double toA = left(b, c, p);
       const double toB = left(c, a, p);
-      // The place is on at most one side, and each triangle is visited from each of its sides.
+      // At most one side holds the place, and the loop visits each triangle from each of its sides.
       if (toC < 0 || toA <= 0 || toB <= 0) continue;
       const int apex = c;
       if (toC > 0) {
@@ -176,7 +176,7 @@ class Cutter {
       isDrawn[use.halfedge] = 1;
       if (all_.twin[use.halfedge] >= 0) isDrawn[all_.twin[use.halfedge]] = 1;
     }
-    // Corners at a vertex are united unless a path separates them.
+    // Corners at a vertex become one unless a path separates them.
     for (int h = 0; h < all_.halfedgeCount(); ++h) {
       if (isDrawn[h] == 0 && all_.twin[h] >= 0) corners_.unite(h, all_.next[all_.twin[h]]);
     }
@@ -215,7 +215,7 @@ class Cutter {
       addTriangle(f, first, first + 1, first + 2);
       return;
     }
-    // Corners are numbered first.
+    // Corners have the first numbers.
     std::map<int, int> numberOf;
     Array<Vec2> places;
     Array<Vec2> frame;

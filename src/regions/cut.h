@@ -2,11 +2,9 @@
 
 #include "regions/arrangement.h"
 
-/// Division of the surface along paths into triangles.
-///
-/// The vertices and lines of a face are triangulated together, by flips (S. Sloan, "A fast
-/// algorithm for generating constrained Delaunay triangulations", 1993) with exact decisions, so
-/// that thin pieces fit as well as others.
+/// Division of the surface along paths into triangles. Flips triangulate the vertices and lines of
+/// a face together (S. Sloan, "A fast algorithm for generating constrained Delaunay
+/// triangulations", 1993), with exact decisions, so that thin pieces fit as well as others.
 namespace karcher {
 
 /// The triangles of a divided surface. Cells have no vertices in common. Along a path that ends

@@ -17,7 +17,7 @@ struct PlacedVertex {
   int vertex;
 };
 
-/// A line in a face, shared by all pieces on it.
+/// A line in a face, which all pieces on it share.
 struct Line {
   int a;
   int b;
@@ -63,8 +63,8 @@ class Drawer {
   }
 
   Drawing finish() {
-    // The bound on rounds of a face. New vertices on an edge put the face across it back in the
-    // queue. Vertices stay apart, so that few are added and the rounds end; the bound is far beyond
+    // The limit for rounds of a face. New vertices on an edge put the face across it back in the
+    // queue. Vertices stay apart, so that they are few and the rounds end; the limit is far beyond
     // all observed numbers.
     constexpr int kMostRounds = 1000;
     for (int round = 0; !waiting_.empty(); ++round) {
@@ -141,7 +141,7 @@ class Drawer {
                          [&](int vertex, double value) { return alongEdge(h, vertex) < value; });
     const double up = after == vertices.end() ? kInfinity : alongEdge(h, *after) - t;
     const double down = after == vertices.begin() ? kInfinity : t - alongEdge(h, *(after - 1));
-    // If both are near, the older one takes the point, as it did when it was the only one.
+    // If both are near, the older one takes the point, as when it was the only one.
     if (std::max(up, down) <= kTogether) return std::min(*after, *(after - 1));
     if (std::min(up, down) <= kTogether) return up < down ? *after : *(after - 1);
     const int vertex = addVertex({karcher::faceOf(h), h, t, placeOnSide(cornerOf(h), t)});
@@ -154,7 +154,7 @@ class Drawer {
     return vertex;
   }
 
-  /// The vertex that takes a point, an existing or a new one.
+  /// The vertex that takes a point: an existing one or a new one.
   int vertexAt(int f, const Vec3& bary) {
     int k = 0;
     if (bary.maxCoeff(&k) >= 1 - kTogether) return mesh_.corner(f, k);
@@ -253,8 +253,8 @@ class Drawer {
 
   /// The vertex that takes a crossing; `vertices` are those of the face.
   int vertexAtCrossing(int number, const Vec2& place, Array<PlacedVertex>& vertices) {
-    // The nearest vertex takes the crossing. Both lines are then cut into shorter ones, so that
-    // cutting ends.
+    // The nearest vertex takes the crossing. Both lines are then cut into shorter ones, so that the
+    // cuts end.
     double nearest = 4 * kTogether * kTogether;
     int vertex = -1;
     for (const PlacedVertex& other : vertices) {
@@ -273,7 +273,7 @@ class Drawer {
   void cutAtCrossings(int number, const Array<Line>& lines, Array<PlacedVertex>& vertices,
                       Array<LineCut>& cuts) {
     if (lines.count() < 2) return;
-    // Lines that are bent anyway are examined again.
+    // Bent lines are examined again in any case.
     Array<uint8_t> bent(lines.size(), 0);
     for (const LineCut& cut : cuts) bent[cut.line] = 1;
     const Array<int> order =
@@ -304,7 +304,7 @@ class Drawer {
     }
   }
 
-  /// Does one round for a face. The face is queued again until a round finds no change.
+  /// Does one round for a face. The face returns to the queue until a round finds no change.
   void cutFace(int number) {
     if (drawing_.faces[number].pieces.empty()) return;
     const Array<Line>& lines = lines_;

@@ -5,13 +5,12 @@
 #include "intrinsic/surface_path.h"
 #include "regions/grid.h"
 
-/// A drawing: paths on the surface, cut at all points where they meet.
-///
-/// Points and crossings become vertices. Those nearer than kTogether are merged: a vertex of the
-/// mesh takes the points near it, an edge likewise, and a line that passes a vertex is bent through
-/// it. This is snap rounding (J. Hobby, 1999), repeated until no two vertices, and no vertex and
-/// line, are near each other (D. Halperin, E. Packer, "Iterated Snap Rounding", 2002). Both faces
-/// of an edge share the vertices on it, so that these never differ.
+/// A drawing: paths on the surface, cut at all points where they meet. Points and crossings become
+/// vertices. Those nearer than kTogether become one: a vertex of the mesh takes the points near it,
+/// an edge likewise, and a line that passes a vertex bends through it. This is snap rounding (J.
+/// Hobby, 1999), repeated until no two vertices, and no vertex and line, are near each other (D.
+/// Halperin, E. Packer, "Iterated Snap Rounding", 2002). Both faces of an edge share the vertices
+/// on it, so that these never differ.
 namespace karcher {
 
 /// A vertex that the paths add to those of the mesh.

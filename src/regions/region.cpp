@@ -94,13 +94,13 @@ void chooseSide(const Arrangement& all, const Array<int>& cells, const Array<int
     if (areas.empty() || areas.back().label != labels[cell]) areas.push_back({labels[cell], 0});
     areas.back().area += all.cellArea[cell];
   }
-  // Among areas that are equal up to rounding, the first counts, which lies right of the curves.
+  // Of areas equal up to rounding, the first counts, which lies right of the curves.
   const LabelArea* outside = nullptr;
   for (const LabelArea& one : areas) {
     if (inside && one.label == labels[*inside]) continue;
     if (outside == nullptr || one.area > outside->area * (1 + kChainRounding)) outside = &one;
   }
-  // None is left if the point's side is everything, as beyond the boundary.
+  // If the point's side is everything, as beyond the boundary, no cell remains.
   for (const int cell : cells) {
     region[cell] = outside == nullptr || labels[cell] != outside->label ? 1 : 0;
   }

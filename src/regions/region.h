@@ -4,13 +4,12 @@
 
 #include "regions/arrangement.h"
 
-/// Regions as sets of cells, regions that curves enclose, and booleans.
-///
-/// A cell on the left of a path counts one more than the cell on its right. Summed from cell to
-/// cell, this labels all cells up to a constant if the paths bound a region. If the counts do not
-/// cancel around a handle of the surface, or around the end of a path, the paths enclose no region.
-/// A surface has no natural outside. It is taken to be the label of the greatest area, unless a
-/// point decides otherwise.
+/// Regions as sets of cells, regions that curves enclose, and booleans. A cell on the left of a
+/// path counts one more than the cell on its right. Summed from cell to cell, the counts label all
+/// cells up to a constant if the paths bound a region. If the counts do not cancel around a handle
+/// of the surface, or around the end of a path, the paths enclose no region. A surface has no
+/// natural outside. The outside is the label of the greatest area, unless a point decides
+/// otherwise.
 namespace karcher {
 
 /// A region: 1 for each cell that belongs to it, else 0.
@@ -30,7 +29,7 @@ struct PathRange {
   int count = 0;
 };
 
-/// The region that paths enclose together. `inside` is a cell that must be inside. Throws Error
+/// The region that paths enclose together. The cell `inside` must lie in it. Throws Error
 /// kBadArgument if the paths do not bound a region.
 Region enclosed(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                 std::optional<int> inside = std::nullopt);
@@ -39,13 +38,13 @@ Region enclosed(const Arrangement& arrangement, const PathRange& paths, FillRule
 enum class PathSide { kLeft, kRight };
 
 /// The cell on a side of the first of these paths, at the first place where the cells on its two
-/// sides differ (or, if `rule` is kEvenOdd, differ by parity). None if they differ nowhere, or if
-/// the side is beyond the boundary.
+/// sides differ; with kEvenOdd, where they differ by parity. The result is empty if they differ
+/// nowhere, or if the side is beyond the boundary.
 std::optional<int> cellBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                               PathSide side);
 
-/// The region that paths enclose together on a side of the first one. It moves along with that
-/// path. Throws Error kBadArgument if the paths do not bound a region.
+/// The region that paths enclose together on a side of the first one, with which it moves. Throws
+/// Error kBadArgument if the paths do not bound a region.
 Region enclosedBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                       PathSide side);
 

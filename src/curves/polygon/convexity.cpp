@@ -9,7 +9,7 @@ namespace {
 /// The most faces of a leg, about an edge length, over which it sees only the mesh itself.
 constexpr int kFewFaces = 4;
 
-/// The number of even parts of a piece's parameter that are examined.
+/// The number of even parts of a piece's parameter at whose ends the convexity is computed.
 constexpr int kParts = 16;
 
 void layAlong(const Geometry& geometry, const Array<SurfacePath>& legs, const SegmentLayout& piece,

@@ -2,9 +2,9 @@
 
 #include "curves/polygon/levels.h"
 
-/// Safety of centers of mass along a control polygon: whether they move continuously, and no more
-/// roughly than the surface itself. It follows from the curvature of the faces that the polygon's
-/// legs cross, without a distance field.
+/// Safety of centers of mass along a control polygon: they are safe if they move continuously, and
+/// no more roughly than the surface itself. It follows from the curvature of the faces that the
+/// polygon's legs cross, without a distance field.
 namespace karcher {
 
 /// Scratch memory, which can be reused.
@@ -18,8 +18,8 @@ struct ConvexityWorkspace {
   Array<double> weights;
 };
 
-/// The Gaussian curvature per area of a face, which gets a share of each corner vertex's angle
-/// defect in proportion to its angle there.
+/// The Gaussian curvature per area of a face. It has a share of each corner vertex's angle defect,
+/// in proportion to its angle there.
 double curvatureOf(const Geometry& geometry, int face);
 
 /// The least second derivative, across the legs, of the energies whose minima are the points of a
@@ -35,7 +35,7 @@ double leastConvexity(const Geometry& geometry, const Array<SurfacePath>& legs,
 
 /// The detail along a leg, in radians: the part of its curvature by which adjacent faces differ,
 /// times the square of the leg's length. A center of mass that sees the leg turns by this much more
-/// than the surface. As edges become shorter it tends to zero on a smooth surface, and grows on a
+/// than the surface. If edges become shorter, it tends to zero on a smooth surface, and grows on a
 /// rough one.
 double detailAlong(const Geometry& geometry, const SurfacePath& leg);
 

@@ -2,8 +2,8 @@
 
 #include "curves/polygon/levels.h"
 
-/// Estimate of the distance by which subdivision of a control polygon moves its curve of centers of
-/// mass.
+/// An estimate of the distance by which subdivision of a control polygon moves its curve of centers
+/// of mass.
 namespace karcher {
 
 /// Scratch memory, which can be reused.
@@ -19,8 +19,9 @@ struct DeviationWorkspace {
 };
 
 /// The largest distance between the curve of a segment's centers of mass and its subdivision curve,
-/// to the first order in the curvature. The curvature is taken as constant: the largest mean along
-/// one of the legs. The distance vanishes where the polygon is straight or the surface unrolls.
+/// to the first order in the curvature. The function assumes a constant curvature: the largest mean
+/// along one of the legs. The distance vanishes where the polygon is straight or the surface
+/// unrolls.
 ///
 /// In normal coordinates about the center of mass the points' weighted sum is 0, so that the center
 /// does not move. The point at the part s from p to q is p + s (q - p), moved by K / 3 s (1 - s) |p

@@ -6,7 +6,7 @@
 /// Averages on the legs of a control polygon, and the paths that join them.
 namespace karcher {
 
-/// A control point with its weight. The average of two is weighted, too.
+/// A control point with its weight. The average of two has a weight, too.
 struct WeightedPoint {
   SurfacePoint point;
   double weight = 1;
@@ -24,14 +24,14 @@ struct LegAverage {
   double at = 0;
 };
 
-/// The average of a leg's ends, whose weights are `from` and `to`, both positive.
+/// The average of a leg's ends with the weights `from` and `to`, both positive.
 inline LegAverage averageOn(const TriangleMesh& mesh, const SurfacePath& path, double from,
                             double to) {
   const double at = path.length() * (to / (from + to));
   return {{pointAlong(mesh, path, at), from + to}, at};
 }
 
-/// Joins consecutive paths, which are then straightened as one. Writes to the points of `path`.
+/// Joins consecutive paths, and straightens them as one. Writes to the points of `path`.
 class Chain {
  public:
   Chain(const TriangleMesh& mesh, SurfacePath& path) : mesh_(mesh), points_(path.points) {

@@ -29,7 +29,7 @@ void findAverages(const TriangleMesh& mesh, const Share& share, AveragingWorkspa
   }
 }
 
-/// Replaces the row by that of the averages on its legs, with one point fewer.
+/// Replaces the row by the averages on its legs, one point fewer.
 void replaceByAverages(const Geometry& geometry, AveragingWorkspace& workspace) {
   const Array<LegAverage>& averages = workspace.averages;
   Array<SurfacePath>& legs = workspace.row.legs;

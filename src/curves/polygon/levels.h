@@ -6,23 +6,21 @@
 #include "curves/spec/curve_layout.h"
 #include "intrinsic/surface_path.h"
 
-/// Refine, then average.
+/// Subdivision before averages. A center of mass of distant points is rough on a rough surface,
+/// since their squared distances have creases everywhere. So averages of two points along the legs
+/// subdivide the control polygon first, and each piece of the curve is a center of mass of its own
+/// near points. On the plane this is the same curve. Elsewhere, more levels bring it nearer to the
+/// subdivision curve of C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive
+/// Bezier Splines on Surface Meshes" (2022).
 ///
-/// A center of mass of distant points is rough on a rough surface, since their squared distances
-/// have creases everywhere. So the control polygon is subdivided first, by averages of two points
-/// along its legs, and each piece of the curve is a center of mass of its own near points. On the
-/// plane this is the same curve. Elsewhere, more levels bring it nearer to the subdivision curve of
-/// C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive Bezier Splines on
-/// Surface Meshes" (2022).
-///
-/// No average searches for a path: its path is straightened from parts of the legs that it joins,
-/// so that the curve moves continuously with the legs.
+/// No average searches for a path: it straightens its path from parts of the legs that it joins, so
+/// that the curve moves continuously with the legs.
 namespace karcher {
 
 inline constexpr int kMostLevels = 8;
 
-/// Whether a kind of curve can be subdivided by averages of two points. Curves of other kinds are
-/// one center of mass of all their points.
+/// Whether averages of two points can subdivide a kind of curve. Curves of other kinds are one
+/// center of mass of all their points.
 bool takesLevels(CurveKind kind);
 
 /// The pieces of a curve after some levels: each a center of mass of a few points.
@@ -53,7 +51,7 @@ struct BezierHalves {
 /// Scratch memory of averages, which can be reused.
 struct AveragingWorkspace {
   StripWorkspace strip;
-  LeggedPolygon row;  ///< a row of a pyramid; its list of legs may be longer than needed
+  LeggedPolygon row;  ///< a row of a pyramid; its list of legs may be longer than the row
   Array<LegAverage> averages;
   SurfacePath inner;
   LeggedPolygon polygon;
@@ -64,7 +62,7 @@ struct AveragingWorkspace {
 
 /// Subdivides a control polygon `levels` >= 1 times. `legs` are paths from each point to the next,
 /// and for a closed curve also from the last to the first.
-/// - Bezier curves, rational ones too, are divided by de Casteljau's algorithm at 1/2;
+/// - de Casteljau's algorithm divides Bezier curves, also rational ones, at 1/2;
 /// - B-splines get a knot in the middle of each span: a new point is the repeated average of its
 ///   parents, from both ends of their row towards its middle (subdivision.h), with the weights of
 ///   the knot insertion. In degrees up to 3, with even knots, that is Lane and Riesenfeld's

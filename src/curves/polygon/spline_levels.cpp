@@ -76,8 +76,8 @@ class KnotHalving {
     return knots;
   }
 
-  /// The outer spans are halved, too, so that the first and the last points approach the curve.
-  /// Outer knots that are not needed are left out.
+  /// The open knots with halved spans. The outer spans are halved, too, so that the first and the
+  /// last points approach the curve. Needless outer knots are omitted.
   Array<double> openHalved() const {
     Array<double> all = everySpanHalved();
     const auto first = std::upper_bound(all.begin(), all.end(), old_[degree_]) - 1 - degree_;
@@ -135,7 +135,7 @@ bool isKnown(const CurveShape& shape, int points, int levels, const SplineWorksp
          layAlike(workspace.shape, shape);
 }
 
-/// Computes what depends only on the shape and on counts, unless the workspace already has it.
+/// Computes what depends only on the shape and on counts, unless the workspace has it already.
 void layOutLevels(const CurveShape& shape, int points, int levels, SplineWorkspace& workspace) {
   if (isKnown(shape, points, levels, workspace)) return;
   workspace.points = 0;
@@ -196,7 +196,7 @@ class SplineLevelStep {
     int left = 0;
     int right = parents.weights.count() - 1;
     const auto weight = [&](int k) {
-      // The middle parent is halved between the two sides.
+      // Each side takes half of the middle parent.
       const double share = left == right ? 0.5 : 1;
       return share * parents.weights[k] * pointAt(parents.first + k).weight;
     };

@@ -14,7 +14,7 @@ struct SplineLevel {
     int first = 0;
     Array<double> weights;
   };
-  /// A path from a point to one of its parents. Legs are led along it.
+  /// A path from a point to one of its parents. Legs follow it.
   struct Anchor {
     SurfacePath path;
     int parent = 0;  ///< the parent's number, as in `Parents::first`
@@ -28,7 +28,7 @@ struct SplineLevel {
   Array<Anchor> anchors;
 };
 
-/// Scratch memory of a B-spline's levels. Knots and weights are kept for the next curve of the same
+/// Scratch memory of a B-spline's levels. It keeps knots and weights for the next curve of the same
 /// shape, since a drag changes neither.
 struct SplineWorkspace {
   /// The average so far, from one end of the parents.
@@ -39,7 +39,7 @@ struct SplineWorkspace {
   };
 
   CurveShape shape;
-  int points = 0;  ///< 0: `levels` and `pieces` have not been computed
+  int points = 0;  ///< 0: `levels` and `pieces` are not computed yet
   /// The levels, from the control polygon itself on.
   Array<SplineLevel> levels;
   /// The segments of the last level.

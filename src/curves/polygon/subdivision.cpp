@@ -5,7 +5,7 @@
 namespace karcher {
 namespace {
 
-/// Parts of a curve shorter than this, in mean edges, are not divided further.
+/// The length, in mean edges, below which parts of a curve are not divided further.
 constexpr double kShortest = 0.25;
 constexpr int kMostHalvings = 6;
 
@@ -16,7 +16,7 @@ WeightedPoint merged(const Geometry& geometry, const WeightedPoint& a, const Wei
   return {averageAlongGeodesic(geometry, a.point, b.point, b.weight / sum, workspace), sum};
 }
 
-/// The average of points of positive weight, taken from both ends of the list.
+/// The average of points of positive weight, from both ends of the list towards its middle.
 WeightedPoint foldedFromEnds(const Geometry& geometry, const Array<WeightedPoint>& points,
                              SubdivisionWorkspace& workspace) {
   int left = 0;

@@ -27,11 +27,11 @@ struct SubdivisionWorkspace {
 SurfacePoint averageAlongGeodesic(const Geometry& geometry, const SurfacePoint& a,
                                   const SurfacePoint& b, double s, SubdivisionWorkspace& workspace);
 
-/// Weighted points as repeated averages of two: from both ends of the list towards its middle, so
-/// that neighbours meet first and the reversed list gives the same. With the weights of a knot
-/// insertion the result is that knot insertion. Points of negative weight are averaged separately.
-/// Seen from their average, the result lies beyond the average of the others. The weights sum to 1,
-/// and at least one is positive.
+/// The repeated average of weighted points, two at a time. It goes from both ends of the list
+/// towards its middle, so that neighbours meet first and the reversed list gives the same point.
+/// With the weights of a knot insertion the result is that knot insertion. Points of negative
+/// weight have an average of their own. Seen from it, the result lies beyond the average of the
+/// others. The weights sum to 1, and at least one is positive.
 SurfacePoint repeatedAverage(const Geometry& geometry, const Array<SurfacePoint>& points,
                              const Array<double>& weights, SubdivisionWorkspace& workspace);
 
@@ -41,9 +41,10 @@ struct ParametricLine {
   Array<double> t;
 };
 
-/// Appends the Bezier curve over [t0, t1] of the control points, at least two. From fast paths
-/// between them it is halved (levels.h) until it has 2^6 parts or they are short, whose control
-/// polygons approximate the curve. The first point is not repeated if `line` already ends there.
+/// Appends the Bezier curve over [t0, t1] of the control points, at least two. Beginning with fast
+/// paths between them, the function halves it (levels.h) until it has 2^6 parts or they are short.
+/// The control polygons of the parts approximate the curve. If `line` already ends at the first
+/// point, the point is not repeated.
 void appendBezier(const Geometry& geometry, std::span<const SurfacePoint> points, double t0,
                   double t1, SubdivisionWorkspace& workspace, ParametricLine& line);
 

@@ -64,9 +64,9 @@ FieldBlend blendOf(Curve& curve, const PieceParameter& at) {
   return {curve.surface().geometry(), controlFields(curve.fieldsOf(at.segment, at.piece))};
 }
 
-/// The center at a parameter between two samples, found as in the search for jumps (jumps.h): t is
-/// bisected, and each search starts at the earlier end of its part. A search from a more distant
-/// sample could find another minimum.
+/// The center at a parameter between two samples. As in the search for jumps (jumps.h), the
+/// function bisects t, and each search starts at the earlier end of its part. A search from a more
+/// distant sample could find another minimum.
 CurveSample centerBetween(const Curve& curve, FieldBlend& fields, const PieceParameter& at,
                           CurveSample from, CurveSample to) {
   const TriangleMesh& mesh = curve.surface().mesh();
@@ -90,7 +90,7 @@ CurveSample centerBetween(const Curve& curve, FieldBlend& fields, const PiecePar
 
 /// Derivatives of the piece's weights by its t, as differences of second order inside [0, 1].
 Array<double> weightDerivatives(const Curve::Piece& piece, double t) {
-  // Central differences are most exact over the cube root of the rounding.
+  // Central differences are most exact if their step is the cube root of the rounding.
   const double step = std::cbrt(kStepRounding);
   const double middle = std::clamp(t, step, 1 - step);
   const Array<double> before = piece.weights(middle - step);

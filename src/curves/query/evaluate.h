@@ -8,8 +8,8 @@ namespace karcher {
 struct CurvePoint {
   double parameter = 0;
   SurfacePoint point;
-  /// If not kConverged, the point lies on a bridge (bridge.h) or, next to a bridge, on the path
-  /// that joins the samples around it.
+  /// The status. If it is not kConverged, the point lies on a bridge (bridge.h) or, next to a
+  /// bridge, on the path that joins the samples around it.
   SampleStatus status = SampleStatus::kConverged;
 };
 
@@ -35,8 +35,8 @@ inline CurvePoint pointAt(Curve& curve, double parameter) {
   return pointAt(curve, segmentParameter(curve, parameter));
 }
 
-/// The tangent by the implicit function theorem, since the field sum_i w_i(t) grad d_i^2 stays zero
-/// along the curve. Where there is no center of mass, and on polylines, it is the direction of the
+/// The tangent by the implicit function theorem: the field sum_i w_i(t) grad d_i^2 stays zero along
+/// the curve. On polylines, and where the curve is no center of mass, it is the direction of the
 /// path.
 CurveTangent tangentAt(Curve& curve, const SegmentParameter& at);
 inline CurveTangent tangentAt(Curve& curve, double parameter) {

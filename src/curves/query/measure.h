@@ -2,8 +2,8 @@
 
 #include "curves/query/evaluate.h"
 
-/// Lengths along a curve and its point nearest to a given place, measured on the path that joins
-/// its samples.
+/// Lengths along a curve and its point nearest to a given place, on the path that joins its
+/// samples.
 namespace karcher {
 
 /// The vertices of a joined curve. Each has its position, the curve's parameter (between samples,
@@ -21,9 +21,9 @@ CurveLine lineOf(const Curve& curve);
 /// closed curve it is the whole length.
 double lengthAt(const Curve& curve, const CurveLine& line, double parameter);
 
-/// The point at a length from the start, on the line. On a closed curve the length may be negative
-/// or exceed a turn. Throws Error kBadArgument for a length outside an open curve, or one that is
-/// not finite.
+/// The point at a length from the start of the line. On a closed curve the length may be negative
+/// or exceed a turn. Throws Error kBadArgument for a length that is not finite or lies outside an
+/// open curve.
 CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double length);
 
 /// `count` points with equal lengths between consecutive ones. They include both ends of an open

@@ -6,18 +6,18 @@
 #include "mesh/rounding.h"
 #include "mesh/sorted_numbers.h"
 
-/// The traced line bounds the curve's distance in each interval between samples. The intervals that
-/// may hold the nearest point are searched, the most promising first. Bisection leads to parts
-/// inside one face of the mesh, where the curve is smooth and nearly straight and golden sections
-/// find the minimum. At edges the curve may jump by a small part of an edge, with a minimum on
-/// either side.
+/// The traced line bounds the curve's distance in each interval between samples. The search takes
+/// the intervals that may hold the nearest point, the most promising first. It bisects them into
+/// parts inside one face of the mesh, where the curve is smooth and nearly straight and golden
+/// sections find the minimum. At edges the curve may jump by a small part of an edge, with a
+/// minimum on either side.
 namespace karcher {
 namespace {
 
 /// The largest assumed ratio of a curve's length to its chord, between samples and between the ends
 /// of a part.
 constexpr double kBend = 2;
-/// The least number of times that an interval between samples is divided.
+/// The least number of divisions of an interval between samples.
 constexpr int kFewestCuts = 3;
 /// A bound for curves that are equally near everywhere, such as a circle around the place.
 constexpr int kMostEvaluations = 20'000;

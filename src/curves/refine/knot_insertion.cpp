@@ -28,7 +28,7 @@ KnotPlace placeOf(const ControlPolygon& polygon, double u) {
 }
 
 /// The legs from the start of a run of legs to its end, through an average on each leg. They are
-/// one more than the run has.
+/// one more than those of the run.
 Array<SurfacePath> legsOver(const Geometry& geometry, const Array<SurfacePath>& run,
                             const Array<LegAverage>& averages) {
   const TriangleMesh& mesh = *geometry.mesh;
@@ -45,8 +45,9 @@ Array<SurfacePath> legsOver(const Geometry& geometry, const Array<SurfacePath>& 
   return legs;
 }
 
-/// `insertKnot` for a closed curve of fewer than p points. New points extend more than once around,
-/// so that the knots of several turns affect each of them. The curve is unrolled over these turns.
+/// `insertKnot` for a closed curve of fewer than p points. Its new points extend more than once
+/// around, so that the knots of several turns affect each of them. The function unrolls the curve
+/// over these turns.
 int insertAround(const Geometry& geometry, ControlPolygon& polygon, double u) {
   const int p = polygon.degree;
   const int n = countOf(polygon);
@@ -114,7 +115,7 @@ int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u) {
   Array<SurfacePath> renewed = legsOver(geometry, run, averages);
   Array<WeightedPoint> points(static_cast<size_t>(n) + 1);
   Array<SurfacePath> legs(polygon.legs.size() + 1);
-  // Those of a closed curve are numbered from the new ones on.
+  // The numbers of a closed curve's points begin at the new ones.
   const int begin = polygon.closed ? first : 0;
   for (int i = begin; i < begin + n + 1; ++i) {
     points[i % (n + 1)] = i < first  ? polygon.points[i]

@@ -4,9 +4,9 @@
 
 /// The classical refinements of B-splines and Bezier curves, with averages of two points along the
 /// legs of the control polygon. New legs are parts of old ones; between points on two legs, the
-/// parts are pulled tight. On the plane they do not change the curve. On a curved surface they
-/// change it by an amount that vanishes with the curvature, since averages of averages depend on
-/// their order there.
+/// parts are pulled tight. On the plane they do not change the curve. On a curved surface averages
+/// of averages depend on their order, so that the curve changes by an amount that vanishes with the
+/// curvature.
 namespace karcher {
 
 /// The control points, legs and knots of a B-spline (knots.h).
@@ -23,7 +23,7 @@ struct ControlPolygon {
 int multiplicity(const ControlPolygon& polygon, double knot);
 
 /// Inserts a knot u between the first and the last of the spans (W. Boehm, "Inserting new knots
-/// into B-spline curves", 1980). For degree p, new points, p minus the knot's multiplicity in
+/// into B-spline curves", 1980). For degree p, the new points, p minus the knot's multiplicity in
 /// number, replace the inner ones. Returns the number of the first of them. The multiplicity must
 /// be less than p.
 int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u);
@@ -32,8 +32,8 @@ int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u);
 LeggedPolygon elevated(const Geometry& geometry, const LeggedPolygon& bezier);
 
 /// The parts of an open B-spline before and after knot u, clamped there. At an end of the spans,
-/// one of them is the whole curve, clamped. A Bezier curve is a B-spline of one span, which this
-/// divides as de Casteljau's algorithm does.
+/// one part is the whole curve, clamped. For a Bezier curve, a B-spline of one span, this is de
+/// Casteljau's algorithm.
 ControlPolygon partBefore(const Geometry& geometry, ControlPolygon open, double u);
 ControlPolygon partAfter(const Geometry& geometry, ControlPolygon open, double u);
 

@@ -75,7 +75,7 @@ CurveParts partsOf(ControlPolygon polygon) {
   return parts;
 }
 
-/// The parts of a curve, whose legs are left out unless it follows given ones.
+/// The parts of a curve, without legs unless it follows given ones.
 CurveParts alike(const Curve& curve, CurveParts parts) {
   if (!followsLegs(curve)) parts.legs.clear();
   return parts;
@@ -107,8 +107,8 @@ ControlPolygon splineOf(LeggedPolygon bezier) {
           points - 1, false};
 }
 
-/// Sets betas from their logarithms. A common factor does not change the curve, so the largest is
-/// 1. If the least would be too small for a beta, both are equally far from 1 in ratio.
+/// Sets betas from their logarithms. A common factor does not change the curve, so the largest beta
+/// is 1. If the least would be too small, the factor sets both equally far from 1 in ratio.
 void setBetas(Array<double>& logs) {
   const auto [least, most] = std::minmax_element(logs.begin(), logs.end());
   const double range = *most - *least;
@@ -169,16 +169,15 @@ CurveParts barycentricPart(Curve& curve, double from, double to, int nodes) {
 }
 
 /// A point of a Catmull-Rom curve or polyline, and the two parts of the leg that it cuts. They are
-/// shortest if the leg was.
+/// shortest paths if the leg was.
 struct CutThroughPoints {
   SurfacePoint point;
   SurfacePath before;
   SurfacePath after;
 };
 
-/// Writes the parts of a leg before and after the part t of its length. If a near point
-/// `cut` is given, both are led to it; otherwise they meet on the leg. A part that cannot be led
-/// there has no points.
+/// Writes the parts of a leg before and after the part t of its length. They meet at the near point
+/// `cut` if given, else on the leg. A part that cannot lead to `cut` has no points.
 void cutLeg(const Geometry& geometry, const SurfacePath& leg, double t, const SurfacePoint* cut,
             SurfacePath& before, SurfacePath& after) {
   const double at = t * leg.length();
@@ -245,7 +244,7 @@ Array<CurveParts> splitThroughPoint(Curve& curve, const SegmentParameter& at) {
 }
 
 /// The legs of two curves in sequence, the first of which ends at `end`, with `between` shortest
-/// ones in between. If that is 0, the curves meet there. The result is empty if neither curve has
+/// paths in between. If that is 0, the curves meet there. The result is empty if neither curve has
 /// legs.
 Array<SurfacePath> joinedLegs(const Geometry& geometry, Array<SurfacePath> first, int firstCount,
                               Array<SurfacePath> second, int secondCount, int between,
@@ -300,7 +299,7 @@ ControlPolygon joinedPolygons(const Geometry& geometry, const ControlPolygon& fi
   return result;
 }
 
-/// Two curves as one spline. It has the first one up to its end, and the second one from its start.
+/// Two curves as one spline: the first one up to its end, and the second one from its start.
 CurveParts joinedSplines(const Curve& first, const Curve& second, ControlPolygon a,
                          ControlPolygon b) {
   const Geometry& geometry = first.surface().geometry();

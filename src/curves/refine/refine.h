@@ -2,8 +2,8 @@
 
 #include "curves/curve.h"
 
-/// Control points inserted on a curve, and curves split and joined. On the plane each operation
-/// leaves the curve unchanged wherever a construction exists that does (knot_insertion.h).
+/// Insertion of control points on a curve, and splits and joins of curves. On the plane an
+/// operation leaves the curve unchanged if any construction does (knot_insertion.h).
 namespace karcher {
 
 /// A curve's shape, control points and legs (curve_value.h). If the original curve follows given
@@ -20,26 +20,25 @@ struct RefinedCurve {
 };
 
 /// The curve with one more control point, at a parameter (curve.h):
-/// - B-splines: a knot is inserted there, and the knots become the curve's own;
-/// - Bezier curves: the degree is raised, whatever the parameter; all inner points are new;
-/// - barycentric curves: the degree is raised; all inner points are new points on the curve, with
-///   betas that leave it unchanged;
+/// - B-splines: the new knot lies there, and the knots become the curve's own;
+/// - Bezier curves: the degree grows by one, whatever the parameter; all inner points are new;
+/// - barycentric curves: the degree grows by one; all inner points are new points on the curve,
+///   with betas that leave it unchanged;
 /// - Catmull-Rom curves and polylines: the new point lies on the curve; it changes a Catmull-Rom
-///   curve a little.
-/// Throws Error kBadArgument if no point can be inserted: the knot is repeated too often, there
-/// already is a control point, or the basis is the caller's own.
+///   curve a little. Throws Error kBadArgument if the curve cannot have such a point: the knot is
+///   repeated too often, a control point lies there already, or the basis is the caller's own.
 RefinedCurve withPointOnCurve(Curve& curve, double parameter);
 
-/// The curves before and after a parameter; a closed B-spline, Catmull-Rom curve or polyline gives
-/// one open curve instead. B-splines are clamped at the cut. Bezier curves are divided by de
-/// Casteljau's algorithm, and barycentric ones by new points on them with betas that leave the
+/// The curves before and after a parameter; a closed B-spline, Catmull-Rom curve or polyline
+/// becomes one open curve instead. B-splines are clamped at the cut. Bezier curves divide by de
+/// Casteljau's algorithm. Barycentric curves have new points on them, with betas that leave the
 /// curve unchanged. Catmull-Rom curves change a little next to the cut. Throws Error kBadArgument
 /// at the ends of an open curve and for a basis of the caller's own.
 Array<CurveParts> splitAt(Curve& curve, double parameter);
 
-/// One curve along two open curves of the same kind. A common end point is kept once. B-splines,
-/// and Bezier curves of degree 1 to 5, become one B-spline that runs along both, with a geodesic
-/// between them if they do not meet; for other kinds, the result is the curve through the points of
+/// One curve along two open curves of the same kind. It has a common end point once. B-splines, and
+/// Bezier curves of degree 1 to 5, become one B-spline that runs along both, with a geodesic
+/// between them if they do not meet. For other kinds, the result is the curve through the points of
 /// both. Throws Error kBadArgument if kinds or degrees differ, a curve is closed, or the basis is
 /// the caller's own; kUnreachable if the points lie on several components.
 CurveParts joined(const Curve& first, const Curve& second);

@@ -41,8 +41,8 @@ Array<double> barycentricBasis(const Array<double>& betas, double t);
 void barycentricBasis(const Array<double>& betas, double t, Array<double>& weights);
 
 /// The Catmull-Rom basis: the curve through four points between the second and the third, with
-/// ascending knots at the points and u between the middle two, as Barry and Goldman's pyramid of
-/// affine averages. Writes 4 weights, of which the outer ones may be negative, to `weights`.
+/// ascending knots at the points and u between the middle two, by Barry and Goldman's pyramid of
+/// affine averages. Writes 4 weights to `weights`; the outer ones may be negative.
 void catmullRomBasis(const Array<double>& knots, double u, Array<double>& weights);
 
 }  // namespace karcher

@@ -9,8 +9,8 @@ namespace karcher {
 namespace {
 
 /// A segment that blends `numbers`, one for each weight of the basis. A number may occur several
-/// times in a segment that goes all around a closed curve. Its points are then in the same order as
-/// in the other segments, so that these agree where they meet.
+/// times in a segment that goes all around a closed curve. The order of its points is that of the
+/// other segments, so that these agree where they meet.
 SegmentLayout segmentOf(SegmentBasis basis, const Array<int>& numbers) {
   SegmentLayout segment;
   for (const int number : numbers) {

@@ -16,15 +16,16 @@ struct SegmentLayout {
 void catmullRomSpacings(const Array<double>& gaps, bool centripetal, Array<double>& spacings);
 
 /// The segments of a curve with a shape that `checkShape` accepts. A segment runs from t = 0 to 1,
-/// and its end is the start of the next one. Empty spans are left out. A Catmull-Rom curve's knots
-/// are even.
+/// and its end is the start of the next one. The result omits empty spans. A Catmull-Rom curve's
+/// knots are even.
 Array<SegmentLayout> layOut(const CurveShape& shape, int points);
 
 /// Spaces the knots of a Catmull-Rom curve's segments by the lengths of its spans, one for each
 /// segment.
 void spaceKnots(const Array<double>& spacings, bool closed, Array<SegmentLayout>& segments);
 
-/// Whether two shapes have the same segments for equal numbers of points, before knots are spaced.
+/// Whether two shapes have the same segments for equal numbers of points, up to the spacing of
+/// knots.
 bool layAlike(const CurveShape& a, const CurveShape& b);
 
 }  // namespace karcher

@@ -15,7 +15,7 @@ enum class CurveKind {
   kBSpline,      ///< a B-spline of degree 1 to 5; with weights, a NURBS curve
   kBezier,       ///< one segment of degree (points - 1)
   kRational,     ///< a Bezier curve with a weight for each point
-  kBarycentric,  ///< one rational segment through the points, shaped by a beta for each point
+  kBarycentric,  ///< one rational segment through the points, with a beta for each point
   kCatmullRom,   ///< a segment between each two consecutive points, through them, C1
   kPolyline,     ///< shortest paths from point to point
   kOwn,          ///< one segment with the caller's basis
@@ -49,8 +49,8 @@ struct CurveShape {
   int degree = 3;  ///< the degree of a B-spline
   KnotRule knotRule = KnotRule::kUniform;
   Array<double> knots = {};  ///< the knots with KnotRule::kOwn
-  /// Whether a Catmull-Rom curve's knots are spaced by the square roots of the points' geodesic
-  /// distances. Otherwise they are even.
+  /// Whether the square roots of the points' geodesic distances space a Catmull-Rom curve's knots.
+  /// Otherwise the knots are even.
   bool centripetal = true;
   /// of kBSpline and kRational: one positive weight for each point; if empty, all are 1
   Array<double> weights = {};
@@ -81,7 +81,7 @@ void checkGivenShape(const CurveShape& shape, int points);
 Array<double> knotsOf(const CurveShape& shape, int points);
 
 // The shape after an edit of a curve of `points` points. Weights and betas stay with their points;
-// those of a new point are 1. A caller's own knots are kept as far as possible (knots.h).
+// those of a new point are 1. A caller's own knots stay as far as possible (knots.h).
 CurveShape withPoint(CurveShape shape, int i);
 CurveShape withoutPoint(CurveShape shape, int points, int i);
 CurveShape withPointMoved(CurveShape shape, int from, int to);

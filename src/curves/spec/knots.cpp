@@ -110,7 +110,7 @@ double knotOfSpan(const Array<double>& knots, int degree, bool closed, int j) {
   const int spans = knots.count() - 1;
   const int k = wrapped(j, spans);
   const int turns = (j - k) / spans;
-  // The period is added only where needed, so that uniform knots stay integers.
+  // Other turns alone add the period, so that uniform knots stay integers.
   return turns == 0 ? knots[k] : knots[k] + turns * (knots.back() - knots.front());
 }
 

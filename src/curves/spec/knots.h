@@ -26,11 +26,11 @@ int spanCount(const Array<double>& knots, int degree, bool closed);
 /// The knot at the start of span j. j may lie outside the spans as long as the knot exists.
 double knotOfSpan(const Array<double>& knots, int degree, bool closed, int j);
 
-/// The knots after a control point is inserted before point i: the span at the middle of the new
-/// point's support is halved.
+/// The knots with a new control point before point i: a new knot halves the span at the middle of
+/// the new point's support.
 Array<double> knotsWithPoint(const Array<double>& knots, int degree, bool closed, int i);
 
-/// The knots after control point i is removed: the knot at the middle of its support is deleted.
+/// The knots without control point i: the knot at the middle of its support is removed.
 Array<double> knotsWithoutPoint(const Array<double>& knots, int degree, bool closed, int i);
 
 /// The knots of the reversed curve: its points in reverse order, except that a closed curve keeps

@@ -133,9 +133,9 @@ class BridgeBuilder {
     }
   }
 
-  /// Moves the polygon's ends to the given points. The farther these are, as a part of the
-  /// polygon's length, the more its other points move to the path between the ends, so that a short
-  /// bridge makes no long detour.
+  /// Moves the polygon's ends to the given points. Its other points move towards the path between
+  /// the ends: the more, the farther the ends move as a part of the polygon's length. So a short
+  /// bridge has no long detour.
   void pullEnds(Array<SurfacePoint>& polygon, const SurfacePoint* from, const SurfacePoint* to) {
     double length = 0;
     for (int i = 1; i < polygon.count(); ++i) length += distance(polygon[i - 1], polygon[i]);
@@ -210,8 +210,8 @@ void bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
   const bool isWhole =
       workspace.jumps.empty() && std::all_of(samples.begin(), samples.end(), isConverged);
   if (isWhole) return;
-  // Samples that a tolerance placed are dense enough for the branch that they follow. A search
-  // whose result depends on its start has no such branch.
+  // The samples of a tolerance are dense enough for the branch that they follow. If a search's
+  // result depends on its start, the curve has no such branch.
   if (table != nullptr && goesOnWhereIndefinite(method)) {
     takeBestBranches(fields, table->samples, method, samples, workspace.back);
     lookForJumps();

@@ -5,13 +5,11 @@
 #include "curves/polygon/subdivision.h"
 #include "curves/trace/jumps.h"
 
-/// Bridges over the gaps of curves.
-///
-/// Where control points lie too far apart, there is no center of mass, or it jumps from one local
-/// minimum to another. From the last sample before such a gap to the first one after it, the curve
-/// follows a bridge instead: the subdivision curve of the segment's own control points
-/// (subdivision.h), with its ends moved to those two samples. So the curve is continuous
-/// everywhere, and its samples show where and why it is no center of mass.
+/// Bridges over the gaps of curves. Where control points lie too far apart, the curve has no center
+/// of mass, or the center jumps from one local minimum to another. From the last sample before such
+/// a gap to the first one after it, the curve follows a bridge instead: the subdivision curve of
+/// the segment's own control points (subdivision.h), with its ends moved to those two samples. So
+/// the curve is continuous everywhere, and its samples show where and why it is no center of mass.
 namespace karcher {
 
 struct Bridge {
@@ -31,8 +29,8 @@ inline SampleStatus statusOn(const Bridge& bridge) {
 
 /// Scratch memory, which can be reused.
 struct BridgeWorkspace {
-  /// An interval between two samples that needs a bridge. An end that is not kept is no center
-  /// itself.
+  /// An interval between two samples that needs a bridge. An end that the bridge does not keep is
+  /// no center itself.
   struct Interval {
     int first = 0;
     int last = 0;
@@ -63,17 +61,16 @@ void appendPart(const TriangleMesh& mesh, const Bridge& bridge, double from, dou
 /// The bridge over t, or null.
 const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 
-/// Completes a traced segment and writes its bridges, ascending in t: finds where its samples (two
-/// at least, ascending in t) are not converged or jump, bridges these intervals, and moves the
-/// samples inside onto the bridges with the status kBridged.
+/// Completes a traced segment and writes its bridges, ascending in t. The function finds where its
+/// samples (two at least, ascending in t) are not converged or jump, bridges these intervals, and
+/// moves the samples inside onto the bridges with the status kBridged. Between two neighbouring
+/// samples a bridge is the geodesic that joins them. At a t where one control point has all the
+/// weight, a bridge passes through it. `basis` and `pointWeights` give the weights
+/// (segment_basis.h).
 ///
-/// Between two neighbouring samples a bridge is the geodesic that joins them.
-///
-/// `basis` and `pointWeights` give the weights (segment_basis.h). At a t where one control point
-/// has all the weight, a bridge passes through it. `table` has the weights with which
-/// `traceSegment` found the samples; it is null if a tolerance placed them. With a table, a segment
-/// that breaks is also traced backwards (branches.h), except by the paper's method. Samples that a
-/// tolerance placed stay where they are.
+/// `table` has the weights with which `traceSegment` found the samples; it is null if a tolerance
+/// placed them. With a table, the function also traces a broken segment backwards (branches.h),
+/// except by the paper's method. Samples that a tolerance placed stay where they are.
 void bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
                    const Array<double>& pointWeights, const PieceWeights* table, Method method,
                    Array<CurveSample>& samples, BridgeWorkspace& workspace, Array<Bridge>& bridges);

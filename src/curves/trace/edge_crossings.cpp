@@ -22,8 +22,8 @@ bool visitFacesAt(const TriangleMesh& mesh, const SurfacePoint& point, const Vis
   return twin >= 0 && visit(faceOf(twin));
 }
 
-/// Whether two points a and b share a face; otherwise the half-edge from a face of `a` to a face of
-/// `b`, or -1.
+/// The passage from point a to point b: a common face, or else a half-edge from a face of `a` to a
+/// face of `b` (-1 if they have none).
 struct Passage {
   bool sharesFace = false;
   int halfedge = -1;
@@ -96,8 +96,8 @@ bool EdgeCrossings::appendCrossing(int h, int half, double t0, double t1, bool o
   const double after = across(valueAt(t1));
   const bool passes = (before < 0) != (after < 0);
   if (!passes && !orNearest) return false;
-  // The sample is so near the edge that the faces' own fields place it on this side, and the edge's
-  // field on the other.
+  // The sample is so near the edge that the faces' own fields place it on one side of the edge, and
+  // the edge's field on the other.
   double t = std::abs(before) < std::abs(after) ? t0 : t1;
   if (passes) {
     t = signChange(t0, t1, before, after, kStepRounding,

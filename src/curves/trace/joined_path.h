@@ -11,8 +11,8 @@ enum class CurveGeometry {
   kExact,     ///< the curve's own crossings of edges (edge_crossings.h)
 };
 
-/// A path through the samples. Consecutive samples are joined by geodesics or by the curve's
-/// crossings, and along bridges.
+/// A path through the samples. Geodesics, the curve's own crossings or bridges join consecutive
+/// samples.
 struct JoinedPath {
   SurfacePath line;
   /// The number of the sample to which each point's piece leads.

@@ -28,7 +28,7 @@ class JumpSearch {
         longest_(kLongestStep * geometry_.meanEdge),
         weights_(weights) {}
 
-  /// Whether and how the curve from one converged sample to the next breaks, in either direction.
+  /// The status if the curve from one converged sample to the next breaks, in either direction.
   /// `middle` has the weights in the middle, or is empty.
   std::optional<SampleStatus> run(const CurveSample& from, const CurveSample& to, Weights middle) {
     if (!middle.empty() && isContinuous(from.point, to.point, middle)) return std::nullopt;
@@ -101,9 +101,9 @@ class JumpSearch {
     return staysInCell(from, to, middle) || crossesAnEdge(from, to, middle);
   }
 
-  /// In one cell the zero of the field moves continuously. It stays the center if the step keeps
-  /// away from the edges, so that no other cell has a deeper zero, and if the zero for the weights
-  /// in its middle lies between its ends.
+  /// Whether the zero of the field in one cell moves continuously and stays the center. It does if
+  /// the step keeps away from the edges, so that no other cell has a deeper zero, and if the zero
+  /// for the weights in its middle lies between its ends.
   bool staysInCell(const SurfacePoint& from, const SurfacePoint& to, Weights middleWeights) const {
     if (from.face != to.face) return false;
     const Cells& cells = fields_.cells();
@@ -134,9 +134,9 @@ class JumpSearch {
     return length(zero.bary - (a + b) / 2) < margin;
   }
 
-  /// From one face into the next over the edge between them, the zero passes without a jump if,
-  /// with the weights in the middle, the zeros of both faces' fields lie side by side, between the
-  /// ends of the step and away from the other edges.
+  /// Whether the zero passes from one face into the next without a jump. It does if, with the
+  /// weights in the middle, the zeros of both faces' fields lie side by side, between the ends of
+  /// the step and away from the other edges.
   bool crossesAnEdge(const SurfacePoint& from, const SurfacePoint& to,
                      Weights middleWeights) const {
     if (fields_.cells().cut() || from.face == to.face) return false;
@@ -163,9 +163,9 @@ class JumpSearch {
            gapAtEdge(h, zeroA) <= longest_ / 2;
   }
 
-  /// The largest distance between the zeros of both faces when the zero reaches half-edge h. In the
-  /// other face the values at the ends are turned relative to each other (CellZero::holonomy). If
-  /// they are opposite, and so cancel at the edge, the rest is perpendicular to them.
+  /// The largest distance between the zeros of both faces when the zero reaches half-edge h. The
+  /// faces turn the values at the ends relative to each other (CellZero::holonomy). If the values
+  /// are opposite, and so cancel at the edge, the rest is perpendicular to them.
   double gapAtEdge(int h, const CellZero& zero) const {
     const Vec2& tail = zero.field.corner[cornerOf(h)];
     const Vec2& head = zero.field.corner[cornerOf(next(h))];

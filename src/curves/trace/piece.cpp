@@ -11,7 +11,7 @@ int sideOf(int i, int samples, int k, int count) {
   return sample < joint ? -1 : sample > joint ? 1 : 0;
 }
 
-/// The first even sample behind the start of part k.
+/// The first even sample after the start of part k.
 int firstBehind(int samples, int k, int count) {
   return static_cast<int>(static_cast<int64_t>(k) * (samples - 1) / count) + 1;
 }
@@ -100,7 +100,7 @@ void mergePieces(const Array<const TracedPiece*>& pieces, int even, TracedSegmen
     const int last = piece.samples.count() - 1;
     int next = even > 0 ? firstBehind(even, k, count) : 0;
     if (k == 0) whole.samples.push_back(piece.samples[0]);
-    // The points before a joint that is no sample lead to the next sample.
+    // If a joint is no sample, the points before it lead to the next sample.
     const int first = whole.samples.count();
     const auto inWhole = [&](int sample) { return sample == 0 ? 0 : first + sample - 1; };
     for (int i = 1; i <= last; ++i) {

@@ -90,9 +90,9 @@ class AdaptiveTrace {
     Vec3 off = Vec3::Zero();
   };
 
-  /// Whether the curve stays near the geodesic. The curve is evaluated in each face that the
-  /// geodesic crosses, since it may bend or jump at the edges. Between two evaluations it may
-  /// deviate further by as much as it changes from one to the other.
+  /// Whether the curve stays near the geodesic. Since the curve may bend or jump at edges, the
+  /// function evaluates it in each face that the geodesic crosses. Between two evaluations the
+  /// curve may deviate further by as much as it changes from one to the other.
   bool isFine(const CurveSample& from, const CurveSample& middle, const CurveSample& to) {
     workspace_.path.points.assign(1, from.point);
     if (!appendLocalPath(geometry_, from.point, to.point, workspace_.strip, workspace_.path.points))
@@ -113,8 +113,9 @@ class AdaptiveTrace {
     return true;
   }
 
-  /// Between two evaluations the curve may pass a face if it moves fast, or if the faces of the
-  /// evaluations do not meet.
+  /// Whether the curve stays near the geodesic between two evaluations. If it moves fast, or the
+  /// faces of the evaluations do not meet, it may have crossed another face in between; so the
+  /// function bisects the interval.
   bool isFineBetween(const Look& from, const Look& to, int divisions) {
     if (to.sample.status != SampleStatus::kConverged) return false;
     const int face = from.sample.point.face;

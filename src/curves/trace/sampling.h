@@ -20,17 +20,16 @@ struct SamplingWorkspace {
 /// Samples of a segment by bisection of t. It stops when the curve between two neighbouring samples
 /// lies within the tolerance, relative to the bounding box's diagonal, of the geodesic that joins
 /// them. If the curve jumps at an edge of the mesh (kLongestStep in jumps.h), samples approach the
-/// jump as closely as the tolerance needs, and a geodesic crosses it. The curve is evaluated 12 to
-/// 256 times between two samples: three times for each face that the geodesic crosses, and more
+/// jump as closely as the tolerance needs, and a geodesic crosses it. Between two samples the curve
+/// is evaluated 12 to 256 times: three times for each face that the geodesic crosses, and more
 /// often where it moves fast or between faces without a common edge. The largest change between two
-/// evaluations counts as deviation, too. This is no proof, since an excursion of the basis between
-/// two evaluations is missed. In tests no curve exceeded a tolerance of 1e-3 or 1e-4, and one of
+/// evaluations counts as deviation, too. This is no proof, since the basis may make an excursion
+/// between two evaluations. In tests no curve exceeded a tolerance of 1e-3 or 1e-4, and one of
 /// fifty exceeded 1e-5.
 ///
 /// There is a sample at each of the `nodes` (segment_basis.h). The search for these and for the
-/// ends starts as in `traceSegment`. The border between converged samples and others is found to
-/// 2^-11 of the segment or finer. Intervals are not divided further once there are 100,000 samples.
-/// Writes to `samples`.
+/// ends starts as in `traceSegment`. The border between converged samples and others is exact to
+/// 2^-11 of the segment or finer. With 100,000 samples the bisection ends. Writes to `samples`.
 void traceAdaptively(SegmentFields& fields, const BasisWriter& basis, const Array<double>& nodes,
                      Method method, double tolerance, SamplingWorkspace& workspace,
                      Array<CurveSample>& samples);

@@ -65,8 +65,8 @@ Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table,
     const int i = backwards ? last - k : k;
     CurveSample& sample = samples[i];
     sample.t = table.t[i];
-    // The ends are searched from their control points alone, so that adjacent segments find the
-    // same.
+    // The search at an end uses its control points alone, so that adjacent segments find the same
+    // point.
     const bool isEnd = i == 0 || i == last;
     if (const SurfacePoint* known = fields.known(sample.t)) {
       sample = {sample.t, *known};

@@ -26,8 +26,7 @@ using Basis = std::function<Array<double>(double t)>;
 /// The same, written to an existing array.
 using BasisWriter = std::function<void(double t, Array<double>& weights)>;
 
-/// A basis at given parameters. A table of even parameters is shared by all segments with the
-/// basis.
+/// A basis at given parameters. All segments with the basis share a table of even parameters.
 struct WeightTable {
   int points = 0;
   Array<double> t;
@@ -58,7 +57,7 @@ struct SegmentFields {
   SegmentFields(Surface& surface, const Array<PointField*>& ofPoints)
       : points(ofPoints), blend(surface.geometry(), controlFields(ofPoints)) {}
 
-  /// Replaces the points by those of another segment, and forgets the known ends. Memory is kept.
+  /// Replaces the points by those of another segment, and forgets the known ends. Keeps the memory.
   void setPoints(const Array<PointField*>& ofPoints);
 
   /// The known center at a parameter that is an end, or null. It replaces a search.
@@ -83,11 +82,11 @@ struct SegmentFields {
 /// tries only the heaviest.
 void findRestarts(Weights weights, Method method, bool isEnd, Array<int>& order);
 
-/// One sample per row of the table. The search for the first and the last sample starts at the
+/// One sample for each row of the table. The search for the first and the last sample starts at the
 /// control point of largest weight, each other one at the last converged sample. A failed search
 /// starts again at the control points of `findRestarts`. So the result depends only on the fields
-/// and the weights, and the end of one segment is the start of the next. The result reuses the
-/// memory of `samples`. If `backwards`, the search goes from the last row to the first.
+/// and the weights, and the end of one segment is the start of the next. If `backwards`, the search
+/// goes from the last row to the first. The result reuses the memory of `samples`.
 Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method,
                                 Array<CurveSample> samples = {}, bool backwards = false);
 
