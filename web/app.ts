@@ -151,6 +151,7 @@ export async function start(): Promise<void> {
     mirrorAimed: (point) => mirror.aim(point),
     mirrorClicked: (point) => void mirror.click(point),
     stopped: showNote,
+    sized: (size) => transformPanel.showSize(size),
   });
   editor.onInterrupt = () => gestures.letGo();
   const remove = () => {
@@ -271,6 +272,7 @@ export async function start(): Promise<void> {
     derivedPanel.showUnit(unit);
     cutPanel.showUnit(unit);
     objectPanel.showUnit(unit);
+    transformPanel.showUnit(unit);
   });
   editor.onEnded = (figure) => session.ended(figure);
   editor.insideOf = (figure) => session.insideOf(figure);

@@ -301,6 +301,19 @@ describe('files of surfaces', () => {
     await tab.settled();
     assert.equal(await up.inputValue(), 'y');
     assert.equal((await tab.state()).figure.points.length, 5);
+
+    // A scan that lies on its head is turned over.
+    await up.selectOption('Z down');
+    await opened(tab, '~-z:cone.ply');
+    await tab.still();
+    const turned = await above(tab, tip, foot);
+    assert.ok(turned.up < -100, JSON.stringify(turned));
+    await tab.pastSaving();
+    await tab.page.reload();
+    await opened(tab, '~-z:cone.ply');
+    await tab.settled();
+    assert.equal(await up.inputValue(), '-z');
+    assert.equal((await tab.state()).figure.points.length, 5);
     await tab.close();
   });
 

@@ -19,6 +19,84 @@ describe('traced results', () => {
   });
 });
 
+describe('what points up', () => {
+  const ups = ['x', 'y', 'z', '-x', '-y', '-z'];
+  const basis = [0, 1, 2].map((axis) => [0, 1, 2].map((i) => Number(i === axis)));
+
+  test('is up in the scene, by a rotation', async () => {
+    const { directionFromScene, directionInScene } = await load('viewer/frame.ts');
+    for (const up of ups) {
+      const [a, b, c] = basis.map((one) => directionInScene(up, one));
+      const determinant =
+        a[0] * (b[1] * c[2] - b[2] * c[1]) -
+        a[1] * (b[0] * c[2] - b[2] * c[0]) +
+        a[2] * (b[0] * c[1] - b[1] * c[0]);
+      assert.equal(determinant, 1, up);
+      const wanted = basis['xyz'.indexOf(up.at(-1))].map((one) => (up[0] === '-' ? -one : one));
+      assert.deepEqual(
+        directionFromScene(up, basis[1]).map((one) => one + 0),
+        wanted.map((one) => one + 0),
+        up,
+      );
+      for (const one of basis) {
+        const back = directionFromScene(up, directionInScene(up, one));
+        assert.deepEqual(
+          back.map((value) => value + 0),
+          one,
+        );
+      }
+    }
+  });
+
+  test('is in the key of a file, beside its other options', async () => {
+    const { readAs, readingOf } = await load('model/meshes.ts');
+    for (const up of ups) {
+      for (const rest of [
+        { parts: null, weld: null },
+        { parts: [0, 2], weld: 1e-3 },
+      ]) {
+        const key = readAs('file:abc-1:a scan~z.ply', { ...rest, up });
+        assert.deepEqual(readingOf(key), { ...rest, up }, key);
+      }
+    }
+    assert.equal(readingOf('file:abc-1.0.2*0.001~z:scan.ply').up, 'z', 'as keys were before');
+  });
+});
+
+describe('the pieces of a file', () => {
+  test('are parts from the largest; the smallest of very many are one part', async () => {
+    const { inPieces } = await load('worker/pieces.ts');
+    const karcher = await loadEngine();
+    const count = 1205;
+    const [positions, triangles] = [[], []];
+    // Strips of triangles, far from each other; every hundredth has 7, others 2.
+    for (let piece = 0; piece < count; piece++) {
+      const faces = piece % 100 === 0 ? 7 : 2;
+      const first = positions.length / 3;
+      for (let i = 0; i < faces + 2; i++) positions.push(i, 4 * piece + (i % 2), 0);
+      for (let i = first; i < first + faces; i++) {
+        triangles.push(...((i - first) % 2 === 0 ? [i, i + 1, i + 2] : [i + 1, i, i + 2]));
+      }
+    }
+    const read = async () => ({
+      mesh: await karcher.meshFromArrays(Float64Array.from(positions), triangles),
+      file: { format: 'stl', parts: [{ name: 'solid', triangles: triangles.length / 3 }] },
+    });
+    const { mesh, file } = await inPieces(karcher, await read(), null);
+    assert.equal(mesh.info.components, count);
+    assert.equal(file.parts.length, 1000);
+    const sizes = file.parts.map((part) => part.triangles);
+    assert.deepEqual([sizes.slice(0, 14), sizes[998]], [[...Array(13).fill(7), 2], 2]);
+    assert.deepEqual(file.parts[999], { name: '206 small pieces', triangles: 412 });
+    const counted = Array(1000).fill(0);
+    for (const part of file.partOf) counted[part]++;
+    assert.deepEqual(counted, sizes);
+    const one = await inPieces(karcher, await read(), [999]);
+    assert.equal(one.mesh.info.triangles, 412);
+    assert.equal(one.mesh.info.components, 206);
+  });
+});
+
 describe('patterns of fills', () => {
   const object = { pattern: 'hatched', spacing: 0.1 };
 

@@ -284,6 +284,76 @@ describe('the frame around the selection', () => {
     await tab.close();
   });
 
+  test('has the size of the lines, to read and to type', async () => {
+    const tab = await open();
+    const { page } = tab;
+    const side = (name) => page.locator(`#size-${name}`);
+    const size = async () =>
+      (await Promise.all([side('width').inputValue(), side('height').inputValue()])).map(Number);
+    const apart = (a, b) => Math.abs(a - b);
+    const polyline = async () => Object.values((await tab.view()).curve.polyline);
+    /** The extents of the traced line. The plane is seen from above: the first axis is the view's right. */
+    const extents = async () => {
+      const all = await polyline();
+      return [0, 1].map((axis) => {
+        const values = all.filter((_, i) => i % 3 === axis);
+        return Math.max(...values) - Math.min(...values);
+      });
+    };
+    const wanted = await extents();
+    const whole = await bytesOf(tab);
+    for (const [i, value] of (await size()).entries()) {
+      assert.ok(apart(value, wanted[i]) < 1e-3 * wanted[i], `${value} for ${wanted[i]}`);
+    }
+    const type = async (name, text) => {
+      await side(name).fill(text);
+      await side(name).press('Enter');
+      await page.waitForFunction(() => !window.karcherPage.state().dragging);
+      await tab.settled();
+    };
+    for (const [name, axis, text] of [
+      ['width', 0, '2,5'],
+      ['height', 1, '0.5'],
+    ]) {
+      const [from, before] = [await size(), pairs(await places(tab))];
+      await type(name, text);
+      await page.waitForFunction(
+        ([id, value]) => document.getElementById(id).value === value,
+        [`size-${name}`, `${Number(text.replace(',', '.'))}`],
+      );
+      const to = await size();
+      const scale = to[axis] / (await extents())[axis];
+      assert.ok(apart(scale, 1) < 1e-3, `the ${name} is ${to[axis]}, and drawn ${scale} as large`);
+      const ratios = pairs(await places(tab)).map((length, i) => length / before[i]);
+      for (const ratio of ratios) assert.ok(apart(ratio, ratios[0]) < 1e-9, 'in proportion');
+      assert.ok(apart(to[1 - axis] / from[1 - axis], ratios[0]) < 1e-3);
+    }
+    for (let i = 0; i < 2; i++) await page.keyboard.press('Control+z');
+    assert.equal(await bytesOf(tab), whole, 'a step each');
+    await tab.close();
+  });
+
+  test('measures circles by their diameter', async () => {
+    const tab = await Tab.open(browser);
+    await tab.drop('round.obj', flatGrid(16));
+    await tab.page.waitForFunction(() => window.karcherPage.triangles === 512);
+    await tab.settled();
+    await tab.page.locator('#tool-circle').click();
+    const { x, y } = await tab.middle();
+    await tab.drag({ x, y }, { x: x + 50, y: y + 20 });
+    await tab.page.locator('#tool-transform').click();
+    await frameShown(tab);
+    const { drawing } = await tab.state();
+    const { circle } = drawing.objects.find(({ figure }) => figure.circle).figure;
+    const mesh = await tab.mesh();
+    const radius = circle.rim.radius ?? far(...placesOf([circle.center, circle.rim], mesh));
+    for (const side of ['width', 'height']) {
+      const value = Number(await tab.page.locator(`#size-${side}`).inputValue());
+      assert.ok(Math.abs(value / (2 * radius) - 1) < 1e-3, `${value} for ${2 * radius}`);
+    }
+    await tab.close();
+  });
+
   inLongRun('closes for a menu when a finger rests on a handle', async () => {
     const tab = await open();
     const { page } = tab;

@@ -1,8 +1,9 @@
 import type { Shape } from 'karcher';
-import type { UpAxis } from 'karcher/formats';
+import type { UpAxis as Axis } from 'karcher/formats';
 import type { MeshBlobs } from './mesh_blobs';
 
-export type { UpAxis };
+/** The direction of a file's coordinates that points up: an axis, or the opposite of one. */
+export type UpAxis = Axis | `-${Axis}`;
 
 const tessellations = ['fair', 'delaunay', 'grid', 'anisotropic'] as const;
 
@@ -63,7 +64,7 @@ export const samples: readonly Sample[] = [
  * `plane:anisotropic*stretch:triangles`, `simplified:triangles:` with the key of the simplified
  * surface, or `file:digest:name`. After the digest follow the indices of the parts if not all are
  * read, the tolerance of welding if it is not the default, and the axis that points up if it is not
- * the guessed one: `file:digest.0.2*0.001~z:name`.
+ * the guessed one, with a sign if it points down: `file:digest.0.2*0.001~-z:name`.
  */
 export const defaultMesh = 'bunny:1';
 
@@ -199,7 +200,7 @@ export async function fileKey(file: File): Promise<string> {
 
 function parseFileKey(text: string, name: string): ParsedKey {
   const [, digest, parts, weld, up] =
-    /^([^.*~]+)((?:\.\d{1,9})*)(?:\*(\d[\de.-]*))?(?:~([xyz]))?$/.exec(text) ?? [];
+    /^([^.*~]+)((?:\.\d{1,9})*)(?:\*(\d[\de.-]*))?(?:~(-?[xyz]))?$/.exec(text) ?? [];
   const asUsual = { parts: null, weld: null, up: null };
   if (digest === undefined || !Number.isFinite(Number(weld ?? 0))) {
     return { digest: text, name, ...asUsual };

@@ -4,10 +4,12 @@ import {
   toggleMirror,
   toggleTransform,
 } from '../editor/hand/mirror_tool';
+import type { Size } from '../editor/hand/transform_frame';
 import type { Numbers } from '../editor/hand/transform_gestures';
 import type { Editor } from '../editor/state/editor';
 import type { State } from '../editor/state/state';
 import { isEmpty } from '../model/figure';
+import type { Unit } from '../model/units';
 import { byId } from './elements';
 import { NumberField } from './number_field';
 
@@ -22,13 +24,18 @@ const format = (least: number) => ({
 /** Sides that differ less, as a part of the surface's diagonal, count as equal. */
 const least = 1e-4;
 
-/** Numbers that move, turn and scale the selection, each as one step. */
+/**
+ * Numbers that move, turn and scale the selection, each as one step. The selection keeps its proportion,
+ * as with the frame's corners, so a typed width changes the height too.
+ */
 export class TransformPanel {
   readonly #panel = byId('transform');
   readonly #transform = byId<HTMLButtonElement>('tool-transform');
   readonly #mirror = byId<HTMLButtonElement>('mirror');
   readonly #copies = byId<HTMLInputElement>('mirror-copies');
   readonly #fields: readonly (readonly [NumberField, number])[];
+  readonly #width: NumberField;
+  readonly #height: NumberField;
 
   constructor(editor: Editor, place: (numbers: Numbers) => void, mirror: MirrorTool) {
     this.#transform.addEventListener('click', () => toggleTransform(editor));
@@ -43,6 +50,10 @@ export class TransformPanel {
       field('turn', 0, (degrees) => ({ angle: (degrees * Math.PI) / 180 })),
       field('scale', 100, (percent) => ({ scale: percent / 100 }), 1),
     ];
+    const side = (id: string, take: (value: number) => Numbers) =>
+      new NumberField(byId<HTMLInputElement>(id), (value) => place(take(value)));
+    this.#width = side('size-width', (width) => ({ width }));
+    this.#height = side('size-height', (height) => ({ height }));
     this.#copies.addEventListener('change', () => {
       mirror.copies = this.#copies.checked;
     });
@@ -51,6 +62,16 @@ export class TransformPanel {
       mirror.in = what.value as MirrorIn;
     });
     byId('mirror-now').addEventListener('click', () => void mirror.mirrorInSymmetry());
+  }
+
+  /** The size of what the frame encloses. A side without extent can not be scaled. */
+  showSize(size: Size | null): void {
+    this.#width.show(size?.width || null);
+    this.#height.show(size?.height || null);
+  }
+
+  showUnit(unit: Unit): void {
+    byId('size-unit').textContent = unit;
   }
 
   /** The similarity of the surface's two sides, while the selection is mirrored in its symmetry. */

@@ -11,26 +11,34 @@ export interface Frame {
   up: UpAxis;
 }
 
-/**
- * The surface's coordinate and its sign for each coordinate of the scene: all of these are
- * rotations.
- */
-const turns: Readonly<Record<UpAxis, readonly (readonly [number, number])[]>> = {
-  x: [
+/** The surface's coordinate and its sign for each coordinate of the scene. */
+type Turn = readonly (readonly [axis: number, sign: number])[];
+
+const [x, y, z]: Turn[] = [
+  [
     [1, -1],
     [0, 1],
     [2, 1],
   ],
-  y: [
+  [
     [0, 1],
     [1, 1],
     [2, 1],
   ],
-  z: [
+  [
     [0, 1],
     [2, 1],
     [1, -1],
   ],
+] as const;
+
+/** The turn by half a circle around the scene's last axis: up becomes down. */
+const over = (turn: Turn): Turn => turn.map(([axis, sign], i) => [axis, i < 2 ? -sign : sign]);
+
+/** All of these are rotations. */
+const turns: Readonly<Record<UpAxis, Turn>> = {
+  ...{ x: x!, y: y!, z: z! },
+  ...{ '-x': over(x!), '-y': over(y!), '-z': over(z!) },
 };
 
 /** A direction in the surface's coordinates, converted to the scene's. */

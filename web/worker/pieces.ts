@@ -7,10 +7,8 @@ export interface Opened {
   file: FileInfo;
 }
 
-/**
- * The largest number of pieces. A file of more pieces, such as a cloud of crumbs, is not divided.
- */
-const mostPieces = 1000;
+/** The largest number of parts. Beyond it the smallest pieces, such as crumbs of a scan, are one part. */
+const mostParts = 1000;
 
 /**
  * The index of each triangle's piece, and the number of triangles of each piece. Pieces are ordered
@@ -48,6 +46,15 @@ export function piecesOf(
   return { of, sizes: sorted.map(([, count]) => count) };
 }
 
+/** The pieces as parts, from the largest. */
+function partsOf(sizes: readonly number[]): FileInfo['parts'] {
+  const parts = sizes.map((triangles, i) => ({ name: `Piece ${i + 1}`, triangles }));
+  if (parts.length <= mostParts) return parts;
+  const crumbs = parts.splice(mostParts - 1);
+  const triangles = crumbs.reduce((sum, crumb) => sum + crumb.triangles, 0);
+  return [...parts, { name: `${crumbs.length} small pieces`, triangles }];
+}
+
 /**
  * A completely read file, with its pieces as parts if it has none, and the mesh of the selected
  * ones. The given mesh is disposed of if another one is returned.
@@ -58,11 +65,12 @@ export async function inPieces(
   wanted: readonly number[] | null,
 ): Promise<Opened> {
   const { components } = mesh.info;
-  if (file.parts.length > 1 || components < 2 || components > mostPieces) return { mesh, file };
+  if (file.parts.length > 1 || components < 2) return { mesh, file };
   const triangles = mesh.triangles();
   const positions = mesh.positions();
   const { of, sizes } = piecesOf(triangles, positions.length / 3);
-  const parts = sizes.map((count, i) => ({ name: `Piece ${i + 1}`, triangles: count }));
+  const parts = partsOf(sizes);
+  for (const [face, piece] of of.entries()) of[face] = Math.min(piece, parts.length - 1);
   const marked = { ...file, parts, partOf: of };
   if (!wanted?.some((piece) => piece < parts.length)) return { mesh, file: marked };
   const kept: number[] = [];

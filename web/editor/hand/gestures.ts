@@ -21,6 +21,7 @@ import { type Snapped, Snapping } from './snapping';
 import { StageKeys } from './stage_keys';
 import { clickSlop, type Hold, type Place, StagePointer } from './stage_pointer';
 import { type Target, targetAt } from './targets';
+import type { Size } from './transform_frame';
 import { type Numbers, TransformGestures } from './transform_gestures';
 import { twoFingersMeanTheView } from './two_fingers';
 
@@ -53,6 +54,8 @@ export interface CurveClicks {
   mirrorClicked(point: SurfacePoint): void;
   /** Called with a sentence that says why a gesture stops. */
   stopped(why: string): void;
+  /** The size of what the frame encloses; null without a frame. */
+  sized(size: Size | null): void;
 }
 
 /** Turns the actions of pointer and keys on the stage into commands. */
@@ -118,6 +121,7 @@ export class Gestures {
     pointer.offer((press) => moves.take(press), { withAlt: true });
     const transforms = new TransformGestures(editor, session, viewer, stage, severalFingers, {
       stopped: (why) => events.stopped(why),
+      sized: (size) => events.sized(size),
     });
     this.#transforms = transforms;
     this.#moves = moves;

@@ -9,6 +9,7 @@ import { isRound, plain, type Vector } from '../../model/figure';
 import { type Carried, type CarriedTo, placesOf } from '../../model/moving';
 import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
+import type { ObjectLines } from '../engine/lines';
 import { faceNormal } from '../engine/moving';
 
 export interface TransformFrame {
@@ -20,6 +21,20 @@ export interface TransformFrame {
    * left.
    */
   box: { left: number; right: number; bottom: number; top: number };
+  /** The size of the contents, without the frame's margin. */
+  size: Size;
+}
+
+/** The extents along the frame's first axis and across it, in the surface's unit. */
+export interface Size {
+  width: number;
+  height: number;
+}
+
+/** A place that the frame encloses, with a radius. */
+export interface Extent {
+  place: SurfacePoint;
+  radius: number;
 }
 
 export type FrameHandle = 'turn' | 'move' | 'pivot' | 'scale-1' | 'scale-2' | 'scale-3' | 'scale-4';
@@ -36,6 +51,9 @@ export interface ShownFrame {
  */
 const margin = 0.02;
 const stalk = 0.05;
+/** A frame is measured at this many points of all its lines, but at the fewest of each line. */
+const measured = 512;
+const fewestMeasured = 16;
 /** The number of pieces of each side. */
 const piecesOfSide = 16;
 
@@ -64,17 +82,15 @@ async function inPlane(
 }
 
 /**
- * The frame of objects, with its first axis along `right`, around a pivot or else around their
- * middle.
+ * The frame of places, with its first axis along `right`, around a pivot or else around their middle.
  */
 export async function frameOf(
   client: EngineClient,
   surface: Surface,
-  objects: readonly DrawnObject[],
+  around: readonly Extent[],
   right: Vector,
   pivot: SurfacePoint | null,
 ): Promise<TransformFrame> {
-  const around = objects.flatMap(extentsOf);
   const boxAt = async (at: SurfacePoint) => {
     const axis = await inPlane(client, surface, at, right);
     const across = await acrossFrame(client, surface, { pivot: at, right: axis });
@@ -115,19 +131,31 @@ export async function frameOf(
       bottom: box.bottom - more,
       top: box.top + more,
     },
+    size: { width: box.right - box.left, height: box.top - box.bottom },
   };
 }
 
-/** The places of an object that the frame encloses, each with a radius. */
-function extentsOf({ figure }: DrawnObject): { place: SurfacePoint; radius: number }[] {
-  const { circle, kind } = figure;
-  if (!isRound(kind)) {
-    return placesOf({ ...figure, circle: null }).map((place) => ({ place, radius: 0 }));
-  }
-  return placesOf({ ...figure, points: [] }).map((place) => ({
-    place,
-    radius: circle && place === circle.center && 'radius' in circle.rim ? circle.rim.radius : 0,
-  }));
+/** What a frame encloses of objects with their lines; of an object without a line its places. */
+export function extentsOf(
+  objects: readonly DrawnObject[],
+  lines: readonly ObjectLines[],
+): Extent[] {
+  const paths = new Map(lines.map(({ id, paths }) => [id, paths]));
+  const count = lines.reduce((sum, line) => sum + line.paths.length, 0);
+  const most = Math.max(fewestMeasured, Math.floor(measured / Math.max(1, count)));
+  return objects.flatMap(({ id, figure }) => {
+    const { circle, kind } = figure;
+    if (kind === 'circle' && circle && 'radius' in circle.rim) {
+      return [{ place: circle.center, radius: circle.rim.radius }];
+    }
+    const along = (paths.get(id) ?? []).flatMap((path) => {
+      const points = path.points();
+      const every = Math.ceil(points.length / most);
+      return points.filter((_, i) => i % every === 0 || i === points.length - 1);
+    });
+    const own = placesOf(isRound(kind) ? { ...figure, points: [] } : { ...figure, circle: null });
+    return (along.length > 0 ? along : own).map((place) => ({ place, radius: 0 }));
+  });
 }
 
 /** The points that a move carries along to carry the frame. */
@@ -138,7 +166,7 @@ export const carriedFrame = ({ pivot, right }: TransformFrame): Carried[] => [
 
 /** The frame at its new place, scaled with its contents. */
 export function frameAt(
-  { box }: TransformFrame,
+  { box, size }: TransformFrame,
   { points, directions }: CarriedTo,
   scale: number,
 ): TransformFrame {
@@ -152,6 +180,7 @@ export function frameAt(
       bottom: scale * box.bottom,
       top: scale * box.top,
     },
+    size: { width: scale * size.width, height: scale * size.height },
   };
 }
 

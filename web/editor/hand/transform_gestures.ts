@@ -12,10 +12,13 @@ import type { Editor } from '../state/editor';
 import {
   acrossFrame,
   carriedFrame,
+  type Extent,
+  extentsOf,
   type FrameHandle,
   frameAt,
   frameOf,
   type ShownFrame,
+  type Size,
   shownFrame,
   type TransformFrame,
 } from './transform_frame';
@@ -46,11 +49,16 @@ const labels: Record<FrameHandle, string> = {
   'scale-4': 'Scale the selection, fourth corner',
 };
 
-/** A placement by numbers: lengths along the frame's axes. */
-export interface Numbers extends Omit<Placement, 'point'> {
+/** A placement by numbers: lengths along the frame's axes, and a scale, also by one side's length. */
+export interface Numbers extends Omit<Placement, 'point'>, Partial<Size> {
   x?: number;
   y?: number;
 }
+
+type Steps = Required<Omit<Numbers, keyof Size>>;
+
+/** The scale that gives a side this length; null for a side without extent, which no scale gives one. */
+const scaleTo = (length: number, of: number) => (of > 0 ? length / of : null);
 
 interface Place {
   x: number;
@@ -84,19 +92,25 @@ export class TransformGestures {
     id: FrameHandle;
     frame: TransformFrame;
     move: Move;
-    numbers: Required<Numbers>;
+    numbers: Steps;
   } | null = null;
   #keys: Promise<void> = Promise.resolve();
   #shift = false;
 
-  /** `stopped` is called with a sentence if a drag stops. */
+  /** What the frame encloses, for the drawing in which it was found. */
+  #around: { of: string; drawing: Drawing; extents: Promise<Extent[]> } | null = null;
+
+  /**
+   * `stopped` is called with a sentence if a drag stops, `sized` with the size of the frame's contents,
+   * and null without a frame.
+   */
   constructor(
     private readonly editor: Editor,
     private readonly session: Session,
     private readonly viewer: Viewer,
     stage: HTMLElement,
     severalFingers: () => boolean,
-    private readonly events: { stopped(why: string): void },
+    private readonly events: { stopped(why: string): void; sized(size: Size | null): void },
   ) {
     const layer = document.createElement('div');
     layer.className = 'handles';
@@ -146,8 +160,16 @@ export class TransformGestures {
   }
 
   /** Places the selection by numbers, as one step. Resolves when it is done. */
-  async place({ x = 0, y = 0, angle = 0, scale = 1 }: Numbers): Promise<void> {
+  async place({ x = 0, y = 0, angle = 0, ...numbers }: Numbers): Promise<void> {
     const frame = this.#frame;
+    const { width, height } = numbers;
+    const scale =
+      frame && width !== undefined
+        ? scaleTo(width, frame.size.width)
+        : frame && height !== undefined
+          ? scaleTo(height, frame.size.height)
+          : (numbers.scale ?? 1);
+    if (scale === null) return;
     const move = frame && (await this.#moveAt(frame.pivot, frame));
     if (!frame || !move || !(await this.#place(frame, move, { x, y, angle, scale }))) return;
     this.#commit();
@@ -166,6 +188,7 @@ export class TransformGestures {
 
   #draw(): void {
     const { lines = [], handles = [] } = this.#shown ?? {};
+    this.events.sized(this.#frame?.size ?? null);
     this.viewer.aids.showFrame(lines);
     this.#handles.show(
       handles.map(({ id, position }) => ({
@@ -183,8 +206,23 @@ export class TransformGestures {
     if (!client || !surface || !made) return;
     const own = this.#pivot?.chosen === made.chosen ? this.#pivot.point : null;
     const { right } = this.viewer;
-    const frame = await frameOf(client, surface, this.#objects, right, own).catch(() => null);
+    const frame = await this.#extents()
+      .then((around) => frameOf(client, surface, around, right, own))
+      .catch(() => null);
     if (frame && this.#made === made) await this.#showFrame(frame);
+  }
+
+  /** What the frame encloses. */
+  #extents(): Promise<Extent[]> {
+    const { drawing, chosen } = this.editor.state;
+    const known = this.#around;
+    if (known?.drawing === drawing && known.of === `${chosen}`) return known.extents;
+    const objects = this.#objects;
+    // Lines that fail have a frame around their points.
+    const lines = this.session.linesOf(objects.map(({ id }) => id)).catch(() => []);
+    const extents = lines.then((found) => extentsOf(objects, found));
+    this.#around = { of: `${chosen}`, drawing, extents };
+    return extents;
   }
 
   async #showFrame(frame: TransformFrame): Promise<void> {
@@ -271,9 +309,11 @@ export class TransformGestures {
     const frame = this.#held?.frame ?? this.#frame;
     if (!client || !surface || !frame) return;
     this.#pivot = { point, chosen: `${this.editor.state.chosen}` };
-    const moved = await client.mesh
-      .transport(frame.pivot, point, frame.right)
-      .then((right) => frameOf(client, surface, this.#objects, [...right] as Vector, point))
+    const moved = await Promise.all([
+      this.#extents(),
+      client.mesh.transport(frame.pivot, point, frame.right),
+    ])
+      .then(([around, right]) => frameOf(client, surface, around, [...right] as Vector, point))
       .catch(() => null);
     if (moved) await this.#showFrame(moved);
   }
@@ -310,7 +350,7 @@ export class TransformGestures {
   async #place(
     frame: TransformFrame,
     move: Move,
-    { x, y, angle, scale }: Required<Numbers>,
+    { x, y, angle, scale }: Steps,
     isWanted: () => boolean = () => true,
   ): Promise<boolean> {
     const { client } = this.session;
