@@ -39,8 +39,8 @@ class ManifoldRepair {
     mesh_.twin[h] = g;
   }
 
-  /// Pairs the half-edges of edges with two faces. Returns false if there are others, and puts
-  /// these into `branching_` and `mirrored_`.
+  /// Pairs the half-edges of edges with two faces, and puts those of other edges into `branching_`
+  /// and `mirrored_`. Returns true if no edge is of these kinds.
   bool pairHalfedges() {
     mesh_.twin.assign(static_cast<size_t>(mesh_.halfedgeCount()), -1);
     branching_.clear();

@@ -71,8 +71,8 @@ struct ImportedMesh {
 ImportedMesh importMesh(TriangleSoup soup, const ImportOptions& options = {});
 
 /// Cuts polygons as `cutPolygons` does, and imports the triangles. Face numbers are those of
-/// triangles. Throws as both do, and kBadArgument for counts of corners below 3, or whose sum is
-/// not the number of `corners`.
+/// triangles. Throws what both throw, and kBadArgument for counts of corners below 3, or whose sum
+/// is not the number of `corners`.
 ImportedMesh importPolygons(PolygonSoup polygons, const ImportOptions& options = {});
 
 /// Imports the result of `readObj`. Face numbers are those of triangles. Throws what `importMesh`

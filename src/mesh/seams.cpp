@@ -353,10 +353,10 @@ class Seams {
     repairs_.welded += target_.unite(v, w) ? 1 : 0;
   }
 
-  /// Finds edges that two faces share in the file and whose ends would both be welded, so that the
-  /// edge would have more faces. A later separation of these might part the two. So one end of the
-  /// edge stays unwelded. Then a sheet and its turned copy, welded along their rim, do not tear at
-  /// an edge from rim to rim. Returns whether such an end had been welded.
+  /// Finds edges that two faces share in the file but more would share after welding. A later
+  /// separation of these might part the two, so one end of the edge stays unwelded. Then a sheet
+  /// and its turned copy, welded along their rim, do not tear at an edge from rim to rim. Returns
+  /// whether it found one.
   bool keepWholeEdges() {
     // the most sides compared; the time grows with their square
     constexpr size_t kMostCompared = 64;

@@ -4,12 +4,11 @@
 #include "rcm/center_of_mass.h"
 
 /// Weighted averages on surfaces: D. Panozzo, I. Baran, O. Diamanti, O. Sorkine-Hornung, "Weighted
-/// Averages on Surfaces", ACM Transactions on Graphics 32 (2013).
-///
-/// The mesh is embedded in eight dimensions so that straight distances approximate geodesic ones
-/// (embedding.h). There points are averaged linearly, and Phong projection (phong_projection.h)
-/// returns the average to the surface. After the preparation, an average takes microseconds, and so
-/// does its inverse, the weights for which a point is the average.
+/// Averages on Surfaces", ACM Transactions on Graphics 32 (2013). An embedding of the mesh in eight
+/// dimensions has straight distances that approximate geodesic ones (embedding.h). There the
+/// averages are linear, and Phong projection (phong_projection.h) returns them to the surface.
+/// After the preparation, an average takes microseconds, and so does its inverse, the weights for
+/// which a point is the average.
 namespace karcher {
 
 class WeightedAverages {

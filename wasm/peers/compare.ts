@@ -21,15 +21,15 @@ import { warm } from './warm.js';
 
 export { comparedMethods };
 
-/** The results of a method on a mesh; null stands for a number that was not measured. */
+/** The results of a method on a mesh; null stands for a missing number. */
 export interface MethodResult {
   /** Whether the method gave a curve. */
   ok: boolean;
-  /** The reason of the failure, or the numbers that were not measured. */
+  /** The reason why the method failed or why some numbers are missing; null if neither happened. */
   reason: string | null;
   /**
-   * The time of the preparation, which is done once for the mesh, without the data that every method
-   * needs: neighbours, angles, frames.
+   * The time of the preparation, once for the mesh. It excludes the data that every method needs:
+   * neighbours, angles, frames.
    */
   prepareMs: number | null;
   /** The time of the curve with all its fields, log maps or distances, not joined. */
@@ -37,8 +37,8 @@ export interface MethodResult {
   /** The part of `traceMs` that the fields of the points take; 0 for methods without fields. */
   fieldsMs: number | null;
   /**
-   * The time of moving the middle point by an edge, and of tracing the segments that it touches
-   * again.
+   * The time of a move of the middle point by an edge, and of a new trace of the segments that it
+   * touches.
    */
   dragMs: number | null;
   /** The part of `dragMs` that the point's field takes. */
@@ -83,13 +83,13 @@ export interface CompareOptions extends LongWorkOptions {
   /** The time in milliseconds after which a method gives up, at its next step. */
   budgetMs?: number;
   /**
-   * Whether to leave out the drag and the repetitions of short measurements, for figures that only
-   * show the curve.
+   * Whether to omit the drag and the repetitions of short measurements, for figures that only show
+   * the curve.
    */
   once?: boolean;
   /** The ruler that measures the curve by exact shortest paths. */
   ruler?: Ruler;
-  /** The number of steps of a drag in which the curve's steadiness is measured; 0 for no drag. */
+  /** The number of steps of the drag that measures the curve's steadiness; 0 for no drag. */
   dragSteps?: number;
 }
 
@@ -140,14 +140,14 @@ export function solverWords(options: MethodOptions): string {
 }
 
 /**
- * The options of the reference for curves of more than two points: log vectors of exact distances with the
- * quadratic estimator.
+ * The options of the reference for curves of more than two points: log vectors of exact distances
+ * with the quadratic estimator.
  */
 export const referenceOptions: MethodOptions = { method: 'karcher', solver: 'exact' };
 
 /**
  * The reference: for two points the exact shortest path, else the curve of `referenceOptions`.
- * Throws as `Peers.prepare` and `PreparedMethod.curve` do.
+ * Throws what `Peers.prepare` and `PreparedMethod.curve` throw.
  */
 export async function traceReference(
   peers: Peers,
@@ -170,11 +170,9 @@ export async function traceReference(
 }
 
 /**
- * Prepares a method on its own copy of the mesh, so that it shares no data that others computed;
- * traces the curve, drags a point and measures the curve against a reference. If a method fails,
- * the result has the reason and the samples found before.
- *
- * Rejects with the signal's reason.
+ * Prepares a method on its own copy of the mesh, so that it shares no computed data. Traces the
+ * curve, drags a point and measures the curve against a reference. If a method fails, the result
+ * has the reason and the samples found before. Rejects with the signal's reason.
  */
 export async function runMethod(
   peers: Peers,
@@ -227,14 +225,14 @@ export async function runMethod(
     if (!once && run.ok) await repeat(run, { peers, method, curve, mesh: own, plan, work });
   } catch (error) {
     signal?.throwIfAborted();
-    // A curve that was traced in time is kept. Missing numbers are null.
+    // A curve within the time counts. Missing numbers are null.
     run.ok = run.ok && budget.reason !== null;
     run.reason = budget.reason ?? reasonOf(error);
   } finally {
     method?.dispose();
     own.dispose();
   }
-  // The time of measuring does not count as the method's.
+  // The time of the measurement is not the method's.
   if (ruler && run.curve) run.ruler = await ruler.measure(run.curve.samples, { progress, signal });
   return run;
 }
@@ -242,7 +240,7 @@ export async function runMethod(
 /** A limit of time, which ends longer work at its next step. */
 class Budget {
   readonly signal: AbortSignal;
-  /** The reason why the work was ended. */
+  /** The reason for the end of the work. */
   reason: string | null = null;
   readonly #controller = new AbortController();
   readonly #start = performance.now();
@@ -289,13 +287,13 @@ function measures(mesh: Mesh, samples: CurveSamples, reference: ReferenceSamples
   return { samples: samples.count, lost };
 }
 
-/** The reason of a failure that a method may have. Other failures are errors of the program and are thrown. */
+/** The reason of a failure by a method. Throws other failures: errors of the program. */
 function reasonOf(error: unknown): string {
   if (error instanceof KarcherError) return error.message;
   throw error;
 }
 
-/** Short work is repeated, since a first run is slower than usual. */
+/** The most repetitions of short work: a first run is slower than usual. */
 const mostRuns = 5;
 const longEnoughMs = 400;
 
@@ -358,7 +356,7 @@ async function whileQuick(spent: number, run: () => Promise<number>): Promise<vo
   for (let all = spent, runs = 1; all < longEnoughMs && runs < mostRuns; runs++) all += await run();
 }
 
-/** Moves the middle point to the next corner and traces all segments that it touches. */
+/** Moves the middle point to the next corner, and traces all segments that it touches. */
 function drag(curve: MethodCurve, mesh: Mesh, { points }: CurvePlan, work: LongWorkOptions) {
   const middle = Math.floor(points.length / 2);
   const wire = wirePoint(points[middle]!);

@@ -26,13 +26,13 @@ export class ComparedCurve implements MethodCurve {
     this.#handle.call((curve) => curve.movePoint(index, wire));
   }
 
-  /** Starts the searches of each segment at a given point, instead of at the point of the largest weight. */
+  /** Sets the start of each segment's searches, instead of the point of the largest weight. */
   startAt(point: PointLike): void {
     const wire = wirePoint(point);
     this.#handle.call((curve) => curve.startAt(wire));
   }
 
-  /** Computes the missing fields and samples at once, and returns the milliseconds that this took. */
+  /** Computes the missing fields and samples at once. Returns its time in milliseconds. */
   finish(): number {
     const start = performance.now();
     while (!this.#handle.call((curve) => curve.advance(all)));
@@ -48,7 +48,7 @@ export class ComparedCurve implements MethodCurve {
     let worked = 0;
     let left = total;
     this.#fieldsMs = 0;
-    // Batches grow while they take little time, since one sample can take a second, and most take microseconds.
+    // Batches grow while they are quick: one sample can take a second, but most take microseconds.
     let batch = 1;
     for (let done = false; !done; ) {
       signal?.throwIfAborted();
@@ -93,8 +93,8 @@ export class ComparedCurve implements MethodCurve {
 
   /**
    * The number of log maps that a heat method has computed, one for each vertex that a search
-   * visited, and the number that it has requested. Its authors' library computes each requested one
-   * again. Null for other methods.
+   * visited, and the number of its requests. Its authors' library computes a map at each request.
+   * Null for other methods.
    */
   logMaps(): LogMapCounts | null {
     return this.#handle.call((curve) => curve.logMaps());
@@ -106,7 +106,7 @@ export class ComparedCurve implements MethodCurve {
     return { path: view.path(), unconverged: view.unconverged };
   }
 
-  /** Frees the memory. Safe to repeat. */
+  /** Frees the memory. A second call has no effect. */
   dispose(): void {
     this.#handle.dispose();
   }

@@ -16,7 +16,7 @@ export interface DragMeasures {
   /** The number of steps in which a sample moved more than five times as far as the hand. */
   leaps: number;
   /**
-   * The farthest that a sample moved in a step, in steps of the hand; null if no sample converged
+   * The farthest move of a sample in a step, in steps of the hand; null if no sample converged
    * twice.
    */
   most: number | null;
@@ -25,7 +25,7 @@ export interface DragMeasures {
 /**
  * Drags the middle control point of a traced curve along the shortest path towards the next one, in
  * `steps` even steps over two mean edges or less. Traces the curve at each step, and leaves the
- * point at the end. A sample counts for a step if it converged, or was bridged, both before and
+ * point at the end. A sample counts for a step if it converged, or lay on a bridge, both before and
  * after. Rejects with the signal's reason.
  */
 export async function measureDrag(
@@ -69,7 +69,7 @@ function directionOf(polyline: Float64Array): Vector {
   return subtract(at(polyline, last), from);
 }
 
-/** A bridged sample counts, since users see it like the others. */
+/** Whether a sample counts. A bridged one does, since users see it like the others. */
 const isThere = (status: string) => status === 'converged' || status === 'bridged';
 
 function farthest(before: CurveSamples, after: CurveSamples): number | null {

@@ -21,7 +21,7 @@ const engineMethods = {
    * needs no fields, and its points are not centers of mass.
    */
   bSurf: { levels: 'limit', name: 'b/Surf' },
-  /** Our default, which first refines the control polygon as often as needed. */
+  /** Our default, which first refines the control polygon as often as necessary. */
   leveled: { levels: 'auto', name: 'a refined curve' },
 } as const;
 
@@ -95,7 +95,7 @@ class EngineCurve implements MethodCurve {
     this.#forget = forget;
   }
 
-  /** Averages of two points need no fields. */
+  /** The time of the fields, which averages of two points do not need. */
   get fieldsMs(): number {
     return this.#fieldsMs;
   }
@@ -110,7 +110,7 @@ class EngineCurve implements MethodCurve {
     this.#moved.set(index, point);
   }
 
-  /** The engine chooses the starts of its searches. */
+  /** This has no effect: the engine chooses the starts of its searches. */
   startAt(): void {}
 
   finish(): number {

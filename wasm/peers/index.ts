@@ -15,10 +15,9 @@ export * as vectors from './vectors.js';
 export { warm } from './warm.js';
 
 /**
- * Loads the engine together with the methods that it is compared with: a larger module than that of
- * `load`, for comparisons only. Its `karcher` creates the meshes.
- *
- * Rejects with `KarcherError` notLoaded if WebAssembly is missing or the module cannot be loaded.
+ * Loads the engine together with the methods that it is compared with. Its module is larger than
+ * that of `load` and is for comparisons only. Its `karcher` creates the meshes. Rejects with
+ * `KarcherError` notLoaded if WebAssembly is missing or the module does not load.
  */
 export async function loadPeers(options: LoadOptions = {}): Promise<Peers> {
   const url = new URL('./karcher-peers.wasm', import.meta.url);

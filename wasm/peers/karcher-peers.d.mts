@@ -22,9 +22,10 @@ export interface PeersModule extends EngineModule {
   ): EngineComparedCurve;
   benchmark(mesh: EngineMesh): EngineBenchmark;
   /**
-   * Ten numbers for each row of weights: whether the search converged; its iterations; how many geodesics it
-   * traced, moved to a joint before their end, had to move, and could not improve; whether it ended inside a
-   * triangle; and the gradients at the starts of its last three iterations, the last one first.
+   * Ten numbers for each row of weights: whether the search converged; its iterations; the numbers
+   * of geodesics that it traced, moved to a joint before their end, had to move, and could not
+   * improve; whether it ended inside a triangle; and the gradients at the starts of its last three
+   * iterations, the last one first.
    */
   newtonSteps(
     mesh: EngineMesh,
@@ -40,7 +41,7 @@ export interface PeersModule extends EngineModule {
   ): { points: number; t: Float64Array; weights: Float64Array };
 }
 
-/** The steps that are timed. */
+/** The steps that the benchmark times. */
 export interface EngineBenchmark {
   delete(): void;
   prepare(): void;

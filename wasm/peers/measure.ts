@@ -4,7 +4,7 @@ import type { CurveSamples } from '../types.js';
 import type { WeightTable } from './types.js';
 import { at, cross, dot, length, subtract, type Vector } from './vectors.js';
 
-/** The differences of a curve from a reference that was sampled at the same parameters. */
+/** The differences of a curve from a reference with samples at the same parameters. */
 export interface CurveMeasures {
   /** The number of samples. */
   samples: number;
@@ -36,7 +36,7 @@ export interface ReferenceSamples extends Pick<CurveSamples, 'count' | 'position
   energy?: Float64Array;
 }
 
-/** The centers of mass of the two ends of a path. They are points at parts of its length. */
+/** The centers of mass of the two ends of a path: the points at parts of its length. */
 export function alongPath(path: Path, { t, weights }: WeightTable): ReferenceSamples {
   const polyline = path.polyline({ bits: 64 });
   const lengths = [0];

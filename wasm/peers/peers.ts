@@ -34,11 +34,10 @@ export class Peers {
   }
 
   /**
-   * Prepares a method on a mesh, which must outlive the method. Between steps (the vertices of a
-   * graph, the landmarks of an embedding) it calls `work.progress` and checks the signal.
-   *
-   * Rejects with the signal's reason, and with `KarcherError`: noEmbedding, degenerateFace,
-   * unreachable, badArgument.
+   * Prepares a method on a mesh, which must outlive the method. After each step (some vertices of a
+   * graph, a landmark of an embedding) it calls `work.progress` and checks the signal. Rejects with
+   * the signal's reason, and with `KarcherError`: noEmbedding, degenerateFace, unreachable,
+   * badArgument.
    */
   async prepare(
     mesh: Mesh,
@@ -59,7 +58,7 @@ export class Peers {
     return this.#table('bspline', [], samples);
   }
 
-  /** The weights of a rational Bezier curve whose points have the given weights. */
+  /** The weights of a rational Bezier curve whose points have these weights. */
   rational(weights: readonly number[], samples: number): WeightTable {
     return this.#table('rational', weights, samples);
   }
@@ -70,8 +69,8 @@ export class Peers {
   }
 
   /**
-   * The plan of a curve that suits the number of its points: two are joined by a shortest path, three
-   * make a quadratic Bezier curve, four and more a uniform cubic B-spline.
+   * The plan of a curve that suits the number of its points: two have a shortest path between them,
+   * three define a quadratic Bezier curve, four and more a uniform cubic B-spline.
    */
   plan(points: CurvePlan['points'], samples: number): CurvePlan {
     checkArray(points, 'the points');

@@ -77,8 +77,8 @@ export class PreparedMethod implements PreparedCurves {
   }
 
   /**
-   * A curve, not yet traced. Throws `KarcherError`: badIndex, badPoint, badWeights, unreachable,
-   * and badArgument for a curve that the method does not support.
+   * A curve without samples yet. Throws `KarcherError`: badIndex, badPoint, badWeights,
+   * unreachable, and badArgument for a curve that the method does not support.
    */
   curve(plan: CurvePlan): ComparedCurve {
     checkOptions(plan, planNames);
@@ -94,8 +94,8 @@ export class PreparedMethod implements PreparedCurves {
   }
 
   /**
-   * The center of mass of points with weights that sum to 1, searched from `start` or from the point
-   * of the largest weight. Throws as `curve` does.
+   * The center of mass of points with weights that sum to 1. The search starts at `start` or at the
+   * point of the largest weight. Throws what `curve` throws.
    */
   centerOfMass(
     points: readonly PointLike[],
@@ -122,7 +122,7 @@ export class PreparedMethod implements PreparedCurves {
     }
   }
 
-  /** Frees the memory of the method and its curves. Safe to repeat. */
+  /** Frees the memory of the method and its curves. A second call has no effect. */
   dispose(): void {
     this.#handle.dispose();
   }
@@ -178,7 +178,7 @@ function engineOptions(options: MethodOptions): EngineMethodOptions {
   };
 }
 
-/** Throws if an option is given that the method does not use. */
+/** Throws if the caller sets an option that the method does not use. */
 function checkMeant(name: string, value: unknown, isMeant: boolean, methods: string): void {
   if (value === undefined || isMeant) return;
   throw new KarcherError('badArgument', `the option '${name}' is for the method ${methods} only`);

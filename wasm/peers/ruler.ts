@@ -6,20 +6,20 @@ import type { ReferenceSamples } from './measure.js';
 import type { CurvePlan } from './types.js';
 import { add, at, cross, dot, length, scaled, subtract, type Vector } from './vectors.js';
 
-/** The number of samples at which a curve's error is measured, evenly spaced from its first to its last. */
+/** The number of even samples of a curve at which the ruler measures its error. */
 const rulerSamples = 33;
 
 /** The distance from a side of its face below which a point counts as lying on the side. */
 const onSide = 1e-6;
 
 /**
- * The error of a curve's samples as centers of mass, by exact shortest paths. It is measured in
- * this way for every method, whatever the method's own distances are.
+ * The error of a curve's samples as centers of mass, by exact shortest paths: the same for every
+ * method, whatever its own distances are.
  */
 export interface RulerMeasures {
   /**
-   * |sum of w_i log_x p_i| in mean edges: 0 at a center of mass. Where the surface bends little it
-   * is about the distance to one.
+   * |sum of w_i log_x p_i| in mean edges: 0 at a center of mass. On a surface that bends little, it
+   * is about the distance to a center.
    */
   residual: { median: number; max: number } | null;
   /**
@@ -28,8 +28,8 @@ export interface RulerMeasures {
    */
   energy: { median: number; excess: number | null } | null;
   /**
-   * The number of measured samples: the converged ones among `rulerSamples`, or among all if there
-   * are fewer.
+   * The number of measured samples: the converged ones among `rulerSamples`, or among all if the
+   * curve has fewer.
    */
   measured: number;
   /** The number of samples chosen for the measurement. */
@@ -59,7 +59,7 @@ export class Ruler {
     this.#triangles = mesh.triangles();
   }
 
-  /** The numbers of the samples that are measured. */
+  /** The numbers of the samples to measure. */
   samplesOf(count: number): number[] {
     if (count <= rulerSamples) return Array.from({ length: count }, (_, i) => i);
     return Array.from({ length: rulerSamples }, (_, k) =>
@@ -149,7 +149,7 @@ export class Ruler {
     return { residual: length(steps.reduce(add, [0, 0, 0])), energy };
   }
 
-  /** Turns the direction of a path that leaves a point into the plane of the point's face. */
+  /** The turn of directions of paths that leave a point into the plane of its face. */
   #tangentPlane({ face, bary }: SurfacePoint): (direction: Vector) => Vector {
     const corners = this.#cornersOf(face);
     const normal = unit(normalOf(corners));

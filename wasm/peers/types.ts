@@ -9,11 +9,11 @@ import type {
 } from '../types.js';
 
 /**
- * The methods that are compared: the vector heat method (Sharp, Soliman, Crane 2019), the affine
- * heat method (Soliman, Sharp 2025), weighted averages (Panozzo, Baran, Diamanti, Sorkine-Hornung
- * 2013), piecewise-linear descent of the distance field (Kimmel, Sethian 1998), subdivision as in b/Surf
- * (Mancinelli, Nazzaro, Pellacini, Puppo 2022), the paper's method (Mancinelli, Puppo), our centers of mass of
- * all points (`karcher`, level 0) and our default, which refines the control polygon first (`leveled`).
+ * The compared methods: the vector heat method (Sharp, Soliman, Crane 2019), the affine heat method
+ * (Soliman, Sharp 2025), weighted averages (Panozzo, Baran, Diamanti, Sorkine-Hornung 2013),
+ * piecewise-linear descent of the distance field (Kimmel, Sethian 1998), subdivision as in b/Surf
+ * (Mancinelli, Nazzaro, Pellacini, Puppo 2022), the paper's method (Mancinelli, Puppo), our centers
+ * of mass of all points (`karcher`, level 0) and our default with its levels (`leveled`).
  */
 export type ComparedMethod =
   | 'vectorHeat'
@@ -38,10 +38,10 @@ export interface MethodOptions {
   /**
    * For `paper` and `karcher`: the starts of searches. `heaviest` (the default) starts as the
    * engine does: the ends of a segment at the control point of the largest weight, other samples at
-   * the last one that converged, and again at control points if that fails. `authors` starts as the
-   * program of the paper's authors: at the geodesic de Boor point until a sample is found, then
-   * once at the last sample found, through all segments. A control point with all the weight, such
-   * as at the ends of a Bezier curve, is itself the sample.
+   * the last one that converged, and again at control points if that fails. `authors` starts like
+   * the program of the paper's authors: at the geodesic de Boor point until a search finds a
+   * sample, then once at the last sample found, through all segments. A control point with all the
+   * weight, such as at the ends of a Bezier curve, is itself the sample.
    */
   seeds?: 'heaviest' | 'authors';
   /** For the heat methods: whether to use the intrinsic Delaunay triangulation of the surface. */
@@ -55,8 +55,8 @@ export interface MethodOptions {
 }
 
 /**
- * A table of weights at parameters t in [0, 1], row after row. A row has one for each control point
- * of a segment.
+ * A table of weights at parameters t in [0, 1]. A row has a weight for each control point of a
+ * segment.
  */
 export interface WeightTable {
   /** The number of control points of a segment, which is the number of columns. */
@@ -78,7 +78,7 @@ export interface CurvePlan {
   first: readonly number[];
   /** The weights of a segment's points at each of its samples. */
   table: WeightTable;
-  /** The kind of a curve that can be subdivided, which `bSurf` and `leveled` need. */
+  /** The kind of a curve that allows subdivision, which `bSurf` and `leveled` need. */
   shape?: { kind: 'bspline' | 'bezier' | 'rational'; weights?: readonly number[] };
 }
 
@@ -88,9 +88,7 @@ export interface MethodCurve {
   movePoint(i: number, point: PointLike): void;
   /** Starts the searches of each segment at a point of the surface. */
   startAt(point: PointLike): void;
-  /**
-   * Computes the missing fields and samples at once, and returns the milliseconds that this took.
-   */
+  /** Computes the missing fields and samples at once. Returns its time in milliseconds. */
   finish(): number;
   /** Does the same as `finish` in slices, with pauses that do not count. */
   trace(work?: LongWorkOptions): Promise<number>;
@@ -104,7 +102,7 @@ export interface MethodCurve {
   lostByOwnRule(): number;
   /** The numbers of log maps computed and requested; null for methods without log maps. */
   logMaps(): LogMapCounts | null;
-  /** Frees the memory. Safe to repeat. */
+  /** Frees the memory. A second call has no effect. */
   dispose(): void;
 }
 
@@ -122,7 +120,7 @@ export interface PreparedCurves {
     weights: ArrayLike<number>,
     options?: { start?: PointLike },
   ): ComparedCenter;
-  /** Frees the memory of the method and its curves. Safe to repeat. */
+  /** Frees the memory of the method and its curves. A second call has no effect. */
   dispose(): void;
 }
 
@@ -139,9 +137,9 @@ export type ComparedCenter = Pick<CenterOfMass, 'point' | 'position' | 'status'>
 
 /** The numbers of log maps of a heat method's curve. */
 export interface LogMapCounts {
-  /** The number of log maps that were computed. */
+  /** The number of computed log maps. */
   made: number;
-  /** The number of requested log maps. The authors' library would compute each of them again. */
+  /** The number of requests for log maps. The authors' library would compute a map for each. */
   asked: number;
 }
 
@@ -156,12 +154,12 @@ export interface NewtonSteps {
   iterations: number;
   /** The number of geodesics along steps of Newton's method. */
   traced: number;
-  /** The number of these that were cut at a joint before their end. */
+  /** The number of these that the search cut at a joint before their end. */
   shortened: number;
   /** The number of cut ones that have no smaller gradient at their end than at their start. */
   needed: number;
   /** The number of geodesics on which no joint has a smaller gradient than their start. */
   stuck: number;
-  /** The gradients at the starts of the last three iterations, the last one first; 0 for none. */
+  /** The gradients at the starts of the last three iterations, the last one first, or 0. */
   gradients: number[];
 }

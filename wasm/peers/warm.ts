@@ -5,7 +5,7 @@ import type { MethodOptions } from './types.js';
 const triangles = 500;
 const rounds = 3;
 const samples = 17;
-/** The number of landmarks, which is enough to run all the code of an embedding. */
+/** The number of landmarks, which suffices to run all the code of an embedding. */
 const landmarks = 50;
 
 const warmed = new WeakMap<Peers, Map<string, Promise<void>>>();

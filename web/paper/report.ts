@@ -59,8 +59,8 @@ const markdownTable = (rows: readonly string[][]) =>
     .join('\n');
 
 /**
- * First the measures by exact paths, which are the same for all methods, then those against a
- * reference.
+ * The heads of a table: first the measures by exact paths, which are the same for all methods, then
+ * those against a reference.
  */
 const heads = [
   ...[

@@ -7,8 +7,8 @@
 
 namespace karcher::bindings {
 
-/// The bindings of the peers. The engine's own bindings are linked with them, so that both share
-/// one class of meshes.
+/// The bindings of the peers. The linker adds the engine's own bindings, so that both share one
+/// class of meshes.
 EMSCRIPTEN_BINDINGS(karcher_peers) {
   using emscripten::class_;
   using emscripten::function;

@@ -10,7 +10,7 @@ const order: readonly Verdict[] = [
   ...(['holds', 'depends', 'does not', 'settled here', 'open', 'not measured here'] as const),
 ];
 
-/** Words for verdicts of several claims, where they differ from those of one. */
+/** Words for verdicts on several claims, where they differ from those on one. */
 const ofSeveral: Partial<Record<Verdict, string>> = {
   ...{ holds: 'hold', depends: 'depend', 'does not': 'do not' },
 };
@@ -20,7 +20,7 @@ const unmeasured: Pick<JudgedClaim, 'verdict' | 'measured'> = {
   measured: '',
 };
 
-/** What the paper claims, and what was measured of it: by the report, or on the page meanwhile. */
+/** The paper's claims, and the measurements for them by the report or later on the page. */
 export class ClaimsSection {
   readonly element = make('section', '', { className: 'figure', id: 'claims' });
   readonly #report: SavedReport | null;
@@ -34,7 +34,7 @@ export class ClaimsSection {
     this.show({});
   }
 
-  /** Judges the claims that the report leaves open by the panels that were measured on the page. */
+  /** Judges the claims that the report leaves open by the panels that the page has measured. */
   show(panels: Measured['panels']): void {
     const live = judge({ panels, table: [], studies: {}, meshes: null, load: null });
     const rows = live.map((row): ShownClaim => {

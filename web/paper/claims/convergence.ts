@@ -13,9 +13,7 @@ export interface ConvergencePoint {
   method: LineId;
   triangles: number;
   meanEdge: number;
-  /**
-   * Root mean square distance of the converged samples from the true curve; null if none converged.
-   */
+  /** The root mean square distance of converged samples from the true curve; null without any. */
   error: number | null;
   lost: number;
   samples: number;
@@ -51,8 +49,8 @@ const weightedSum = (places: readonly Vector[], weights: ArrayLike<number>): Vec
 const unit = (a: Vector): Vector => scaled(a, 1 / length(a));
 
 /**
- * The sphere's logarithm and exponential have closed forms, and a fixed-point iteration finds the
- * mean.
+ * A sphere's curve. Its logarithm and exponential have closed forms, and a fixed-point iteration
+ * finds the mean.
  */
 export function sphereCurve(): SmoothCurve {
   const points = [0, 1, 2, 3].map((i) =>
@@ -103,7 +101,7 @@ export function torusCurve(): SmoothCurve {
   };
 }
 
-/** The mesh's point that is projected to this place of the smooth surface. */
+/** The mesh's point that projects to this place of the smooth surface. */
 function pointAbove(mesh: Mesh, nearest: NearestPoints, curve: SmoothCurve, place: Vector) {
   let target = place;
   let found: SurfacePoint = nearest.point(target);
@@ -114,7 +112,7 @@ function pointAbove(mesh: Mesh, nearest: NearestPoints, curve: SmoothCurve, plac
   return found;
 }
 
-/** The error of every method on meshes of growing size, always for the same curve. */
+/** The error of every method on meshes of growing size, on each surface for the same curve. */
 export async function convergence(
   peers: Peers,
   {

@@ -11,9 +11,9 @@ import { middle } from './words';
 /** Paths between pairs of points, such as the one in Figure 3. */
 export interface DescentFinding {
   mesh: 'coarse' | 'fine';
-  /** Number of pairs for which both descent and the paper's method found a path. */
+  /** The number of pairs for which both descent and the paper's method found a path. */
   pairs: number;
-  /** Number of these pairs for which descent is the farther one from the exact path. */
+  /** The number of these pairs for which descent is farther from the exact path. */
   worse: number;
   /** The median over the pairs of the path's median distance from the exact path, in mean edges. */
   descent: number;
@@ -27,7 +27,7 @@ const compared = ['descent', 'paper', 'karcherExact'] as const;
 const meshOf = (panel: 'coarse' | 'fine'): MeshSpec =>
   pathFigure.panels.find(({ id }) => id === panel)!.mesh;
 
-/** Compares the paths of random pairs of points on both of the figure's tori. */
+/** Compares the paths of random pairs of points on both tori of the figure. */
 export async function descent(
   peers: Peers,
   {
@@ -63,7 +63,7 @@ function randomPoint({ mesh }: Scene, random: () => number): SurfacePoint {
   return { face, bary: [1 - a, a * (1 - b), a * b] };
 }
 
-/** The median distance of each path from the exact one; null if one of the paths was not found. */
+/** The median distance of each path from the exact one; null if a search for one failed. */
 async function distances(
   peers: Peers,
   scene: Scene,

@@ -9,8 +9,8 @@ const median = (evidence: Evidence, panel: string, id: LineId) =>
   evidence.deviation(panel, id).median;
 
 /**
- * Bound in radians: a curve whose turning noise is up to a degree a sample looks smooth, as samples
- * are a pixel or two apart.
+ * The angle in radians up to which turning noise looks smooth: samples are a pixel or two apart, so
+ * a degree for each is not visible.
  */
 const smoothTurning = Math.PI / 180;
 
@@ -172,7 +172,7 @@ export const figureClaims: readonly Claim[] = [
       const { result } = averages;
       const residual = result.ruler?.residual?.median ?? null;
       const embedded = result.prepareMs !== null;
-      // A method that ran out of time, perhaps on a busy machine, has not failed.
+      // A method may run out of time on a busy machine, which is no failure.
       if (!embedded && /^stopped after/.test(result.reason ?? '')) {
         throw new NotMeasured(`weighted averages on the armadillo: ${result.reason}`);
       }

@@ -17,7 +17,7 @@ export function judge(measured: Measured): JudgedClaim[] {
   });
 }
 
-/** Says why times were not judged. */
+/** A sentence that says why times do not decide; empty if they do. */
 function busy({ heldOpen, all: { load } }: Evidence): string {
   if (!heldOpen) return '';
   const why = load
@@ -26,7 +26,7 @@ function busy({ heldOpen, all: { load } }: Evidence): string {
   return ` The machine ${why}: what depends on time stays open.`;
 }
 
-/** Names the methods that failed, whose samples all count as lost. */
+/** The names of the methods that failed, whose samples all count as lost. */
 function failures({ failed }: Evidence): string {
   if (failed.size === 0) return '';
   const list = [...failed].map(([line, reason]) => `${line} (${reason})`);

@@ -5,7 +5,7 @@ import { num, sum } from './words';
 
 const lost = (evidence: Evidence, panel: string, id: LineId) => evidence.lost(panel, id).lost;
 
-/** The number of leaps of a line; none is counted for a method that failed and has no curve. */
+/** The number of leaps of a line; 0 for a method that failed and has no curve. */
 const breaks = (evidence: Evidence, panel: string, id: LineId) =>
   evidence.line(panel, id).breaks ?? 0;
 
@@ -15,7 +15,7 @@ const wiggle = 0.01;
 interface Stability {
   lost: number;
   samples: number;
-  /** Residual of the samples that are not lost; null if all are lost. */
+  /** The residual of the samples that are not lost; null if all are lost. */
   residual: number | null;
 }
 
@@ -35,12 +35,12 @@ function isSteadier(a: Stability, b: Stability): boolean {
   return a.residual !== null && b.residual !== null && a.residual < b.residual;
 }
 
-/** The largest part of its samples that a resilient method loses. */
+/** The largest part of its samples that a resilient method may lose. */
 const mostLost = 0.05;
 
 /**
- * The largest number of samples that the paper's method loses on the armadillo, if the folder of
- * meshes has it.
+ * The number of samples that the paper's method loses on the armadillo, if the folder of meshes has
+ * it.
  */
 function armadillo({ all: { meshes } }: Evidence): { lost: number | null; measured: string } {
   const found = meshes?.find(({ name }) => name.startsWith('armadillo'));

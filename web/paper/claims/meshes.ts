@@ -34,7 +34,7 @@ function optionsOf(method: MeshMethod, plan: CurvePlan): MethodOptions {
   return { method: 'paper', solver: 'exact', seeds: 'authors' };
 }
 
-/** The median residual by exact paths; infinite where the method failed, null where it was not measured. */
+/** The median residual by exact paths; infinite for a failed method, null if not measured. */
 export function residualOn({ methods }: MeshFinding, method: MeshMethod): number | null {
   const result = methods.find((one) => one.method === method)?.result;
   if (!result) return null;
@@ -67,7 +67,7 @@ export function wanderingPoints(mesh: Mesh, seed: number): SurfacePoint[] {
   return result;
 }
 
-/** Compares the methods on a mesh, with the given control points or with seeded ones. */
+/** Compares the methods on a mesh, with given control points or with seeded ones. */
 export async function judgeMesh(
   peers: Peers,
   name: string,

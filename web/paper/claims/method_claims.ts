@@ -21,8 +21,8 @@ function lostOf(evidence: Evidence, ids: readonly LineId[]) {
 
 /**
  * The panels in which the first method's residual is below the second's, and those in which it is
- * above. A method that failed counts as the largest; panels with equal residuals are in neither
- * list.
+ * above. The residual of a failed method counts as the largest; panels with equal residuals are in
+ * neither list.
  */
 export function nearer(evidence: Evidence, first: LineId, second: LineId) {
   const panels = evidence.panelsWith(first, second);
@@ -64,8 +64,8 @@ function slowerThanAverages(evidence: Evidence) {
 }
 
 /**
- * The same on the meshes of a folder, once for each way of finding the paper's distances; an empty
- * list if no folder was given.
+ * The same on the meshes of a folder, once with each solver of the paper's distances; an empty list
+ * without a folder.
  */
 function nearerOnMeshes({ all: { meshes } }: Evidence) {
   const shown = (meshes ?? []).flatMap((mesh) => {
@@ -121,8 +121,8 @@ const growthMethods = [
 ] as const;
 
 /**
- * Compares the growth of the paper's method with another's over the sizes at which neither failed;
- * null if fewer than two sizes remain.
+ * The growth of the paper's method and of another over the sizes at which neither failed; an empty
+ * list if fewer than two sizes remain.
  */
 function comparedGrowth(rows: Studies['growth'], method: 'vectorHeat' | 'weightedAverages') {
   const timesOf = (id: string) =>
@@ -152,7 +152,7 @@ function comparedGrowth(rows: Studies['growth'], method: 'vectorHeat' | 'weighte
   return [{ name, paper, slope, result, words }];
 }
 
-/** The largest ratio of two radii that count as not far from each other. */
+/** The ratio of two radii up to which they count as not far from each other. */
 const farTimes = 2;
 
 const surfaceOf = ({ surface, noise }: Studies['radius'][number]) =>

@@ -20,24 +20,21 @@ export interface NewtonFinding {
   /** The number of searches. */
   searches: number;
   converged: number;
-  /** Iterations of a search: the median, the 99th percentile and the maximum. */
+  /** The iterations of a search: the median, the 99th percentile and the maximum. */
   half: number;
   nearlyAll: number;
   most: number;
   /**
-   * Geodesics that were traced; those shortened to a joint, those that had to be, and those without
-   * a better joint.
+   * The numbers of geodesics: all, those shortened to a joint, those that needed it, and those
+   * without a better joint.
    */
   traced: number;
   shortened: number;
   needed: number;
   stuck: number;
-  /** Converged searches that ended at a zero inside a triangle. */
+  /** The number of converged searches that ended at a zero inside a triangle. */
   inside: number;
-  /**
-   * The median order of convergence over the last three iterations before the end; null for too few
-   * searches.
-   */
+  /** The median order of convergence over the last three iterations; null for too few searches. */
   order: number | null;
 }
 
@@ -45,10 +42,10 @@ const curvesAMesh = 12;
 const samplesACurve = 65;
 /** The distance from a control point to the next, in diagonals. */
 const leg = 0.1;
-/** Fewer searches than this say nothing about the order of convergence. */
+/** The number of searches below which they show no order of convergence. */
 const leastOrders = 20;
 
-/** The meshes of the study, with noise in mean edges. */
+/** The meshes of the study; the noise is in mean edges. */
 const meshes: Record<string, { spec: MeshSpec; noise?: number }> = {
   'a coarse sphere': { spec: { kind: 'shape', name: 'sphere', triangles: 1_000 } },
   'a sphere': { spec: { kind: 'shape', name: 'sphere', triangles: 20_000 } },
@@ -65,7 +62,7 @@ const meshes: Record<string, { spec: MeshSpec; noise?: number }> = {
   },
 };
 
-/** Four points, each a leg in a random direction from the last one, within the surface. */
+/** Four points within the surface, each a leg in a random direction from the last one. */
 function polygon(mesh: Mesh, random: () => number): SurfacePoint[] {
   const [a, b] = [Math.sqrt(random()), random()];
   const face = Math.floor(mesh.info.triangles * random());

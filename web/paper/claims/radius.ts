@@ -8,7 +8,7 @@ import { studySeed } from './seed';
 const { at, cross, dot, length, subtract } = vectors;
 
 /**
- * Four random points in a geodesic ball of a radius, on a surface with bumps of some mean edges:
+ * Statistics of four random points in a geodesic ball, on a surface with bumps of some mean edges:
  * how often the paper's method finds a center of mass from each of them, and how often the same one
  * from all four.
  */
@@ -25,7 +25,7 @@ export interface RadiusPoint {
 
 const triangles = 5_000;
 const noises = [0, 0.2, 0.4];
-/** Radii in units of the one at which Karcher's condition ends on the smooth surface. */
+/** The radii, in units of the one at which Karcher's condition ends on the smooth surface. */
 const radii = [0.5, 0.75, 1, 1.25, 1.5, 1.75, 2, 2.5];
 const casesARadius = 12;
 
@@ -39,8 +39,8 @@ const smooth = {
 };
 
 /**
- * Balls of a smaller radius have one center of mass by H. Karcher's theorem: half of the radius of
- * injectivity and of pi / (2 sqrt(K)), where K is the largest curvature.
+ * The radius below which a ball has one center of mass by H. Karcher's theorem: half of the lesser
+ * of the radius of injectivity and pi / (2 sqrt(K)), where K is the largest curvature.
  */
 export const conditionOf = (curvature: number, injectivity: number): number =>
   Math.min(injectivity, Math.PI / (2 * Math.sqrt(curvature))) / 2;

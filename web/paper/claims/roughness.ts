@@ -12,20 +12,20 @@ import { middle } from './words';
 
 /** Results of a method on a surface with noise. */
 export interface RoughnessPoint {
-  /** Height of the noise in mean edges. */
+  /** The height of the noise in mean edges. */
   noise: number;
   method: LineId;
   lost: number;
   samples: number;
   /** The median residual by exact paths, in mean edges. */
   residual: number | null;
-  /** Turning noise against the curve of exact log vectors. */
+  /** The turning noise against the curve of exact log vectors. */
   turning: number | null;
 }
 
 export const noises: readonly number[] = [0, 0.05, 0.1, 0.2, 0.4];
 
-/** A copy of a mesh whose vertices are moved at random, evenly within a ball of `noise` mean edges. */
+/** A copy of a mesh with random moves of the vertices, even within a ball of `noise` mean edges. */
 export function roughened(karcher: Karcher, mesh: Mesh, noise: number, seed: number): Mesh {
   const random = randomFrom(seed);
   const positions = mesh.positions();
@@ -50,7 +50,7 @@ export interface SpreadPoint {
   samples: number;
 }
 
-/** The angle from each control point to the next along the torus, in degrees. */
+/** The angles from each control point to the next along the torus, in degrees. */
 const spreads: readonly number[] = [8, 16, 32, 64, 96, 112];
 const spreadSamples = 65;
 

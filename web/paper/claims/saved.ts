@@ -2,13 +2,13 @@ import type { TableCell } from '../table/rows';
 import type { Studies } from './studies';
 import type { JudgedClaim, Measured } from './types';
 
-/** Where and when something was measured. */
+/** The place and time of a measurement. */
 interface Origin {
   /** The date as YYYY-MM-DD. */
   date: string;
   machine: string;
   version: string;
-  /** Digest of the sources that decide the numbers; older reports have none. */
+  /** The digest of the sources that decide the numbers; older reports have none. */
   sources?: string;
   /** The seed of the random numbers of the studies. */
   seed: number;
@@ -16,7 +16,7 @@ interface Origin {
 
 export interface SavedPlots extends Origin, Pick<Studies, 'convergence' | 'roughness'> {}
 
-/** A verdict; it has a date of its own if its numbers were not measured with the report's. */
+/** A verdict. It has a date of its own if its numbers are newer than the report's. */
 export interface SavedClaim extends JudgedClaim {
   renewed?: Pick<Origin, 'date' | 'version' | 'sources'>;
 }
@@ -30,22 +30,20 @@ export interface SavedReport extends Origin {
   panels?: Measured['panels'];
   /** Table 1 with this many samples a segment. */
   table?: { samples: number; cells: TableCell[] } | null;
-  /** Further measurements that the claims are judged by; older reports have none. */
+  /** Further measurements for the claims; older reports have none. */
   studies?: Measured['studies'];
   meshes?: Measured['meshes'];
   load?: Measured['load'];
 }
 
-/** The code that a page was built from. */
+/** The code of a page. */
 export interface Build {
   /** The version and its commit. */
   version: string;
   sources: string;
 }
 
-/**
- * Whether the code has changed since something was measured; without a digest the commit decides.
- */
+/** Whether the code has changed since a measurement; without a digest the commit decides. */
 export function isOlder(
   { version, sources }: Pick<Origin, 'version' | 'sources'>,
   build: Build,

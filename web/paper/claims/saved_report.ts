@@ -1,6 +1,6 @@
 import type { SavedReport } from './saved';
 
-/** The report in this checkout; a page can be built without it. */
+/** The report in this checkout; a page needs none. */
 const found = import.meta.glob<SavedReport>('../../../docs/paper-report.json', {
   eager: true,
   import: 'default',

@@ -18,7 +18,7 @@ export interface Studies {
   newton: NewtonFinding[];
   /** Milliseconds of four fields, and of one more center of mass in them. */
   oneCenter: { fieldsMs: number; centerMs: number };
-  /** Milliseconds of a drag with 256 samples a segment: the field, and the searches a segment. */
+  /** Milliseconds of a drag with 256 samples a segment: the field, and a segment's searches. */
   update: { fieldMs: number; segmentMs: number; triangles: number };
   /**
    * Milliseconds of the fields when a weight of a rational curve changes, and of all the work that
@@ -31,8 +31,8 @@ export interface Studies {
    */
   arcs: { arcs: number; worst: number; byDefault: number }[];
   /**
-   * Weights of random points: in how many cases the points' center of mass has the weights that it
-   * was made with.
+   * Weights of random points. In `back` of the cases, the search for weights of the points' center
+   * of mass finds the original weights.
    */
   inverse: { cases: number; minima: number; back: number; farthest: number };
   /** B-splines on a torus with noise of growing height, in mean edges. */

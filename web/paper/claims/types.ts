@@ -9,9 +9,9 @@ export interface Measured {
   panels: Record<string, LineNumbers[]>;
   table: TableCell[];
   studies: Partial<Studies>;
-  /** Results on meshes outside the project; null if no folder of them was given. */
+  /** Results on meshes outside the project; null without a folder of them. */
   meshes: MeshFinding[] | null;
-  /** How busy the machine was; null if this was not measured. */
+  /** The load of the machine; null without a measurement. */
   load: MachineLoad | null;
 }
 
@@ -41,7 +41,7 @@ export interface Finding {
   verdict: Verdict;
   /** The condition on which the verdict depends. */
   on?: string;
-  /** The numbers, in words. */
+  /** The numbers, as a sentence. */
   measured: string;
 }
 
@@ -51,9 +51,9 @@ export interface Claim {
   where: string;
   /** The claim in our words. */
   claim: string;
-  /** The figure of the page that shows it. */
+  /** The figure of the page that shows the claim. */
   figure?: string;
-  /** Throws `NotMeasured` if a number that it needs is missing. */
+  /** Judges the claim. Throws `NotMeasured` if a number that it needs is missing. */
   judge(evidence: Evidence): Finding;
 }
 
@@ -67,11 +67,11 @@ export interface JudgedClaim extends Finding {
 
 export class NotMeasured extends Error {}
 
-/** Reads the measurements. Every reader throws `NotMeasured` if they lack the number. */
+/** The measurements for the claims. Every reader throws `NotMeasured` if they lack the number. */
 export class Evidence {
-  /** Methods that failed, with the reason: all of their samples count as lost. */
+  /** Methods that failed, with the reasons: all of their samples count as lost. */
   readonly failed = new Map<string, string>();
-  /** Whether a judgement was left open because the machine was not quiet. */
+  /** Whether a judgement stayed open because the machine was not quiet. */
   heldOpen = false;
 
   constructor(readonly all: Measured) {}
@@ -96,7 +96,7 @@ export class Evidence {
     return line;
   }
 
-  /** The number of samples a line lost; a failed method loses as many as the panel has. */
+  /** The number of samples that a line lost; a failed method loses all samples of the panel. */
   lost(panel: string, id: LineId): { lost: number; own: number; samples: number } {
     const { ok, reason, samples, lost, lostByOwnRule } = this.line(panel, id);
     if (ok) {
@@ -132,7 +132,7 @@ export class Evidence {
     return known(this.#whole(panel, id).traceMs, `the time of ${id} of ${panel}`);
   }
 
-  /** The panels in which all of these lines were measured. */
+  /** The panels that measured all of these lines. */
   panelsWith(...ids: LineId[]): string[] {
     const names = Object.keys(this.all.panels).filter((name) =>
       ids.every((id) => this.all.panels[name]!.some((line) => line.id === id)),

@@ -1,7 +1,7 @@
 import { onTorus } from './surfaces';
 import type { MeshSpec, Vector } from './types';
 
-/** The figure of the inverse problem: a drawing among control points is carried to another surface. */
+/** A side of the figure that carries a drawing among control points to another surface. */
 export interface CarriedSide {
   title: string;
   mesh: MeshSpec;

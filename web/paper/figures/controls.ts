@@ -13,7 +13,7 @@ const panel = (id: string, title: string, points: string, curve: Panel['curve'])
   mesh: torus,
   points,
   curve,
-  // Barycentric curves are not made by subdivision, and have no levels.
+  // Barycentric curves allow no subdivision, and have no levels.
   lines:
     curve.kind === 'barycentric'
       ? methods.filter((id) => id !== 'bSurf' && id !== 'leveled')

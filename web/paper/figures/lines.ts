@@ -7,9 +7,9 @@ export interface LineStyle {
   color: string;
   /** Width in CSS pixels. */
   width: number;
-  /** The line is not drawn at all where the surface hides it. */
+  /** Whether the surface hides the line completely. Otherwise hidden parts are faint. */
   opaque?: boolean;
-  /** The method that traces the line, if one does. */
+  /** The method, if any, that traces the line. */
   options?: MethodOptions;
 }
 

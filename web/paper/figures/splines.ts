@@ -16,7 +16,7 @@ const methods: LineId[] = [
   'exactLogs',
 ];
 
-/** The reference would cover all lines that agree with it. */
+/** Hidden lines: the reference would cover all lines that agree with it. */
 const reference: LineId[] = ['exactLogs'];
 const hidden: LineId[] = [...reference, 'paperGraph2'];
 

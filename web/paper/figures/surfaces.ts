@@ -1,6 +1,6 @@
 import type { Vector } from './types';
 
-/** Places near the built-in surfaces, by coordinates that are easy to think in. */
+/** Places near the built-in surfaces, by their natural coordinates. */
 
 /** The radii of the built-in torus, which lies around the z axis. */
 export const torusRadii = { major: 1, minor: 0.4 };

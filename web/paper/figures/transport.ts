@@ -1,7 +1,7 @@
 /**
- * Figure 2: a vector is carried from a vertex v into a face t of its star along the segment from v to the
- * face's centroid. With the segment's angle at v, theta_vt, in a frame whose angles are rescaled to a full
- * turn, and its angle at the centroid back to v, theta_tv, it turns by theta_tv + pi - theta_vt.
+ * Figure 2: the transport of a vector from a vertex v into a face t of its star, along the segment
+ * to the face's centroid. The segment has the angle theta_vt at v, in a frame rescaled to a full
+ * turn, and theta_tv at the centroid, back to v. The vector turns by theta_tv + pi - theta_vt.
  */
 
 type Plane = [number, number];

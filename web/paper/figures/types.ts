@@ -5,7 +5,7 @@ import type { MadeSource } from '../../model/meshes';
 
 export type Vector = [number, number, number];
 
-/** How a mesh is made. */
+/** The source of a mesh. */
 export type MeshSpec = MadeSource;
 
 /** The curve of a panel's points. A circle has its center and a point that it passes through. */
@@ -51,11 +51,11 @@ export interface Panel {
   /** The key of the panel's points in the figure: panels may share them. */
   points: string;
   curve: CurveSpec;
-  /** Lines in the order of the legend. */
+  /** The lines, in the order of the legend. */
   lines: readonly LineId[];
-  /** Number of samples a segment. */
+  /** The number of samples a segment. */
   samples: number;
-  /** Lines that are not computed until the reader shows them. */
+  /** Lines that the panel computes only when the reader shows them. */
   off?: readonly LineId[];
   view?: {
     /** The direction to the camera for the whole surface. */
@@ -75,33 +75,33 @@ export interface Figure {
   name: string;
   title: string;
   caption: string;
-  /** Places in space: each panel takes the nearest points of its mesh. */
+  /** Places in space; each panel takes the nearest points of its mesh. */
   points: Record<string, Vector[]>;
   panels: readonly Panel[];
 }
 
-/** The numbers of a line; null if one was not measured, or has no meaning for the line. */
+/** The numbers of a line; null for one that is missing or has no meaning for the line. */
 export interface LineNumbers {
   id: LineId;
   ok: boolean;
-  /** The reason why it failed. */
+  /** The reason why the method failed or why numbers are missing; null for neither. */
   reason: string | null;
   prepareMs: number | null;
   traceMs: number | null;
   samples: number | null;
   lost: number | null;
-  /** Number of samples that the method's own authors would reject too. */
+  /** The number of samples that the method's own authors would reject, too. */
   lostByOwnRule: number | null;
-  /** Distance from the reference in mean edges, over this many samples: lost ones do not count. */
+  /** The distances from the reference in mean edges, over `samples` samples that are not lost. */
   deviation: { median: number; max: number; samples: number } | null;
   turningNoise: number | null;
-  /** Number of samples at which the curve leaps. */
+  /** The number of samples at which the curve leaps. */
   breaks: number | null;
-  /** The largest angle by which it turns at a sample. */
+  /** The largest angle by which the curve turns at a sample. */
   sharpestTurn: { degrees: number; t: number } | null;
   /** Measures by exact shortest paths, the same for all methods; they arrive after the line. */
   ruler: RulerMeasures | null;
-  /** How the curve follows a hand; null if this was not measured. */
+  /** The behaviour of the curve in a drag; null without a measurement. */
   drag: DragMeasures | null;
 }
 

@@ -7,20 +7,20 @@ import type { Scene } from './scene';
 /** A drawing on its source, and its image on the target. */
 export interface Carried {
   source: Float32Array[];
-  /** The parts of each stroke: points without weights or without a center are left out. */
+  /** The parts of each stroke, without points that have no weights or no center. */
   target: Float32Array[];
-  /** Number of the drawing's points, of those carried, and of those with a weight below 0. */
+  /** The numbers of points: all, those carried, and those with a weight below 0. */
   points: number;
   carried: number;
   negative: number;
-  /** A sentence that says why the first missing point was not carried. */
+  /** A sentence that says why the first missing point has no image. */
   reason: string | null;
   /** The places of the control points. */
   places: { source: Vector[]; target: Vector[] };
   milliseconds: number;
 }
 
-/** The drawing, laid onto the source along straightest geodesics from its middle. */
+/** The drawing on the source, along straightest geodesics from its middle. */
 function drawingOn({ mesh, nearest }: Scene, middle: Vector): SurfacePoint[][] {
   const center = nearest.point(middle);
   return drawingInPlane().map((stroke) =>
@@ -32,7 +32,7 @@ function drawingOn({ mesh, nearest }: Scene, middle: Vector): SurfacePoint[][] {
   );
 }
 
-/** A line through points, split where one is missing; parts of one point are left out. */
+/** A line through points, split where one is missing, without parts of one point. */
 function partsOf(mesh: Mesh, points: readonly (SurfacePoint | null)[]): Float32Array[] {
   const parts: Vector[][] = [[]];
   for (const point of points) {
@@ -43,7 +43,7 @@ function partsOf(mesh: Mesh, points: readonly (SurfacePoint | null)[]): Float32A
 }
 
 /**
- * Carries the drawing: each point has weights that make it the center of mass of the source's
+ * Carries the drawing. Each point has weights for which it is the center of mass of the source's
  * control points; its image is the target's center of mass with these weights.
  */
 export function carry(

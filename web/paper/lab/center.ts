@@ -2,11 +2,11 @@ import type { Uniqueness } from 'karcher';
 import type { Vector } from '../figures/types';
 import type { Scene } from './scene';
 
-/** Whether a center of mass is the only one, and where the energy has other minima. */
+/** A center of mass, its uniqueness, and the other minima of the energy. */
 export interface KnownCenter {
   uniqueness: Uniqueness;
   position: Vector;
-  /** Energy in squared units of the mesh, as for the others. */
+  /** The energy in squared units of the mesh, as for the others. */
   energy: number;
   /** The other minima in ascending order. */
   others: { position: Vector; energy: number }[];
@@ -33,7 +33,7 @@ export function lookForOthers(
   };
 }
 
-/** The largest number of other minima whose energies are listed. */
+/** The largest number of other minima in the sentence. */
 const mostTold = 3;
 
 /** A sentence about the uniqueness of a center. */

@@ -80,7 +80,7 @@ function turningNoiseOf(
   return scene.meter.measure(measured, samples(truth)).turningNoise;
 }
 
-/** Rational quadratic arcs: each a center of mass of three points at level 0. */
+/** Rational quadratic arcs. At level 0 each is a center of mass of three points. */
 function arcsAt(task: Task, id: LineId, levels: 0 | 'auto'): LineResult {
   const radius = radiusOf(task);
   const arcs = task.curve.kind === 'circle' ? task.curve.arcs : 7;
@@ -100,7 +100,7 @@ function arcsAt(task: Task, id: LineId, levels: 0 | 'auto'): LineResult {
   };
 }
 
-/** Each arc a center of mass of its three points. */
+/** The arcs without levels: each point is a center of mass of its arc's three points. */
 export const circleArcs = (task: Task, id: LineId): LineResult => arcsAt(task, id, 0);
 
 /** The arcs with as many levels as our default takes. */

@@ -10,7 +10,7 @@ import type { CarryJob, DrawnMesh, Placed, TraceJob } from './protocol';
 export interface TraceEvents {
   placed(placed: Placed): void;
   line(line: LineResult): void;
-  /** Receives the measurements of a line that was shown before. */
+  /** Receives the measurements of an earlier line. */
   measured(id: LineId, ruler: RulerMeasures): void;
   /** Receives the progress of the line under way. */
   progress(done: number, stage: string): void;
@@ -30,7 +30,7 @@ export class LabClient {
   #slow: WorkerClient | null = null;
   readonly #meshes = new Map<string, Promise<DrawnMesh>>();
 
-  /** A mesh for drawing; the worker makes each one once. */
+  /** A mesh for drawing. The worker creates each only once. */
   mesh(mesh: MeshSpec): Promise<DrawnMesh> {
     const key = madeKey(mesh);
     const known = this.#meshes.get(key);
@@ -50,7 +50,7 @@ export class LabClient {
   }
 
   /**
-   * Drags a control point of a panel's curves; resolves at the end of the drag, rejects when it is
+   * Drags a control point of a panel's curves. Resolves at the end of the drag; rejects when it is
    * aborted.
    */
   async drag(
@@ -71,7 +71,7 @@ export class LabClient {
     ]);
   }
 
-  /** Traces a panel; the returned function stops it, and no event follows. */
+  /** Traces a panel. The returned function stops the work; no event follows. */
   trace(job: TraceJob, events: TraceEvents): () => void {
     const controller = new AbortController();
     const { signal } = controller;

@@ -16,10 +16,10 @@ import type { CarryJob, DrawnMesh, Placed } from './protocol';
 import { Scene } from './scene';
 import { planOf, referenceOf, type Task } from './task';
 
-/** The largest number of meshes that are kept with their preparations. */
+/** The largest number of meshes that the lab keeps with their preparations. */
 const mostScenes = 6;
 
-/** Computes panels: the single source of the figures' numbers, in a page and in Node. */
+/** The computation of panels: the single source of the figures' numbers, in a page and in Node. */
 export class Lab {
   readonly #scenes = new Map<string, Promise<Scene>>();
 
@@ -44,8 +44,8 @@ export class Lab {
   }
 
   /**
-   * Computes the lines of a panel, and passes each one to `show` when it is ready. The measurements
-   * by exact paths take longer and follow. Rejects with the signal's reason.
+   * Computes the lines of a panel, and passes each to `show` when it is ready. The measurements by
+   * exact paths take longer and follow. Rejects with the signal's reason.
    */
   async trace(
     panel: Panel,
@@ -75,9 +75,9 @@ export class Lab {
   }
 
   /**
-   * Measures how the methods' curves follow a dragged control point, and passes each result to
-   * `measured`. Lines without a method and lines that fail are skipped. Rejects with the signal's
-   * reason.
+   * Measures the behaviour of the methods' curves in a drag of a control point, and passes each
+   * result to `measured`. Skips lines without a method and lines that fail. Rejects with the
+   * signal's reason.
    */
   async drag(
     panel: Panel,
@@ -124,7 +124,7 @@ export class Lab {
     const key = madeKey(spec);
     const known = this.#scenes.get(key);
     const scene = known ?? Scene.make(this.peers, spec);
-    // Moved to the end: the first entry is the one that was unused for longest.
+    // The scene moves to the end: the first entry is the one that is unused for longest.
     this.#scenes.delete(key);
     this.#scenes.set(key, scene);
     if (!known) {

@@ -30,9 +30,7 @@ type Maker = (
   work: LongWorkOptions,
 ) => LineResult | TracedLine | Promise<LineResult | TracedLine>;
 
-/**
- * Traces one line of a panel. If a method fails, the result says why; rejects when it is aborted.
- */
+/** Traces one line of a panel. The result of a failure has its reason. Rejects if aborted. */
 export async function traceLine(
   task: Task,
   id: LineId,
@@ -51,12 +49,12 @@ export async function traceLine(
   }
 }
 
-/** Number of steps in a drag. */
+/** The number of steps in a drag. */
 const dragSteps = 20;
 
 /**
- * Measures how a method's curve follows a dragged control point; null for other lines and for one
- * that fails.
+ * Measures the behaviour of a method's curve in a drag of a control point; null for other lines and
+ * for one that fails.
  */
 export async function dragLine(
   task: Task,
@@ -126,7 +124,7 @@ async function traceMethod(
   }
 }
 
-/** The visible form of a traced curve: a center of mass is a dot. */
+/** The visible form of a traced curve. For a center of mass it is a dot. */
 function drawn(
   { curve: { kind } }: Task,
   curve: MethodCurve,
@@ -204,10 +202,10 @@ const makers: Partial<Record<LineId, Maker>> = {
     }
   },
 
-  /** Our curve of all points at once, bridged where there is no center of mass. */
+  /** Our curve of all points at once, with bridges where it is no center of mass. */
   bridged: engineCurve,
 
-  /** Our default, as in the editor: the control polygon is refined first, as often as needed. */
+  /** Our default, as in the editor: levels refine the control polygon as often as necessary. */
   leveled: engineCurve,
 
   /** Paths from the center of mass to the points. */
@@ -258,7 +256,7 @@ function gradientArrow(
   const down = scaled(gradient, -1 / steep);
   const aside = scaled(cross(normal, down), 1 / area);
   const center = scaled(add(add(a, b), c), 1 / 3);
-  // The arrow's length fits into the triangle.
+  // The arrow fits into the triangle.
   const size = 0.3 * Math.min(...corners.map((p) => distance(p, center)));
   const tip = add(center, scaled(down, size));
   const wing = (side: number) =>

@@ -4,12 +4,12 @@ import type { Vector } from '../figures/types';
 
 const { at, cross, distance, dot, scaled, subtract } = vectors;
 
-/** Finds points of a mesh near points of space. */
+/** A search for points of a mesh near points of space. */
 export class NearestPoints {
   readonly #positions: Float64Array;
   readonly #triangles: Int32Array;
   /**
-   * For each triangle its centroid and the radius of a ball around it that contains the triangle.
+   * For each triangle, its centroid and the radius of a ball around it that contains the triangle.
    */
   readonly #balls: Float64Array;
 

@@ -45,8 +45,8 @@ export class Scene {
   }
 
   /**
-   * Prepares a method once, on its own copy of the mesh: it finds no work of another method there,
-   * so that its time is its own. A failure is kept too, unless the preparation was aborted.
+   * Prepares a method once, on its own copy of the mesh. It finds no work of another method there,
+   * so that its time is its own. The scene keeps failures, too, unless they are aborts.
    */
   async method(options: MethodOptions, work: LongWorkOptions): Promise<PreparedCurves> {
     const key = JSON.stringify(options);

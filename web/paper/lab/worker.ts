@@ -18,7 +18,7 @@ function inOrder<Result>(work: () => Promise<Result>): Promise<Result> {
   return result;
 }
 
-/** The calls that the worker answers. */
+/** The worker's calls. */
 const calls = {
   mesh(mesh: MeshSpec) {
     return inOrder(async () => (await lab).mesh(mesh));

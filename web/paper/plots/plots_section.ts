@@ -24,7 +24,7 @@ const residual: ChartAxis = { ...edge, label: 'Residual, mean edges' };
 const oneDigit = (value: number) =>
   (Math.abs(value) < 0.05 ? '0' : value.toFixed(1)).replace('-', '−');
 
-/** Sizes of the meshes of the plots. */
+/** The sizes of the plots' meshes. */
 export interface PlotSizes {
   convergence: readonly number[];
   roughness: number;

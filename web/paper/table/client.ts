@@ -10,7 +10,7 @@ import {
 } from './rows';
 import type { TableEvents, TableOptions } from './run';
 
-/** Events of a table's measurement; `end` comes last, unless it is cancelled. */
+/** The events of a table's measurement; `end` comes last, unless the client cancels it. */
 export interface ClientEvents extends TableEvents {
   end(): void;
 }
@@ -27,13 +27,13 @@ const failed = (reason: string): MethodResult => ({ ...nothingMeasured, reason }
 const startWorker = () => new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
 
 /**
- * Measures a table in a worker. A worker that fails, for example because memory runs out, or that
- * stays too long in a step is ended: the cell says why, and a new worker continues with the next.
+ * Measures a table in a worker. A worker may fail, for example because memory runs out, or stay too
+ * long in a step. If so, the cell has the reason, and a new worker does the next.
  */
 export class TableClient {
   readonly #left: { row: TableRow; methods: TableMethod[] }[];
   #worker: WorkerClient | null = null;
-  /** The cell that is being measured. */
+  /** The cell under measurement. */
   #place: Place | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -49,7 +49,7 @@ export class TableClient {
     this.#next();
   }
 
-  /** Ends at once, even within a step. */
+  /** Ends the measurement at once, even within a step. */
   cancel(): void {
     this.#left.length = 0;
     this.#stop();
@@ -109,7 +109,7 @@ export class TableClient {
     this.events.cell(cell);
   }
 
-  /** Marks the cell under measurement as failed, or the whole row if its mesh could not be made. */
+  /** Marks the cell under measurement as failed, or the whole row if its mesh is missing. */
   #fail(reason: string): void {
     const place = this.#place;
     this.#stop();

@@ -11,13 +11,13 @@ const heads = [
 /** Milliseconds without digits that come from rounding. */
 const time = (value: number | null) => value && Number(value.toPrecision(6));
 
-/** A field is quoted only if it must be. */
+/** A field, with quotation marks only where CSV needs them. */
 const field = (value: string | number | boolean | null) => {
   const text = value === null ? '' : `${value}`;
   return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 };
 
-/** The table as CSV, a line for each cell; unmeasured values are empty. */
+/** The table as CSV, a line for each cell; missing values are empty. */
 export function tableCsv(
   rows: readonly TableRow[],
   cells: readonly TableCell[],

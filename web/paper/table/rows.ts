@@ -13,7 +13,7 @@ export interface TableRow {
   name: string;
   mesh: MeshSpec;
   /**
-   * Two points are joined by a shortest path with exact distances, more make a B-spline with k = 6.
+   * The control points: two of a shortest path (exact distances), or more of a B-spline (k = 6).
    */
   points: readonly Vector[];
 }
@@ -77,16 +77,16 @@ export const tableRows: readonly TableRow[] = [
   { id: 'knot-500k', name: 'Knotted tube', mesh: shape('knot', 500_000), points: knot! },
 ];
 
-/** The rows on meshes of a part of the triangles, for quick tests. */
+/** The rows on meshes with a part of the triangles, for quick tests. */
 export const smallRows = (part: number): TableRow[] =>
   tableRows.map((row) => ({ ...row, mesh: smallerMesh(row.mesh, part) }));
 
-/** The approximate number of a row's triangles, known before its mesh is made. */
+/** The approximate number of a row's triangles, without its mesh. */
 export function expectedTriangles(mesh: MeshSpec): number {
   return mesh.kind === 'bunny' ? 3_674 * 4 ** mesh.levels : mesh.triangles;
 }
 
-/** Two points are joined by one segment; a cubic B-spline has three more points than segments. */
+/** The number of segments: one between two points, else three fewer than the points. */
 export const segmentsOf = ({ points }: TableRow): number =>
   points.length === 2 ? 1 : points.length - 3;
 
@@ -110,8 +110,8 @@ export const publishedNote = `The paper’s own times are of its authors’ mach
 
 /**
  * The tracing time of a heat method that computes a log map at each evaluation, as its authors'
- * library does, estimated from the numbers of requested and computed maps. Null for methods without
- * log maps.
+ * library does. The numbers of requested and computed maps give this estimate. Null for methods
+ * without log maps.
  */
 export function asUsedMs({ traceMs, logMaps }: MethodResult): number | null {
   if (traceMs === null || !logMaps || logMaps.made === 0) return null;

@@ -12,37 +12,37 @@ import { makeMesh } from '../../model/made_mesh';
 import { NearestPoints } from '../lab/nearest';
 import { type TableCell, type TableMethod, type TableRow, tableMethods } from './rows';
 
-/** On larger meshes the exact paths would take longer than the methods that they measure. */
+/** The most triangles for exact paths: beyond, they would take longer than the methods. */
 const mostMeasured = 60_000;
 
 export interface TableOptions {
   rows: readonly TableRow[];
   /** The methods; all of them by default. */
   methods?: readonly TableMethod[];
-  /** Number of samples a segment. */
+  /** The number of samples a segment. */
   samples: number;
   /** The time in milliseconds after which a method gives up a row. */
   budgetMs: number;
 }
 
 export interface TableEvents {
-  /** A row begins: its mesh is made. */
+  /** Receives a row whose mesh is ready. */
   row(row: TableRow): void;
-  /** A method begins. */
+  /** Receives a cell whose method begins. */
   method(cell: Pick<TableCell, 'row' | 'method' | 'triangles' | 'segments'>): void;
   progress(done: number, stage: string): void;
   cell(cell: TableCell): void;
 }
 
-/** Our method takes exact distances where the paper's does: for two points. */
+/** The options for the table. Our method has exact distances for two points, as the paper's. */
 function tableOptions(method: TableMethod, plan: CurvePlan): MethodOptions {
   const exact = method === 'karcher' && plan.points.length === 2;
   return exact ? { method, solver: 'exact' } : standardOptions(method, plan);
 }
 
 /**
- * Measures all methods in all rows, one after the other, each on a mesh of its own. Rejects with the
- * signal's reason.
+ * Measures all methods in all rows, one after the other, each on a mesh of its own. Rejects with
+ * the signal's reason.
  */
 export async function runTable(
   peers: Peers,

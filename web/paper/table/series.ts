@@ -9,7 +9,7 @@ export const measureNames: Record<Measure, string> = {
   dragMs: 'Update',
 };
 
-/** Times of B-splines by triangles: paths between two points are a different task. */
+/** The times of B-splines by triangles. Paths between two points are a different task. */
 export function seriesOf(cells: readonly TableCell[], measure: Measure): AlignedData {
   const splines = cells.filter(({ segments }) => segments > 1);
   const triangles = [...new Set(splines.map((cell) => cell.triangles))].toSorted((a, b) => a - b);

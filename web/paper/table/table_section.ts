@@ -41,7 +41,7 @@ export class TableSection {
   cells: TableCell[] = [];
   readonly rows: readonly TableRow[];
   readonly #about: { browser: string; build: string };
-  /** The origin of the saved numbers, while they are shown. */
+  /** The origin of the saved numbers, while the table shows them. */
   #savedAbout: { browser: string; build: string } | null = null;
   readonly #view: TableView;
   readonly #chart = new TableChart();
@@ -61,7 +61,7 @@ export class TableSection {
   readonly #bar = make('progress', '', { max: 1, value: 0, hidden: true });
   readonly #status = make('p', '', { className: 'panel-note' });
   #measure: Measure = 'traceMs';
-  /** The cell that is being measured, in words. */
+  /** The cell under measurement, in words. */
   #what = '';
   #client: TableClient | null = null;
   #options: TableOptions | null = null;
@@ -88,7 +88,7 @@ export class TableSection {
     if (report?.table) this.#showSaved(report, report.table);
   }
 
-  /** Shows the saved measurements, until the table is measured here. */
+  /** Shows the saved measurements until the table has its own. */
   #showSaved(report: SavedReport, { samples, cells }: NonNullable<SavedReport['table']>): void {
     const known = cells.filter(({ row }) => this.rows.some(({ id }) => id === row));
     if (known.length === 0) return;

@@ -28,8 +28,8 @@ const details: Record<(typeof parts)[number], (result: MethodResult) => string |
 };
 
 /**
- * Measures by exact paths, as in the figures, and samples lost by our rule and by that of the
- * method's authors.
+ * The measures by exact paths, as in the figures, and the numbers of samples lost by our rule and
+ * by that of the method's authors.
  */
 function measuresOf({ ruler, lost, lostByOwnRule, samples }: MethodResult): string[] {
   const { residual = null, energy = null } = ruler ?? {};
@@ -43,8 +43,8 @@ function measuresOf({ ruler, lost, lostByOwnRule, samples }: MethodResult): stri
 }
 
 /**
- * The table itself: three times for each method, in milliseconds, and below them how far its curve
- * is from the centers.
+ * The table itself: three times for each method, in milliseconds, and below them the distance of
+ * its curve from the centers.
  */
 export class TableView {
   readonly element = make('div', '', { className: 'timings' });
@@ -125,7 +125,7 @@ export class TableView {
     }
   }
 
-  /** The cell that is being measured. */
+  /** Marks the cell under measurement. */
   mark(cell: Pick<TableCell, 'row' | 'method' | 'triangles'> | null): void {
     for (const one of this.#body.querySelectorAll('.now')) one.classList.remove('now');
     if (!cell) return;

@@ -1,4 +1,4 @@
-/** The worker that measures rows of Table 1, one after the other. Ending it cancels the work. */
+/** The worker that measures rows of Table 1, one after the other. Its end cancels the work. */
 
 import { serve } from 'karcher/own-worker';
 import { loadPeers } from 'karcher/peers';

@@ -39,7 +39,7 @@ export class CarriedSection {
   #points: Record<Side, Vector[]>;
   #shown: Carried | null = null;
   #started = false;
-  /** Whether an answer is awaited, and whether it will match the current points. */
+  /** Whether a request is under way. Its answer matches the current points unless `#stale`. */
   #busy = false;
   #stale = false;
 
@@ -165,10 +165,7 @@ export class CarriedSection {
     );
   }
 
-  /**
-   * Requests the drawing of the current points; while an answer is awaited, only the newest request
-   * follows.
-   */
+  /** Requests the drawing of the current points. During a request, only the newest one waits. */
   #renew(): void {
     this.#stale = true;
     if (this.#busy) return;

@@ -3,10 +3,10 @@ import type { MeshSpec, Vector } from '../figures/types';
 import { type KnownCenter, uniquenessWords } from '../lab/center';
 import type { LabClient } from '../lab/client';
 
-/** Looks for all centers of a panel's points, and says whether there is only one. */
+/** Looks for all centers of a panel's points, and says whether the center is unique. */
 export class CenterSearch {
   readonly element = make('p', '', { className: 'panel-note only', hidden: true });
-  /** The result for the points that were searched last. */
+  /** The result for the points of the last search. */
   known: KnownCenter | null = null;
   isLooking = false;
   #next: Parameters<LabClient['center']> | null = null;

@@ -41,8 +41,8 @@ function figureOf(curve: CurveSpec, points: readonly SurfacePoint[]): Figure | n
 }
 
 /**
- * Only the ratios of weights and betas matter: numbers outside the editor's range are scaled into
- * it.
+ * The curve with weights and betas in the editor's range. Only their ratios matter, so that they
+ * can be scaled.
  */
 function withNumbers(
   points: readonly SurfacePoint[],

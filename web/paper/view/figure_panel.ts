@@ -38,21 +38,21 @@ export interface PanelContext {
 }
 
 export interface PanelEvents {
-  /** Called when everything that is shown was measured. */
+  /** Receives the end of the measurements of everything that the panel shows. */
   measured(): void;
-  /** Called when the reader moved a point of the panel to a place in space. */
+  /** Receives a point of the panel that the reader moved to a place in space. */
   move(index: number, place: Vector): void;
 }
 
 /** A panel on the page: its view, its points, and the table of its numbers. */
 export class FigurePanel {
   readonly element = make('article', '', { className: 'panel-card' });
-  /** Whether everything that is shown is up to date; tests wait for it. */
+  /** Whether everything that the panel shows is up to date; tests wait for it. */
   settled = false;
   readonly #stage = make('div', '', { className: 'panel-stage' });
   readonly #markers = make('div', '', { className: 'markers' });
   readonly #note = make('p', '', { className: 'panel-note' });
-  /** Stands in for a surface that is not ready. */
+  /** The words in place of a surface that is not ready. */
   readonly #making = make('p', '', { className: 'making' });
   readonly #link = make('a', 'Open in the editor', { className: 'link', hidden: true });
   readonly #noLink = make('span', `Not in the editor: ${noSuchWeights}`, {
@@ -90,7 +90,7 @@ export class FigurePanel {
     private readonly panel: Panel,
     points: readonly Vector[],
     private readonly events: PanelEvents,
-    /** Earlier measurements, shown until the panel is measured here. */
+    /** Earlier measurements, for show until the panel has its own. */
     saved: SavedNumbers | null = null,
   ) {
     this.#points = points;
@@ -146,7 +146,7 @@ export class FigurePanel {
     try {
       const mesh = await this.context.client.mesh(spec);
       const drawn = await this.context.geometry.make(mesh);
-      // Another mesh was chosen meanwhile.
+      // The reader has chosen another mesh meanwhile.
       if (spec !== this.#spec) return;
       this.#mesh = mesh;
       this.#size.textContent = formatCount(mesh.info.triangles, 'triangle');
@@ -236,7 +236,7 @@ export class FigurePanel {
       },
       progress: (done, stage) => this.#progress(done, stage),
       failure: (message) => {
-        // The note is no longer a progress message, which would be removed at the end.
+        // The note is no longer a progress message, which the end would remove.
         this.#note.dataset.kind = '';
         this.#note.textContent = message;
       },
@@ -254,7 +254,7 @@ export class FigurePanel {
     return promise;
   }
 
-  /** Names the line that is being computed. */
+  /** Names the line under way. */
   #tellWhat(): void {
     const names = [...this.#waiting].map((id) => lineStyles[id].label);
     this.#note.dataset.kind = 'progress';
@@ -308,7 +308,7 @@ export class FigurePanel {
     this.#placeMarkers();
     const result = this.#result(id);
     if (shown && result) this.#draw(result);
-    // Lines under way are requested again, together with the missing one.
+    // The panel requests lines under way again, together with the missing one.
     else if (shown) {
       void this.#trace(
         this.panel.lines.filter((one) => this.#shown.has(one) && !this.#result(one)),
@@ -350,7 +350,7 @@ export class FigurePanel {
     showDots(this.#markers, this.#view, this.#dots());
   }
 
-  /** A place of the stage worth comparing: a center, or a curve's point near the middle. */
+  /** A place of the stage for comparison: a center, or a curve's point near the middle. */
   #placeToCompare(): { x: number; y: number } {
     const middle = { x: this.#stage.clientWidth / 2, y: this.#stage.clientHeight / 2 };
     const places = this.#dots().map(({ place }) => place);
@@ -405,7 +405,7 @@ export class FigurePanel {
     return foot;
   }
 
-  /** Drags a control point of every visible curve, and shows how far the curves leap. */
+  /** Drags a control point of every visible curve, and shows the leaps of the curves. */
   async #dragAll(): Promise<void> {
     const lines = this.panel.lines.filter((id) => this.#shown.has(id) && this.#result(id));
     if (this.#dragging) return;
@@ -419,7 +419,7 @@ export class FigurePanel {
         { panel, points: this.#points, lines },
         (id, drag) => {
           const line = this.#result(id);
-          // The measurement is of points that have moved since.
+          // The points have moved since the measurement.
           if (!line || dragging.signal.aborted) return;
           line.drag = drag;
           this.#numbers.set(line);
@@ -436,7 +436,7 @@ export class FigurePanel {
     }
   }
 
-  /** The panel's numbers: those of all methods that were measured at the current points. */
+  /** The panel's numbers: those of all methods with measurements at the current points. */
   json(): string {
     const lines = this.panel.lines.flatMap((id) => {
       const line = this.#result(id);

@@ -12,7 +12,7 @@ function savedOf(report: SavedReport, key: string): SavedNumbers | null {
   return lines ? { lines, origin: originWords(report) } : null;
 }
 
-/** A figure on the page. It is computed when it comes near the window. */
+/** A figure on the page. Its panels begin to compute when it comes near the window. */
 export class FigureSection {
   readonly element: HTMLElement;
   readonly #panels: FigurePanel[];
@@ -56,7 +56,7 @@ export class FigureSection {
     return this.#panels.every((panel) => panel.settled);
   }
 
-  /** The measurements of the unchanged figure, by panel; empty after a point was moved. */
+  /** The measurements of the unchanged figure, by panel; empty after a move of a point. */
   measured(): Record<string, LineNumbers[]> {
     const entries = this.#figure.panels.flatMap(({ id }, i) => {
       const lines = this.#moved ? null : this.#panels[i]!.measured();

@@ -1,6 +1,6 @@
 /** Numbers as people read them. */
 
-/** A number with three digits; rounding errors are shown as a power of ten. */
+/** A number with three digits; rounding errors are powers of ten. */
 export function formatDeviation(value: number | null): string {
   if (value === null) return '–';
   if (value === 0) return '0';

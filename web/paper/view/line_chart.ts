@@ -5,7 +5,7 @@ export interface ChartLine {
   label: string;
   /** The resolved color, since a canvas knows no custom properties. */
   color: string;
-  /** The line is dashed if another one has its color. */
+  /** Whether the line is dashed, since another one has its color. */
   dashed?: boolean;
   /** A value for each place on the x axis; null is a gap. */
   values: readonly (number | null)[];
@@ -42,7 +42,7 @@ export class LineChart {
     new ResizeObserver(() => this.#resize()).observe(this.element);
   }
 
-  /** Draws the chart; `content` is called again when the colors change. */
+  /** Draws the chart. If the colors change, it calls `content` again. */
   show(content: () => ChartContent): void {
     this.#content = content;
     this.redraw();
@@ -113,7 +113,7 @@ const around = (_: uPlot, least: number, most: number): uPlot.Range.MinMax => [
   most * roomAtEnds,
 ];
 
-/** A logarithmic axis is divided at every tenth of a decade; only 1, 2 and 5 have numbers. */
+/** The labels of a logarithmic axis. Of its marks, ten for each decade, 1, 2 and 5 have numbers. */
 const onlyRound = (_: uPlot, splits: number[]): (number | null)[] =>
   splits.map((value) => ('125'.includes(value.toExponential()[0]!) ? value : null));
 

@@ -32,7 +32,7 @@ export class Loupe {
   constructor(
     private readonly stage: HTMLElement,
     private readonly view: PanelView,
-    /** The dots to show, and the place to begin at. */
+    /** The dots to show, and the first place. */
     private readonly events: { dots(): Dot[]; first(): Place },
   ) {
     this.button.setAttribute('aria-pressed', 'false');

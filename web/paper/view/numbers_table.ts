@@ -174,13 +174,13 @@ export class NumbersTable {
     return cell;
   }
 
-  /** Dims the row until its numbers are there. */
+  /** Dims the row until its numbers arrive. */
   wait(id: LineId): void {
     const row = this.#rows.get(id)!;
     if (row.dataset.state !== 'saved') row.dataset.state = 'waiting';
   }
 
-  /** Shows earlier measurements from elsewhere, until the panel is measured here. */
+  /** Shows measurements from elsewhere until the panel has its own. */
   showSaved(lines: readonly LineNumbers[], origin: string): void {
     for (const line of lines) {
       const row = this.#rows.get(line.id);
@@ -197,7 +197,7 @@ export class NumbersTable {
     for (const [id, row] of this.#rows) if (row.dataset.state === 'saved') this.clear(id);
   }
 
-  /** Hides the note on the origin once no earlier numbers are left. */
+  /** Hides the note on the origin when no earlier numbers remain. */
   #hideSaved(): void {
     this.#saved.hidden = ![...this.#rows.values()].some(({ dataset }) => dataset.state === 'saved');
   }

@@ -10,7 +10,7 @@ export class PanelPoints {
     private readonly view: PanelView,
     layer: HTMLElement,
     private readonly panel: Panel,
-    /** Called when a point is moved on the surface. */
+    /** The listener that receives a point's index and its new place. */
     private readonly moved: (index: number, place: Vector) => void,
   ) {
     this.#handles = new Handles(view, layer, {

@@ -27,7 +27,7 @@ const surfaceShade = 0.75;
 export interface LineLook {
   color: Color;
   width: number;
-  /** The line is not drawn where the surface hides it. */
+  /** Whether the surface hides the line completely. */
   opaque: boolean;
 }
 
@@ -107,7 +107,7 @@ export class PanelView {
     this.renderer.draw(this.#scene, this.#camera, this.canvas, clientWidth, clientHeight);
   }
 
-  /** Draws the neighbourhood of a place of the stage into a canvas, enlarged by this factor. */
+  /** Draws an enlarged neighbourhood of a place of the stage into a canvas. */
   drawAround(
     { x, y }: { x: number; y: number },
     times: number,
@@ -123,7 +123,7 @@ export class PanelView {
     this.#camera.clearViewOffset();
   }
 
-  /** Shows a surface and removes the one before. */
+  /** Shows a surface, and removes the previous one. */
   showSurface(drawn: DrawnGeometry): void {
     if (this.#surface) {
       this.#scene.remove(this.#surface.object);
@@ -288,7 +288,7 @@ function ownMaterials(surface: Surface): void {
   });
 }
 
-/** The pieces of a polyline that converged and those that are lost, in order. */
+/** The parts of a polyline in order: those that converged and those that are lost. */
 function partsOf(
   line: Float32Array,
   status: Uint8Array | undefined,

@@ -9,12 +9,12 @@ export function sectionHead(name: string, title: string, ...more: Element[]): HT
 }
 
 /**
- * The end of a text's first sentence: a stop before a capital or a quotation. A single letter
- * before a stop is an initial.
+ * The end of a text's first sentence: a stop before a capital or a quotation mark. A stop after a
+ * single letter ends an initial.
  */
 const sentenceEnd = /(?<=[^\s.][^\s.]|\d)[.?!](?= [A-Z“])/u;
 
-/** A text that shows its first sentence, and the rest when the reader unfolds it. */
+/** A text that shows its first sentence. Its rest appears when the reader unfolds it. */
 export class Caption {
   readonly element = make('details', '', { className: 'caption' });
   readonly #first = make('span');

@@ -2,8 +2,8 @@ import { type Camera, type Scene, WebGLRenderer } from 'three';
 import { outliveContextLoss } from '../../viewer/context_loss';
 
 /**
- * One WebGL context for all panels, since a page may have only a few: it draws each panel and
- * copies it to the panel's canvas.
+ * One WebGL context for all panels, since a page may have only a few. It draws each panel and
+ * copies the image to the panel's canvas.
  */
 export class SharedRenderer {
   readonly #renderer: WebGLRenderer;
@@ -31,13 +31,13 @@ export class SharedRenderer {
     );
   }
 
-  /** Calls the listener when the lost context is back, to draw again. */
+  /** Adds a listener, which draws again when the lost context is back. */
   onRestored(listener: () => void): void {
     this.#onRestored.push(listener);
   }
 
   /**
-   * Draws a scene into a canvas of that size in CSS pixels; without a context the canvas keeps its
+   * Draws a scene into a canvas of that size in CSS pixels. Without a context the canvas keeps its
    * image.
    */
   draw(scene: Scene, camera: Camera, canvas: HTMLCanvasElement, width: number, height: number) {

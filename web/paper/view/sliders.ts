@@ -2,10 +2,10 @@ import { usualStretch } from '../../model/meshes';
 import { make } from '../../panels/elements';
 import type { CurveSpec, MeshSpec } from '../figures/types';
 
-/** The logarithms of the smallest and largest weight, 1/100 and 100. */
+/** The logarithms of the smallest and the largest weight, 1/100 and 100. */
 const [least, most] = [-2, 2];
 
-/** A slider for each weight or beta of a curve; null for curves that have none. */
+/** Sliders for the weights or betas of a curve; null for curves that have none. */
 export function sliders(curve: CurveSpec, change: (curve: CurveSpec) => void): HTMLElement | null {
   if (curve.kind !== 'rational' && curve.kind !== 'barycentric') return null;
   const rational = curve.kind === 'rational';
@@ -36,7 +36,7 @@ export function sliders(curve: CurveSpec, change: (curve: CurveSpec) => void): H
 
 /**
  * A slider for the ratio of length to height of an anisotropic plane's cells; null for other
- * meshes. The mesh is made when the reader releases the slider.
+ * meshes. When the reader releases the slider, the mesh changes.
  */
 export function stretchSlider(
   mesh: MeshSpec,

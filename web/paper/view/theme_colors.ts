@@ -6,7 +6,7 @@ import type { LineId } from '../figures/types';
 let colors = new Map<string, string>();
 let front = '#888';
 
-/** Reads the colors of the theme from the style sheet. It is called before anything is drawn. */
+/** Reads the colors of the theme from the style sheet. The page calls it before it draws. */
 export function readColors(): void {
   const scene = sceneColors();
   colorSurface(scene);

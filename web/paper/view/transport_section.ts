@@ -12,7 +12,7 @@ type Place = readonly [number, number];
 const seen = ([x, y]: Place, [cx, cy]: Place): string =>
   `${(cx + size * x).toFixed(2)},${(cy - size * y).toFixed(2)}`;
 
-/** Figure 2: a vector carried from a vertex into a face; the reader can turn it. */
+/** Figure 2: a vector's transport from a vertex into a face. The reader can turn the vector. */
 export class TransportSection {
   readonly element = make('section', '', { className: 'figure', id: 'transport' });
   readonly #svg = document.createElementNS(svgNames, 'svg');

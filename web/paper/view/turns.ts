@@ -1,13 +1,11 @@
-/** Work for an element of the page, which can be interrupted and resumed. */
+/** Work for an element of the page, which allows interruptions. */
 export interface Work {
   element: Element;
   /** Resolves when all is done, and after an interruption. */
   run(signal: AbortSignal): Promise<void>;
 }
 
-/**
- * The time out of sight after which work is interrupted: a reader who scrolls past soon comes back.
- */
+/** The time out of sight until an interruption: a reader who scrolls past soon comes back. */
 const patienceMs = 300;
 
 /** The distance of an element from the visible part of the page, in pixels; 0 if it is visible. */
@@ -17,8 +15,8 @@ function distanceFromSight(element: Element): number {
 }
 
 /**
- * Runs works one after the other, visible ones first: a work whose element has left the window
- * gives way to a visible one and is resumed later.
+ * Runs works one after the other, visible ones first. If the element of a work has left the window,
+ * the work gives way to a visible one and resumes later.
  */
 export class Turns {
   readonly #waiting: Work[] = [];
@@ -32,7 +30,7 @@ export class Turns {
   ask(work: Work): void {
     this.#waiting.push(work);
     if (this.#running) this.#lookSoon();
-    // Works that are added together compete for the first turn.
+    // Works that begin to wait together compete for the first turn.
     else queueMicrotask(() => this.#next());
   }
 
