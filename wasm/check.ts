@@ -170,6 +170,6 @@ export function checkPointLike(value: unknown, what: string): Float64Array {
   return Float64Array.of(face, ...toTriple(point.bary, `the weights of ${what}`));
 }
 
-/** The names of all options of a type. The compiler checks that none is missing. */
+/** The names of all options of a type. The compiler checks that the list is complete. */
 export const namesOf = <Options>(all: Record<keyof Options, true>): readonly string[] =>
   Object.keys(all);

@@ -41,12 +41,12 @@ import { CurveView } from './view.js';
 
 const pointNumber = (i: number) => checkInteger(i, 'the number of the control point');
 
-/** The properties that are available without work. */
+/** The properties that take no work. */
 type Facts = Pick<CurveView, 'length' | 'segmentCount' | 'levels' | 'times'>;
 
 /**
- * A curve on a mesh, with control points that can be edited. After each edit the part that the edit
- * affects is traced again. The curve is then equal to a new one with the same points.
+ * A curve on a mesh, with control points that can be edited. An edit traces only the part that it
+ * affects again. The curve is then equal to a new one with the same points.
  *
  * The parameter runs from 0 to `segmentCount`: the number of a segment plus t in [0, 1]. On a
  * closed curve it may be negative or exceed a turn.
@@ -66,7 +66,7 @@ export class Curve {
   readonly #handle: Handle<EngineCurve>;
   #options: CurveOptions;
   #basis: OwnBasis | undefined;
-  /** The curve's data, and the properties that are available without work, until the next edit. */
+  /** The curve's data, and the properties that take no work, until the next edit. */
   #parts: EngineCurveParts | undefined;
   #facts: Facts | undefined;
   #edits = 0;
@@ -83,8 +83,8 @@ export class Curve {
   }
 
   /**
-   * The curve's value: options from which it can be created again. Defaults are left out, and so
-   * are numbers that its kind does not use.
+   * The curve's value: options from which it can be created again. It omits defaults, and numbers
+   * that the curve's kind does not use.
    */
   value(): CurveValue {
     const parts = this.#shape;
@@ -94,10 +94,10 @@ export class Curve {
   }
 
   /**
-   * Changes the curve to that of a value, and returns its view. The fields of unchanged points are
-   * kept, and so are the segments with the same points and numbers. All other edits are calls of
+   * Changes the curve to that of a value, and returns its view. The fields of unchanged points
+   * stay, and so do the segments with the same points and numbers. All other edits are calls of
    * this one. For the curve with dragged points, pass the `drawnLegs` of the previous view as
-   * `legs`. Throws as `Mesh.curve` does.
+   * `legs`. Throws what `Mesh.curve` throws.
    */
   set(value: CurveOptions, options: PolylineOptions = {}): CurveView {
     checkOptions(value, curveOptionNames);
@@ -244,7 +244,7 @@ export class Curve {
   }
 
   /**
-   * Moves control point `i`: its field and the segments that it touches are computed again.
+   * Moves control point `i`: the curve computes its field and the segments that it touches again.
    *
    * @example
    * ```ts
@@ -256,17 +256,17 @@ export class Curve {
   }
 
   /**
-   * Moves control point `i` as a hand does. The legs of the control polygon that meet at it are
-   * continued from their present course, whether or not they stay the shortest, so that the curve
-   * moves with the point. They keep this course until a point at one of their ends is moved in
-   * another way, and are part of the curve's value.
+   * Moves control point `i` as a hand does. The legs of the control polygon that meet at it
+   * continue from their present course, whether or not they stay the shortest, so that the curve
+   * moves with the point. They keep this course until another kind of edit moves a point at one of
+   * their ends, and are part of the curve's value.
    */
   dragPoint(i: number, point: PointLike): void {
     this.#edit('dragPoint', pointNumber(i), wirePoint(point));
   }
 
   /**
-   * Replaces the control points. The fields of points that stay at their places are kept. If the
+   * Replaces the control points. The fields of points that stay at their places remain. If the
    * number of points changes, weights, betas and custom knots are not allowed.
    */
   setPoints(points: readonly PointLike[]): void {
@@ -293,12 +293,11 @@ export class Curve {
 
   /**
    * Inserts a control point on the curve at a parameter, and returns its number. The curve stays
-   * unchanged on a plane, and nearly unchanged elsewhere. A B-spline gets a knot there, and its
-   * knots are custom ones from then on. For curves of one segment the degree is raised, so that all
-   * inner points are new. Curves through their points get one more, which changes a Catmull-Rom
-   * curve a little.
-   *
-   * Throws `KarcherError` badArgument if no point can be inserted.
+   * unchanged on a plane, and nearly unchanged elsewhere. A B-spline has a new knot there, and its
+   * knots are custom ones from then on. The degree of a curve of one segment grows by one, so that
+   * all inner points are new. Curves through their points have one more, which changes a
+   * Catmull-Rom curve a little. Throws `KarcherError` badArgument if the curve cannot have such a
+   * point.
    */
   insertOnCurve(parameter: number): number {
     return this.#edit('insertOnCurve', checkNumber(parameter, 'the parameter'));
@@ -306,11 +305,10 @@ export class Curve {
 
   /**
    * New curves along this one before and after a parameter. A closed B-spline, Catmull-Rom curve or
-   * polyline gives one curve, opened there. On a plane they are the curve's own parts, and nearly
+   * polyline becomes one curve, opened there. On a plane they are the curve's own parts, and nearly
    * so elsewhere. Those of a Catmull-Rom curve deviate a little next to the cut, since they do not
-   * depend on the points beyond it. This curve stays unchanged.
-   *
-   * Throws `KarcherError` badArgument at the ends of an open curve.
+   * depend on the points beyond it. This curve stays unchanged. Throws `KarcherError` badArgument
+   * at the ends of an open curve.
    */
   split(parameter: number): Curve[] {
     checkNumber(parameter, 'the parameter');
@@ -321,11 +319,10 @@ export class Curve {
 
   /**
    * A new curve along this one and then along another of its kind, with a geodesic between them if
-   * they do not meet. Bezier curves become a B-spline. Curves through their points, and barycentric
-   * ones, become the curve through the points of both, with this one's parametrization, which
-   * deviates a little from both where they meet. Both curves stay unchanged.
-   *
-   * Throws `KarcherError` badArgument if the kinds or degrees differ, or one is closed.
+   * they do not meet. Bezier curves become a B-spline. Barycentric curves and curves through their
+   * points become the curve through the points of both, with this one's parametrization. It
+   * deviates a little from both where they meet. Both curves stay unchanged. Throws `KarcherError`
+   * badArgument if the kinds or degrees differ, or one is closed.
    */
   join(other: Curve): Curve {
     if (!(other instanceof Curve) || other.#mesh !== this.#mesh) {
@@ -350,9 +347,9 @@ export class Curve {
   }
 
   /**
-   * Changes the kind, and keeps the properties that the new kind uses. Degree and knots are
-   * dropped. Weights stay only if a B-spline becomes rational, or a rational curve a B-spline.
-   * `custom` is only for curves that were created with a basis.
+   * Changes the kind, and keeps the properties that the new kind uses, but not degree and knots.
+   * Weights stay only if a B-spline becomes rational, or a rational curve a B-spline. `custom` is
+   * only for curves that began with a basis.
    */
   setKind(kind: CurveKind): void {
     this.#edit('setKind', checkKind(kind));
@@ -363,7 +360,7 @@ export class Curve {
     this.#edit('setClosed', checkBoolean(closed, 'closed'));
   }
 
-  /** Sets the weight of point `i`, for the kinds `bspline` and `rational`. No field is computed. */
+  /** Sets the weight of point `i`, for the kinds `bspline` and `rational`, without new fields. */
   setWeight(i: number, weight: number): void {
     this.#edit('setWeight', pointNumber(i), checkNumber(weight, 'the weight'));
   }
@@ -373,7 +370,7 @@ export class Curve {
     this.#edit('setWeights', givenNumbers(weights, 'the weights'));
   }
 
-  /** Sets the beta of point `i`, for the kind `barycentric`. No field is computed. */
+  /** Sets the beta of point `i`, for the kind `barycentric`, without new fields. */
   setBeta(i: number, beta: number): void {
     this.#edit('setBeta', pointNumber(i), checkNumber(beta, 'the beta'));
   }
@@ -434,7 +431,7 @@ export class Curve {
     return this.#call((curve) => curve.equallySpaced(count));
   }
 
-  /** Frees the memory. Safe to repeat. */
+  /** Frees the memory. A second call has no effect. */
   dispose(): void {
     this.#handle.dispose();
   }
@@ -493,6 +490,6 @@ export class Curve {
   }
 }
 
-/** A curve of the engine's data, with the options that say how it is traced. */
+/** A curve of the engine's data, with the options that determine its trace. */
 const alike = (mesh: MeshHandle, options: CurveOptions, parts: EngineCurveParts): Curve =>
   new Curve(mesh, { ...tracingOf(options), ...optionsOfParts(parts) });

@@ -46,7 +46,7 @@ export const checkKind = (kind: unknown) => checkOneOf(kind, curveKinds, 'the ki
 
 /**
  * A caller's basis in the form that the engine calls. Exceptions must not pass through the engine:
- * an exception of the basis is kept, and the engine rejects the empty result.
+ * this class keeps an exception of the basis, and the engine rejects the empty result.
  */
 export class OwnBasis {
   readonly #basis: CurveBasis;
@@ -122,7 +122,7 @@ function checkOwnOptions(options: CurveOptions): void {
   }
 }
 
-/** The options that say how a curve is traced, unchanged: its samples and fields. */
+/** The options that determine a curve's trace, unchanged: its samples and fields. */
 export function tracingOf(options: CurveOptions): Partial<Omit<CurveOptions, 'legs'>> {
   const { method, solver, rings, star, samples, tolerance, geometry, levels, leastLevels } =
     options;
@@ -177,14 +177,14 @@ function wireLeg(leg: LegPoints | DrawnLeg, i: number): Float64Array {
   return isDrawn(leg) ? wirePointArrays(leg) : wirePoints(leg, `the points of leg ${i}`);
 }
 
-/** Numbers, of which there must be some: for the engine, an empty array stands for the default. */
+/** Numbers of a list that is not empty: for the engine, an empty array stands for the default. */
 export function givenNumbers(values: ArrayLike<number>, what: string): Float64Array {
   const array = toFloat64(values, what);
   if (array.length > 0) return array;
   throw new KarcherError('badArgument', `${what} must not be an empty array`);
 }
 
-/** The numbers of an option; empty if it is left out. */
+/** The numbers of an option; empty if the caller omits it. */
 export const numbersOrNone = (values: ArrayLike<number> | undefined, what: string): Float64Array =>
   values === undefined ? new Float64Array() : givenNumbers(values, what);
 

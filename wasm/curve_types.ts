@@ -16,7 +16,7 @@ import type {
  *   it starts and ends near the middle of its first and last points;
  * - `bezier`: one segment of degree (points - 1);
  * - `rational`: a Bezier curve with a weight for each point;
- * - `barycentric`: one rational segment through all points, shaped by a beta for each point
+ * - `barycentric`: one rational segment through all points, with a beta for each point
  *   (Ramanantoanina, Hormann 2021); equal betas give Berrut's interpolant, binomial coefficients
  *   the polynomial;
  * - `catmullrom`: a curve through all points, with continuous tangents;
@@ -66,15 +66,15 @@ export interface LevelsTolerance {
 }
 
 /**
- * The points that a leg of a control polygon passes; null for the shortest path. If all points lie
- * on edges, and consecutive ones share a face, also the leg's ends with the points next to them,
- * they are the leg itself, unchanged.
+ * The points that a leg of a control polygon passes; null for the shortest path. The points may
+ * themselves be the leg, unchanged: then they lie on edges, and each shares a face with the next,
+ * as do the leg's ends with theirs.
  */
 export type LegPoints = readonly PointLike[] | null;
 
 /**
- * All points of a drawn leg, with its ends. If the ends are not at the control points, the leg is
- * continued to them as if a hand had dragged it there, whether or not it stays the shortest.
+ * All points of a drawn leg, with its ends. If the ends are not at the control points, the leg
+ * continues to them as if a hand had dragged it there. It need not stay the shortest.
  */
 export type DrawnLeg = PointArrays;
 
@@ -96,9 +96,9 @@ export interface CurveOptions extends FieldOptions {
    */
   samples?: number | 'adaptive' | undefined;
   /**
-   * For adaptive samples: the largest distance of the curve from the geodesics between them, as a
-   * fraction of the bounding box's diagonal, from 1e-7 to 1; 1e-4 by default. It is checked at a dozen
-   * or more places between two samples.
+   * The largest distance of the curve from the geodesics between adaptive samples, as a fraction of
+   * the bounding box's diagonal, from 1e-7 to 1; 1e-4 by default. The check is at a dozen or more
+   * places between two samples.
    */
   tolerance?: number | undefined;
   /**
@@ -107,9 +107,9 @@ export interface CurveOptions extends FieldOptions {
    */
   geometry?: CurveGeometry | undefined;
   /**
-   * The number of subdivisions of the control polygon, by averages of two points along its legs,
-   * before the near points of each piece are averaged: 0 to 8. More levels make a curve of distant
-   * points steadier on rough surfaces. On a plane all levels give the same curve.
+   * The number of subdivisions of the control polygon, by averages of two points along its legs: 0
+   * to 8. The curve then averages the near points of each piece. More levels make a curve of
+   * distant points steadier on rough surfaces. On a plane all levels give the same curve.
    *
    * - 0: the curve of Mancinelli and Puppo, one center of mass of all the points that a segment
    *   blends;
@@ -119,9 +119,9 @@ export interface CurveOptions extends FieldOptions {
    *   quickest instead. If level 0 is not safe, as on scans with distant points, the curve takes as
    *   many levels as make it so;
    * - `{ tolerance }`: the same with another tolerance;
-   * - `limit`: the subdivision curve that many levels approach, which needs no fields. It is traced
-   *   at `samples` even parameters, joined by geodesics, whatever `tolerance` and `geometry`
-   *   specify.
+   * - `limit`: the subdivision curve that many levels approach, which needs no fields. Its points
+   *   lie at `samples` even parameters, joined by geodesics, whatever `tolerance` and `geometry`
+   *   are.
    *
    * The method `paper` takes only 0, its default. The kinds `barycentric`, `polyline` and `custom`
    * always have 0.
@@ -129,14 +129,14 @@ export interface CurveOptions extends FieldOptions {
   levels?: CurveLevels | LevelsTolerance | undefined;
   /**
    * The fewest levels that `auto` takes, 0 to 8; 0 by default. A curve moves a little when its
-   * number of levels changes. To keep levels steady while a point is dragged, pass the largest
-   * number that the curve has had during the drag.
+   * number of levels changes. For steady levels in the drag of a point, pass the largest number
+   * that the curve has had during the drag.
    */
   leastLevels?: number | undefined;
   /**
-   * Whether the curve ends where it starts; it then needs at least 3 points. B-splines and Catmull-Rom
-   * curves are as smooth there as elsewhere. Curves of one segment and polylines have a corner at their
-   * first point. The kind `custom` cannot be closed.
+   * Whether the curve ends where it starts; it then needs at least 3 points. B-splines and
+   * Catmull-Rom curves are as smooth there as elsewhere. Curves of one segment and polylines have a
+   * corner at their first point. The kind `custom` cannot be closed.
    */
   closed?: boolean | undefined;
   /** The degree of a B-spline, 1 to 5; 3 by default. */
@@ -222,9 +222,9 @@ export interface CurveSamples {
 }
 
 /**
- * An interval of a segment's parameter in which a curve is no center of mass: it follows a
- * subdivision curve of the segment's control points, so that it does not break. The samples inside
- * have the status `bridged`, or `subdivided` if that is the reason.
+ * An interval of a segment's parameter in which a curve is no center of mass. To stay continuous,
+ * it follows a subdivision curve of the segment's control points there. The samples inside have the
+ * status `bridged`, or `subdivided` if that is the reason.
  */
 export interface BridgedInterval {
   /** The number of the segment that contains the interval. */
@@ -241,9 +241,9 @@ export interface CircleOptions extends ArcOptions {
   /** The radius, in units of the mesh, measured on the surface. */
   radius: number;
   /**
-   * The largest distance of samples from the radius, relative to the radius, if `arcs` is not
-   * given; .001 by default. `deviation` of the circle is larger if no arcs keep nearer: beyond the
-   * center's cut locus, and where saddles spread the geodesics from the center apart.
+   * The largest distance of samples from the radius, relative to the radius, without `arcs`; .001
+   * by default. `deviation` of the circle is larger if no arcs keep nearer: beyond the center's cut
+   * locus, and where saddles spread the geodesics from the center apart.
    */
   tolerance?: number | undefined;
 }
@@ -256,8 +256,8 @@ export interface ArcOptions extends FieldOptions {
    */
   arcs?: number | undefined;
   /**
-   * The number of samples of each arc, both ends included; 32 by default. If `arcs` is not given,
-   * narrow arcs have fewer, but at least 5.
+   * The number of samples of each arc, both ends included; 32 by default. Without `arcs`, narrow
+   * arcs have fewer, but at least 5.
    */
   samples?: number | undefined;
   /** The levels, as for a curve; `auto` by default. */

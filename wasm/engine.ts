@@ -2,7 +2,7 @@ import { KarcherError } from './errors.js';
 import type { EngineMesh, EngineModule } from './karcher-engine.mjs';
 import type { ErrorCode, Status } from './types.js';
 
-/** Calls into the module. Each failure is thrown as a `KarcherError`. */
+/** Calls into the module. Throws each failure as a `KarcherError`. */
 export class Engine {
   readonly #module: EngineModule;
   #statusNames: Status[] | undefined;
@@ -51,8 +51,8 @@ export class Engine {
 }
 
 /**
- * An object of the module and what was made from it, which reads it: it is deleted once nobody holds
- * it, and nothing that was made from it is left.
+ * An object of the module, and the objects created from it, which read it. The lease deletes the
+ * object when nobody holds it and none of the others remains.
  */
 class Lease {
   readonly #target: { delete(): void };
@@ -84,26 +84,24 @@ const forgotten = new FinalizationRegistry<Lease>((lease) => {
 });
 
 /**
- * The number of objects created from one object after which those that are gone are removed from
- * its list.
+ * The number of objects created from one object before a first clean-up removes those that are
+ * gone.
  */
 const leastMost = 16;
 
-/**
- * An object in the module's memory, until it is disposed of, or until nobody can reach it any more.
- */
+/** An object in the module's memory, until `dispose`, or until nobody can reach it any more. */
 export class Handle<Target extends { delete(): void }> {
   readonly engine: Engine;
   readonly #what: string;
   readonly #lease: Lease;
   #target: Target | undefined;
-  /** The objects created from this one, which may be forgotten or disposed of earlier. */
+  /** The objects created from this one. They may be disposed of, or out of reach, earlier. */
   readonly #made = new Set<WeakRef<Handle<{ delete(): void }>>>();
   #most = leastMost;
 
   /**
-   * `what` names the object in the error of a use after `dispose`: "the mesh"; `from` is what the
-   * object was made from, and reads.
+   * `what` names the object in the error of a use after `dispose`: "the mesh"; `from` is the object
+   * from which it was created, and which it reads.
    */
   constructor(engine: Engine, what: string, target: Target, from?: Handle<{ delete(): void }>) {
     this.engine = engine;
@@ -123,7 +121,7 @@ export class Handle<Target extends { delete(): void }> {
   }
 
   /**
-   * An object that `make` creates from this one. It reads this object and is disposed of with it;
+   * An object that `make` creates from this one. It reads this object and is disposed of with it.
    * `what` names it as in the constructor.
    */
   made<Other extends { delete(): void }>(
@@ -157,7 +155,7 @@ export class Handle<Target extends { delete(): void }> {
 
 export type MeshHandle = Handle<EngineMesh>;
 
-/** Makes a class disposable by `using`, if the language supports it. */
+/** Gives a class the method for `using`, if the language supports it. */
 export function disposable(prototype: { dispose(): void }): void {
   if (typeof Symbol.dispose !== 'symbol') return;
   Object.defineProperty(prototype, Symbol.dispose, {

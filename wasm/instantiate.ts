@@ -6,11 +6,9 @@ import type { LoadOptions, WasmSource } from './types.js';
 const loadOptionNames = namesOf<LoadOptions>({ wasm: true });
 
 /**
- * Instantiates a module whose bytes lie at `url`, unless the options give another source. Node,
- * pages and workers use the same code.
- *
- * Rejects with `KarcherError` notLoaded, naming the address, if WebAssembly is missing or the
- * module cannot be loaded.
+ * Instantiates a module whose bytes lie at `url`, unless the options have another source. Node,
+ * pages and workers use the same code. Rejects with `KarcherError` notLoaded, which names the
+ * address, if WebAssembly is missing or the module does not load.
  */
 export async function instantiate<Module>(
   create: (options: EngineOptions) => Promise<Module>,
@@ -60,7 +58,7 @@ function bytesOf(source: unknown): Uint8Array<ArrayBuffer> | undefined {
 
 async function compiledFrom(address: string | URL): Promise<WebAssembly.Module> {
   const nodeProcess = globalThis.process as NodeJS.Process | undefined;
-  // This is no import, since bundlers would look for the file system in a page.
+  // An import would make bundlers look for the file system in a page.
   const files = nodeProcess?.versions?.node ? nodeProcess.getBuiltinModule('node:fs') : undefined;
   const place = files ? fileOf(address) : undefined;
   try {
@@ -91,7 +89,7 @@ async function compiledResponse(response: Response, what: string): Promise<WebAs
   if (response.headers.get('content-type') !== 'application/wasm') {
     return compiledBytes(await response.arrayBuffer(), what);
   }
-  // The module is compiled while it arrives. Browsers keep modules compiled in this way.
+  // The browser compiles the module while it arrives. Browsers keep modules compiled in this way.
   return whole(WebAssembly.compileStreaming(response), what);
 }
 

@@ -16,11 +16,10 @@ import type {
 } from './types.js';
 
 /**
- * The WebAssembly module as the facade sees it: the exports of bindings/*.cpp.
- *
- * A point is sent as four numbers: face, b0, b1, b2, and to the engine also as NaN, vertex, 0, 0.
- * Faces and vertices are the caller's. After a failed call `takeFailure` returns the reason, once,
- * and the call's own result has no meaning.
+ * The WebAssembly module as the facade sees it: the exports of bindings/*.cpp. A point is four
+ * numbers: face, b0, b1, b2, and to the engine also NaN, vertex, 0, 0. Faces and vertices are the
+ * caller's. After a failed call `takeFailure` returns the reason, once, and the call's own result
+ * has no meaning.
  */
 export interface EngineModule {
   takeFailure(): { code: string; message: string } | undefined;
@@ -184,8 +183,8 @@ export interface EngineMesh {
   ): EnginePath[];
   distanceFromPaths(outlines: Float64Array[], points: Float64Array): Float64Array;
   /**
-   * For each shape, `counts` has the number of its outlines, and `insides` a point, none, or 1 for
-   * the left of its first outline, 0 for the right.
+   * For each shape, `counts` has the number of its outlines. `insides` has a point, nothing, or the
+   * side of its first outline: 1 for the left, 0 for the right.
    */
   regions(
     outlines: Float64Array[],
@@ -201,11 +200,9 @@ export interface EngineMesh {
 /** A curve's value, as the engine receives it. */
 export interface EngineCurveValue {
   points: Float64Array;
-  /**
-   * The points that each leg passes, none for the shortest; the list is empty if all are shortest.
-   */
+  /** The points that each leg passes, none for the shortest; an empty list if all are shortest. */
   legs: Float64Array[];
-  /** Whether each leg is given by all its points, with its ends. */
+  /** Whether a leg's points are all of its points, with its ends. */
   areDrawn: Int32Array;
   shape: EngineCurveShape;
   sampling: EngineSampling;
@@ -227,7 +224,7 @@ export interface EngineSampling {
   levelsTolerance: number;
 }
 
-/** The shape of a curve. Arrays that are not used are empty. */
+/** The shape of a curve. Arrays without use are empty. */
 export interface EngineCurveShape {
   kind: CurveKind;
   closed: boolean;
@@ -274,7 +271,7 @@ export interface EngineCircle {
   /** The view in 64 bits, with points. */
   view: Uint8Array;
   notShortest: Int32Array;
-  /** The deviation; undefined for ellipses, which hide it. */
+  /** The deviation; undefined for ellipses, which have none. */
   deviation: number;
 }
 
@@ -322,14 +319,14 @@ export interface EngineCurve extends EngineCurveEdits {
   /** Changes the curve to that of a value, and returns its view (view.ts). */
   set(value: EngineCurveValue, options: EngineViewOptions): Uint8Array;
   view(options: EngineViewOptions): Uint8Array;
-  /** The curve's value. Arrays that are not used are empty. */
+  /** The curve's value. Arrays without use are empty. */
   value(): EngineCurveParts;
   legs(): { path: EnginePath; shorter?: EnginePath }[];
   splitAt(parameter: number): EngineCurveParts[];
   joined(other: EngineCurve): EngineCurveParts;
   pointCount(): number;
   fieldsComputed(): number;
-  /** NaN if the deviation does not exist. */
+  /** The deviation, or NaN if it does not exist. */
   deviation(): number;
   pointAt(parameter: number): EngineCurvePoint;
   tangentAt(parameter: number): EngineCurvePoint & {
@@ -342,7 +339,7 @@ export interface EngineCurve extends EngineCurveEdits {
   equallySpaced(count: number): CurvePoints;
 }
 
-/** The graph of the graph solver, built in slices. */
+/** The graph of the graph solver, which slices of work build. */
 export interface EngineGraphBuilder {
   delete(): void;
   /** Returns true when all is done. */

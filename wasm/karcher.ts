@@ -21,10 +21,10 @@ export class Karcher {
   /**
    * Reads a mesh from an OBJ file, as text or as its bytes (UTF-8).
    *
-   * Polygons are cut into triangles, vertices of no face are dropped, and defects are repaired
-   * where that is safe (`MeshOptions`, `RepairKind`). `info.repairs` lists the repairs, and
-   * `fileMarks` the file's parts, materials and colors. Vertices and faces keep the file's order,
-   * and faces count triangles. A point keeps its place, even if its face changed.
+   * It cuts polygons into triangles, drops vertices of no face, and repairs defects where that is
+   * safe (`MeshOptions`, `RepairKind`). `info.repairs` lists the repairs, and `fileMarks` the
+   * file's parts, materials and colors. Vertices and faces keep the file's order, and faces count
+   * triangles. A point keeps its place, even if its face changed.
    *
    * Throws `KarcherError`: badFile (no OBJ, or no faces), badIndex, notFinite, badArgument (a
    * coordinate beyond 1e30, a mesh smaller than 1e-30), degenerateFace, notOrientable, and with
@@ -56,8 +56,8 @@ export class Karcher {
 
   /**
    * Creates a mesh from positions (x, y, z for each vertex) and triangles (three vertex numbers for
-   * each face, counterclockwise seen from outside), which are copied. Repairs and errors are those
-   * of `meshFromObj`.
+   * each face, counterclockwise seen from outside). It copies both. Repairs and errors are those of
+   * `meshFromObj`.
    */
   meshFromArrays(
     positions: ArrayLike<number>,
@@ -80,8 +80,8 @@ export class Karcher {
 
   /**
    * Creates a mesh from polygons: `corners` holds the vertices of one after the other, `sizes` the
-   * number of corners of each, at least 3. They are cut into triangles like those of an OBJ file,
-   * and faces count triangles.
+   * number of corners of each, at least 3. They become triangles like those of an OBJ file, and
+   * faces count triangles.
    */
   meshFromPolygons(
     positions: ArrayLike<number>,
@@ -120,7 +120,7 @@ export class Karcher {
     return this.#mesh((engine) => engine.builtInShape(name, triangles));
   }
 
-  /** Bytes in use in the engine's memory, for tests of what is given back. */
+  /** The number of used bytes in the engine's memory, for tests that memory is freed. */
   allocatedBytes(): number {
     return this.#engine.allocatedBytes();
   }

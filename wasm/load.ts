@@ -8,7 +8,7 @@ import type { LoadOptions } from './types.js';
  * Loads the engine. The call is the same in Node, in a page and in a worker. Each call creates an
  * engine with its own memory.
  *
- * Rejects with `KarcherError` notLoaded if WebAssembly is missing or the module cannot be loaded.
+ * Rejects with `KarcherError` notLoaded if WebAssembly is missing or the module does not load.
  *
  * @example
  * ```ts

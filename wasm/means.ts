@@ -1,4 +1,4 @@
-/** Centers of mass on a mesh, and the weights of which a point is one. `Mesh` documents them. */
+/** Centers of mass on a mesh, and weights for which a point is one. `Mesh` documents them. */
 import { checkArray, checkBoolean, checkOptions, toFloat64 } from './check.js';
 import { numbersOrNone } from './curve_options.js';
 import type { MeshHandle } from './engine.js';

@@ -58,12 +58,12 @@ import type {
 } from './types.js';
 
 /**
- * A triangle mesh. The mesh and objects created from it live in the engine's memory until `dispose`, or until
- * nobody can reach them any more and JavaScript collects them.
+ * A triangle mesh. The mesh and objects created from it live in the engine's memory until
+ * `dispose`, or until nobody can reach them any more and JavaScript collects them.
  *
- * Every method throws `KarcherError`: disposed after `dispose`; badIndex for a face or vertex that does not
- * exist or a vertex that was dropped; badPoint for weights outside the face; notFinite for NaN or infinity;
- * badArgument for an unknown option and any other value out of range.
+ * Every method throws `KarcherError`: disposed after `dispose`; badIndex for a face or vertex that
+ * does not exist or a dropped vertex; badPoint for weights outside the face; notFinite for NaN or
+ * infinity; badArgument for an unknown option and any other value out of range.
  */
 export class Mesh {
   static {
@@ -74,7 +74,7 @@ export class Mesh {
   declare readonly [Symbol.dispose]: () => void;
   readonly #handle: MeshHandle;
 
-  /** The numbers of the mesh's elements, and the repairs made while it was read. */
+  /** The numbers of the mesh's elements, and its repairs. */
   readonly info: Readonly<MeshInfo>;
 
   /** @internal `Karcher` creates meshes. */
@@ -114,16 +114,17 @@ export class Mesh {
   }
 
   /**
-   * The marks of the OBJ file from which the mesh was read, beside its surface. They are empty for other
-   * meshes; `meshFromFile` of `karcher/formats` returns the marks of other files.
+   * The marks of the mesh's OBJ file, beside its surface. They are empty for other meshes;
+   * `meshFromFile` of `karcher/formats` returns the marks of other files.
    */
   fileMarks(): FileMarks {
     return this.#handle.call((mesh) => mesh.marks());
   }
 
   /**
-   * The mesh refined by Loop subdivision: four triangles for each, `levels` times (1 to 6). The new mesh has
-   * its own numbers and is disposed of separately. Throws `KarcherError` outOfMemory if it cannot fit.
+   * The mesh refined by Loop subdivision: four triangles for each, `levels` times (1 to 6). The new
+   * mesh has its own numbers and a `dispose` of its own. Throws `KarcherError` outOfMemory if it
+   * cannot fit.
    */
   subdivide(levels = 1): Mesh {
     checkInteger(levels, 'the number of levels');
@@ -138,9 +139,9 @@ export class Mesh {
   }
 
   /**
-   * The point of a face with the given weights of its corners, checked and cleaned. Weights that leave the
-   * face by no more than 1e-6, from rounding, are moved onto it. A raycast of three.js returns face and
-   * weights as `faceIndex` and `barycoord`.
+   * The point of a face with the given weights of its corners, checked and cleaned. If rounding
+   * leads the weights out of the face, by at most 1e-6, the point moves onto it. A raycast of
+   * three.js returns face and weights as `faceIndex` and `barycoord`.
    *
    * @example
    * ```ts
@@ -203,28 +204,28 @@ export class Mesh {
   }
 
   /**
-   * Prepares the mesh's data for the given fields, and the graph of the graph solver in slices of a few
-   * milliseconds. Otherwise other methods compute missing data at once.
-   *
-   * Rejects with the signal's reason when it is aborted, and with `KarcherError` disposed and outOfMemory,
-   * the latter as soon as it is known that a graph cannot fit.
+   * Prepares the mesh's data for the given fields, and the graph of the graph solver in slices of a
+   * few milliseconds. Otherwise other methods compute missing data at once. Rejects with the
+   * signal's reason when it is aborted, and with `KarcherError` disposed and outOfMemory. The
+   * latter comes as soon as it is clear that a graph cannot fit.
    */
   async prepare(options: FieldOptions = {}, work: LongWorkOptions = {}): Promise<void> {
     return prepareFields(this.#handle, this.info.triangles, options, work);
   }
 
   /**
-   * The Riemannian center of mass of points with weights, one for each point, that sum to 1 within 1e-9 (or
-   * are divided by their sum with `normalize`). Some may be negative. The result is a center of mass only if
-   * the status is `converged`; see `Status`. Fields of up to half a million values are kept until the next
-   * call: other weights need no new fields, and a moved point only its own. With `karcher` and the solvers
-   * `fast` and `exact`, no fields are needed for 64 different points or more, unless `uniqueness` is requested,
-   * a weight is negative or the search ends at a boundary. The search then starts at some of the points, and
-   * takes about as long for thousands as for hundreds.
+   * The Riemannian center of mass of points with weights, one for each point, that sum to 1 within
+   * 1e-9 (or are divided by their sum with `normalize`). Some may be negative. The result is a
+   * center of mass only if the status is `converged`; see `Status`. Fields of up to half a million
+   * values stay until the next call: other weights need no new fields, and a moved point only its
+   * own. With `karcher` and the solvers `fast` and `exact`, 64 different points or more need no
+   * fields, except for `uniqueness`, for a negative weight, or if the search ends at a boundary.
+   * The search then starts at some of the points, and takes about as long for thousands as for
+   * hundreds.
    *
    * Throws `KarcherError` badWeights (not one for each point, or another sum), tooFewPoints (none),
-   * unreachable (the points lie on several components), badArgument (the limits of exact distances; see
-   * `distance`).
+   * unreachable (the points lie on several components), badArgument (the limits of exact distances;
+   * see `distance`).
    */
   centerOfMass(
     points: readonly PointLike[],
@@ -235,11 +236,11 @@ export class Mesh {
   }
 
   /**
-   * The centers of mass of one set of points for many rows of weights, with one weight for each point: a list
-   * of rows, or all of them one after the other. Fields are computed once, and each search costs as little as
-   * that for a sample of a curve. It starts at the center of equal weights, and then at points near which a
-   * lower minimum may lie. The result of a row does not depend on the other rows. Throws as `centerOfMass`
-   * does, and names the row.
+   * The centers of mass of one set of points for many rows of weights, with one weight for each
+   * point: a list of rows, or all of them one after the other. The call computes fields once, and
+   * each search costs as little as that for a sample of a curve. A search starts at the center of
+   * equal weights, and then at points near which a lower minimum may lie. The result of a row does
+   * not depend on the other rows. Throws what `centerOfMass` throws, with the row.
    */
   centersOfMass(
     points: readonly PointLike[],
@@ -250,14 +251,14 @@ export class Mesh {
   }
 
   /**
-   * The inverse of `centerOfMass`: weights of sum 1 for which a point is the center of mass of the points.
-   * They are the nearest to the given weights; for three points they are unique. A drawing among some points
-   * can thus be transferred to others: the weights here, `centerOfMass` there.
+   * The inverse of `centerOfMass`: weights of sum 1 for which a point is the center of mass of the
+   * points. They are the nearest to the given weights; for three points they are unique. So a
+   * drawing among some points transfers to others: the weights here, `centerOfMass` there.
    *
-   * Throws `KarcherError` badArgument if no such weights exist: seen from `point`, the points lie along one
-   * line that misses it, or with `nonNegative` it lies outside their convex hull. Also throws badWeights
-   * (given ones that are not one for each point, or without a positive sum), tooFewPoints (none),
-   * unreachable.
+   * Throws `KarcherError` badArgument if no such weights exist: seen from `point`, the points lie
+   * along one line that misses it, or with `nonNegative` it lies outside their convex hull. Also
+   * throws badWeights (given ones that are not one for each point, or without a positive sum),
+   * tooFewPoints (none), unreachable.
    */
   weightsOf(
     point: PointLike,
@@ -268,12 +269,12 @@ export class Mesh {
   }
 
   /**
-   * The center of mass of points that are given by their distances to all vertices, from any source. Each
-   * point has an array in the caller's vertex order, whose entries at dropped vertices are not read. Weights
+   * The center of mass of points by their distances to all vertices, from any source. Each point
+   * has an array in the caller's vertex order; entries at dropped vertices have no effect. Weights
    * are as in `centerOfMass`; the method is the paper's.
    *
-   * Throws `KarcherError` badArgument (an array of another length), notFinite (a distance that is negative or
-   * not finite), badWeights, tooFewPoints.
+   * Throws `KarcherError` badArgument (an array of another length), notFinite (a distance that is
+   * negative or not finite), badWeights, tooFewPoints.
    */
   centerOfMassOfDistances(
     distances: readonly ArrayLike<number>[],
@@ -284,12 +285,12 @@ export class Mesh {
   }
 
   /**
-   * A curve with control points, of one of the kinds of `CurveKind`. It is disposed of with the mesh at the
-   * latest.
+   * A curve with control points, of one of the kinds of `CurveKind`. The mesh's `dispose` also
+   * disposes of it.
    *
-   * Throws `KarcherError` tooFewPoints, unreachable (the points lie on several components), badArgument or
-   * notFinite (degree, knots, weights, betas), badWeights (a basis whose weights do not sum to 1), and
-   * badArgument for the limits of exact distances (see `distance`).
+   * Throws `KarcherError` tooFewPoints, unreachable (the points lie on several components),
+   * badArgument or notFinite (degree, knots, weights, betas), badWeights (a basis whose weights do
+   * not sum to 1), and badArgument for the limits of exact distances (see `distance`).
    *
    * @example
    * ```ts
@@ -340,11 +341,12 @@ export class Mesh {
   }
 
   /**
-   * The points at a distance from the nearest of paths, given as paths or by their points, without the parts where
-   * an offset intersects itself. Lines on one side have the direction of the paths; there may be no line, or
-   * several. The inside of a region lies left of its boundary. Places keep the distance to a thousandth of it; of
-   * several, to a thousandth of the least, or of a tenth of the greatest if that is more. Throws `KarcherError`
-   * badArgument for a distance out of range, a path without length, and consecutive points without a common face.
+   * The points at a distance from the nearest of paths (or lists of their points), without the
+   * parts where an offset intersects itself. Lines on one side have the direction of the paths;
+   * there may be no line, or several. The inside of a region lies left of its boundary. Places keep
+   * the distance to a thousandth of it; of several, to a thousandth of the least, or of a tenth of
+   * the greatest if that is more. Throws `KarcherError` badArgument for a distance out of range, a
+   * path without length, and consecutive points without a common face.
    *
    * @example
    * ```ts
@@ -356,9 +358,10 @@ export class Mesh {
   }
 
   /**
-   * The exact geodesic distances of points from the nearest of paths, given as paths or by their points; NaN
-   * for unreachable points. Throws `KarcherError` badArgument for a path without length, consecutive points
-   * without a face in common, and the limits of exact distances (see `distance`).
+   * The exact geodesic distances of points from the nearest of paths (or lists of their points);
+   * NaN for unreachable points. Throws `KarcherError` badArgument for a path without length,
+   * consecutive points without a face in common, and the limits of exact distances (see
+   * `distance`).
    *
    * @example
    * ```ts
@@ -373,22 +376,24 @@ export class Mesh {
   }
 
   /**
-   * The regions that shapes enclose, one for each shape, or with `combine` one for all: union, intersection,
-   * difference or exclusion. A shape is an outline, or several with the choice of their inside. All outlines
-   * may cross, touch and follow each other, the mesh's edges and its boundary. Points nearer to each other
-   * than 2^-32 of an edge are united. Outlines from boundary to boundary enclose a side, too.
+   * The regions that shapes enclose, one for each shape, or with `combine` one for all: union,
+   * intersection, difference or exclusion. A shape is an outline, or several with the choice of
+   * their inside. All outlines may cross, touch and follow each other, the mesh's edges and its
+   * boundary. Points nearer to each other than 2^-32 of an edge become one. Outlines from boundary
+   * to boundary enclose a side, too.
    *
-   * Throws `KarcherError` badArgument if outlines enclose no region: one alone round a handle of the surface,
-   * or an open one that ends inside; and for consecutive points without a face in common.
+   * Throws `KarcherError` badArgument if outlines enclose no region: one alone round a handle of
+   * the surface, or an open one that ends inside; and for consecutive points without a face in
+   * common.
    */
   regions(shapes: readonly (Outline | RegionShape)[], options: RegionOptions = {}): Region[] {
     return regions(this.#handle, shapes, options);
   }
 
   /**
-   * The mesh cut apart along paths, given as paths or by their points (for their conditions see `regions`): a
-   * part for each remaining piece of the surface. On both sides of a path positions are equal to the last
-   * bit. A path that ends inside a part leaves a slit.
+   * The mesh cut apart along paths or lists of their points (for their conditions see `regions`): a
+   * part for each remaining piece of the surface. On both sides of a path positions are equal to
+   * the last bit. A path that ends inside a part leaves a slit.
    *
    * Throws `KarcherError` badArgument for consecutive points without a face in common.
    */
@@ -424,12 +429,12 @@ export class Mesh {
   }
 
   /**
-   * The straightest geodesic that leaves a point along a direction in space, which is projected onto the
-   * point's face, for the given length. It stops at the boundary, and after a million edges. `stop` is the
-   * reason, and `remaining` the length that was left.
+   * The straightest geodesic that leaves a point along a direction in space, which is projected
+   * onto the point's face, for the given length. It stops at the boundary, and after a million
+   * edges. `stop` is the reason, and `remaining` the rest of the length.
    *
-   * Throws `KarcherError` badArgument if the direction is perpendicular to the face or the length is
-   * negative.
+   * Throws `KarcherError` badArgument if the direction is perpendicular to the face or the length
+   * is negative.
    *
    * @example
    * ```ts
@@ -441,28 +446,30 @@ export class Mesh {
   }
 
   /**
-   * The log map: points as vectors of the tangent plane at `from`, which is that of its face. Each has the
-   * direction in which the path to the point leaves, and its length. The paths are locally shortest, and
-   * seldom longer than the shortest by a thousandth. `directions` (one for each point, in the planes of the
-   * points' faces; 0, 0, 0 for none) are transported in parallel along the paths.
+   * The log map: points as vectors of the tangent plane at `from`, which is that of its face. Each
+   * has the direction in which the path to the point leaves, and its length. The paths are locally
+   * shortest, and seldom longer than the shortest by a thousandth. The map transports `directions`
+   * in parallel along the paths: one for each point, in the plane of the point's face; 0, 0, 0 for
+   * none.
    *
-   * Without points the vectors are those of all vertices, in the caller's order, at about the cost of one
-   * field of distances. Their paths are those of the solver `fast`, and their directions are interpolated
-   * between those of neighbours. They are exact on surfaces that unroll. Elsewhere they differ from those of
-   * the paths by some thousandths of a radian. They are NaN at dropped and unreachable vertices.
+   * Without points the vectors are those of all vertices, in the caller's order, at about the cost
+   * of one field of distances. Their paths are those of the solver `fast`, with directions
+   * interpolated between those of neighbours. These are exact on surfaces that unroll. Elsewhere
+   * they differ from those of the paths by some thousandths of a radian. Vectors are NaN at dropped
+   * and unreachable vertices.
    *
-   * Throws `KarcherError` unreachable if no path exists, and badArgument unless there is one direction for
-   * each point.
+   * Throws `KarcherError` unreachable if no path exists, and badArgument unless there is one
+   * direction for each point.
    */
   logMap(from: PointLike, points?: readonly PointLike[], directions?: VectorsLike): LogMap {
     return logMap(this.#handle, from, points, directions);
   }
 
   /**
-   * The exp map: the ends of the straightest geodesics from a point along vectors of its tangent plane
-   * (components perpendicular to it are dropped). Directions at `from` are transported along them. It is the
-   * inverse of `logMap` where these geodesics are the paths that `logMap` finds to their ends. Throws as
-   * `logMap` does.
+   * The exp map: the ends of the straightest geodesics from a point along vectors of its tangent
+   * plane (without components perpendicular to it). It transports directions at `from` along them.
+   * It is the inverse of `logMap` where these geodesics are the paths that `logMap` finds to their
+   * ends. Throws what `logMap` throws.
    */
   expMap(from: PointLike, vectors: VectorsLike, directions?: VectorsLike): MappedPoints {
     return expMap(this.#handle, from, vectors, directions);
@@ -474,12 +481,11 @@ export class Mesh {
   }
 
   /**
-   * Points mirrored in a geodesic, which is given by its points, as `path.points()` returns them. A point
+   * Points mirrored in a geodesic, a list of its points, as `path.points()` returns them. A point
    * moves along the perpendicular to the geodesic, and by the same length beyond it. Directions are
-   * reflected.
-   *
-   * Throws as `logMap` does, and `KarcherError` badArgument for a line that has no length or two consecutive
-   * points without a face in common, and if the line's nearest point is one of its ends.
+   * reflected. Throws what `logMap` throws, and `KarcherError` badArgument for a line without
+   * length, for consecutive points without a face in common, and if the line's nearest point is one
+   * of its ends.
    */
   mirror(
     line: readonly PointLike[],
@@ -490,8 +496,8 @@ export class Mesh {
   }
 
   /**
-   * Frees the memory of the mesh and of its curves. Safe to repeat. Throws `KarcherError` busy from within a
-   * basis.
+   * Frees the memory of the mesh and of its curves. A second call has no effect. Throws
+   * `KarcherError` busy from within a basis.
    */
   dispose(): void {
     this.#handle.dispose();

@@ -4,14 +4,14 @@
 export interface MeshOptions {
   /**
    * `safe` (the default) repairs defects where that is safe, and lists them in `info.repairs`.
-   * `none` rejects a mesh with defects. Polygons are still cut into triangles, vertices at exactly
-   * the same place welded, and vertices of no face dropped.
+   * `none` rejects a mesh with defects. It still cuts polygons into triangles, welds vertices at
+   * exactly the same place, and drops vertices of no face.
    */
   repair?: 'safe' | 'none' | undefined;
   /**
-   * The distance within which vertices on boundaries are welded, in the units of the mesh; never
-   * more than a third of the shortest edge at either vertex. 0 welds none. By default it is the
-   * smaller of 1e-6 of the diagonal and 1 % of the shortest edge.
+   * The distance within which the import welds vertices on boundaries, in the units of the mesh;
+   * never more than a third of the shortest edge at either vertex. 0 welds none. By default it is
+   * the smaller of 1e-6 of the diagonal and 1 % of the shortest edge.
    */
   weld?: number | undefined;
 }
@@ -26,7 +26,7 @@ export interface ObjOptions extends MeshOptions {
 export interface FilePart {
   /** The name in the file, or one from its kind and number. */
   name: string;
-  /** The number of triangles; polygons count as those into which they are cut. */
+  /** The number of triangles; a polygon counts as its triangles. */
   triangles: number;
 }
 
@@ -48,22 +48,22 @@ export interface FileMarks {
 }
 
 /**
- * What was repaired while a mesh was read, in this order; `count` counts what is in brackets.
+ * The kinds of repairs of a mesh, in this order; `count` counts what is in brackets.
  *
  * - `triangulated`: polygons were cut into triangles (polygons);
- * - `leftOut`: faces that have fewer than three corners, cross themselves or have no area were left out;
- *   the message names the first (faces);
- * - `contracted`: edges of at most 1e-14 of the diagonal, or 1e-12 of their face's longest edge, were
- *   contracted to a point (vertices);
+ * - `leftOut`: faces that have fewer than three corners, cross themselves or have no area were left
+ *   out; the message names the first (faces);
+ * - `contracted`: edges of at most 1e-14 of the diagonal, or 1e-12 of their face's longest edge,
+ *   were contracted to a point (vertices);
  * - `welded`: vertices at one place became one where their faces share an edge (vertices);
  * - `keptApart`: vertices at one place stayed apart because the parts only touch there (vertices);
  * - `repeatedCorner`: faces with one vertex at two corners were dropped (faces);
  * - `duplicate`: faces with the same corners as another were dropped (faces);
- * - `noArea`: faces whose corners lie on a line were flipped away: the corner between the ends of the
- *   longest edge became a corner of the face on its other side (faces);
+ * - `noArea`: faces whose corners lie on a line were flipped away: the corner between the ends of
+ *   the longest edge became a corner of the face on its other side (faces);
  * - `turnedOver`: faces oriented against their neighbours were turned over (faces);
- * - `branching`: where more than two faces share an edge, the pairs with the widest angle between them
- *   stayed together, and each other face got an edge of its own (edges);
+ * - `branching`: where more than two faces share an edge, the pairs with the widest angle between
+ *   them stayed together, and each other face got an edge of its own (edges);
  * - `bowTie`: vertices where several fans of faces met became one vertex for each fan (vertices);
  * - `dropped`: vertices of no face were dropped (vertices).
  */
@@ -87,7 +87,7 @@ export type RepairKind =
 export interface Repair {
   /** The kind of the repair. */
   kind: RepairKind;
-  /** The number of places that were repaired in this way. */
+  /** The number of repaired places. */
   count: number;
   /** The repair as a sentence. */
   message: string;
@@ -109,7 +109,7 @@ export interface MeshInfo {
   meanEdge: number;
   /** The length of the bounding box's diagonal. */
   diagonal: number;
-  /** The repairs that were made while the mesh was read. */
+  /** The repairs of the mesh. */
   repairs: readonly Readonly<Repair>[];
 }
 

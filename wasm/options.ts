@@ -104,7 +104,7 @@ const solvers: readonly Solver[] = ['fast', 'exact', 'graph'];
 const stars: readonly Star[] = ['wide', 'ring'];
 const defaultRings = 6;
 
-/** Field options with every default filled in, in the engine's form. */
+/** Field options with all defaults, in the engine's form. */
 export function engineFieldOptions(options: FieldOptions): EngineFieldOptions {
   const method = checkOneOf(options.method ?? methods[0]!, methods, 'the method');
   const byDefault = method === 'paper' ? 'exact' : 'fast';
@@ -189,7 +189,7 @@ export function engineMeshOptions(options: MeshOptions): { repair: boolean; weld
   return { repair, weld };
 }
 
-/** Whether a polyline is requested in 64 bits. */
+/** Whether a polyline is to have 64 bits. */
 export function inDouble(options: PolylineOptions): boolean {
   checkOptions(options, polylineOptionNames);
   return checkOneOf(options.bits ?? 32, [32, 64], 'the bits of a polyline') === 64;
@@ -199,7 +199,7 @@ export function checkLongWork(work: LongWorkOptions): void {
   checkOptions(work, longWorkOptionNames);
   const { progress, signal } = work;
   if (progress !== undefined) checkFunction(progress, 'progress');
-  // This is no instanceof, since another realm's signal is one, too.
+  // An instanceof would reject a signal of another realm.
   if (signal !== undefined && typeof signal?.throwIfAborted !== 'function') {
     throw new KarcherError(
       'badArgument',

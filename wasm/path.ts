@@ -5,7 +5,7 @@ import type { PolylineOptions, SurfacePoint } from './types.js';
 /**
  * A path on the surface: its points from the start to the end. Two neighbours share a face,
  * possibly on its sides. Between them the path is straight, or an arc that is nearly straight. A
- * path keeps its points, needs no mesh and is not disposed of.
+ * path keeps its points, needs no mesh and has no `dispose`.
  */
 export class Path {
   readonly #data: EnginePath;
@@ -53,7 +53,7 @@ export class Path {
     return inDouble(options) ? position.slice() : new Float32Array(position);
   }
 
-  /** @internal The path's data, which must not be changed. */
+  /** @internal The path's data, which nobody may change. */
   data(): EnginePath {
     return this.#data;
   }

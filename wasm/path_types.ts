@@ -21,9 +21,9 @@ export interface RegionShape {
   /** The closed paths that bound the shape. */
   outlines: readonly Outline[];
   /**
-   * A point that must lie inside, or the side of the first outline that is inside, at the first
-   * place where its two sides differ. The choice of a side stays while the outline is moved. By
-   * default the smaller side is inside.
+   * A point that must lie inside, or the inner side of the first outline, at the first place where
+   * its two sides differ. The side stays the same when the outline moves. By default the smaller
+   * side is inside.
    */
   inside?: PointLike | 'left' | 'right';
 }
@@ -64,6 +64,6 @@ export interface StraightestPath {
    * crossed a million edges (`limit`).
    */
   stop: 'complete' | 'boundary' | 'limit';
-  /** The length that was not walked; 0 for `complete`. */
+  /** The rest of the length at the end; 0 for `complete`. */
   remaining: number;
 }

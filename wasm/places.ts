@@ -4,7 +4,7 @@ const tableBits = 8;
 const chunkBits = 14;
 const chunkMask = (1 << chunkBits) - 1;
 
-/** A part of the table: vertices plus 1 by the rest of their hash, open addressing; 0 is free. */
+/** A part of the table, with open addressing. A slot holds a vertex plus 1, or 0 if it is free. */
 interface Part {
   slots: Int32Array;
   count: number;
@@ -17,8 +17,8 @@ interface Chunk {
 }
 
 /**
- * Vertices by their place, for files that repeat a vertex in each of its faces. Those of exactly
- * the same coordinates are one vertex, numbered in the order of their first occurrence.
+ * Vertices by their place, for files that repeat a vertex in each of its faces. Equal coordinates
+ * are one vertex; vertices have numbers in the order of their first occurrence.
  */
 export class Places {
   readonly #chunks: Chunk[] = [];

@@ -1,7 +1,7 @@
 /**
  * A class of the platform by its name, as the project's type libraries describe it. If a project
  * has neither `DOM` nor the types of Node, the part that this package uses replaces it, so that the
- * package's types can be read without either.
+ * package's types need neither.
  */
 type Platform<Name extends string, Used> = typeof globalThis extends {
   [name in Name]: { prototype: infer Known };

@@ -52,8 +52,8 @@ export interface PolylineOptions {
 /**
  * The method for geodesic distances.
  *
- * - `fast`: the mean error is within .1 % of the exact distances on all meshes that were tried, and
- *   errors within 1 % except at single vertices; exact on a plane;
+ * - `fast`: on all meshes tried, the mean error is within .1 % of the exact distances, and errors
+ *   are within 1 % except at single vertices; exact on a plane;
  * - `exact`: by windows on the edges, exact on every mesh;
  * - `graph`: along the edges of a graph that joins each vertex to those of its k-ring that it sees
  *   in a straight line across the faces. The graph of the paper's authors also has edges that turn
@@ -65,8 +65,8 @@ export type Solver = 'fast' | 'exact' | 'graph';
 /**
  * The method for a control point's field, and for centers of mass.
  *
- * - `karcher`: by the log vectors of the solver, read only where the search needs them. It is exact
- *   on every triangulation of a plane;
+ * - `karcher`: by the log vectors of the solver, only where the search needs them. It is exact on
+ *   every triangulation of a plane;
  * - `paper`: by gradients of squared distances at all vertices, and Newton's method along geodesics
  *   (Mancinelli, Puppo, Algorithm 1). It takes the solvers `exact` and `graph`.
  */
@@ -84,8 +84,8 @@ export type Method = 'karcher' | 'paper';
 export type Star = 'wide' | 'ring';
 
 /**
- * How the search for a center of mass ended. Only `converged` means that the point is one; otherwise
- * the point is where the search stopped.
+ * The end of the search for a center of mass. Only a `converged` point is one; any other point is
+ * where the search stopped.
  *
  * - `converged`: of `centerOfMass`, with the method `karcher` and the solvers `fast` and `exact`, a
  *   local minimum of the energy by exact distances: no point on a circle of 0.3 mean edges about it
@@ -95,15 +95,15 @@ export type Star = 'wide' | 'ring';
  * - `indefinite`: the Hessian is not positive definite; the points lie too far apart;
  * - `boundary`: the minimum lies on the boundary, where the gradient does not vanish;
  * - `noProgress`: no point along the Newton step has a smaller gradient;
- * - `limit`: the bound on iterations was reached;
- * - `lowerNearby`, only of `centerOfMass`: the estimated gradient vanishes, but points near by have a
- *   lower energy by exact distances, and a search from there found no minimum, as on a surface that
- *   is rough or creased where the center lies;
+ * - `limit`: the search reached its bound on iterations;
+ * - `lowerNearby`, only of `centerOfMass`: the estimated gradient vanishes, but points near by have
+ *   a lower energy by exact distances, and a search from there found no minimum, as on a surface
+ *   that is rough or creased where the center lies;
  * - `jump`, only as the reason of a bridge: the curve would jump from one local minimum to another;
  * - `bridged`: the sample of a curve lies on a bridge, see `BridgedInterval`;
- * - `subdivided`: the sample lies on a piece of a refined curve that is its own subdivision, as it crosses
- *   faces larger than itself that are out of sight of its points (slivers of CAD parts). The curve is as
- *   good there; it is also the reason of the interval.
+ * - `subdivided`: the sample lies on a piece of a refined curve that is its own subdivision, as it
+ *   crosses faces larger than itself that are out of sight of its points (slivers of CAD parts).
+ *   The curve is as good there; it is also the reason of the interval.
  */
 export type Status =
   | 'converged'
@@ -128,8 +128,7 @@ export interface FieldOptions {
   /** The k of the solver `graph` (see `Solver`, also for the authors' graph), 1 to 10; 6 by default. */
   rings?: number | undefined;
   /**
-   * The star of the method `paper`: Eq. 3 as in its authors' program (`wide`, the default) or as
-   * printed.
+   * The star of the method `paper`: `wide` (the default), as in its authors' program, or `ring`.
    */
   star?: Star | undefined;
 }

@@ -10,7 +10,7 @@ import type { RegionOptions, SurfacePoint } from './types.js';
 
 const shapeNames = namesOf<RegionShape>({ outlines: true, inside: true });
 
-/** A part of the surface. A region keeps its data, needs no mesh and is not disposed of. */
+/** A part of the surface. A region keeps its data, needs no mesh and has no `dispose`. */
 export class Region {
   readonly #data: EngineRegion;
 
@@ -29,7 +29,7 @@ export class Region {
     return this.#data.perimeter;
   }
 
-  /** Closed paths that have it to their left: its outline, and those of its holes. */
+  /** Closed paths with the region to their left: its outline, and those of its holes. */
   boundary(): Path[] {
     return this.#data.boundary.map((path) => new Path(path));
   }
@@ -61,7 +61,7 @@ export class Region {
     return inside;
   }
 
-  /** @internal The region's data, which must not be changed. */
+  /** @internal The region's data, which nobody may change. */
   data(): EngineRegion {
     return this.#data;
   }
@@ -111,8 +111,8 @@ export function regions(
 }
 
 /**
- * Shapes in the form for the engine: all outlines, the number of them in each shape, and its point
- * inside or none.
+ * Shapes in the form for the engine: all outlines, their number in each shape, and a point inside
+ * each or none.
  */
 function wireShapes(shapes: unknown) {
   const outlines: Float64Array[] = [];

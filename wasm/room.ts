@@ -2,7 +2,7 @@ import { KarcherError } from './errors.js';
 
 /** The largest size of the engine's memory, with 32 bits of addresses. */
 const memoryBytes = 2 ** 32;
-/** The least size of data for which used memory is counted. Smaller data is simply tried. */
+/** The least size of data for a check of used memory. Smaller data needs no check. */
 const largeBytes = 2 ** 26;
 
 /**
@@ -12,14 +12,14 @@ const largeBytes = 2 ** 26;
  */
 const triangleBytes = 380;
 /**
- * The least bytes of memory for a vertex that no face uses: its place, three times while the mesh
- * is created.
+ * The least bytes of memory for a vertex that no face uses: its place, three times during the
+ * creation of the mesh.
  */
 const vertexBytes = 72;
 
 /**
- * The least bytes of memory that a solver keeps for a vertex once it covered the whole surface,
- * with its result.
+ * The least bytes of memory that a solver with its result keeps for a vertex, after it has covered
+ * the whole surface.
  */
 const distanceBytes = 56;
 /** The least bytes of the graph of the k-rings for a triangle: arcs along its edges, of 16 bytes. */
@@ -33,7 +33,7 @@ const inGigabytes = (bytes: number) => `${(bytes / 2 ** 30).toPrecision(3)} GB`;
 
 /**
  * Throws `KarcherError` outOfMemory for data that cannot fit in any case. `what` is the beginning
- * of the sentence. `inUse` is called only for large data.
+ * of the sentence. Only large data needs `inUse`.
  */
 export function checkFits(bytes: number, what: string, inUse: () => number = () => 0): void {
   if (bytes <= largeBytes) return;
@@ -45,7 +45,7 @@ export function checkFits(bytes: number, what: string, inUse: () => number = () 
   );
 }
 
-/** Throws as `checkFits` does for a mesh: "the glTF file makes" 12 triangles of 8 vertices. */
+/** Throws what `checkFits` throws for a mesh: "the glTF file makes" 12 triangles of 8 vertices. */
 export function checkMeshFits(
   vertices: number,
   triangles: number,
@@ -59,20 +59,20 @@ export function checkMeshFits(
   );
 }
 
-/** Throws as `checkFits` does for distances to all vertices, which are kept at once. */
+/** Throws what `checkFits` throws for distances to all vertices, all in memory at once. */
 export function checkDistancesFit(vertices: number, inUse: () => number): void {
   const what = `distances to ${counted(vertices)} vertices take`;
   checkFits(distanceBytes * vertices, what, inUse);
 }
 
-/** Throws as `checkFits` does for a graph, by the least size that every graph has. */
+/** Throws what `checkFits` throws for a graph, by the least size that every graph has. */
 export function checkGraphFits(triangles: number, rings: number, inUse: () => number): void {
   checkFits(graphBytes * triangles, graphTakes(triangles, rings), inUse);
 }
 
 /**
- * Throws as `checkFits` does for a graph of which the part `done`, from 0 to 1, takes this number
- * of bytes. The rest may be a fifth smaller than this suggests.
+ * Throws what `checkFits` throws for a graph of which the part `done`, from 0 to 1, takes this
+ * number of bytes. The rest may be a fifth smaller than this suggests.
  */
 export function checkGraphGoesOn(
   triangles: number,

@@ -4,7 +4,7 @@ import { KarcherError } from './errors.js';
 /**
  * Tubes along polylines, as plain arrays. A ring of vertices stands at each point, across the mean
  * direction of its two sides. Its first vertex lies across the given normals, or else across a
- * direction that is carried in parallel along the polyline, so that the tube does not twist.
+ * direction transported along the polyline, so that the tube does not twist.
  */
 
 export interface TubeLine {
@@ -57,9 +57,9 @@ function anyAcross(a: Vec3): Vec3 {
 }
 
 /**
- * A tube along a polyline. Points nearer than a thousandth of the radius to the previous one are
- * left out. A closed polyline gives a closed tube; the ends of others are open, or closed by flat
- * caps. A polyline of a single place gives no triangles.
+ * A tube along a polyline, without points nearer than a thousandth of the radius to the previous
+ * one. The tube of a closed polyline is closed; the ends of others are open, or have flat caps. A
+ * polyline of a single place has no triangles.
  */
 export function tubeAlong(
   line: TubeLine,
@@ -146,8 +146,8 @@ function uprightFrames(tangents: readonly Vec3[], normals: readonly Vec3[]): Vec
 }
 
 /**
- * Unit vectors across the tangents, carried from each to the next by the smallest rotation. What a
- * turn of a closed polyline rotates them by is spread over its points.
+ * Unit vectors across the tangents: the smallest rotation leads from each to the next. On a closed
+ * polyline they may not meet after a turn. All points share the difference.
  */
 function carriedFrames(tangents: readonly Vec3[], closed: boolean): Vec3[] {
   const [first] = tangents;

@@ -4,8 +4,8 @@
  * A method returns new arrays and objects, which the caller may change, keep or transfer. Reading a
  * property takes no work. The engine copies the options, points and arrays that it receives.
  *
- * Vertices, faces and control points are numbered from 0 in the caller's own order. Faces count
- * triangles, after polygons were cut. Lengths are in the units of the mesh.
+ * Vertices, faces and control points have numbers from 0 in the caller's own order. Faces count
+ * triangles, also those of polygons. Lengths are in the units of the mesh.
  */
 
 import type { AddressObject, CompiledModule, FetchedResponse, StopSignal } from './platform.js';
@@ -56,20 +56,20 @@ export interface CenterOfMass {
   iterations: number;
   /**
    * The sum of weight times squared distance, in squared units of the mesh. It is an estimate by
-   * the fields, which cannot be compared with another method's. For very many points (see
-   * `centerOfMass`) it is by exact distances. `certificate` has the exact one.
+   * the fields, not comparable with another method's. For very many points (see `centerOfMass`) it
+   * is by exact distances. `certificate` has the exact one.
    */
   energy: number;
   /**
    * The quality of the point by exact shortest paths, if `CenterOptions.certificate` requests it.
    */
   certificate?: Certificate;
-  /** The knowledge of whether it is the only one. */
+  /** The knowledge of whether the center is the only one. */
   uniqueness: Uniqueness;
   /**
    * The other minima at which searches ended, the lowest first. Each is a minimum in the same sense
-   * as the center, and more than a tenth of the mean edge from the others. `notLooked` if at most
-   * the control points were tried, and none led to another minimum.
+   * as the center, and more than a tenth of the mean edge from the others. `notLooked` if searches
+   * started at most at the control points, and found no other minimum.
    */
   otherMinima: OtherMinimum[] | 'notLooked';
 }
@@ -90,13 +90,13 @@ export interface Certificate {
 }
 
 /**
- * What is known of other minima of the energy.
+ * The knowledge of other minima of the energy.
  *
- * - `certain`: it is proved that none is lower, and that none is as near as the farthest point. The
- *   proof needs weights of at least 0 and a ball that holds the points and in which squared distances
- *   are convex. On a mesh no vertex in or near the ball may have positive curvature. On the built-in
- *   sphere and torus the ball must be small beside their curvature (Karcher 1977); this proof is of the
- *   smooth surface;
+ * - `certain`: none is lower, and none is as near as the farthest point: this is proved. The proof
+ *   needs weights of at least 0 and a ball that holds the points and in which squared distances are
+ *   convex. On a mesh no vertex in or near the ball may have positive curvature. On the built-in
+ *   sphere and torus the ball must be small beside their curvature (Karcher 1977); this proof is of
+ *   the smooth surface;
  * - `likely`: searches from all points and from 32 places spread over the surface ended there;
  * - `notUnique`: some of them ended elsewhere;
  * - `notLooked`: see `CenterOptions.uniqueness`.
@@ -111,18 +111,18 @@ export interface MeanWeights {
   /** One weight for each point; their sum is 1. */
   weights: Float64Array;
   /**
-   * Whether the search for the center of mass of these weights, started at the point, stays there.
+   * Whether a search for the center of mass of these weights that starts at the point stays there.
    * It does not if the energy's Hessian is not positive definite, which happens with negative
-   * weights and with distant points; nor if the energy by exact distances is lower near by, see
-   * `Status`.
+   * weights and with distant points. Nor does it if the energy by exact distances is lower near by,
+   * see `Status`.
    */
   isMinimum: boolean;
 }
 
 export interface WeightsOptions extends FieldOptions {
   /**
-   * The target weights: the result has the least sum of squared differences from them, after they
-   * are divided by their sum. They are equal by default.
+   * The target weights, divided by their sum. The result has the least sum of squared differences
+   * from them. By default they are equal.
    */
   weights?: ArrayLike<number> | undefined;
   /** Whether no weight may be below 0. */
@@ -132,14 +132,11 @@ export interface WeightsOptions extends FieldOptions {
 /** The start of the search for a center of mass. */
 export interface StartOptions {
   /**
-   * The point where the search starts. By default it is an average of averages, followed by the
-   * points near which the energy may be lower (`karcher`), or the point of the largest weight
-   * (`paper`).
+   * The start of the search. By default it is an average of averages, followed by the points near
+   * which the energy may be lower (`karcher`), or the point of the largest weight (`paper`).
    */
   start?: PointLike | undefined;
-  /**
-   * Whether to divide the weights by their sum, instead of throwing an error if the sum is not 1.
-   */
+  /** Whether to divide the weights by their sum. If false, a sum other than 1 is an error. */
   normalize?: boolean | undefined;
 }
 
@@ -153,7 +150,7 @@ export interface CenterOptions extends FieldOptions, StartOptions {
   /**
    * Whether to measure the point by exact shortest paths, whatever the method and the status. This
    * takes the exact distances from the point to the farthest of the points, about as long as one
-   * field of the solver `exact`; for a center on an edge or at a vertex, it takes a shortest path
+   * field of the solver `exact`. For a center on an edge or at a vertex, it takes a shortest path
    * to each point.
    */
   certificate?: boolean | undefined;
@@ -200,7 +197,7 @@ export type FillRule = 'evenOdd' | 'nonZero';
 export type BooleanOperation = 'union' | 'intersection' | 'difference' | 'exclusion';
 
 /**
- * A part of a surface that was cut: three numbers for each vertex, and three for each triangle,
+ * A part of a cut surface: three numbers for each vertex, and three for each triangle,
  * counterclockwise.
  */
 export interface CutPart {
@@ -215,10 +212,10 @@ export interface CutPart {
 /** The distance, the sides and the corners of an offset. */
 export interface OffsetOptions {
   /**
-   * The distance from the paths, above 0, in units of the mesh, or several at equal parts of each path's length,
-   * linear between, of which some may be 0. The offset is then the border of the disks round all places of a
-   * path, each with the distance there, and corners are round. Two are for the start and the end of an open path;
-   * on a closed path the first follows the last.
+   * The distance from the paths, above 0, in units of the mesh, or several at equal parts of each
+   * path's length, linear between, of which some may be 0. The offset is then the border of the
+   * disks round all places of a path, with the distances there as radii; corners are round. Two are
+   * for the start and the end of an open path; on a closed path the first follows the last.
    */
   distance: number | readonly number[];
   /** The side; `both` by default, which also goes round the ends of open paths. */
@@ -230,8 +227,8 @@ export interface OffsetOptions {
    */
   corners?: 'round' | 'miter' | 'bevel';
   /**
-   * The largest distance between a mitre's tip and its corner, in distances, as in SVG; beyond it
-   * the corner is bevelled. At least 1; 4 by default.
+   * The largest distance between a mitre's tip and its corner, in distances, as in SVG. Beyond it
+   * the corner has a bevel. At least 1; 4 by default.
    */
   miterLimit?: number;
 }
@@ -276,16 +273,16 @@ export type WasmSource =
 /** The source of the engine's module. */
 export interface LoadOptions {
   /**
-   * By default the file beside the package's own, which bundlers that know `import.meta.url` find. For
-   * others it is exported as `karcher/karcher-engine.wasm`, and that of `karcher/peers` as
-   * `karcher/karcher-peers.wasm`.
+   * By default the file beside the package's own, which bundlers that know `import.meta.url` find.
+   * For others the package exports it as `karcher/karcher-engine.wasm`, and that of `karcher/peers`
+   * as `karcher/karcher-peers.wasm`.
    */
   wasm?: WasmSource | undefined;
 }
 
 /**
- * A function that is called with the progress of long work: the completed fraction, and the name of
- * the stage.
+ * A function that receives the progress of long work: the completed fraction, and the name of the
+ * stage.
  */
 export type Progress = (done: number, stage: string) => void;
 

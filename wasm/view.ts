@@ -25,8 +25,8 @@ export class CurveView {
   /** The intervals in which the curve is no center of mass, with the reasons. */
   readonly bridged: BridgedInterval[];
   /**
-   * The legs of the control polygon as they are drawn, if the curve uses them. A value with these
-   * legs and other points is the curve whose points were dragged there.
+   * The drawn legs of the control polygon, if the curve uses them. A value with these legs and
+   * other points is the curve whose points were dragged there.
    */
   readonly drawnLegs: readonly DrawnLeg[];
   /** x, y, z of the same points, leg by leg. */

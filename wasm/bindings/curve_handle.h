@@ -12,7 +12,7 @@ namespace karcher::bindings {
 /// A curve that JavaScript owns. The mesh must outlive it.
 class CurveHandle {
  public:
-  /// `value` is read by `curveValueFromJs`.
+  /// `value` is an argument for `curveValueFromJs`.
   CurveHandle(MeshHandle& mesh, const val& value);
 
   /// Sets the curve to a value and returns its view (view.h); `options` is {inDouble, withPoints}.

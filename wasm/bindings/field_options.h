@@ -7,7 +7,7 @@
 namespace karcher::bindings {
 
 /// Reads {method, solver, rings}, by the names of the JavaScript API. Throws Error kBadArgument for
-/// other names, and as `checkFieldOptions` does.
+/// other names, and what `checkFieldOptions` throws.
 FieldOptions fieldOptionsFromJs(const emscripten::val& options);
 
 /// The name of a solver in the JavaScript API.

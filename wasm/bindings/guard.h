@@ -20,7 +20,7 @@ void keepFailure(const char* code, const char* sentence);
 /// Returns the kept failure as {code, message}, or undefined, and forgets it.
 emscripten::val takeFailure();
 
-/// Keeps the exception that is being handled.
+/// Keeps the current exception.
 void keepCurrentException();
 
 /// Returns the result of `work`, or undefined or an empty value if it failed.

@@ -14,11 +14,10 @@ namespace {
 /// The relative difference of lengths below which paths count as equally short.
 constexpr double kSameLength = 1e-9;
 
-/// A weight this small is the rounding of a weight that was computed from the two others, as in a
-/// link.
+/// A weight up to this comes from rounding, such as one computed from the two others in a link.
 constexpr double kNoWeight = 1e-15;
 
-/// The points, of which those on an edge up to rounding are moved onto it.
+/// The points; those on an edge up to rounding move onto it.
 Array<SurfacePoint> onEdges(Array<SurfacePoint> points) {
   for (SurfacePoint& point : points) {
     for (int k = 0; k < 3; ++k) {

@@ -6,13 +6,13 @@
 
 namespace karcher::bindings {
 
-/// Conversion of a control polygon's legs. The list has, for each leg, the points that it passes,
-/// which are none for the shortest path. It is empty if all legs are shortest.
+/// Conversion of a control polygon's legs. The list has, for each leg, the points that it passes;
+/// the shortest path has none. It is empty if all legs are shortest.
 class Legs {
  public:
   /// The legs of a curve's value with these points. `areDrawn`, an Int32Array of 0 and 1, marks
-  /// legs given by all their points, with their own ends. Legs of the last call are not searched
-  /// again. Throws Error kUnreachable for waypoints on another component than the leg's ends, and
+  /// legs for which the list has all points, with their own ends. Legs of the last call need no new
+  /// search. Throws Error kUnreachable for waypoints on another component than the leg's ends, and
   /// what `pointsFromJs` throws.
   Array<SurfacePath> fromJs(const MeshHandle& mesh, const Array<SurfacePoint>& points,
                             const val& legs, const val& areDrawn);
@@ -28,7 +28,7 @@ class Legs {
   Array<Leg> known_;
 };
 
-/// The legs of a curve's value. The shortest ones are recognised by a search with these options.
+/// The legs of a curve's value. A search with these options recognises the shortest ones.
 val legsToJs(const MeshHandle& mesh, const Array<SurfacePath>& legs,
              const FindPathOptions& shortest);
 

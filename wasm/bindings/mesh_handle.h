@@ -24,7 +24,7 @@ class MeshHandle {
   /// The field sets of the mesh's curves and centers of mass.
   const std::shared_ptr<FieldSets>& fieldSets() const { return fieldSets_; }
 
-  /// Keeps the marks of the OBJ file from which the mesh was read.
+  /// Keeps the marks of the mesh's OBJ file.
   void setMarks(ObjMarks marks) { marks_ = std::move(marks); }
   /// {parts, partOf, materials, materialOf, colors}, as in types.ts. A mesh from another source has
   /// no parts.
@@ -68,7 +68,7 @@ class MeshHandle {
   /// The distances to the nearest of the points in `from`, which follow one another.
   val distance(const val& from, const val& field);
   bool hasRingGraph(int rings) const { return surface_.hasRingGraph(rings); }
-  /// Builds the data that fields share, including the graph unless it was built in slices.
+  /// Builds the data that fields share, including the graph unless slices of work built it.
   void prepareFields(const val& field);
   /// `start` is a point, or an empty array for the engine's choice. The result has a `certificate`
   /// on request.
@@ -97,8 +97,9 @@ class MeshHandle {
   /// The distances of points from the nearest of the outlines; NaN for unreachable points.
   val distanceFromPaths(const val& outlines, const val& points) const;
   /// A list of {area, perimeter, boundary, share, triangles, sides}, one for each shape, with
-  /// `isLeft`, or one for all. `counts` has the number of each shape's outlines. `insides` has, for
-  /// each shape, a point, none, or the side of its first outline: 1 for the left, 0 for the right.
+  /// `isLeft`, or one for all. `counts` has the number of each shape's outlines. For each shape,
+  /// `insides` has a point, nothing, or the side of its first outline: 1 for the left, 0 for the
+  /// right.
   val regions(const val& outlines, const val& counts, const val& insides, const std::string& rule,
               const std::string& combine) const;
   /// A list of {positions, triangles, faces}, one for each cell.

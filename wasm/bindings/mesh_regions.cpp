@@ -11,9 +11,9 @@
 namespace karcher::bindings {
 namespace {
 
-/// The data that decide whether a caller's point lies in a region. `share` says for each input
-/// triangle how much of it is inside. For triangles that are partly inside, the sides of that part
-/// lead from (x, y) to (x, y) in the triangle's second and third weights, sorted by triangle.
+/// The data that decide whether a caller's point lies in a region. `share` is the part of each
+/// input triangle that is inside: none, all or some. For partial triangles, the sides of the inner
+/// part lead from (x, y) to (x, y) in the triangle's second and third weights, sorted by triangle.
 struct Inside {
   enum : uint8_t { kNone = 0, kAll = 1, kPart = 2 };
   Array<uint8_t> share;
@@ -86,7 +86,7 @@ Array<SurfacePath> pathsFromJs(const Numbering& numbering, const TriangleMesh& m
   return paths;
 }
 
-/// The region of a shape. `inside` is a point, none, or the side of the first outline: 1 for the
+/// The region of a shape. `inside` is a point, empty, or the side of the first outline: 1 for the
 /// left, 0 for the right.
 Region regionOf(const Geometry& geometry, const Numbering& numbering, const Arrangement& all,
                 const PathRange& range, FillRule rule, const val& inside) {

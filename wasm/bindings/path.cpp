@@ -4,7 +4,7 @@ namespace karcher::bindings {
 
 Array<int> append(Path& path, const Numbering& numbering, const TriangleMesh& mesh,
                   const Array<SurfacePoint>& points, double length) {
-  // Positions of one point, computed from two faces, differ by rounding.
+  // The position of one point in two faces differs by rounding.
   constexpr double kSamePoint = 1e-13;
   Array<int> kept;
   Array<double> chords;
@@ -25,7 +25,7 @@ Array<int> append(Path& path, const Numbering& numbering, const TriangleMesh& me
     kept.push_back(i);
     last = here;
   }
-  // Chords are shorter than arcs, and their lengths are rounded.
+  // Chords are shorter than arcs, and lengths have rounding.
   const double stretch = whole > 0 ? length / whole : 0;
   for (const double chord : chords) path.lengths.push_back(path.length + stretch * chord);
   path.length += length;

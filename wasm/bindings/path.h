@@ -16,7 +16,7 @@ struct Path {
 };
 
 /// Appends points of the engine with the length from the first to the last. Between two of them the
-/// path is straight, or nearly so. Returns the indices of the points that were kept.
+/// path is straight, or nearly so. Returns the indices of the appended points.
 Array<int> append(Path& path, const Numbering& numbering, const TriangleMesh& mesh,
                   const Array<SurfacePoint>& points, double length);
 

@@ -22,7 +22,7 @@ struct TracedLine {
 
 struct ViewOptions {
   bool inDouble = false;    ///< whether positions along the path have 64 bits
-  bool withPoints = false;  ///< whether the path's faces and weights are included
+  bool withPoints = false;  ///< whether to include the path's faces and weights
 };
 
 /// The options from {inDouble, withPoints}.

@@ -10,7 +10,7 @@ interface Shared {
 /** The engines that mounted components share, by `worker`. */
 const engines = new Map<boolean, Shared>();
 
-/** The engine of the page or of the worker. It is loaded for its first user, and shared by all. */
+/** The engine of the page or of the worker. Its first user loads it, and all share it. */
 export function takeEngine(worker: boolean): Promise<AnyKarcher> {
   let shared = engines.get(worker);
   if (!shared) {
@@ -23,7 +23,7 @@ export function takeEngine(worker: boolean): Promise<AnyKarcher> {
 
 /**
  * Releases an engine. Its last user ends it, but only in the next task: StrictMode unmounts every
- * component once and mounts it again at once, and a worker should not be loaded twice for that.
+ * component once and mounts it again at once, which should not load a worker twice.
  */
 export function releaseEngine(worker: boolean): void {
   const shared = engines.get(worker)!;
@@ -33,7 +33,7 @@ export function releaseEngine(worker: boolean): void {
     engines.delete(worker);
     shared.engine.then(
       (engine) => 'dispose' in engine && engine.dispose(),
-      // An engine that could not be loaded has nothing to release.
+      // An engine that did not load has nothing to release.
       () => {},
     );
   });

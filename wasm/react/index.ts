@@ -44,8 +44,8 @@ function useFailure(onError: FailureOptions['onError']): (error: unknown) => voi
 }
 
 /**
- * The engine, undefined until it is loaded. All components share one in the page and one in a
- * worker. The last component to be unmounted ends it.
+ * The engine; undefined until it is loaded. All components share one in the page and one in a
+ * worker. The last component that unmounts ends it.
  */
 export function useKarcher({
   worker = false,
@@ -70,8 +70,8 @@ export function useKarcher({
 
 /**
  * The surface of a geometry, as `surfaceFromGeometry` returns it; undefined until it exists, and
- * without a geometry. Another geometry gives another surface. When the component is unmounted, the
- * memory of the mesh is freed.
+ * without a geometry. Another geometry has another surface. When the component unmounts, it frees
+ * the memory of the mesh.
  */
 export function useSurface(
   geometry: BufferGeometry | undefined,
@@ -102,7 +102,7 @@ export function useSurface(
 }
 
 function release({ mesh }: Surface<AnyMesh>): void {
-  // A worker that has ended has no memory left to free.
+  // A worker that has ended has no memory to free.
   Promise.resolve(mesh.dispose()).catch(() => {});
 }
 
@@ -155,8 +155,8 @@ export function useSurfaceCurve(
 }
 
 /**
- * Lets the control points of a curve be dragged on the canvas. The curve lies in the scene as a child of the
- * mesh that draws its surface.
+ * Lets the user drag the control points of a curve on the canvas. The curve lies in the scene as a
+ * child of the mesh that draws its surface.
  */
 export function useCurveDrag(
   curve: SurfaceCurve | undefined,
@@ -166,7 +166,7 @@ export function useCurveDrag(
   const element = useThree((state) => state.gl.domElement);
   const told = useNewest(onError);
   useEffect(() => {
-    // Children are put into the scene before effects run.
+    // React puts children into the scene before effects run.
     if (!curve?.parent) return;
     const options = reach === undefined ? {} : { reach };
     const drag = new CurveDrag(curve, curve.parent, camera, element, options);

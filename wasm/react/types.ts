@@ -16,8 +16,8 @@ export interface EngineHookOptions {
 /** The callback of hooks that receives failures. */
 export interface FailureOptions {
   /**
-   * A function that is called with the error. Without it, the hook throws the error while the
-   * component renders, so that the nearest error boundary shows it.
+   * A function that receives the error. Without it, the hook throws the error while the component
+   * renders, so that the nearest error boundary shows it.
    */
   onError?: ((error: unknown) => void) | undefined;
 }
@@ -26,7 +26,7 @@ export interface SurfaceHookOptions extends MeshOptions, EngineHookOptions, Fail
 
 /** The look of a component's curve, and the component's callbacks. */
 export interface CurveHookOptions extends LineLook, FailureOptions {
-  /** A function that is called when the drawn curve has changed. */
+  /** A function that runs when the drawn curve has changed. */
   onChange?: ((value: CurveOptions, view: CurveView) => void) | undefined;
 }
 
@@ -38,7 +38,7 @@ export interface DragHookOptions {
    */
   reach?: number | undefined;
   /**
-   * A function that is called with the error of an edit, such as that of a pointer over another
+   * A function that receives the error of an edit, such as that of a pointer over another
    * component.
    */
   onError?: ((error: unknown) => void) | undefined;

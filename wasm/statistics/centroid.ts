@@ -9,7 +9,7 @@ import type { AnyMesh } from './energy.js';
 export interface CentroidOptions {
   /** The point where the search starts; by default the one nearest to the region's centroid in space. */
   start?: PointLike | undefined;
-  /** The largest number of points that represent the region; the default is 1000. */
+  /** The largest number of points that represent the region; 1000 by default. */
   samples?: number | undefined;
   /**
    * The length of a step, relative to the diagonal, below which the search ends. The default is
@@ -31,7 +31,7 @@ export interface Centroid {
   point: SurfacePoint;
   /** The place of that point in space. */
   position: [number, number, number];
-  /** The number of points that represented the region. */
+  /** The number of points that represent the region. */
   samples: number;
   /** The number of steps of the search. */
   steps: number;
@@ -59,12 +59,11 @@ interface Patch {
  * or of a density on it, where the integral of the squared distances to all of the region has a
  * minimum.
  *
- * The mass of each triangle, or of its part in the region, is placed at its own centroid. This is
- * exact to rounding on a plane and good to the square of the edges on smooth surfaces. If that
- * gives more points than `samples`, neighbors are united, which is good to the square of the size
- * of the groups. On the unit sphere of 20,000 triangles, centroids of caps were up to .0015 off
- * with 1000 samples, and 6e-5 with all. Distances are those of locally shortest paths
- * (`Mesh.logMap`).
+ * The mass of each triangle, or of its part in the region, lies at its own centroid. This is exact
+ * to rounding on a plane and good to the square of the edges on smooth surfaces. If the points are
+ * more than `samples`, neighbors form groups, which is good to the square of the groups' size. On
+ * the unit sphere of 20,000 triangles, centroids of caps were up to .0015 off with 1000 samples,
+ * and 6e-5 with all. Distances are those of locally shortest paths (`Mesh.logMap`).
  *
  * Rejects with `KarcherError` badArgument for a region without area or mass, for a density that is
  * negative or does not have one value for each vertex, and for samples below 1, and as
@@ -115,7 +114,7 @@ export async function centroid(
     const vector = Float64Array.from(step, (value) => part * value);
     const { points: ends } = await mesh.expMap(point, vector);
     const next = await way(ends[0]!);
-    // A step that led too far is taken again, half as long.
+    // A step that led too far is repeated, half as long.
     if (Math.hypot(...next) > Math.hypot(...step)) {
       part /= 2;
       continue;
@@ -217,8 +216,7 @@ type Three = [number, number, number];
 type Four = [number, number, number, number];
 
 /**
- * At most `most` patches: neighbors along a space-filling curve are united to groups of about the
- * same mass.
+ * At most `most` patches: neighbors along a space-filling curve form groups of about the same mass.
  */
 function grouped(patches: Patch[], most: number): Patch[] {
   if (patches.length <= most) return patches;

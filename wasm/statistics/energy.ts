@@ -29,8 +29,8 @@ export interface Hessian {
 /**
  * The energy and its gradient at a point, by locally shortest paths (`Mesh.logMap`). The gradient
  * is that on the polyhedron. On an edge and at a vertex it is in the plane of the face that the
- * point names. At a center of mass inside a face it is small but not zero, since centers are found
- * in fields that smooth these paths. Rejects as `Mesh.logMap` does.
+ * point names. At a center of mass inside a face it is small but not zero, since fields that smooth
+ * these paths find centers. Rejects as `Mesh.logMap` does.
  */
 export async function energyAt(
   mesh: AnyMesh,
@@ -80,7 +80,7 @@ export async function hessianAt(
 }
 
 /**
- * The derivatives of a center of mass with respect to each weight, the others being fixed: a vector
+ * The derivatives of a center of mass with respect to each weight, with the others fixed: a vector
  * in the plane of its face for each, in units of the mesh. `center` is the center of mass with
  * these weights.
  *

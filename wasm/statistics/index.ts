@@ -118,8 +118,8 @@ interface Rule {
 }
 
 /**
- * Each step leads to the center of mass with weights that depend on the distances at its start
- * (Weiszfeld).
+ * The search. Each step leads to the center of mass with weights that depend on the distances at
+ * its start (Weiszfeld).
  */
 async function search(
   mesh: AnyMesh,
@@ -155,7 +155,7 @@ async function search(
         break;
       }
     }
-    // At a point that is no minimum, the pull of the others leads the search away.
+    // Unless the point is a minimum, the pull of the others leads the search away.
     const factors = own.map((weight, i) => weight * pull(Math.max(distances[i]!, least)));
     const before = point;
     point = (await centerOf(factors, before)).point;

@@ -7,7 +7,7 @@ import { type LevelCrossing, levelLines } from './level_lines.js';
 /**
  * The lines on which values have given levels, for one value for each vertex, linear in triangles:
  * a list of paths for each level. Lines that are not closed end on the boundary, or at triangles
- * with a value that is not finite. A level that occurs nowhere has no line.
+ * with a value that is not finite. A level without points has no line.
  *
  * Lines of distances are those of `mesh.isolines` with the type `linear`.
  *
@@ -49,7 +49,7 @@ export async function isolines(
   return wanted.map((level) => lines[ascending.indexOf(level)]!);
 }
 
-/** A line as a path, without points that repeat; none for a line of no length. */
+/** A line as a path, without points that repeat; nothing for a line of no length. */
 function pathOf(
   line: readonly LevelCrossing[],
   positions: Float64Array,

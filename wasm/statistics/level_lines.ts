@@ -1,6 +1,6 @@
 /**
- * Lines of equal value on a triangle mesh, for a function given at the corners and linear in each
- * triangle. They are straight within triangles, from edge to edge.
+ * Lines of equal value on a triangle mesh, for a function with values at the corners and linear in
+ * each triangle. They are straight within triangles, from edge to edge.
  */
 
 /** The end of a segment: a number, such as that of an edge, which meeting segments share. */
@@ -19,8 +19,8 @@ export interface LevelCrossing extends SegmentEnd {
 
 /**
  * The lines of each level, by the edges that they cross; closed ones end at their start. `valueAt`
- * returns the function at corner 3 * triangle + i. It may differ across an edge; lines then end
- * there. Levels ascend. Triangles with a value that is not a number have no lines.
+ * returns the function at corner 3 * triangle + i. Its values may differ across an edge; lines then
+ * end there. Levels ascend. Triangles with a value that is not a number have no lines.
  *
  * @example
  * ```ts

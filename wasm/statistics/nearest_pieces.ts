@@ -1,12 +1,11 @@
 /**
  * A surface divided by the nearest of several sites, with squared distances linear in each
- * triangle.
+ * triangle. Sites come one after the other. From the convex pieces that the earlier ones have in a
+ * triangle, the new site takes the part that is nearer to it by more than rounding.
  *
- * Sites are added one after the other. From the convex pieces that the earlier ones have in a
- * triangle, the new site takes the part that is nearer to it by more than rounding. A corner of a
- * piece is a vertex of the mesh, or was put on an edge between two corners when a site took one of
- * them. It is stored by these two, so that pieces on both sides of an edge, also in two triangles,
- * get the same corner, and no gap opens whatever the rounding.
+ * A corner of a piece is a vertex of the mesh, or lies on an edge between two corners, since a site
+ * took one of them. These two name it. So pieces on both sides of an edge, also in two triangles,
+ * have the same corner, and no gap opens whatever the rounding.
  */
 
 /** A convex part of a triangle, counterclockwise by its corners. */
@@ -15,7 +14,7 @@ export interface Piece {
   corners: number[];
 }
 
-/** The bound on numbers of corners. Two numbers form a key that a double holds exactly. */
+/** The limit for the numbers of corners. Two numbers form a key that a double holds exactly. */
 const mostCorners = 2 ** 26;
 
 /**
@@ -44,14 +43,13 @@ export class NearestPieces {
    */
   readonly #least: number[];
   readonly #site: Int32Array;
-  /** The corners that were put on edges: vertices of a triangle and their weights, in turn. */
+  /** The corners on edges: vertices of a triangle and their weights, in turn. */
   readonly #blends: number[][] = [];
   readonly #between = new Map<number, number>();
   #sites = 0;
 
   /**
-   * `distances` are those from some point. Vertices at one place are welded if these are equal,
-   * too.
+   * `distances` are those from some point. If these are equal, too, vertices at one place are one.
    */
   constructor(positions: Float64Array, triangles: Int32Array, distances: Float64Array) {
     this.positions = positions;
@@ -131,7 +129,7 @@ export class NearestPieces {
   }
 
   /**
-   * Whether a corner is the one with number `k` of a triangle, or was put on the edge from there to
+   * Whether a corner is the one with number `k` of a triangle, or lies on the edge from there to
    * the next.
    */
   #isOnEdge(face: number, corner: number, k: number): boolean {
@@ -175,8 +173,8 @@ export class NearestPieces {
     const { corners } = piece;
     if (!corners.some((corner) => isNearer[corner])) return [piece];
     if (corners.every((corner) => isNearer[corner])) return [{ site, corners }];
-    // Without a path to a corner the piece cannot be divided, as at a corner between parts that
-    // only touch there.
+    // Without a path to a corner the piece stays whole, as at a corner between parts that only
+    // touch there.
     if (corners.some((corner) => !Number.isFinite(own[corner]! - this.#least[corner]!))) {
       return [piece];
     }

@@ -11,7 +11,7 @@ export type Site = PointLike | readonly PointLike[];
 
 /**
  * The parts of a surface that are nearest to each of several sites. The diagram needs no mesh and
- * is not disposed of.
+ * has no `dispose`.
  */
 export interface VoronoiDiagram {
   /**
@@ -31,10 +31,9 @@ export interface VoronoiDiagram {
  * The Voronoi diagram of sites: the surface divided into cells, each with the points that are
  * nearest to one site.
  *
- * The squared distances from each site to the vertices are interpolated linearly in every triangle.
- * On a plane that gives the exact borders, and on smooth surfaces borders good to the square of the
- * edges. One field of distances is computed for each site. If sites coincide, the first has the
- * cell and the others have empty ones.
+ * In every triangle, squared distances are linear between those of the vertices. On a plane the
+ * borders are then exact, and on smooth surfaces good to the square of the edges. Each site takes
+ * one field of distances. If sites coincide, the first has the cell and the others have empty ones.
  *
  * Rejects with `KarcherError` tooFewPoints without sites, or for a site without points, and as
  * `Mesh.distance` does.

@@ -108,7 +108,7 @@ function sidesOf(pieces: NearestPieces): Map<number, Side[]> {
   return all;
 }
 
-/** Sides joined to paths: open ones from their ends, then closed ones. Those of no length are left out. */
+/** Sides joined to paths: open ones from their ends, then closed ones; none without length. */
 function joined(pieces: NearestPieces, sides: readonly Side[]): Path[] {
   const at = new Map<number, Side[]>();
   const ends = new Map<number, number>();
@@ -129,7 +129,7 @@ function joined(pieces: NearestPieces, sides: readonly Side[]): Path[] {
     let corner = start.from;
     for (let side: Side | undefined = start; side; ) {
       left.delete(side);
-      // Triangles of a file may have opposite orientations. A side is then followed backwards.
+      // Triangles of a file may have opposite orientations. The line then follows a side backwards.
       corner = side.from === corner ? side.to : side.from;
       points.push({ face: side.face, corner });
       const next: Side[] = at.get(corner)!.filter((other) => left.has(other));

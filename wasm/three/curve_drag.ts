@@ -14,7 +14,7 @@ import { liftMaterial } from './fat_line.js';
 import type { SurfaceCurve } from './surface_curve.js';
 
 /**
- * The part of the distance to the camera by which a control point is drawn nearer, and by which the
+ * The part of the distance to the camera by which a control point appears nearer, and by which the
  * surface may lie in front of a visible point. It is larger than a line's, since a square hides
  * more of a slope.
  */
@@ -36,17 +36,17 @@ export interface CurveDragOptions {
 }
 
 /**
- * Lets the control points of a curve be dragged over its surface: draws them, and listens to the
- * pointer on an element. Points behind the surface are neither drawn nor taken hold of. Nobody else
- * there hears a press that takes hold of a point, so that camera controls leave the view alone.
+ * Lets the user drag the control points of a curve over its surface: draws the visible ones, and
+ * listens to the pointer on an element. Nobody else there hears a press that takes hold of a point,
+ * so that camera controls leave the view alone.
  */
 export class CurveDrag {
   /**
-   * A function that is called with the error of an edit, such as that of a pointer over another
+   * A function that receives the error of an edit, such as that of a pointer over another
    * component.
    */
   onError: ((error: unknown) => void) | undefined;
-  /** The number of the control point that is dragged, or -1. */
+  /** The number of the dragged control point, or -1. */
   dragged = -1;
   readonly #curve: SurfaceCurve;
   readonly #object: Object3D;

@@ -18,13 +18,13 @@ export interface LineLook {
 }
 
 /**
- * The part of the distance to the camera by which a line is drawn nearer, so that its surface does
+ * The part of the distance to the camera by which a line appears nearer, so that its surface does
  * not cut it.
  */
 const nearer = 0.003;
 
 /**
- * Makes a material's depth nearer to the camera by a part of the distance. `after` is the line of
+ * Brings a material's depth nearer to the camera by a part of the distance. `after` is the line of
  * the shader after which the place is known.
  */
 export function liftMaterial(material: Material, after: string, part: number): void {
@@ -38,8 +38,8 @@ export function liftMaterial(material: Material, after: string, part: number): v
 }
 
 /**
- * A material for lines of this width in pixels, whose depth is that of a line slightly nearer to
- * the camera.
+ * A material for lines of this width in pixels, with the depth of a line slightly nearer to the
+ * camera.
  */
 export function lineMaterial({ width = 3, color = 0xd03a1e }: LineLook): LineMaterial {
   const material = new LineMaterial({ color, linewidth: width });
@@ -59,8 +59,7 @@ function segmentGeometry(): LineSegmentsGeometry {
 }
 
 /**
- * Draws a polyline as a fat line. Its buffers are kept and only grow, so that a drag allocates
- * none.
+ * Draws a polyline as a fat line. Its buffers stay and only grow, so that a drag allocates none.
  */
 export function drawLine(line: LineSegments2, polyline: ArrayLike<number>): void {
   const count = Math.max(0, polyline.length / 3 - 1);
@@ -78,7 +77,7 @@ export function drawLine(line: LineSegments2, polyline: ArrayLike<number>): void
   for (let i = 0; i < count; i++) {
     for (let k = 0; k < 6; k++) places[6 * i + k] = polyline[3 * i + k]!;
   }
-  // The rest of the array repeats the end, since bounds are computed from the whole array.
+  // Bounds count the whole array, so its rest repeats the end.
   for (let i = 6 * count; i < places.length; i++) places[i] = places[i - 3]!;
   ends.needsUpdate = true;
   line.geometry.instanceCount = count;

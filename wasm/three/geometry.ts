@@ -17,8 +17,8 @@ export interface GeometryGroup {
 /**
  * The geometry of a surface: positions in 32 bits, an index of 32 bits in the order of the mesh's
  * faces, and normals. Vertices keep their numbers. Of several at one place the index names the
- * first, so that normals are smooth across seams. `groups` are kept, such as those of the original
- * geometry.
+ * first, so that normals are smooth across seams. The geometry has the given `groups`, such as
+ * those of the original one.
  */
 export function geometryOf(
   surface: Surface<AnyMesh>,
@@ -46,7 +46,7 @@ export interface TubeOptions {
 
 /**
  * A tube along a path on the surface: a ring at each of its points, upright on the surface. It
- * needs no frames of its own, and so does not twist. Closed paths give closed tubes; others are
+ * needs no frames of its own, and so does not twist. Tubes of closed paths are closed; others are
  * open at their ends.
  */
 export function tubeGeometry(
@@ -78,7 +78,7 @@ export interface ColorOptions {
    * yellow to blue.
    */
   ramp?: (part: number, color: Color) => void;
-  /** The number that gets the last color; the largest distance by default. */
+  /** The number with the last color; the largest distance by default. */
   most?: number;
 }
 
@@ -112,9 +112,9 @@ const yellowToBlue = (part: number, color: Color) => color.lerpColors(yellow, bl
 
 /**
  * Log vectors of the vertices as an attribute `uv`, which lays a picture round the point where the
- * vectors start. The picture is twice `radius` wide, upright along the y axis of `frame`, the frame
- * of the point (`Surface.frame`), which may be turned. Beyond the picture uv leaves 0 to 1;
- * vertices without a vector (NaN) lie far outside.
+ * vectors start. The picture is twice `radius` wide, upright along the y axis of `frame`: the frame
+ * of the point (`Surface.frame`), turned as you like. Beyond the picture uv leaves 0 to 1; vertices
+ * without a vector (NaN) lie far outside.
  */
 export function logMapUvs(
   vectors: ArrayLike<number>,
@@ -140,7 +140,7 @@ export function logMapUvs(
 /** The options for decals. */
 export interface DecalOptions {
   /**
-   * The largest stretch: a triangle is left out if a side of its picture is more than this many
+   * The largest stretch: the decal omits a triangle if a side of its picture is more than this many
    * times as long as on the surface. The default is 4, which a picture on a sphere reaches at four
    * fifths of the way to the opposite point.
    */
@@ -172,7 +172,7 @@ export function decalGeometry(
     );
   for (let at = 0; at < corners.length; at += 3) {
     const face = [corners[at]!, corners[at + 1]!, corners[at + 2]!];
-    // Some corner lies within each bound that would exclude the whole triangle from the picture.
+    // Unless all corners lie beyond the same bound of the picture, the triangle may reach it.
     const isReached = [0, 1].every((k) => {
       const places = face.map((v) => uvs.getComponent(v, k));
       return Math.max(...places) > 0 && Math.min(...places) < 1;

@@ -23,13 +23,13 @@ export type AnyMesh = Mesh | RemoteMesh;
  * surface's vertices.
  */
 export interface SurfaceHit {
-  /** The place that was hit. */
+  /** The place of the hit. */
   point: { readonly x: number; readonly y: number; readonly z: number };
-  /** The corners of the triangle that was hit. */
+  /** The corners of the triangle. */
   face?: { readonly a: number; readonly b: number; readonly c: number } | null | undefined;
   /** The number of that triangle. */
   faceIndex?: number | null | undefined;
-  /** The object that was hit. */
+  /** The object, in whose coordinates the triangle is. */
   object?: Object3D | undefined;
   /** The instance of an `InstancedMesh`. */
   instanceId?: number | undefined;
@@ -62,13 +62,11 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
   }
 
   /**
-   * The surface point at which a raycast hit an object that draws this surface. The triangle is
-   * found by the places of its corners. So the numbers of vertices and the order of the triangles
-   * do not matter; a `MeshBVH` may have changed that order before or after the surface was created.
-   *
-   * Throws `KarcherError` badPoint if the hit is on another surface, or on this one in another
-   * shape (skinned, morphed, or edited since). The place of the point is checked to be the hit's
-   * within 1e-6 of the diagonal.
+   * The surface point at which a raycast hit an object that draws this surface. The places of its
+   * corners identify the triangle. So the numbers of vertices and the order of the triangles do not
+   * matter; a `MeshBVH` may have changed that order before or after. Throws `KarcherError` badPoint
+   * if the hit is on another surface, or on this one in another shape (skinned, morphed, or edited
+   * since). The point's place is the hit's, within 1e-6 of the diagonal, or the hit is refused.
    */
   pointAt(hit: SurfaceHit): SurfacePoint {
     const place = placeOf(hit);
@@ -137,7 +135,7 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
     return new Vector3().fromArray(positions, 3 * corners[3 * face + k]!);
   }
 
-  /** The places of the corners that were hit, as nine numbers. */
+  /** The places of the triangle's corners, as nine numbers. */
   #cornersOf({ face, faceIndex, object }: SurfaceHit): Float64Array {
     const geometry = (object as { geometry?: BufferGeometry } | undefined)?.geometry;
     const numbers = face
@@ -194,13 +192,13 @@ function placeOf({ point, object, instanceId, batchId }: SurfaceHit): Vector3 {
 }
 
 /**
- * The surface of a geometry. Its positions and triangles are copied, and may be reordered
- * afterwards, as by a `MeshBVH`. Vertices at one place are welded where their faces meet, as along
- * seams of texture coordinates. The geometry, with its groups, is not changed. Vertex i of the mesh
- * is vertex i of the geometry.
+ * The surface of a geometry. It copies the positions and triangles, which may have another order
+ * afterwards, as by a `MeshBVH`. It welds vertices at one place where their faces meet, as along
+ * seams of texture coordinates. The geometry, with its groups, does not change. Vertex i of the
+ * mesh is vertex i of the geometry.
  *
- * With the engine of `loadInWorker` it is a promise. Throws `KarcherError` as
- * `Karcher.meshFromArrays` does, and badArgument for a geometry without positions.
+ * With the engine of `loadInWorker` it is a promise. Throws what `Karcher.meshFromArrays` throws,
+ * and `KarcherError` badArgument for a geometry without positions.
  */
 export function surfaceFromGeometry(
   karcher: Karcher,
@@ -245,6 +243,6 @@ export function surfaceFromMesh(mesh: AnyMesh): Surface<Mesh> | Promise<Surface<
   return new Surface(mesh as Mesh, trianglesOf(positions, corners));
 }
 
-/** The triangles in 32 bits, as the graphics card has them. Hits are found by these places. */
+/** The triangles in 32 bits, as the graphics card has them. Hits refer to these places. */
 const trianglesOf = (positions: Float64Array, corners: Int32Array) =>
   new Triangles(Float64Array.from(positions, Math.fround), corners);

@@ -7,7 +7,7 @@ import type { CurveView } from '../view.js';
 import { drawLine, type LineLook, lineMaterial } from './fat_line.js';
 import type { AnyMesh, Surface } from './surface.js';
 
-/** The members of a `Curve` or a `RemoteCurve` that are used here. */
+/** The members of a `Curve` or a `RemoteCurve` that this class uses. */
 interface ShownCurve {
   set(value: CurveOptions): CurveView | Promise<CurveView>;
   view(): CurveView | Promise<CurveView>;
@@ -16,7 +16,7 @@ interface ShownCurve {
 
 interface Edit {
   value: CurveOptions;
-  /** Whether points were dragged, so that the legs of the drawn curve are continued. */
+  /** Whether it follows a drag of points, so that the legs of the drawn curve continue. */
   isDrag: boolean;
   tell(isShown: boolean): void;
   fail(error: unknown): void;
@@ -30,11 +30,9 @@ export interface SurfaceCurveEvents extends Object3DEventMap {
 
 /**
  * A curve on a surface, as a line with a width in pixels. Make it a child of the object that draws
- * the surface. Its line is drawn slightly nearer to the camera, so that the surface does not cut
- * it.
- *
- * Edits return promises, whether the engine runs in a worker or in the page. One edit is executed
- * at a time. Of the edits that arrive meanwhile, only the newest follows.
+ * the surface. Its line appears slightly nearer to the camera, so that the surface does not cut it.
+ * Edits return promises, whether the engine runs in a worker or in the page. One edit runs at a
+ * time. Of the edits that arrive meanwhile, only the newest follows.
  */
 export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
   override readonly type: string = 'SurfaceCurve';
@@ -42,12 +40,9 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
   readonly surface: Surface<AnyMesh>;
   /** The fat line that draws the curve. */
   readonly line: LineSegments2;
-  /** The length, samples and bridges of the drawn curve; undefined until it is first drawn. */
+  /** The length, samples and bridges of the drawn curve; undefined until the first drawing. */
   view: CurveView | undefined;
-  /**
-   * A promise that resolves when the curve is first drawn. It rejects with the error of
-   * `Mesh.curve`.
-   */
+  /** A promise that resolves at the first drawing. It rejects with the error of `Mesh.curve`. */
   readonly ready: Promise<void>;
   #curve: ShownCurve | undefined;
   #value: CurveOptions;
@@ -96,8 +91,8 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
   }
 
   /**
-   * Changes the curve to another one. The promise is true when that is drawn, and false when a
-   * newer edit replaced it. Rejects with the error of `Curve.set`; the curve is then unchanged.
+   * Changes the curve to another one. The promise is true when that is drawn, and false if a newer
+   * edit replaced it. Rejects with the error of `Curve.set`; the curve is then unchanged.
    */
   set(value: CurveOptions): Promise<boolean> {
     return this.#edit({ ...value, points: [...value.points] }, false);
@@ -120,7 +115,7 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
     try {
       await this.#curve?.dispose();
     } catch {
-      // A worker that has ended has no memory left to free.
+      // A worker that has ended has no memory to free.
     }
   }
 

@@ -1,10 +1,10 @@
-/** The triangles of a mesh, found by the places of their corners, whatever numbers these have. */
+/** The triangles of a mesh by the places of their corners, whatever numbers these have. */
 export class Triangles {
   /** x, y, z of each vertex. */
   readonly positions: Float64Array;
   /** The vertices of each triangle. */
   readonly corners: Int32Array;
-  /** Length of the bounding box's diagonal. */
+  /** The length of the bounding box's diagonal. */
   readonly diagonal: number;
   /** Vertices by a hash of their place; -1 for a free slot. */
   readonly #table: Int32Array;
@@ -49,8 +49,8 @@ export class Triangles {
   }
 
   /**
-   * The triangle with corners at three places, given as nine numbers, or -1. Of several, one that
-   * has them in the same order is preferred, and among these the one with the number `likely`.
+   * The triangle with corners at three places, as nine numbers, or -1. If there are several, those
+   * with the same order come first, and among these the one with the number `likely`.
    */
   find(places: ArrayLike<number>, likely: number): number {
     const [a, b, c] = [0, 3, 6].map((i) => this.#at(places[i]!, places[i + 1]!, places[i + 2]!));

@@ -24,9 +24,9 @@ import { type RemoteCurve, type RemoteMesh, remoteCurve, remoteMesh } from './re
 interface Origin {
   /** Its number in its present or last worker. */
   target: number;
-  /** Its worker, or null once it is disposed of. */
+  /** Its worker; null after its disposal. */
   worker: WorkerLike | null;
-  /** The mesh or curve from which it was created; null if there was none. */
+  /** The mesh or curve from which it was created, or null. */
   readonly of: Origin | null;
   readonly call: string;
   /** The arguments of its call, which nobody else changes. */
@@ -62,13 +62,12 @@ export const unknownReason = 'the engine could not go on in its worker';
 const leastPatience = 200;
 
 /**
- * The calls into one worker that runs `serve`.
- *
- * With a function that starts workers, a running call can be interrupted. A worker that does not
- * acknowledge in time that its call is cancelled is terminated and replaced. In the new worker the
- * other calls are sent again, and each mesh and curve is created again before the first call that
- * needs it. The client waits for about as long as creating all of them takes, so that little is
- * lost if the call was about to end. No other data of `serve` may depend on earlier calls.
+ * The calls into one worker that runs `serve`. A client with a function that starts workers can
+ * interrupt a running call. If the worker does not acknowledge a cancellation in time, the client
+ * terminates and replaces it. It sends the other calls to the new worker, which creates each mesh
+ * and curve again before the first call that needs it. The client waits for about as long as the
+ * creation of all of them takes, so that little is lost if the call was about to end. No other data
+ * of `serve` may depend on earlier calls.
  */
 export class WorkerClient {
   readonly #start: (() => WorkerLike) | null;
@@ -83,7 +82,7 @@ export class WorkerClient {
   #keepsAll = true;
   #hasAnswered = false;
   #calls = 0;
-  /** The number of objects that were created again. Their own numbers are negative. */
+  /** The number of objects created again. Their own numbers are negative. */
   #remade = 0;
   #end: KarcherError | null = null;
 
@@ -104,12 +103,12 @@ export class WorkerClient {
   #listen(): void {
     const worker = this.#worker;
     const heard = (type: Parameters<typeof listen>[1], hear: (value: unknown) => void) =>
-      // A replaced worker is no longer heard.
+      // Nobody listens to a replaced worker.
       listen(worker, type, (value) => worker === this.#worker && hear(value));
     heard('message', (reply) => this.#receive(reply as Reply));
     heard('error', (error) => this.#break(error));
     heard('messageerror', (error) => this.#break(error));
-    // This is a worker of Node that ended by itself, or that others ended.
+    // A worker of Node ended by itself, or others ended it.
     heard('exit', () => this.#break(new Error('the worker has ended')));
   }
 
@@ -126,10 +125,9 @@ export class WorkerClient {
   /**
    * Calls a method of an object in the worker, by default of the root object that `serve` received.
    * A signal among the arguments, or in an object among them, rejects the call with its reason at
-   * once. Rejects with the `KarcherError` of the engine, or with `disposed`.
-   *
-   * `work` serves calls that do not take signals and progress themselves. Its signal does the same,
-   * and its progress is called when the worker begins the call (0) and has ended it (1).
+   * once. Rejects with the `KarcherError` of the engine, or with `disposed`. `work` is for calls
+   * that do not take signals and progress themselves. Its signal does the same; its progress is 0
+   * when the worker begins the call, and 1 when it has ended it.
    */
   call(
     name: string,
@@ -145,7 +143,7 @@ export class WorkerClient {
       const origin = of === undefined ? null : this.#origins.get(of);
       if (origin === undefined) throw gone();
       if (name === 'dispose' && origin) {
-        // An object of a former worker that the present one did not create again is gone already.
+        // An object of a former worker is already gone if the present one did not create it again.
         if (this.#hasLeft(origin)) return resolve(undefined);
       }
       const pending: Pending = {
@@ -177,7 +175,7 @@ export class WorkerClient {
     }
   }
 
-  /** Ends the worker and every pending call. Safe to repeat. */
+  /** Ends the worker and every pending call. A second call has no effect. */
   dispose(): void {
     this.#stop(new KarcherError('disposed', 'the worker has been disposed of'));
   }
@@ -235,7 +233,7 @@ export class WorkerClient {
     this.#cancelled.clear();
   }
 
-  /** Replaces this worker by another one, to which the pending calls are sent again. */
+  /** Replaces this worker by another one, and sends it the pending calls again. */
   #restart(): void {
     this.#forgetCancelled();
     const before = this.#worker;
@@ -268,7 +266,7 @@ export class WorkerClient {
     this.onRestart?.();
   }
 
-  /** Whether an object that is to be disposed of is gone already, with its worker. */
+  /** Whether an object to be disposed of is already gone, with its worker. */
   #hasLeft(origin: Origin): boolean {
     if (origin.worker === this.#worker) return false;
     origin.isDisposed = true;
@@ -359,7 +357,7 @@ export class WorkerClient {
     if (reply.failure.fatal) this.#break(errorOf(reply.failure));
   }
 
-  /** Copies of arguments that may have to be sent again; adds their signals to the list. */
+  /** Copies of arguments, for a second sending; adds their signals to the list. */
   #copied(args: readonly unknown[], signals: AbortSignal[]): unknown[] {
     const copied = (arg: unknown) =>
       replaced(arg, (part) => {
@@ -387,7 +385,7 @@ export class WorkerClient {
     });
   }
 
-  /** Nobody waits for the result, so it is disposed of. */
+  /** Receives a result. If nobody waits for it, it is disposed of. */
   #received(result: unknown, pending: Pending | undefined): unknown {
     let meshes = 0;
     return replaced(result, (part) => {
@@ -467,7 +465,7 @@ function sending<Result>(clone: () => Result): Result {
   }
 }
 
-/** Reports that a call is done. An error of the progress function is the call's failure. */
+/** Reports the end of a call. An error of the progress function is the call's failure. */
 function told(result: unknown, progress: NonNullable<LongWorkOptions['progress']>): unknown {
   progress(1, 'done');
   return result;

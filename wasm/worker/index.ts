@@ -36,8 +36,8 @@ export function startWorker(): WorkerLike {
 /** The options for starting a worker with the engine. */
 export interface WorkerOptions {
   /**
-   * A worker that runs `karcher/worker-thread`, or a function that starts one. With a given worker,
-   * calls cannot be interrupted.
+   * A worker that runs `karcher/worker-thread`, or a function that starts one. A single worker does
+   * not allow interruptions of calls.
    */
   worker?: WorkerLike | (() => WorkerLike) | undefined;
   /** The source of the engine, as for `load`. The worker receives it compiled. */
@@ -50,16 +50,15 @@ const workerOptionNames = namesOf<WorkerOptions>({ worker: true, wasm: true, sig
 
 /**
  * Loads the engine in a new worker. All names are those of `load`'s engine. Methods return
- * promises, and a curve's properties are promises. Results belong to the caller, and large arrays
- * are transferred.
+ * promises, and a curve's properties are promises. Results belong to the caller; the worker
+ * transfers large arrays.
  *
  * Every method takes `{ progress, signal }` after its other arguments. A signal rejects the call at
- * once with its reason. A waiting call is then not begun; files, graphs and check-ups stop. Any
- * other running call may continue for about as long as creating all meshes and curves again takes.
- * Then it is interrupted: a new worker replaces this one, the calls that were not aborted are sent
- * to it, and each mesh and curve is created again, as it was, before the first call that needs it.
- * For this purpose the data of meshes is copied, which takes a small part of their memory in the
- * engine.
+ * once with its reason. A waiting call then does not begin; files, graphs and check-ups stop. Any
+ * other running call may continue for about as long as the creation of all meshes and curves takes.
+ * Then a new worker replaces this one and receives the remaining calls. It creates each mesh and
+ * curve again, as it was, before the first call that needs it. For this purpose the client keeps a
+ * copy of the meshes' data, which takes a small part of their memory in the engine.
  *
  * In Node the worker keeps the process alive only while a call is pending.
  *
@@ -93,7 +92,8 @@ export async function loadInWorker(options: WorkerOptions = {}): Promise<RemoteK
 }
 
 /**
- * A worker that has been sent the engine's module. Its client rejects a value that is no worker.
+ * A caller's worker, with the engine's module as its first message. Its client rejects a value that
+ * is no worker.
  */
 function supplied(worker: WorkerLike, wasm: WebAssembly.Module | undefined): WorkerLike {
   const { postMessage } = (worker ?? {}) as Partial<WorkerLike>;
@@ -103,7 +103,7 @@ function supplied(worker: WorkerLike, wasm: WebAssembly.Module | undefined): Wor
 }
 
 /**
- * `startWorker` with a replacement for pages that may not call it: `Worker` throws for an address
+ * `startWorker`, with a replacement for pages that may not call it: `Worker` throws for an address
  * of another origin.
  */
 function startOwnWorker(): WorkerLike {
@@ -115,8 +115,8 @@ function startOwnWorker(): WorkerLike {
 }
 
 /**
- * The error of a worker that has never answered. Browsers give no reason if a script is missing or
- * blocked.
+ * The error of a worker that has never answered. Browsers have no reason for a script that is
+ * missing or blocked.
  */
 function notStarted(isOwn: boolean, cause: unknown): unknown {
   if (cause instanceof KarcherError && cause.code !== 'internal') return cause;
@@ -129,7 +129,7 @@ function notStarted(isOwn: boolean, cause: unknown): unknown {
   );
 }
 
-/** A bundler chooses the script's name. An address in the source would be bundled again. */
+/** The advice for a script whose name a bundler chooses and whose address it would bundle again. */
 function adviceOnOwn(): string {
   const here = import.meta.url;
   const address = here.replace(/\/worker\/index\.js([?#].*)?$/, '/worker/thread.js');

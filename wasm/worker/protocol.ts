@@ -34,8 +34,8 @@ export interface Call {
 
 /**
  * The messages between a client and its worker. A call names a method of an object in the worker;
- * number 0 is the root object. Arguments and results are sent as structured clones, except those
- * written as `Sent`.
+ * number 0 is the root object. Arguments and results are structured clones, except those written as
+ * `Sent`.
  */
 export type Request = Call | { cancel: number } | FirstRequest;
 
@@ -58,7 +58,7 @@ export interface Failure {
   message: string;
   /** The code of a `KarcherError`. */
   code?: ErrorCode;
-  /** Whether the engine broke and takes no more calls. */
+  /** Whether the engine broke and allows no more calls. */
   fatal: boolean;
 }
 
@@ -88,10 +88,7 @@ export function isPlain(value: object): boolean {
   return prototype === Object.prototype || prototype === null;
 }
 
-/**
- * A copy of a value in which `replace` has replaced parts; undefined from `replace` leaves a part
- * unchanged.
- */
+/** A copy of a value with the parts that `replace` returns; undefined leaves a part unchanged. */
 export function replaced(value: unknown, replace: (part: object) => unknown): unknown {
   if ((typeof value !== 'object' || value === null) && typeof value !== 'function') return value;
   const other = replace(value);

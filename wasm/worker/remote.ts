@@ -31,10 +31,7 @@ type Remote<Value> = Value extends Mesh
 
 type RemoteArgs<Args extends unknown[]> = { [Index in keyof Args]: Remote<Args[Index]> };
 
-/**
- * The methods of a class, returning promises. Each takes a signal and progress after its last
- * argument.
- */
+/** The methods of a class as promises. Each takes a signal and progress after its last argument. */
 type Remotely<Class, Name extends keyof Class> = {
   [Method in Name]: Class[Method] extends (...args: infer Args) => infer Result
     ? (...args: [...RemoteArgs<Args>, work?: LongWorkOptions]) => Promise<Remote<Awaited<Result>>>
@@ -116,7 +113,7 @@ function calling(client: Caller, names: readonly string[], object?: object) {
   return Object.fromEntries(names.map((name): [string, Call] => [name, callOf(name)]));
 }
 
-/** The same call, which rejects a curve's value with a basis. */
+/** The same call without a basis: it rejects a curve's value that has one. */
 const withoutBasis =
   (call: Call): Call =>
   (...args) => {
@@ -126,11 +123,11 @@ const withoutBasis =
     return Promise.reject(new KarcherError('badArgument', sentence));
   };
 
-/** Makes an object disposable by `using`, if the language supports it. */
+/** Gives an object the method for `using`, if the language supports it. */
 function withDispose<Item extends { dispose(): void | Promise<void> }>(item: Item): Item {
   if (typeof Symbol.dispose !== 'symbol') return item;
   const value = () => {
-    // If the worker has ended, no memory is left to free.
+    // A worker that has ended has no memory to free.
     Promise.resolve(item.dispose()).catch(() => {});
   };
   return Object.defineProperty(item, Symbol.dispose, { value });
@@ -140,7 +137,7 @@ export function remoteCurve(client: Caller, { methods, facts }: ClassNames): Rem
   const curve = {};
   const calls = calling(client, methods, curve);
   const set = withoutBasis(calls.set!);
-  // The properties are not enumerable, so that copying or printing a curve makes no call.
+  // The properties are not enumerable, so that a copy or a print of a curve makes no call.
   for (const name of facts) {
     Object.defineProperty(curve, name, { get: () => client.call(name, [], curve) });
   }

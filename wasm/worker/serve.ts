@@ -31,9 +31,9 @@ export function ownScope(): Scope {
 
 /**
  * Answers the calls of a client from within its worker. Calls are methods of `root`, and methods
- * and properties of the meshes and curves that these return, which stay here. Functions among a
- * call's arguments may be called while it runs, and return nothing. The client aborts a signal
- * among them. The arrays of results are transferred, so the methods must not keep them.
+ * and properties of the meshes and curves that these return, which stay here. The call may use
+ * functions among its arguments while it runs; these return nothing. The client aborts a signal
+ * among them. The worker transfers the arrays of results, so the methods must not keep them.
  */
 export function serve(root: object | Promise<object>): void {
   const server = new Server(root, ownScope());
@@ -82,7 +82,7 @@ class Server {
     });
   }
 
-  /** Executes the waiting calls, and receives between them which of the others are cancelled. */
+  /** Executes the waiting calls. Between them it receives cancellations of the others. */
   async #begin(): Promise<void> {
     if (this.#beginning) return;
     this.#beginning = true;
@@ -128,7 +128,7 @@ class Server {
     const controller = new AbortController();
     this.#running.set(id, controller);
     try {
-      // A repeated disposal is safe.
+      // A second disposal has no effect.
       if (call === 'dispose' && target !== 0 && !this.#objects.has(target)) {
         this.#post({ id, result: undefined });
         return;

@@ -13,7 +13,7 @@ const options = new Promise<LoadOptions>((resolve) => {
   });
 });
 
-/** The worker reads files by readers that are loaded with the first file. */
+/** The engine with readers of files, which load with the first file. */
 const withFiles = options.then(load).then((karcher) =>
   Object.assign(karcher, {
     async meshFromFile(bytes: Uint8Array, options?: FileOptions) {
