@@ -61,13 +61,23 @@ LinePoint footOn(const Geometry& geometry, const SurfacePath& line, const Surfac
     LinePoint candidate = at(whole * i / kParts);
     if (candidate.path.length() < best.path.length()) best = std::move(candidate);
   }
-  // The slope changes its sign between these two lengths.
-  const double low = best.slope < 0 ? best.length : std::max(0.0, best.length - whole / kParts);
-  const double high = best.slope < 0 ? std::min(whole, best.length + whole / kParts) : best.length;
-  if (low >= high) throwNoFoot();
-  const double lowSlope = best.slope < 0 ? best.slope : at(low).slope;
-  const double highSlope = best.slope < 0 ? at(high).slope : best.slope;
-  if ((low == 0 && lowSlope > 0) || (high == whole && highSlope < 0)) throwNoFoot();
+  // The slope changes its sign between the best point and another one, unless that is an end beyond
+  // which the foot lies.
+  const bool isAhead = best.slope < 0;
+  const LinePoint other = at(isAhead ? std::min(whole, best.length + whole / kParts)
+                                     : std::max(0.0, best.length - whole / kParts));
+  const bool isEnd =
+      isAhead ? other.length == whole && other.slope < 0 : other.length == 0 && other.slope >= 0;
+  if (isEnd) {
+    // The foot of a point on the perpendicular at an end may lie beyond it by rounding.
+    const double far = other.path.length();
+    if (std::abs(other.slope) * far > kLocalRounding * (whole + far)) throwNoFoot();
+    return other;
+  }
+  const double low = isAhead ? best.length : other.length;
+  const double high = isAhead ? other.length : best.length;
+  const double lowSlope = isAhead ? best.slope : other.slope;
+  const double highSlope = isAhead ? other.slope : best.slope;
   signChange(low, high, lowSlope, highSlope, kStepRounding * whole, [&](double length) {
     LinePoint candidate = at(length);
     const double slope = candidate.slope;

@@ -106,6 +106,29 @@ TEST(TangentMaps, MirrorOnThePlaneReflects) {
   }
 }
 
+TEST(TangentMaps, MirrorHasPointsOfALinesEndsAndOfThePerpendicularsThere) {
+  const TriangleMesh mesh = planeGrid(10, 10);
+  const Geometry geometry = buildGeometry(mesh);
+  FindPathWorkspace workspace;
+  const uint64_t seed = 20261127;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  const auto place = [&] { return Vec3(random.uniform(3, 7), random.uniform(3, 7), 0); };
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 ends[] = {place(), place()};
+    const SurfacePath line =
+        pathBetween(geometry, nearestPoint(mesh, ends[0]), nearestPoint(mesh, ends[1]), workspace);
+    const Vec3 across = (ends[1] - ends[0]).normalized().cross(Vec3::UnitZ());
+    for (const Vec3& end : ends) {
+      for (const double far : {0.0, 0.4, 2.5}) {
+        const SurfacePoint point = nearestPoint(mesh, end + far * across);
+        const ExpMapped image = mirrored(geometry, line, point, Vec2::Zero(), workspace);
+        EXPECT_LT((position(mesh, image.point) - (end - far * across)).norm(), 1e-9);
+      }
+    }
+  }
+}
+
 TEST(TangentMaps, NoPerpendicularLeadsFromBeyondALinesEnd) {
   const TriangleMesh mesh = planeGrid(10, 10);
   const Geometry geometry = buildGeometry(mesh);

@@ -173,7 +173,8 @@ export class Gestures {
   show(): void {
     const { surface } = this.viewer;
     const { view } = this.session;
-    const isEdited = this.editor.state.tool !== 'transform';
+    // A mirror's line may start at an anchor, so that its handle must not take the click.
+    const isEdited = !['transform', 'mirror'].includes(this.editor.state.tool);
     this.#handles.show(surface && isEdited ? handlesOf(this.editor.state, view, surface) : []);
     this.#transforms.show();
     this.#showTangents();
@@ -443,7 +444,8 @@ export class Gestures {
     const begun = newCircle(center, session.client.info.diagonal, viewer.right);
     return {
       drag: ({ x, y }) => {
-        const rim = viewer.pick(x, y)?.point;
+        const { touch } = press;
+        const rim = this.snapping.pick({ x, y, touch, control: this.#keys.control })?.point;
         if (!rim) return;
         const to = withHandle(begun, begun, 'rim', rim);
         editor.preview({ type: 'circle', from: null, to });
