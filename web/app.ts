@@ -75,7 +75,7 @@ function drawingOf(
   };
 }
 
-/** The edited curve by the method of the comparison; it cannot be picked. */
+/** The edited curve by the method of the comparison, which nobody can pick. */
 function comparedDrawing(
   { active, state }: Editor,
   { shown }: Comparison,
@@ -91,7 +91,7 @@ function comparedDrawing(
   return [{ id: -state.drawing.active - 1, style, locked: true, lines, dots: [] }];
 }
 
-/** Marks several selected objects by halos; a single one has handles. */
+/** Shows a selection: halos of several objects, or the handles of a single one. */
 function showChosen(viewer: Viewer, { drawing, chosen }: State): void {
   const others = chosen.filter((id) => id !== drawing.active);
   viewer.showChosen(others, others.length > 0 && chosen.includes(drawing.active));
@@ -175,8 +175,8 @@ export async function start(): Promise<void> {
   };
   let cutShown: { cut: ShownCut | null; surface: Surface | null; colored: boolean } | null = null;
   /**
-   * Shows the parts of the topmost visible cut, in colors while it is edited. While one of its
-   * sources is edited, the whole surface is shown.
+   * Shows the parts of the topmost visible cut, in colors while it is edited. During an edit of one
+   * of its sources, the whole surface is visible.
    */
   const showCut = () => {
     const { drawing, none } = editor.state;
@@ -216,7 +216,7 @@ export async function start(): Promise<void> {
     viewer.showStyle(editor.active);
     if (view.isolines) viewer.showLines(polylinesOf(view));
     else viewer.showCurve(view.curve);
-    // Without a selection, no control polygon is shown.
+    // Without a selection, no control polygon is visible.
     viewer.aids.showPolygon(editor.state.none ? [] : view.legs, view.polygonOnly);
     distances.update();
     if (viewer.surface !== surfaceShown && distances.shown) distances.onChange(distances.shown);
@@ -397,7 +397,7 @@ export async function start(): Promise<void> {
     () => sheet.show(),
     () => editor.state.drawing.objects.some(({ figure }) => !isEmpty(figure)),
   );
-  // An example is drawn once its surface is shown.
+  // The surface of an example appears before its drawing.
   editor.subscribe(() => queueMicrotask(() => tour.update()));
   const viewChanged = saveChanges(
     editor,

@@ -1,15 +1,13 @@
-/**
- * Chooses which of several dropped or chosen files to open, and finds the files that belong to it.
- */
+/** The choice of a file among several dropped or chosen ones, and the files that belong to it. */
 
 import { formatInteger } from './panels/elements';
 
-/** Files that belong to surfaces and are not opened by themselves: materials, buffers and pictures. */
+/** Files that belong to surfaces and do not open by themselves: materials, buffers and pictures. */
 const companions = /\.(mtl|bin|png|jpe?g|webp|ktx2|basis|tga|bmp|gif|tiff?|dds|hdr|exr)$/i;
 const openable = /\.(obj|ply|stl|off|glb|gltf|json)$/i;
 const drawing = /\.json$/i;
 
-/** Files that were dropped or chosen together. */
+/** Files that the user dropped or chose together. */
 export interface Dropped {
   /** Files of surfaces. */
   surfaces: File[];
@@ -23,13 +21,13 @@ export function sorted(files: readonly File[]): Dropped {
   const others = files.filter(({ name }) => !openable.test(name));
   const surfaces = known.filter(({ name }) => !drawing.test(name));
   const drawings = known.filter(({ name }) => drawing.test(name));
-  // A single file with another ending is tried too, since its content may show its format.
+  // A single file may have another ending, since its content may show its format.
   if (known.length === 0)
     return { surfaces: others.slice(0, 1), drawings, unknown: others.slice(1) };
   return { surfaces, drawings, unknown: others.filter(({ name }) => !companions.test(name)) };
 }
 
-/** Says that files are neither opened nor part of the opened one. */
+/** A sentence about files that the page neither opens nor needs for the opened one. */
 export function sentenceOfUnknown([first, second, ...more]: readonly File[]): string {
   if (!second) return `${first!.name} is no surface or drawing, and is left out.`;
   const others = more.length > 0 ? `${formatInteger(1 + more.length)} more` : second.name;

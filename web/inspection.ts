@@ -16,7 +16,7 @@ export interface Inspection {
   readonly shown: number;
   /** The number of triangles of the surface; 0 without one. */
   readonly triangles: number;
-  /** Whether the newest view is drawn, and no motion is under way. */
+  /** Whether the newest view is visible, and no motion is under way. */
   readonly still: boolean;
   state(): State;
   view(): View;

@@ -1,6 +1,6 @@
 import { byId } from './panels/elements';
 
-/** Reports a missing network, and keeps the page's files, so that it can be loaded without one. */
+/** Reports a missing network, and keeps the page's files for a start without one. */
 export function workOffline(): void {
   const chip = byId('status-offline');
   const show = () => {

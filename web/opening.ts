@@ -35,13 +35,13 @@ import type { Surface } from './viewer/surface';
 import type { Viewer } from './viewer/viewer';
 import { EngineClient } from './worker/client';
 
-/** The largest file in bytes: a larger one would not fit into the engine's memory. */
+/** The largest file in bytes, since a larger one would not fit into the engine's memory. */
 const largestFile = 1 << 30;
 
-/** The number of times that an engine that stopped by itself is started again for one surface. */
+/** The number of new starts, for one surface, of an engine that stopped by itself. */
 const mostRestarts = 2;
 
-/** The drawing for a new surface: from a link, or made from the previous one. */
+/** The drawing for a new surface: from a link, or by transfer from the previous one. */
 type Wanted = (surface: Surface, before: Surface | null) => Drawing | null;
 
 /**
@@ -51,13 +51,10 @@ type Wanted = (surface: Surface, before: Surface | null) => Drawing | null;
 export class Opening {
   #running: AbortController | null = null;
   #restarts = 0;
-  /** Counts choices of reading options, since only the last one applies. */
+  /** The number of choices of reading options, since only the last one applies. */
   #turns = 0;
   #complaint: HTMLElement | null = null;
-  /**
-   * Links to curves on files that this browser does not have: they are shown once the file is
-   * opened.
-   */
+  /** Links to curves on files that this browser does not have, until the user opens the file. */
   readonly #awaited = new Map<string, string>();
   /** The last opened file, if the browser does not keep it. */
   #file: { key: string; file: File } | null = null;
@@ -65,7 +62,7 @@ export class Opening {
   #history: { history: History; link: Link } | null = null;
   #viewer: Viewer | null = null;
   readonly #viewerReady = withResolvers<Viewer>();
-  /** Called when an attempt has ended, with or without success, unless another replaced it. */
+  /** A listener for the end of an attempt, successful or not, unless another replaced it. */
   onEnd: () => void = () => {};
 
   constructor(
@@ -162,8 +159,8 @@ export class Opening {
   }
 
   /**
-   * Shows the present file with the reading options in a key: other parts of it, or another
-   * tolerance of welding or another upward axis, which keep the curve.
+   * Shows the present file with the reading options in a key: other parts, or another tolerance of
+   * welding or upward axis, which keep the curve.
    */
   async reread(key: string): Promise<void> {
     const turn = ++this.#turns;
@@ -179,7 +176,7 @@ export class Opening {
     else showError(`This browser does not have ${meshLabel(key)} any more. Drop it here again.`);
   }
 
-  /** Shows the present surface with the upward axis of a key, if that is still requested. */
+  /** Shows the present surface with the upward axis of a key, if that is still the wanted one. */
   async #turn(key: string, wanted: () => boolean): Promise<void> {
     const [client, viewer] = [this.session.client, this.#viewer];
     if (!client || !viewer) return;
@@ -195,8 +192,8 @@ export class Opening {
   }
 
   /**
-   * Opens the drawing of a link; returns false after a message if that is impossible. A link that
-   * was made here or comes from a file may have any number of points.
+   * Opens the drawing of a link; returns false after a message if that is impossible. A link of
+   * this browser or from a file may have any number of points.
    */
   async link({ link, own }: FoundLink): Promise<boolean> {
     const { mesh, method, problems } = link;
@@ -216,7 +213,7 @@ export class Opening {
     const { client } = this.session;
     if (client && mesh === this.editor.state.mesh) {
       if (method && !(await this.prepare(method))) return false;
-      // Another surface may have been opened in the meantime.
+      // The user may have opened another surface in the meantime.
       if (client !== this.session.client || mesh !== this.editor.state.mesh) return false;
       if (method) this.editor.setMethod(method);
       this.#replace(wantedOf(link)(this.#viewer!.surface!));
@@ -245,8 +242,8 @@ export class Opening {
   }
 
   /**
-   * Opens the drawing of the address, or the last one made here; otherwise opens the first example
-   * and returns true.
+   * Opens the drawing of the address, or the last one of this browser; otherwise opens the first
+   * example and returns true.
    */
   async first(): Promise<boolean> {
     const found = startingLink();
@@ -296,7 +293,7 @@ export class Opening {
     return opened;
   }
 
-  /** Keeps a link until its file is opened. An empty link ends the waiting. */
+  /** Keeps a link until the user opens its file. An empty link ends the waiting. */
   #await(mesh: string, link: string): void {
     const file = keyOfFile(mesh);
     this.#awaited.set(file, link);
@@ -352,7 +349,7 @@ export class Opening {
     }
   }
 
-  /** Shows why no surface was opened, until one is. */
+  /** Shows why no surface is open, until one is. */
   #complain(sentence: string): void {
     this.#complaint?.remove();
     this.#complaint = showError(sentence);
@@ -401,7 +398,7 @@ function drawnMesh(client: EngineClient, key: string): GeometryRequest {
   return {
     mesh: arrays,
     colors: client.file?.colors ?? null,
-    // Triangles that were turned over are drawn as they came.
+    // The page draws triangles in their original orientation.
     closed: info.boundaryLoops === 0 && info.repairs.every(({ kind }) => kind !== 'turnedOver'),
     up: readingOf(key)?.up ?? client.up,
   };

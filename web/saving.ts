@@ -27,7 +27,7 @@ function keptAddress(mesh: string, method: string): string {
 }
 
 /**
- * Keeps a drawing and its history in the browser and in the tab, as far as there is room; returns
+ * Keeps a drawing and its history in the browser and in the tab, as far as there is room. Returns
  * false if neither they nor the address would restore the drawing after a reload.
  */
 export function keepDrawing(
@@ -37,7 +37,7 @@ export function keepDrawing(
   const text = formatLink(mesh, method, drawing);
   const document = `document.${mesh}`;
   const short = text.length <= longestLink;
-  // A long text is stored once.
+  // The browser stores a long text only once.
   const last = short ? text : keptAddress(mesh, method);
   const left = rememberAll({ [document]: text, last, method });
   const inTab =
@@ -49,10 +49,10 @@ export function keepDrawing(
 
 /**
  * Saves the drawing and the view for a reload: in the address and in the browser's storage, and the
- * history in that of the tab. Saving waits for a moment's rest, as browsers limit how often an
- * address may change. A surface that stands in for another is not saved, since the original may be
- * opened later. `onLost` is called if a reload would lose the drawing, once until it is saved
- * again. Call the returned function when the view may have changed.
+ * history in that of the tab. It waits for a moment's rest, since browsers limit how often an
+ * address may change. It does not save a surface that stands in for another, since the user may
+ * open the original later. If a reload would lose the drawing, it calls `onLost`, once until the
+ * next save. Call the returned function when the view may have changed.
  */
 export function saveChanges(
   editor: Editor,
@@ -107,7 +107,7 @@ export function saveChanges(
     clearTimeout(viewTimer);
     viewTimer = window.setTimeout(() => {
       const { state } = editor;
-      // A save that is still waiting stores the view as well.
+      // A save that still waits stores the view as well.
       if (!timer && state.mesh !== '' && !state.standIn) saveAddress(state);
     }, delayMilliseconds);
   };

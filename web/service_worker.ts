@@ -1,8 +1,8 @@
 /**
- * Keeps the built page for use without a network: its files are stored on the first visit. Pages
- * come from the network if it answers, so that a new version appears at once; their files have
- * names made from their content, and come from the store. The book is stored as a whole once a
- * reader has opened one of its pages.
+ * Keeps the built page for use without a network, from the first visit on. Pages come from the
+ * network if it answers, so that a new version appears at once. Their files, whose names depend on
+ * their content, come from the store. The store has the whole book after a reader has opened one of
+ * its pages.
  */
 
 /** The build replaces this: the page's files, and a name made from their content. */
@@ -81,7 +81,7 @@ async function keepBook(): Promise<void> {
       listed.map((file) => new Request(addressOf(`book/${file}`), { cache: 'no-cache' })),
     );
   } catch (error) {
-    // An incomplete store is filled again with the next page.
+    // The next page fills an incomplete store again.
     await caches.delete(kept);
     throw error;
   }

@@ -12,8 +12,7 @@ export interface Boundary {
 /**
  * Finds the boundary. `numbers` has the number of each corner's vertex, equal for vertices that
  * count as one. At an edge with more than two faces, pairs of faces stay together, so that one face
- * of an odd number is alone. With `doubled`, faces that lie on others are left out as the engine
- * does.
+ * of an odd number is alone. With `doubled`, it omits faces that lie on others, as the engine does.
  */
 export async function boundaryEdges(
   triangles: Int32Array,
@@ -58,7 +57,7 @@ export async function boundaryEdges(
     for (let at = starts[low]!; at < starts[low + 1]!; at++) faces += others[at] === high ? 1 : 0;
     return faces;
   };
-  /** The edges whose number of faces changes by an odd number when faces are left out. */
+  /** The edges whose number of faces changes by an odd number without the omitted faces. */
   const changed = new Set<string>();
   for (const face of onOthers?.turned ?? []) {
     const edges = [0, 1, 2].map((k) => edgeOf(numbers, 3 * face + k).sort((i, j) => i - j));

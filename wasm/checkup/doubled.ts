@@ -2,14 +2,11 @@ import { batchMask, type Slices } from '../slices.js';
 
 /** The faces that lie on an earlier one. */
 export interface FacesOnOthers {
-  /**
-   * 1 for each face that lies on another one with the same orientation, which the engine leaves
-   * out.
-   */
+  /** 1 for each face that lies on another one with the same orientation. The engine omits it. */
   same: Uint8Array;
   /**
    * Faces that lie on another one with the opposite orientation and have no other neighbor, or the
-   * same vertices. The engine leaves them out at edges of more than two faces.
+   * same vertices. The engine omits them at edges of more than two faces.
    */
   turned: number[];
 }

@@ -25,7 +25,7 @@ export interface CheckUp {
   caps: Int32Array;
   /** Edges of one face only: x, y, z of both ends, six numbers for each edge. */
   boundary: Float64Array;
-  /** Boundaries that lie near each other and are not joined; null if none do. */
+  /** Boundaries that lie near each other without being joined; null if none do. */
   nearBoundaries: NearBoundaries | null;
   /** Sentences about what to expect of curves. */
   expected: string[];
@@ -43,17 +43,15 @@ export interface CheckedMesh {
 
 /**
  * Checks a mesh, in slices of some milliseconds: two seconds for two million triangles. Faces have
- * the caller's numbers; those that were left out or flipped away while the mesh was read are
- * skipped.
- *
- * Rejects with the signal's reason when it is aborted, and with `KarcherError` disposed.
+ * the caller's numbers; the check skips those that the import omitted or flipped away. Rejects with
+ * the signal's reason when it is aborted, and with `KarcherError` disposed.
  */
 export async function checkUp(mesh: CheckedMesh, work: LongWorkOptions = {}): Promise<CheckUp> {
   checkLongWork(work);
   const slices = new Slices(work, 'checking');
   const [positions, triangles] = [await mesh.positions(), await mesh.triangles()];
   const { info } = mesh;
-  // If no vertices were welded, vertices at one place are separate in the engine, too.
+  // Without welded vertices, vertices at one place are separate in the engine, too.
   const byPlace = info.repairs.some(({ kind }) => kind === 'welded');
   const doubled = info.repairs.some(({ kind }) => kind === 'duplicate');
   const { numbers, shortest, ...shapes } = await shapesOf(positions, triangles, byPlace, slices);
@@ -77,7 +75,7 @@ function placesOf(positions: Float64Array, { ends, vertexAt }: Boundary): Float6
 }
 
 /**
- * Edges that differ by more leave distances fewer correct digits (the gallery of
+ * The largest ratio of edges that does not cost distances correct digits (the gallery of
  * `docs/gallery.md`).
  */
 const widestRange = 1e8;

@@ -4,8 +4,9 @@ import type { Boundary } from './boundary.js';
 /** Boundaries that nearly touch, and the `weld` that would join them. */
 export interface NearBoundaries {
   /**
-   * The coordinates x, y, z of boundary vertices near another boundary vertex: within 1e-4 of the diagonal, and
-   * within a third of the shortest edge at either of both, so that they can be welded.
+   * The coordinates x, y, z of boundary vertices near another boundary vertex: within 1e-4 of the
+   * diagonal, and within a third of the shortest edge at either of both, so that the import can
+   * weld them.
    */
   places: Float64Array;
   /** The tolerance, as `weld` of `MeshOptions`, that joins them. */
@@ -14,9 +15,9 @@ export interface NearBoundaries {
 
 /** The distance, relative to the diagonal, within which boundaries are near each other. */
 const nearness = 1e-4;
-/** The engine welds vertices up to this part of the shortest edge at either vertex. */
+/** The part of the shortest edge at either vertex up to which the engine welds vertices. */
 const partOfEdge = 1 / 3;
-/** The least tolerance that is recommended, relative to the diagonal. */
+/** The least tolerance in the advice, relative to the diagonal. */
 const leastWeld = 1e-9;
 /** The number of halvings of the nearness. Shorter edges share the last one. */
 const mostLevels = 40;
@@ -35,7 +36,7 @@ interface Places {
 /**
  * Finds boundaries that lie on each other: a vertex of one is within 1e-4 of the diagonal of a
  * vertex of the other, and within a third of the shortest edge at either. If both are at the same
- * place, an edge of each must be, too, since vertices that only touch are not welded.
+ * place, an edge of each must be, too, since the import does not weld vertices that only touch.
  */
 export async function nearBoundaries(
   { positions, boundary, shortest, diagonal }: Places,

@@ -1,7 +1,7 @@
 import { Places } from '../places.js';
 import { batchMask, type Slices } from '../slices.js';
 
-/** These angles are in degrees: below the first a triangle is a needle, above the second a cap. */
+/** The angles, in degrees, below which a triangle is a needle, and above which it is a cap. */
 const [needleAngle, capAngle] = [2, 170];
 /**
  * The least height of a triangle, relative to its longest edge. Corners of a lower one lie on a
@@ -24,8 +24,8 @@ interface Shapes {
 }
 
 /**
- * The lengths and angles of triangles. Triangles with two corners at one place, or with corners on
- * a line by the engine's rule, are skipped. With `byPlace`, vertices at one place count as one.
+ * The lengths and angles of triangles, without triangles with two corners at one place, or with
+ * corners on a line by the engine's rule. With `byPlace`, vertices at one place count as one.
  */
 export async function shapesOf(
   positions: Float64Array,

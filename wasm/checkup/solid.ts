@@ -37,8 +37,7 @@ export function solidOf({
       along[i + k] = tail * count + head;
       against[i + k] = head * count + tail;
     });
-    // Places are taken relative to the first vertex, so that a place far from the origin costs no
-    // digits.
+    // Places are relative to the first vertex, so that a place far from the origin costs no digits.
     const [a, b, c] = corners.map((v) => start.map((from, k) => positions[3 * v + k]! - from));
     const across = cross(
       b!.map((value, k) => value - a![k]!),

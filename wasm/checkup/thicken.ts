@@ -28,15 +28,12 @@ interface Triangles {
 type Vector = [number, number, number];
 
 /**
- * The closed shell between triangles and their copy, which is moved along the vertices' normals by
- * a thickness: outwards, or inwards if it is negative. Open sides get walls. Triangles must be
- * oriented, as `mesh.cut` returns them.
- *
- * For a part of a mesh, as `mesh.cut` returns it, `whole` is that mesh, whose normals the part then
- * has. Along the cut the part's own triangles are so small that their normals would not describe
- * the shape.
- *
- * Throws `KarcherError` badArgument for a thickness of 0.
+ * The closed shell between triangles and their copy, moved along the vertices' normals by a
+ * thickness: outwards, or inwards if it is negative. Open sides have walls. Triangles must be
+ * oriented, as `mesh.cut` returns them. For a part of a mesh, as `mesh.cut` returns it, `whole` is
+ * that mesh, whose normals the part then has. Along the cut the part's own triangles are so small
+ * that their normals would not describe the shape. Throws `KarcherError` badArgument for a
+ * thickness of 0.
  */
 export function thickened(part: Triangles, thickness: number): Thickened;
 export function thickened(
@@ -197,8 +194,8 @@ function rims(triangles: ArrayLike<number>, count: number): [number, number][] {
 }
 
 /**
- * The distance by which all triangles may be moved along their vertices' normals before the first
- * one is turned over.
+ * The distance by which all triangles can move along their vertices' normals until the first one
+ * turns over.
  */
 function unfolded(
   positions: ArrayLike<number>,
@@ -247,7 +244,7 @@ function ballBound(
   let least = Math.abs(thickness);
   const size = 2 * least;
   const cellOf = (vertex: number, axis: number) => Math.floor(positions[3 * vertex + axis]! / size);
-  // Cells may share a bucket. Comparing more vertices than necessary gives the same least radius.
+  // Cells may share a bucket. A comparison of more vertices gives the same least radius.
   const buckets = 2 ** Math.ceil(Math.log2(used.length + 1));
   const bucketOf = (x: number, y: number, z: number) =>
     (Math.imul(x, 73856093) ^ Math.imul(y, 19349663) ^ Math.imul(z, 83492791)) & (buckets - 1);

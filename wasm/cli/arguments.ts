@@ -22,7 +22,7 @@ import { type Described, formatOption, type Option, outOption } from './options.
 import { decimalOf, isJson, parseNumber, parsePoint, parsePoints, parseRows } from './syntax.js';
 
 /**
- * The arguments of one command, checked: known options, once each, with a value if the option takes
+ * The checked arguments of one command: known options, once each, with a value if the option takes
  * one.
  */
 export class Arguments {
@@ -36,7 +36,7 @@ export class Arguments {
   #read: Buffer | undefined;
   readonly #progress: Progress;
 
-  /** `progress` is called while a mesh is read. */
+  /** `progress` receives the progress of reading a mesh. */
   constructor(command: Described, args: string[], stdin: Readable, progress: Progress) {
     const { values, positionals } = readTokens(command, args);
     for (const option of command.options) {
@@ -71,7 +71,7 @@ export class Arguments {
     return this.#command.name;
   }
 
-  /** Whether a flag was given, or an option explicitly rather than by its default. */
+  /** Whether the arguments have a flag, or an option explicitly rather than by its default. */
   given(name: string): boolean {
     return this.#values.has(name);
   }
@@ -116,7 +116,7 @@ export class Arguments {
       .map((text, i) => parseNumber(text, `number ${i + 1} of --${name}`));
   }
 
-  /** Options by their names, if they were given: `{ [name]: read(name) }` each. */
+  /** Options by their names, if the arguments have them: `{ [name]: read(name) }` each. */
   whereGiven<Name extends string, Value>(
     names: readonly Name[],
     read: (name: Name) => Value,
@@ -125,7 +125,7 @@ export class Arguments {
     return Object.fromEntries(given.map((name) => [name, read(name)])) as { [key in Name]?: Value };
   }
 
-  /** Throws if one of these options was given. `why` ends the sentence: "with --type exact". */
+  /** Throws for an option among these. `why` ends the sentence: "with --type exact". */
   refuse(names: readonly string[], why: string): void {
     const name = names.find((candidate) => this.given(candidate));
     if (name !== undefined) throw new UsageError(`--${name} has no use ${why}`);
@@ -226,7 +226,7 @@ export class Arguments {
   async #bytesOf(path: string): Promise<Buffer> {
     try {
       if (path !== '-') return await readFile(path);
-      // Standard input is read once for several meshes.
+      // One read of standard input serves several meshes.
       this.#read ??= await buffer(this.#stdin);
       return this.#read;
     } catch (cause) {
@@ -235,12 +235,12 @@ export class Arguments {
   }
 }
 
-/** Files with these names would be mistaken for drawings or meshes. */
+/** The names of files that a reader would mistake for drawings or meshes. */
 const namesOfOthers = /\.(csv|obj|svg|dxf|ply|stl|off|glb|gltf|png)$/i;
 
 /**
- * Takes the format from the file's name if it is not given. Throws if that format cannot be
- * written.
+ * Takes the format from the file's name unless the arguments have it. Throws if no writer has that
+ * format.
  */
 function takeFormatOfName(command: Described, values: Map<string, string>): void {
   const out = values.get('out');
@@ -276,8 +276,8 @@ interface Read {
 }
 
 /**
- * The parser is not `strict`: a value may begin with a dash (a negative weight), and the errors are
- * ours.
+ * Reads the arguments. The parser is not `strict`: a value may begin with a dash (a negative
+ * weight), and the errors are ours.
  */
 function readTokens(command: Described, args: string[]): Read {
   const { tokens } = parseArgs({

@@ -12,7 +12,7 @@ const runs = 5;
 /** The number of runs for steps of a few milliseconds at most. */
 const quickRuns = 50;
 /**
- * The runs before times are taken, since the code that an engine first generates from WebAssembly
+ * The runs before the measurement, since the code that an engine first generates from WebAssembly
  * is slow.
  */
 const warmUp = { runs: 1000, ms: 500 };
@@ -38,7 +38,7 @@ export const bench: Command = {
     const { mesh } = await read(peers.karcher);
     const { vertices, triangles } = mesh.info;
     const points = given.map((point) => pointOfFace(mesh, point));
-    // This comes first, so that wrong points are reported before the long work.
+    // This comes first, so that the command reports wrong points before the long work.
     const { sampleUs, ...karcherCurve } = timeCurve(mesh, points, samples, { method: 'karcher' });
     const steps = timeSteps(peers, mesh, points[0]!);
     const paperCurve = timeCurve(mesh, points, samples, {
@@ -91,7 +91,7 @@ function timeSteps(peers: Peers, mesh: Mesh, { face, bary }: SurfacePoint) {
     const fieldMs = time((steps) => steps.readField(), quickRuns);
     return { fieldMs, fieldVertices, fieldNsPerVertex: (1e6 * fieldMs) / fieldVertices };
   };
-  // These run in order, since the fields need the graph and the operator.
+  // The order matters, since the fields need the graph and the operator.
   const prepareMs = time((steps) => steps.prepare());
   const calibrationMs = time((steps) => steps.edgeDijkstra());
   const graphMs = time((steps) => steps.ringGraph(rings), 1);
@@ -110,7 +110,7 @@ function timeSteps(peers: Peers, mesh: Mesh, { face, bary }: SurfacePoint) {
   return result;
 }
 
-/** Times a B-spline whose middle point is dragged to a neighbouring place and back. */
+/** Times a B-spline. Its middle point moves to a neighbouring place and back. */
 function timeCurve(
   mesh: Mesh,
   points: readonly SurfacePoint[],
@@ -142,7 +142,7 @@ function timeCurve(
     bridges.push(times.bridge);
     joins.push(times.join);
   }
-  // An edit is traced at once. Its time counts without that of the joining paths.
+  // An edit traces at once. Its time counts without that of the joining paths.
   const weights = Array.from({ length: field.method === 'paper' ? runs : quickRuns }, (_, i) => {
     const whole = elapsed(() => curve.setWeight(index, i % 2 === 0 ? 2 : 1));
     return whole - curve.times().join;
@@ -160,8 +160,7 @@ function timeCurve(
 }
 
 /**
- * Times the default curve, whose middle point is dragged at its levels to a neighbouring place and
- * back.
+ * Times the default curve. Its middle point moves to a neighbouring place and back, at its levels.
  */
 function timeSteadyDrag(mesh: Mesh, points: readonly SurfacePoint[], samples: number) {
   const curve = mesh.curve({ kind: 'bspline', points: [...points], samples });

@@ -87,7 +87,7 @@ function formatOf(args: Arguments): WrittenFormat {
   );
 }
 
-/** The colors of vertices, found by their places, since repairs change the numbers of vertices. */
+/** The colors of vertices by their places, since repairs change the numbers of vertices. */
 function colorsAt(mesh: Mesh, colors: Uint8Array, positions: readonly number[]): Uint8Array {
   const given = mesh.positions();
   const place = (at: ArrayLike<number>, i: number) => `${at[i]} ${at[i + 1]} ${at[i + 2]}`;
@@ -113,7 +113,7 @@ function surfaceOf(
   positions: Float64Array;
   triangles: Int32Array;
 } {
-  // Cutting along no path divides a mesh into its components, which have the engine's own vertices.
+  // A cut along no path divides a mesh into its components, which have the engine's own vertices.
   const triangles: { face: number; part: CutPart; at: number; first: number }[] = [];
   let first = 0;
   for (const part of mesh.cut([])) {

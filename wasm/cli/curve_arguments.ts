@@ -70,7 +70,7 @@ export const curveOptions: readonly Option[] = [
   { name: 'number', value: 'I', help: 'the number of the curve in a file of several, from 0' },
 ];
 
-/** The curve that the arguments describe, not yet checked against a mesh. */
+/** The curve that the arguments describe, without checks against a mesh. */
 export async function readCurve(args: Arguments): Promise<CurveRecord> {
   const [curve, ...more] = await readCurves(args);
   if (more.length === 0) return curve;
@@ -79,7 +79,7 @@ export async function readCurve(args: Arguments): Promise<CurveRecord> {
   );
 }
 
-/** The same, or all curves of the file if none is chosen. */
+/** The same, or all curves of the file if the arguments choose none. */
 export async function readCurves(args: Arguments): Promise<[CurveRecord, ...CurveRecord[]]> {
   if (args.given('curve')) {
     const names = partOptions.map(({ name }) => name);

@@ -1,7 +1,7 @@
 import type { CurveOptions, SurfacePoint } from '../types.js';
 import { UsageError } from './errors.js';
 
-/** Drawings of the page as input: their figures that are points or curves. */
+/** Drawings of the page as input. Their figures are points or curves. */
 
 interface ControlPoint extends SurfacePoint {
   weight?: number;

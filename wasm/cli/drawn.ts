@@ -4,7 +4,7 @@ import type { Arguments } from './arguments.js';
 import { UsageError } from './errors.js';
 import type { Pieces } from './output.js';
 
-/** Results as files of curves: rows of CSV, lines or tubes, with the mesh where that is wanted. */
+/** Results as files of curves: rows of CSV, lines or tubes, with the mesh on request. */
 
 /** Checks the options of a format; null for JSON, which is no drawing. */
 export function drawnFormat(

@@ -15,13 +15,13 @@ const whyNotWritten: Record<string, string> = {
   EPIPE: 'it was closed before everything was written',
 };
 
-/** The error for a file that could not be read, with the reason as a sentence. */
+/** The error for a file that cannot be read, with the reason as a sentence. */
 export function fileError(path: string, cause: unknown): UsageError {
   const { code, message } = cause as NodeJS.ErrnoException;
   return new UsageError(`cannot read ${path}: ${whyNotRead[code ?? ''] ?? message}`, { cause });
 }
 
-/** The error for a file that could not be written, with the reason as a sentence. */
+/** The error for a file that cannot be written, with the reason as a sentence. */
 export function writeError(path: string, cause: unknown): UsageError {
   const { code, message } = cause as NodeJS.ErrnoException;
   return new UsageError(`cannot write to ${path}: ${whyNotWritten[code ?? ''] ?? message}`, {

@@ -24,7 +24,7 @@ function fileSummary({ format, parts, materials, colors, notRead }: FileInfo) {
   return { format, parts, materials, isColored: colors !== null, notRead };
 }
 
-/** The most faces listed. Programs that need longer lists call `checkUp` themselves. */
+/** The most faces in a list. Programs that need longer lists call `checkUp` themselves. */
 const mostFaces = 20;
 
 function summaryOf({ needles, caps, boundary, nearBoundaries: near, ...rest }: CheckUp) {

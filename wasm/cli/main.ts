@@ -136,14 +136,14 @@ async function resultOf(command: Command, args: Arguments, terminal: Terminal): 
   }
 }
 
-/** A line of JSON for each mesh. A failure is reported, and the other meshes continue. */
+/** A line of JSON for each mesh. After a failure with one, its report, the other meshes follow. */
 async function* batch(
   command: Command,
   args: Arguments,
   terminal: Terminal,
   fail: (error: unknown, mesh: string) => void,
 ): AsyncGenerator<string> {
-  // Several meshes are written as JSON, and options of other formats are refused.
+  // The output for several meshes is JSON, without options of other formats.
   if (command.options.includes(formatOption)) drawnFormat(args);
   for (const mesh of args.meshes) {
     args.take(mesh);

@@ -14,7 +14,7 @@ export interface Described {
   options: readonly Option[];
 }
 
-/** The format of commands whose result can be drawn. */
+/** The format of commands with a drawable result. */
 export const formatOption: Option = {
   name: 'format',
   value: 'json|csv|obj|ply|glb|stl',
@@ -22,7 +22,7 @@ export const formatOption: Option = {
   default: 'json',
 };
 
-/** The options of commands whose result can be drawn. */
+/** The options of commands with a drawable result. */
 export const drawnOptions: readonly Option[] = [
   formatOption,
   { name: 'surface', help: 'with --format obj, ply, glb or stl: the mesh in the same file' },
@@ -30,7 +30,7 @@ export const drawnOptions: readonly Option[] = [
     name: 'tube',
     value: 'RADIUS',
     help: 'with --format obj, ply, glb or stl: the curves as closed tubes; STL has no lines',
-    // These are words for the help; no such value is passed.
+    // These words are for the help; no such value exists.
     default: 'lines',
   },
 ];
@@ -47,7 +47,7 @@ export const outOption: Option = {
   name: 'out',
   value: 'FILE',
   help: 'the file for the result',
-  // These are words for the help; no such value is passed.
+  // These words are for the help; no such value exists.
   default: 'standard output',
 };
 
@@ -69,7 +69,7 @@ export const meshOptions: readonly Option[] = [
     name: 'weld',
     value: 'LENGTH',
     help: 'the distance up to which boundaries are welded; 0 for none',
-    // These are words for the help; no such value is passed.
+    // These words are for the help; no such value exists.
     default: '1e-6 of the diagonal',
   },
 ];

@@ -120,10 +120,7 @@ export function* jsonLine(value: unknown): Generator<string> {
 /** Pieces of texts, or of files' bytes. */
 export type Pieces = Iterable<string | Uint8Array> | AsyncIterable<string | Uint8Array>;
 
-/**
- * Writes pieces to a stream, each after the previous ones have been written. `name` is the
- * stream's.
- */
+/** Writes pieces to a stream, each after the end of the previous one. `name` is the stream's. */
 export async function print(
   pieces: Pieces,
   stream: Writable,
@@ -145,8 +142,8 @@ export async function print(
 }
 
 /**
- * A text in which control characters, except tabs and line ends, are replaced by question marks.
- * Names of files and of their parts may contain characters that change a terminal.
+ * A text with question marks in place of control characters, except tabs and line ends. Names of
+ * files and of their parts may contain characters that change a terminal.
  */
 export const printable = (text: string) =>
   text.replace(/(?![\t\n])[\p{Cc}\p{Bidi_Control}]/gu, '?');

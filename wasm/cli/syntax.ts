@@ -49,8 +49,8 @@ function shortPoint(text: string, what: string): PointLike | null {
 }
 
 /**
- * The points of a file: JSON, or one line `face b1 b2`, `face:b1,b2` or `v:vertex` for each. Blank
- * lines and comments after `#` are skipped.
+ * The points of a file: JSON, or one line `face b1 b2`, `face:b1,b2` or `v:vertex` for each. It
+ * skips blank lines and comments after `#`.
  */
 export function parsePoints(text: string, path: string): PointLike[] {
   if (isJson(text)) return pointsOfJson(parseJson(text, path), path);
@@ -121,8 +121,8 @@ export function parseRows(text: string, path: string, name: string): number[][] 
 }
 
 /**
- * Numbers of a file, in lines or with spaces between them; or JSON: a list, or an object with one as
- * `karcher distance` prints it. Null stands for NaN.
+ * The numbers of a file, in lines or with spaces between them; or JSON: a list, or an object with
+ * one as `karcher distance` prints it. Null stands for NaN.
  */
 export function parseNumbers(text: string, path: string): number[] {
   if (!isJson(text)) return parseRows(text, path, 'values').flat();

@@ -2,7 +2,7 @@ import { shown } from '../check.js';
 import { KarcherError } from '../errors.js';
 import type { CurveSamples, SurfacePoint } from '../types.js';
 
-/** The properties of a path that are written to files; a `Path` has them. */
+/** The properties of a path in files; a `Path` has them. */
 export interface FilePath {
   /** Whether it ends where it starts. */
   readonly closed: boolean;
@@ -87,7 +87,7 @@ export function curvesCsv(
   return `${rows.join('\n')}\n`;
 }
 
-/** A text as one cell: in quotation marks if it would otherwise not be one. */
+/** A text as one cell, in quotation marks if it needs them. */
 const cell = (text: string) => (/[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
 
 function normalOfFace(

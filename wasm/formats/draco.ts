@@ -76,7 +76,7 @@ function decoded(draco: DracoModule, bytes: Uint8Array, columns: readonly DracoC
   }
 }
 
-/** A copy of the data that the decoder writes into its memory. */
+/** A copy of the data that `write` puts into the decoder's memory. */
 function filled(
   draco: DracoModule,
   length: number,

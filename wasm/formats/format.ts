@@ -44,7 +44,7 @@ const endings = new Map<string, MeshFormat>([
   ['gltf', 'gltf'],
 ]);
 
-/** The endings of the names of files that can be read. */
+/** The endings of readable files' names. */
 export const fileEndings: readonly string[] = [...endings.keys()].map((ending) => `.${ending}`);
 
 /**
@@ -71,7 +71,7 @@ export function withoutMark(bytes: Uint8Array): Uint8Array {
 
 /**
  * The format of bytes, by their beginning, or else by the name's ending. Throws `KarcherError`
- * badFile, which names the kind of the bytes, if they are no mesh of a supported format.
+ * badFile, with the kind of the bytes, if they are no mesh of a supported format.
  */
 export function formatOf(bytes: Uint8Array, name = ''): MeshFormat {
   const start = startOf(withoutMark(bytes));

@@ -15,7 +15,7 @@ import type { FilePart, Polygons } from './types.js';
 /** A matrix's 16 numbers, column by column. */
 type Matrix = readonly number[];
 
-/** The limit on parts in a file. Instances may repeat a mesh. */
+/** The limit for the parts of a file. Instances may repeat a mesh. */
 const mostParts = 250_000;
 
 const identity: Matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
@@ -32,9 +32,8 @@ export const gltfBeside = (bytes: Uint8Array) => buffersBeside(gltfContent(bytes
 /**
  * Reads the triangles of a glTF 2 file's scene, GLB or text with its buffers beside it, at the
  * places where its nodes put them. Each primitive of a node's mesh is a part. Skins and morph
- * targets stay at rest. Data that Draco or meshoptimizer compressed is decompressed.
- *
- * Rejects with `KarcherError` badFile, badIndex or notLoaded, or the signal's reason.
+ * targets stay at rest. Draco or meshoptimizer may have compressed the data. Rejects with
+ * `KarcherError` badFile, badIndex or notLoaded, or the signal's reason.
  */
 export async function readGltf(
   bytes: Uint8Array,
@@ -63,7 +62,7 @@ export async function readGltf(
   return { positions: scene.positions, corners: scene.corners, sizes: null, info };
 }
 
-/** The triangles of a mesh, shared by all nodes that place it. */
+/** The triangles of a mesh. All nodes that place the mesh share them. */
 interface Primitive {
   mode: 'triangles' | 'strip' | 'fan';
   places: Accessor;
@@ -84,7 +83,7 @@ interface Strip {
   primitive: Primitive;
 }
 
-/** The triangles of a mesh, and notes on the content that is left out. */
+/** The triangles of a mesh, and notes on the omitted content. */
 interface Primitives {
   triangles: Primitive[];
   points: number;
@@ -367,7 +366,7 @@ class Scene {
       if (corner === 0) first = vertex;
       else if (corner === 1) second = vertex;
       else {
-        // In a strip every second triangle is turned over.
+        // In a strip every second triangle has the opposite orientation.
         const over = (mode === 'strip' && row % 2 === 1) !== turned;
         const [b, c] = over ? [vertex, second] : [second, vertex];
         corners[this.#corner++] = start + first;
@@ -379,7 +378,7 @@ class Scene {
     }
   }
 
-  /** The number of the first of a node's vertices, which are added once. */
+  /** The number of the first of a node's vertices, which the scene adds once. */
   async #start(node: PlacedMesh, places: Accessor, colors: Accessor | null): Promise<number> {
     if (node !== this.#node) this.#starts = new Map();
     this.#node = node;

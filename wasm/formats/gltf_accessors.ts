@@ -84,7 +84,7 @@ export class Accessors {
         ? this.#colorsOfDraco(draco, accessor, `accessor ${COLOR_0}`, type)
         : this.#accessor(COLOR_0, type);
     } catch {
-      // A surface is never rejected because of its colors.
+      // Colors never make the reader reject a surface.
       return null;
     }
   }
@@ -95,9 +95,9 @@ export class Accessors {
   }
 
   /**
-   * The places and triangles of a primitive that Draco compressed. Its accessors give their
-   * numbers, which are checked first. The data is decoded when the first row is read. Without an
-   * accessor of triangles it is decoded at once, since it contains triangles nevertheless.
+   * The places and triangles of a primitive that Draco compressed. Its accessors have their
+   * numbers, which are checked first. The first read of a row decodes the data. Without an accessor
+   * of triangles, which the data contains nevertheless, it is decoded at once.
    */
   #ofDraco(of: Json, places: unknown, indices: unknown): { places: Accessor; indices: Accessor } {
     // This check comes first, since a value that is no number may not convert to text.
@@ -141,10 +141,7 @@ export class Accessors {
     return made;
   }
 
-  /**
-   * The colors, decoded when the first one is read; white if the decoded data has none of this
-   * type.
-   */
+  /** The colors, which the first read decodes; white if the decoded data has none of this type. */
   #colorsOfDraco(of: Json, accessor: Json, what: string, rowType: 'VEC3' | 'VEC4'): Accessor {
     const id = countOf(objectOf(of, 'attributes'), 'COLOR_0', what);
     const type = accessor.componentType as number;
@@ -177,7 +174,7 @@ export class Accessors {
     return known;
   }
 
-  /** `decoded` returns the rows if no buffer has them uncompressed. */
+  /** An accessor. `decoded` returns the rows if no buffer has them uncompressed. */
   #made(accessor: Json, what: string, type: RowType, decoded?: () => Rows): Accessor {
     if (accessor.type !== type) throw badFile(`${what} has to be of type ${type}`);
     const count = countOf(accessor, 'count', what);

@@ -10,7 +10,7 @@ export interface View {
   stride: number | undefined;
 }
 
-/** The limit of a decoded stream of meshoptimizer: one byte encodes at most 256 rows of four bytes. */
+/** The largest growth of a meshoptimizer stream: a byte encodes at most 256 rows of four bytes. */
 const longest = 1024;
 
 /** The buffers of a glTF file, and their views. */
@@ -154,7 +154,7 @@ function nameBeside(uri: string): string {
   try {
     name = decodeURIComponent(uri);
   } catch {
-    // A name that cannot be decoded is used unchanged.
+    // A name that cannot be decoded stays unchanged.
   }
   if (/^[a-z][a-z+.-]*:|^[\\/]|(^|[\\/])\.\.([\\/]|$)/i.test(name)) {
     throw badFile(`the glTF file names '${name.slice(0, 60)}', which does not lie beside it`);

@@ -11,7 +11,7 @@ export interface Decoders {
 
 const meshoptNames = ['KHR_meshopt_compression', 'EXT_meshopt_compression'];
 
-/** The extensions of compression that can be read. */
+/** The extensions of compression that the reader supports. */
 export const compressions: readonly unknown[] = ['KHR_draco_mesh_compression', ...meshoptNames];
 
 /**
@@ -28,10 +28,8 @@ export const dracoOf = (primitive: unknown): Json | undefined =>
   extension(primitive, 'KHR_draco_mesh_compression');
 
 /**
- * Loads the decoders that a file needs. Each file gets a new Draco decoder, so that the memory of a
- * large file is freed.
- *
- * Rejects with `KarcherError` notLoaded.
+ * Loads the decoders that a file needs. Each file has a new Draco decoder, so that the memory of a
+ * large file is freed. Rejects with `KarcherError` notLoaded.
  */
 export async function decodersFor(json: Json): Promise<Decoders> {
   const hasDraco = listOf(json, 'meshes').some(

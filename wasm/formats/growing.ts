@@ -1,6 +1,6 @@
 import { counted } from './failures.js';
 
-/** Arrays for files whose counts are known only once they are read. The arrays grow by doubling. */
+/** Arrays for files whose counts are unknown until their end. The arrays grow by doubling. */
 
 export class GrowingInts {
   #array = new Int32Array(1 << 10);
@@ -22,7 +22,7 @@ export class GrowingInts {
 }
 
 /**
- * The corners of polygons. Numbers of corners are kept from the first polygon that is not a
+ * The corners of polygons. The numbers of corners begin with the first polygon that is not a
  * triangle.
  */
 export class GrowingPolygons {
@@ -63,7 +63,7 @@ export class GrowingPolygons {
     return [`${counted(this.#leftOut)} points and lines were left out.`];
   }
 
-  /** The number of triangles into which the polygons are cut. */
+  /** The number of the polygons' triangles. */
   get triangles(): number {
     return this.#corners.length - 2 * this.count;
   }

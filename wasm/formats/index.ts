@@ -60,8 +60,8 @@ const optionNames = namesOf<FileOptions>({
  *
  * Vertices and faces keep the file's order, and faces count triangles. In an STL file, which has no
  * vertices, corners at exactly the same place are one vertex. Reading takes slices of a few
- * milliseconds, between which the thread does other work. Creating the mesh is one call, which also
- * reads OBJ.
+ * milliseconds, between which the thread does other work. The creation of the mesh is one call,
+ * which also reads OBJ.
  *
  * Rejects with the signal's reason when it is aborted, and with `KarcherError`: badFile (with the
  * line or byte, or with the kind of the file), badIndex, badArgument (options, and a part that the
@@ -106,9 +106,9 @@ export async function meshFromFile<Mesh extends MarkedMesh>(
 }
 
 /**
- * The names of the files that lie beside a glTF file and hold its buffers, to be passed as
- * `beside`; none for any other file. Throws `KarcherError` badFile if the file's JSON cannot be
- * read, or names files elsewhere.
+ * The names of the files that lie beside a glTF file and hold its buffers, for `beside`; none for
+ * any other file. Throws `KarcherError` badFile if the file's JSON is not valid, or names files
+ * elsewhere.
  */
 export function namesBeside(bytes: Uint8Array, name?: string): string[] {
   return formatOf(bytes, name) === 'gltf' ? gltfBeside(withoutMark(bytes)) : [];

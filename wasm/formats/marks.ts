@@ -3,7 +3,7 @@ import type { FileMarks, FilePart } from '../types.js';
 /** The marks of a file that contains only the surface. */
 export const noMarks = { partOf: null, materials: [], materialOf: null, colors: null };
 
-/** The part of each triangle if parts come one after the other; null if there is only one part. */
+/** The part of each triangle for consecutive parts; null for a single part. */
 export function partOfEach(
   parts: readonly FilePart[],
   wanted: (part: number) => boolean,

@@ -60,10 +60,8 @@ function colorBytes(colors: Float64Array): Uint8Array | null {
 }
 
 /**
- * Reads an OFF file, of text or binary. Normals, texture coordinates and colors of faces are left
- * out.
- *
- * Rejects with `KarcherError` badFile or badIndex, naming the line or byte, or the signal's reason.
+ * Reads an OFF file, of text or binary, without normals, texture coordinates and colors of faces.
+ * Rejects with `KarcherError` badFile or badIndex, with the line or byte, or the signal's reason.
  */
 export async function readOff(bytes: Uint8Array, work: LongWorkOptions): Promise<Polygons> {
   const words = new Words(bytes);
@@ -154,7 +152,7 @@ class TextSource implements Source {
     return this.#words.asCount(what);
   }
 
-  /** The number of edges is not used, and may be missing if the other two numbers are on a line. */
+  /** Ends the counts. Rows on lines may lack the number of edges, which does not matter. */
   endHeader(rows: number): void {
     if (this.#rows.isSplit) this.#words.skip('the number of edges');
     else this.#words.nextInLine();
@@ -163,8 +161,8 @@ class TextSource implements Source {
   }
 
   /**
-   * The line's end shows whether a color has three or four numbers. If rows do not follow lines, it
-   * is unknown.
+   * Ends a vertex. The line's end shows whether a color has three or four numbers. If rows do not
+   * follow lines, this is unknown.
    */
   endVertex(): readonly number[] | null {
     const what = 'a number of a vertex';
@@ -201,7 +199,7 @@ class TextSource implements Source {
     return [longerRows(this.#longer, 'the places of vertices')];
   }
 
-  /** Whether this number of lines follow that are neither empty nor comments. */
+  /** Whether this number of lines follow, without empty ones and comments. */
   #hasLines(wanted: number): boolean {
     const bytes = this.#bytes;
     let lines = 0;

@@ -3,20 +3,18 @@ import type { CutPart } from '../types.js';
 import type { FileMarks, Triangles } from './types.js';
 
 /**
- * The marks of a part that was cut out of a file's surface. Each vertex has the color of its place,
- * interpolated in its old triangle, and each triangle the part of its old one. The marks can be
- * spread into the argument of `meshFile`. `surface` has the mesh's positions and triangles, `file`
- * the marks that were read with them.
- *
- * If the part was made thick, the outside of the shell lies on the same places. With `sheets` of 2,
- * colors are given twice, and parts are omitted, since walls belong to none.
+ * The marks of a part of a file's surface. Each vertex has the color of its place, interpolated in
+ * its old triangle, and each triangle the part of its old one. Spread them into the argument of
+ * `meshFile`. `surface` has the mesh's positions and triangles, `file` the file's marks. If the
+ * part is a shell, its outside lies on the same places. With `sheets` of 2, colors occur twice, and
+ * parts are missing, since walls belong to none.
  *
  * Throws `KarcherError` badArgument if the colors are not those of this surface.
  *
  * @example
- * const { mesh, file } = await meshFromFile(karcher, bytes);
- * const surface = { positions: mesh.positions(), triangles: mesh.triangles() };
- * for (const part of mesh.cut(paths)) meshFile({ ...part, ...marksOfPart(part, surface, file) }, 'ply');
+ * const { mesh, file } = await meshFromFile(karcher, bytes); const surface = { positions:
+ * mesh.positions(), triangles: mesh.triangles() }; for (const part of mesh.cut(paths)) meshFile({
+ * ...part, ...marksOfPart(part, surface, file) }, 'ply');
  */
 export function marksOfPart(
   part: Pick<CutPart, 'positions' | 'triangles' | 'faces'>,

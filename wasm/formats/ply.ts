@@ -12,15 +12,15 @@ import type { Polygons } from './types.js';
 interface Rows {
   /** The next number; `length` is true for the length of a list. */
   number(property: PlyProperty, what: string, length?: boolean): number;
-  /** Skips a value that is not used and need not be a number. */
+  /** Skips a value, which need not be a number. */
   skip(property: PlyProperty, what: string): void;
   /** Ends a row. */
   endRow(): void;
-  /** The number of rows that had more numbers than the header declares. */
+  /** The number of rows with more numbers than the header declares. */
   longer: number;
   /** The place of the reader: "line 12", "byte 240". */
   place(): string;
-  /** The fraction of the file that has been read. */
+  /** The fraction of the file up to the reader. */
   done(): number;
 }
 
@@ -91,10 +91,9 @@ class BinaryRows implements Rows {
 }
 
 /**
- * Reads a PLY file: text, or binary with either order of bytes. Positions are the properties x, y, z of
- * `vertex`, polygons the list `vertex_indices` (or `vertex_index`) of `face`.
- *
- * Rejects with `KarcherError` badFile or badIndex, naming the line or byte, or the signal's reason.
+ * Reads a PLY file: text, or binary with either order of bytes. Positions are the properties x, y,
+ * z of `vertex`, polygons the list `vertex_indices` (or `vertex_index`) of `face`. Rejects with
+ * `KarcherError` badFile or badIndex, with the line or byte, or the signal's reason.
  */
 export async function readPly(bytes: Uint8Array, work: LongWorkOptions): Promise<Polygons> {
   const { encoding, elements, end, line } = plyHeader(bytes);
@@ -111,7 +110,7 @@ export async function readPly(bytes: Uint8Array, work: LongWorkOptions): Promise
     if (element.name === 'vertex') places = await readVertices(element, rows, slices);
     else if (element.name === 'face') await readFaces(element, rows, vertices, polygons, slices);
     else await skip(element, rows, slices);
-    // Later elements than the faces and vertices are not used.
+    // Elements after the faces and vertices do not matter.
     if (places.positions.length > 0 && polygons.count > 0) break;
   }
   const notRead = [

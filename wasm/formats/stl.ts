@@ -22,9 +22,9 @@ const viewOf = (bytes: Uint8Array) =>
   new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 
 /**
- * Whether the last two bytes of each triangle give the number of extra bytes after it. They must
+ * Whether the last two bytes of each triangle are the number of extra bytes after it. They must
  * lead from one triangle to the next, and from the last to the file's end. If the triangles alone
- * fill the file, some programs store a color in these two bytes.
+ * fill the file, the two bytes are the color that some programs store in them.
  */
 function hasMore(bytes: Uint8Array): boolean {
   const view = viewOf(bytes);
@@ -46,9 +46,8 @@ export function isTextStl(start: string): boolean {
 
 /**
  * Reads an STL file, binary or of text, whose solids are its parts. Corners at exactly the same
- * place are one vertex, numbered in the order of their first occurrence. Normals are not read.
- *
- * Rejects with `KarcherError` badFile, naming the line or byte, or the signal's reason.
+ * place are one vertex; vertices have numbers in the order of their first occurrence. It skips
+ * normals. Rejects with `KarcherError` badFile, with the line or byte, or the signal's reason.
  */
 export async function readStl(
   bytes: Uint8Array,

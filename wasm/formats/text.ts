@@ -19,8 +19,8 @@ export function lineEndAt(bytes: Uint8Array, at: number): number {
 }
 
 /**
- * The words of a text, read one after the other from its bytes, since a text of many megabytes does
- * not become a string. A `#` that begins a word starts a comment. Inside a word it is an ordinary
+ * The words of a text, one after the other from its bytes, since a text of many megabytes does not
+ * become a string. A `#` that begins a word starts a comment. Inside a word it is an ordinary
  * character, as in `1.#QNAN`, which some programs write for NaN.
  */
 export class Words {
@@ -79,12 +79,12 @@ export class Words {
     return false;
   }
 
-  /** Moves back by some bytes of the last word, so that they are read again as a separate word. */
+  /** Moves back by some bytes of the last word, which are then a separate word. */
   back(bytes: number): void {
     this.at -= bytes;
   }
 
-  /** The rest of the line, which is skipped. */
+  /** Skips the rest of the line, and returns it. */
   restOfLine(): string {
     const from = this.at;
     while (this.at < this.#end && !isLineEnd(this.#bytes[this.at])) this.at++;
@@ -181,9 +181,9 @@ export class Words {
 }
 
 /**
- * The rows of a table in a text. A row may be one line, in which words after the row's numbers are
- * ignored. Or it spans several lines and ends with the last of them. If that line has more words, a
- * number was missing before.
+ * The rows of a table in a text. A row may be one line, and words after its numbers have no effect.
+ * Or it spans several lines and ends with the last of them. If that line has more words, the row
+ * lacks a number.
  */
 export class TextRows {
   readonly words: Words;

@@ -3,14 +3,14 @@ import type { FileCurve } from './curves.js';
 
 export type { FileMarks, FilePart } from '../types.js';
 
-/** The formats of mesh files that can be read; `gltf` also stands for GLB. */
+/** The formats of readable mesh files; `gltf` also stands for GLB. */
 export type MeshFormat = 'obj' | 'ply' | 'stl' | 'off' | 'gltf';
 
 /** The axis of a file's coordinates that points up. */
 export type UpAxis = 'x' | 'y' | 'z';
 
 export interface FileOptions extends LongWorkOptions, MeshOptions {
-  /** The file's name. Its ending gives the format if the content does not. */
+  /** The file's name. Its ending decides the format if the content does not. */
   name?: string;
   /** The numbers of the parts to read, in the file's order; all by default. */
   parts?: readonly number[];
@@ -41,8 +41,8 @@ export interface Polygons {
 }
 
 /**
- * The mesh to write, with arrays as `mesh.cut` returns them. Its other properties are those of `FileMarks`,
- * which can be spread into it: colors are written to PLY, OBJ and GLB, parts to OBJ and GLB.
+ * The mesh to write, with arrays as `mesh.cut` returns them. Its other properties are those of
+ * `FileMarks`, which you can spread into it: PLY, OBJ and GLB have colors, OBJ and GLB have parts.
  */
 export interface Triangles {
   /** The positions of the vertices: x, y, z for each. */

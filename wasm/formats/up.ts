@@ -41,7 +41,7 @@ export function guessUp(
 
 /**
  * The areas on which the surface stands along y and z, as parts of the bounding box's face there:
- * that of flat triangles at the bottom, and that which boundary edges there enclose.
+ * the area of flat triangles at the bottom, and the area inside boundary edges there.
  */
 function soles(positions: ArrayLike<number>, triangles: ArrayLike<number>): [number, number] {
   const low = [Infinity, Infinity, Infinity];

@@ -7,21 +7,21 @@ import { glbFile, single } from './write_glb.js';
 
 const writers = { stl: stlFile, ply: plyFile, obj: objFile, glb: glbFile };
 
-/** A format of mesh files that can be written, which is also the ending of a file's name. */
+/** A format for writing mesh files, which is also the ending of a file's name. */
 export type WrittenFormat = keyof typeof writers;
 
-/** The formats that can be written, which are also the endings of files' names. */
+/** The formats for writing, which are also the endings of files' names. */
 export const writtenFormats = Object.keys(writers) as readonly WrittenFormat[];
 
 /**
  * Triangles as a file: OBJ, or PLY, STL or GLB in binary. OBJ and PLY keep positions to the last
- * bit. STL and GLB hold single precision: positions on both sides of a cut are still equal, and
- * triangles of which two corners become one are left out.
+ * bit. STL and GLB hold single precision: positions on both sides of a cut are still equal. A file
+ * has no triangles of which two corners become one.
  *
- * Curves with a radius are tubes, closed by flat ends. Others are lines: of GLB line strips, of
- * OBJ `l` elements, of PLY edges; STL has only tubes. In OBJ and GLB each is an object of its own
- * name. In GLB a curve's color is that of its material. In OBJ and PLY colors are those of
- * vertices, of which all have one if the mesh or a curve has; white is for those without.
+ * Curves with a radius are tubes, closed by flat ends. Others are lines: of GLB line strips, of OBJ
+ * `l` elements, of PLY edges; STL has only tubes. In OBJ and GLB each is an object of its own name.
+ * In GLB a curve's color is that of its material. In OBJ and PLY colors are those of vertices, of
+ * which all have one if the mesh or a curve has; white is for those without.
  *
  * Throws `KarcherError` badArgument and badIndex.
  *

@@ -35,7 +35,7 @@ function cornersOfParts(kept: readonly number[], keptParts: readonly number[]) {
 /** The numbers that glTF has for types of components, targets of buffers and modes of primitives. */
 const [float, unsignedInt, ofVertices, ofIndices, lineStrip] = [5126, 5125, 34962, 34963, 3];
 
-/** The arrays of a GLB file, with an accessor for each. */
+/** The buffer of a GLB file, with an accessor for each array. */
 class Buffer {
   readonly arrays: (Float32Array | Uint32Array)[] = [];
   readonly views: { buffer: 0; byteOffset: number; byteLength: number; target: number }[] = [];
@@ -119,7 +119,7 @@ export function glbFile(mesh: Triangles): Uint8Array<ArrayBuffer> {
 function partsOf(mesh: Triangles, buffer: Buffer): GlbObject[] {
   const { rounded, kept, keptParts } = single(mesh);
   const ofParts = cornersOfParts(kept, keptParts);
-  // A curve alone is no reason for vertices that nothing uses.
+  // A curve alone needs none of the mesh's vertices.
   if (mesh.curves && ofParts.length === 0) return [];
   const light = mesh.colors && Float32Array.from(mesh.colors, (byte) => linearLight(byte / 255));
   const attributes = {
@@ -132,7 +132,7 @@ function partsOf(mesh: Triangles, buffer: Buffer): GlbObject[] {
   }));
 }
 
-/** A curve as a strip of lines, or as a tube; null for a tube that would have no triangles. */
+/** A curve as a strip of lines, or as a tube; null for a tube without triangles. */
 function primitiveOf(
   { path, radius, sides }: FileCurve,
   buffer: Buffer,

@@ -1,4 +1,4 @@
-/** Commands on whole objects of a drawing; null if there is nothing to do. */
+/** Commands on whole objects of a drawing; null if they would change nothing. */
 import { apply, type Command } from './commands';
 import { isBoolean, isDerived } from './derived';
 import {
@@ -27,7 +27,7 @@ import { withSourceIds } from './sources';
 const together = (steps: readonly Command[]): Command | null =>
   steps.length > 0 ? { type: 'steps', steps } : null;
 
-/** Makes another object the edited one. The object that was edited before is deleted if it is empty. */
+/** Selects another object for editing. If the one before is empty, it is deleted. */
 export function activation(drawing: Drawing, to: number): Command | null {
   const { active } = drawing;
   if (to === active || !objectOf(drawing, to)) return null;
@@ -38,7 +38,7 @@ export function activation(drawing: Drawing, to: number): Command | null {
   return together([activate, { type: 'delete', index, object }]);
 }
 
-/** Puts an object on top of the others and makes it the edited one. */
+/** Puts an object on top of the others and selects it for editing. */
 export function onTop(drawing: Drawing, object: DrawnObject): Command {
   const add: Command = { type: 'add', index: drawing.objects.length, object };
   const activate: Command = { type: 'activate', from: drawing.active, to: object.id };
@@ -53,7 +53,7 @@ export function onTop(drawing: Drawing, object: DrawnObject): Command {
 function begun(figure: Figure, kind: Kind): Figure {
   const { derived: _, ...bare } = figure;
   return {
-    // Nobody draws an object that is made of others by hand, so the new one is of the first kind.
+    // Nobody draws a derived object by hand, so the new one is of the first kind.
     ...cleared({ ...bare, kind: isDerived(kind) ? emptyFigure.kind : kind }),
     points: [],
     circle: null,
@@ -68,7 +68,7 @@ export function beginning(drawing: Drawing, kind?: Kind): Command | null {
   return onTop(drawing, successorOf(drawing, begun(figure, kind ?? figure.kind)));
 }
 
-/** Adds a complete curve of the pen as an object of its own, which becomes the edited one. */
+/** Adds a complete curve of the pen as an object of its own, and selects it for editing. */
 export function drawnAtOnce(
   drawing: Drawing,
   points: readonly ControlPoint[],
@@ -82,8 +82,8 @@ export function drawnAtOnce(
 }
 
 /**
- * The family of a kind: kinds of one family interpret the same points differently, and can be
- * changed into each other.
+ * The family of a kind. Kinds of one family interpret the same points in different ways, so that
+ * one can become another.
  */
 function familyOf(kind: Kind): string {
   if (isBoolean(kind)) return 'boolean';
@@ -91,7 +91,7 @@ function familyOf(kind: Kind): string {
 }
 
 /**
- * Changes the kind of the edited object; if the new kind cannot use its points, another object
+ * Changes the kind of the edited object. If the new kind cannot use its points, another object
  * begins.
  */
 export function ofKind(drawing: Drawing, to: Kind): Command | null {
@@ -117,8 +117,8 @@ function withOrphans({ objects }: Drawing, ids: readonly number[]): Set<number> 
 }
 
 /**
- * Removes objects, and those that are made of them alone. If the edited one is removed, an empty
- * one of its kind begins.
+ * Removes objects, and those that have no other sources. If it removes the edited one, an empty one
+ * of its kind begins.
  */
 export function deletion(drawing: Drawing, wanted: readonly number[]): Command | null {
   if (!drawing.objects.some(({ id }) => wanted.includes(id))) return null;
@@ -148,7 +148,7 @@ export function deletion(drawing: Drawing, wanted: readonly number[]): Command |
   return together(steps);
 }
 
-/** Puts objects on top, as new ones, and edits the last. Also returns their ids. */
+/** Puts objects on top, as new ones, and selects the last for editing. Also returns their ids. */
 export function addition(
   drawing: Drawing,
   added: readonly DrawnObject[],
@@ -188,7 +188,7 @@ function freshGroups(drawing: Drawing, added: readonly DrawnObject[]): Map<strin
   return fresh;
 }
 
-/** The name, with the first number that makes it free if it is taken. */
+/** The name, with the first number that makes it unique if another has it. */
 function freeName(name: string, taken: ReadonlySet<string | null>): string {
   if (!taken.has(name)) return name;
   const stem = name.replace(/ \d+$/, '');
@@ -221,8 +221,8 @@ function footOfGroup({ objects }: Drawing, place: number): number {
 }
 
 /**
- * Copies of objects, each below its original or the original's group; they stay in place when the
- * originals are moved.
+ * Copies of objects, each below its original or the original's group. They stay in place when the
+ * originals move.
  */
 export function leavingCopies(drawing: Drawing, ids: readonly number[]): Command | null {
   const copied = drawing.objects.filter(({ id, figure }) => ids.includes(id) && !isEmpty(figure));
@@ -279,7 +279,7 @@ export function reordering(drawing: Drawing, id: number, steps: number): Command
   return to === from ? null : { type: 'order', from, to };
 }
 
-/** Puts the objects of these ids into this order, from the lowest; others lie on top of them. */
+/** Puts the objects with these ids into this order, from the lowest; others lie on top of them. */
 export function ordering(drawing: Drawing, ids: readonly number[]): Command | null {
   const steps: Command[] = [];
   let { objects } = drawing;

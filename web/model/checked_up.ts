@@ -1,6 +1,6 @@
 import type { CheckUp } from 'karcher/checkup';
 
-/** The largest number of places of a kind that are drawn at once. */
+/** The largest number of places of a kind in one drawing. */
 export const mostPlaces = 20_000;
 
 /** A check-up, with its triangles as they are drawn. */

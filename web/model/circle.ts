@@ -1,4 +1,4 @@
-/** How the handles and the numbers of a circle or an ellipse change its shape. */
+/** The effects of the handles and the numbers of a circle or an ellipse on its shape. */
 import type { SurfacePoint } from 'karcher';
 import type { CircleShape, RoundKind, Vector } from './figure';
 import { cross, minus } from './vectors';
@@ -15,7 +15,7 @@ export type CircleHandle = (typeof handles)[number];
 export const isCircleHandle = (text: string): text is CircleHandle =>
   (handles as readonly string[]).includes(text);
 
-/** The names shown beside the handles. */
+/** The names beside the handles. */
 export const handleNames = (kind: RoundKind): Record<CircleHandle, string> => ({
   center: 'Center',
   rim: kind === 'circle' ? 'Radius' : 'Along',
@@ -53,7 +53,7 @@ export function withHandle(
   point: SurfacePoint,
 ): CircleShape {
   if (handle === 'center') return { ...grabbed, center: point };
-  // Turning an ellipse changes only its radius to the rim.
+  // A turn of an ellipse changes only its radius to the rim.
   return handle === 'rim' ? { ...grabbed, rim: point } : { ...shape, across: point };
 }
 
@@ -75,7 +75,7 @@ export function acrossDirection(direction: Vector, [a, b, c]: [Vector, Vector, V
   return length > 0 ? (across.map((value) => value / length) as Vector) : minus(b, a);
 }
 
-/** How far a geodesic with this initial direction and length leads in another direction. */
+/** The reach in another direction of a geodesic with this initial direction and length. */
 export function reachAlong(length: number, direction: Vector, along: Vector): number {
   return length * direction.reduce((sum, value, axis) => sum + value * along[axis]!, 0);
 }

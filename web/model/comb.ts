@@ -1,7 +1,7 @@
 /**
  * A curvature comb: teeth along a curve, whose lengths show its curvature within the surface. The
- * curvature at a point is taken from the circle through it and the points a window before and
- * behind. Its part within the tangent plane is the geodesic curvature, exact for circles in space.
+ * circle through a point and the points a window before and behind has its curvature. The part
+ * within the tangent plane is the geodesic curvature, exact for circles in space.
  */
 import type { Vector } from './figure';
 import { cross, dot, minus, scaled } from './vectors';
@@ -18,20 +18,20 @@ export interface Tooth {
 export interface Comb {
   teeth: Tooth[];
   /**
-   * The number of places where the curve turns at a point: it has no curvature there, and no teeth.
+   * The number of places where the curve turns at a point. There it has no curvature and no teeth.
    */
   corners: number;
   closed: boolean;
 }
 
-/** The least turn within the surface, in radians, that makes a corner of a polyline. */
+/** The least turn within the surface, in radians, of a corner of a polyline. */
 const cornerAngle = Math.PI / 6;
 
 /**
  * The teeth of a polyline, x, y, z each, evenly spaced by length; `countOn` returns the number of
- * teeth for a length. A tooth takes its curvature from the points `window` before and behind it, at
- * most a quarter of the length; an open curve has no teeth nearer to its ends. `normalAt` returns
- * the surface's unit normal.
+ * teeth for a length. The curvature of a tooth follows from the points `window` before and behind
+ * it, at most a quarter of the length. An open curve has no teeth nearer to its ends. `normalAt`
+ * returns the surface's unit normal.
  */
 export function combOf(
   polyline: ArrayLike<number>,

@@ -1,6 +1,6 @@
 /**
- * Commands that make objects of other ones, or change how they are made; null if there is nothing
- * to do.
+ * Commands that derive objects from others, or change how they do; null if they would change
+ * nothing.
  */
 import { onTop } from './arranging';
 import { type Command, joined } from './commands';
@@ -8,7 +8,7 @@ import { type BooleanKind, type Derived, type DerivedKind, isBoolean, isDerived 
 import { activeObject, type Drawing, type DrawnObject, freeId, lookOf, newObject } from './drawing';
 import { emptyFigure, type Figure, isCurve, isEmpty, pointsNeeded } from './figure';
 
-/** Whether other objects can be made of an object, once it has all its points. */
+/** Whether other objects can be derived from an object, once it has all its points. */
 const mayHaveLines = ({ figure }: DrawnObject) =>
   !isEmpty(figure) && !['center', 'points', 'cut'].includes(figure.kind);
 
@@ -19,7 +19,7 @@ const hasLines = (object: DrawnObject) => {
 };
 
 /**
- * Whether other objects can be made of these once they are complete: the user sees it from the
+ * Whether other objects can be derived from these once they are complete: the user sees it from the
  * first point.
  */
 export const willCombine = ({ objects }: Drawing, ids: readonly number[]): boolean =>
@@ -29,7 +29,7 @@ export const willCombine = ({ objects }: Drawing, ids: readonly number[]): boole
 export const combinable = ({ objects }: Drawing, ids: readonly number[]): DrawnObject[] =>
   objects.filter((object) => ids.includes(object.id) && hasLines(object));
 
-/** An object made of others, in the style of the topmost of these. */
+/** An object derived from others, in the style of the topmost of these. */
 function made(
   drawing: Drawing,
   sources: readonly DrawnObject[],
@@ -78,7 +78,7 @@ export function cutting(drawing: Drawing, ids: readonly number[]): Command | nul
   return made(drawing, sources, 'cut', { parts: [], thickness: 0 });
 }
 
-/** Changes how the edited object is made. */
+/** Changes the derivation of the edited object. */
 export function remaking(
   drawing: Drawing,
   part: Omit<Partial<Derived>, 'sources'>,
@@ -90,7 +90,7 @@ export function remaking(
   return { type: 'figure', id, edit: { type: 'replace', from, to: { ...from, derived } } };
 }
 
-/** Replaces the edited object by objects with the same shape that no longer have sources. */
+/** Replaces the edited object by objects with the same shape but without sources. */
 export function expanding(drawing: Drawing, figures: readonly Figure[]): Command | null {
   const object = activeObject(drawing);
   const index = drawing.objects.indexOf(object);

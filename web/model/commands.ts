@@ -12,7 +12,7 @@ export type Command =
   /** Moves an object to another place of the order. */
   | { type: 'order'; from: number; to: number }
   | { type: 'properties'; id: number; from: Partial<Properties>; to: Partial<Properties> }
-  /** Makes another object the edited one. */
+  /** Selects another object for editing. */
   | { type: 'activate'; from: number; to: number }
   /** Replaces the drawing by another one. */
   | { type: 'draw'; from: Drawing; to: Drawing }

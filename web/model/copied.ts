@@ -10,8 +10,8 @@ export const copiedText = (mesh: string, objects: readonly DrawnObject[]) =>
   JSON.stringify({ format, version: drawingVersion, surface: mesh, objects });
 
 /**
- * The objects of a copied text for a surface; null if the page did not write the text. Throws a sentence if it
- * did, but the objects do not fit this surface.
+ * The objects of a copied text for a surface; null if the page did not write the text. Throws a
+ * sentence if it did, but the objects do not fit this surface.
  */
 export function pastedObjects(
   text: string,

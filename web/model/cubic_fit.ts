@@ -6,7 +6,7 @@
 export type Planar = readonly [number, number];
 export type Cubic = readonly [Planar, Planar, Planar, Planar];
 
-/** Unit directions into the curve from its ends; null if the handle is free. */
+/** The unit directions into the curve from its ends; null for a free handle. */
 export interface EndDirections {
   start: Planar | null;
   end: Planar | null;
@@ -19,11 +19,11 @@ export interface Piece {
   cubic: Cubic;
 }
 
-/** The most steps that improve the parameters of a curve before it is split or returned. */
+/** The most steps that improve the parameters of a curve before the fit splits or returns it. */
 const mostSteps = 24;
-/** If a curve is off by at most this many tolerances, better parameters may be enough. */
+/** The largest deviation, in tolerances, at which better parameters may suffice. */
 const worthBettering = 16;
-/** A handle that is shorter than this part of the chord, or points backwards, is dropped. */
+/** The least length of a handle, as a part of the chord. A shorter or backward one is dropped. */
 const leastHandle = 1e-6;
 
 const add = (p: Planar, q: Planar, factor = 1): Planar => [
@@ -187,11 +187,11 @@ export interface FitOptions {
   tolerances: readonly number[];
   /** The indices of points, beside the ends, where the curve may have a corner. */
   corners: readonly number[];
-  /** The length along the points over which a direction is measured. */
+  /** The length along the points that determines a direction. */
   reach: number;
   /**
-   * For a closed line, whose first and last points are the same: the angle by which directions
-   * there are turned at the last point, and the turn that makes a corner.
+   * For a closed line, whose first and last points are the same: the angle of directions at the
+   * last point relative to the first, and the least turn of a corner.
    */
   loop?: { turn: number; cornerAngle: number };
 }
@@ -254,7 +254,7 @@ const turnBetween = (back: Planar, on: Planar) =>
 
 /**
  * The indices of points where a line turns sharply within a reach. Each turns more than its
- * neighbors, and no two are within a reach.
+ * neighbors, and any two are more than a reach apart.
  */
 export function cornersOf(
   points: readonly Planar[],

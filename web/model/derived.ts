@@ -1,7 +1,7 @@
 /**
- * Objects that are made of other objects of their drawing and follow them: offsets, booleans and
- * cuts. They store only the ids of these, called their sources, and the way they are made; only the
- * sources have places on the surface.
+ * Derived objects, which follow other objects of their drawing: offsets, booleans and cuts. They
+ * store only the ids of these, called their sources, and their settings; only the sources have
+ * places on the surface.
  */
 import type { SurfacePoint } from 'karcher';
 
@@ -13,19 +13,19 @@ export type DerivedKind = BooleanKind | 'offset' | 'cut';
 export const offsetSides = ['outwards', 'inwards', 'both'] as const;
 export type OffsetSide = (typeof offsetSides)[number];
 
-/** The shape of corners on their outer side; round, the default, is not stored. */
+/** The shape of corners on their outer side. Drawings do not store the default, round. */
 export const cornerShapes = ['round', 'miter', 'bevel'] as const;
 export type CornerShape = (typeof cornerShapes)[number];
 
 export interface Offset {
   readonly distance: number;
-  /** The distance at the end of an open curve, and halfway round a closed one, if it is another. */
+  /** The distance at the end of an open curve, and halfway round a closed one, if it differs. */
   readonly end?: number | undefined;
   readonly side: OffsetSide;
   readonly corners?: CornerShape | undefined;
 }
 
-/** A choice for a part of a cut surface. Hidden parts are still saved with the others. */
+/** A choice for a part of a cut surface. Files contain hidden parts, too. */
 export type PartState = 'hidden' | 'deleted';
 
 /** A choice for the part of a cut surface that contains a point. */
@@ -35,14 +35,11 @@ export interface PartChoice {
 }
 
 export interface Derived {
-  /**
-   * The ids of the objects that it is made of, in order: a difference is the first minus the
-   * others.
-   */
+  /** The ids of the sources, in order: a difference is the first minus the others. */
   readonly sources: readonly number[];
   /** The distance, side and corners of an offset. */
   readonly offset?: Offset;
-  /** The choices for parts of a cut; parts without a choice are kept. */
+  /** The choices for parts of a cut; parts without a choice stay. */
   readonly parts?: readonly PartChoice[];
   /** The thickness of the parts of a cut in saved files; with 0 they are surfaces. */
   readonly thickness?: number;
@@ -51,7 +48,7 @@ export interface Derived {
 export const mostSources = 200;
 export const mostParts = 1000;
 
-/** An offset without its defaults. If it has another distance at the end, its corners are round. */
+/** An offset without its defaults. If the distance at the end differs, its corners are round. */
 export function plainOffset({ distance, end = distance, side, corners = 'round' }: Offset): Offset {
   const isEven = end === distance;
   return {

@@ -1,6 +1,6 @@
 /**
- * A drawing on one surface: objects in an order, one of which is edited. It is a value, and is
- * never changed in place.
+ * A drawing on one surface: objects in an order, one of which is edited. It is a value, which
+ * nobody changes in place.
  */
 import type { SurfacePoint } from 'karcher';
 import { emptyFigure, type Figure, isEmpty, withPlaces } from './figure';
@@ -11,9 +11,9 @@ export const dashes: readonly Dash[] = ['solid', 'dashed', 'dotted'];
 
 /** The style of a line. */
 export interface LineStyle {
-  /** `#rrggbb`, or null for the theme's color of curves. */
+  /** The color `#rrggbb`, or null for the theme's color of curves. */
   readonly color: string | null;
-  /** Width in CSS pixels, or in the surface's unit. */
+  /** The width in CSS pixels, or in the surface's unit. */
   readonly width: number;
   /**
    * Whether the width is in the surface's unit: the line then lies on the surface, and looks wider
@@ -21,7 +21,7 @@ export interface LineStyle {
    */
   readonly onSurface: boolean;
   readonly dash: Dash;
-  /** Opacity, up to 1. */
+  /** The opacity, up to 1. */
   readonly opacity: number;
 }
 
@@ -32,9 +32,9 @@ export const fillPatterns: readonly FillPattern[] = ['solid', 'hatched', 'stripe
 
 /** The paint of the inside of a closed line. */
 export interface FillStyle {
-  /** Opacity from 0, no fill at all, to 1. */
+  /** The opacity from 0, no fill at all, to 1. */
   readonly fill: number;
-  /** `#rrggbb`, or null for the line's color. */
+  /** The color `#rrggbb`, or null for the line's color. */
   readonly fillColor: string | null;
   readonly pattern: FillPattern;
   /**
@@ -46,12 +46,12 @@ export interface FillStyle {
 
 /** The properties of an object besides its figure. */
 export interface Properties extends LineStyle, FillStyle {
-  /** The name; empty if the user gave none. */
+  /** The name; empty for an unnamed object. */
   readonly name: string;
   readonly visible: boolean;
-  /** Whether the object is locked: it is then neither picked nor edited. */
+  /** Whether the object is locked, so that nobody can pick or edit it. */
   readonly locked: boolean;
-  /** The name of the group that it belongs to. */
+  /** The name of its group, or null. */
   readonly group: string | null;
 }
 
@@ -63,8 +63,7 @@ export interface DrawnObject extends Properties {
 
 export interface Drawing {
   /**
-   * The objects from the lowest to the topmost. There is at least one, and only the active one may
-   * be empty.
+   * The objects, at least one, from the lowest to the topmost. Only the active one may be empty.
    */
   readonly objects: readonly DrawnObject[];
   /** The id of the edited object. */
@@ -152,7 +151,7 @@ export function styleOf({ color, width, onSurface, dash, opacity }: LineStyle): 
   return { color, width, onSurface, dash, opacity };
 }
 
-/** The drawing with each of its places on the surface mapped to another one. */
+/** The drawing with another place for each of its places on the surface. */
 export function withDrawingPlaces(
   drawing: Drawing,
   move: (point: SurfacePoint) => SurfacePoint,

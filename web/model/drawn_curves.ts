@@ -1,4 +1,4 @@
-/** Curves as they are drawn, to be written to files. */
+/** Curves as they are drawn, for files. */
 import type { CurveSamples, Path } from 'karcher';
 import type { WrittenFormat } from 'karcher/formats';
 

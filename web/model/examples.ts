@@ -1,4 +1,4 @@
-/** Finished drawings, made by code on generated surfaces. */
+/** Finished drawings, by code on generated surfaces. */
 import type { SurfacePoint } from 'karcher';
 import { type Drawing, newObject, type Properties } from './drawing';
 import type { Tangents } from './figure';
@@ -6,7 +6,7 @@ import { type ControlPoint, emptyFigure, type Figure, type Kind, type Vector } f
 import { defaultMesh } from './meshes';
 import { withTangents } from './pen';
 
-/** Finds places of a surface that is scaled to a ball of radius 1 with y up. */
+/** A search for places of a surface scaled to a ball of radius 1 with y up. */
 export interface Places {
   /**
    * The point of the surface that appears at a place when seen from a direction, x to the right and
@@ -257,7 +257,7 @@ function hearts({ seen, near }: Places): Drawing {
   );
 }
 
-/** The page opens with the first one. */
+/** The examples. The page opens with the first one. */
 export const examples: readonly Example[] = [
   { id: 'bunny', name: 'Ornaments on a bunny', mesh: defaultMesh, draw: bunny },
   { id: 'ball', name: 'Seam of a tennis ball', mesh: 'sphere:20000', draw: ball },

@@ -1,4 +1,4 @@
-/** The figure of one object of a drawing: a value, never changed in place. */
+/** The figure of one object of a drawing: a value, which nobody changes in place. */
 import type { CurveKind, CurveLevels, Parametrization, SurfacePoint } from 'karcher';
 import { type Derived, type DerivedKind, isDerived } from './derived';
 
@@ -28,7 +28,7 @@ export type Across = SurfacePoint | { radius: number };
 /** The name of a control point's number besides its place. */
 export type ParameterName = 'weight' | 'beta';
 
-/** The side of a pen anchor that a handle belongs to. */
+/** The side of a pen anchor on which a handle lies. */
 export type Side = 'before' | 'after';
 
 /**
@@ -45,8 +45,8 @@ export type Tangents = { readonly [Which in Side]?: Tangent };
 /** A point that the user placed. Its numbers default to 1. */
 export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: number } & {
   /**
-   * Points that the path to the next point passes through, if it is not the shortest. For the pen
-   * it is the path from the handle after this anchor to the one before the next.
+   * Points on the path to the next point, if it is not the shortest. For the pen it is the path
+   * from the handle after this anchor to the one before the next.
    */
   readonly leg?: readonly SurfacePoint[];
   /** The handles of an anchor of the pen. */
@@ -57,7 +57,7 @@ export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: n
 export interface CircleShape {
   center: SurfacePoint;
   rim: Rim;
-  /** Only ellipses use it; the default is a part of the radius to the rim. */
+  /** The radius across of an ellipse; the default is a part of the radius to the rim. */
   across?: Across;
 }
 
@@ -79,7 +79,7 @@ export interface CurveSettings {
   readonly closed: boolean;
   /** The degree of a B-spline, 1 to 5. */
   readonly degree: number;
-  /** Whether an open B-spline's knots are repeated at its ends, which the curve then reaches. */
+  /** Whether an open B-spline's knots repeat at its ends, which the curve then reaches. */
   readonly clamped: boolean;
   /**
    * The knots of a B-spline, if they are neither uniform nor clamped; their number follows from
@@ -88,11 +88,11 @@ export interface CurveSettings {
   readonly knots: readonly number[] | null;
   /** The parametrization of a Catmull-Rom curve. */
   readonly parametrization: Parametrization;
-  /** The number of samples a segment, if no tolerance is set. */
+  /** The number of samples a segment without a tolerance. */
   readonly samples: number;
   /**
-   * The tolerance between samples, as a part of the surface's size; the engine takes as many samples as it
-   * needs.
+   * The tolerance between samples, as a part of the surface's size, or null. The engine takes as
+   * many samples as the tolerance needs.
    */
   readonly tolerance: number | null;
   /** The number of evenly spaced marks along the curve. */
@@ -102,9 +102,9 @@ export interface CurveSettings {
    * more levels make the curve steadier on rough surfaces.
    */
   readonly levels: CurveLevels;
-  /** The least number of levels during a drag, so that it never falls; never saved. */
+  /** The least number of levels during a drag, so that the number never falls; never in files. */
   readonly leastLevels?: number;
-  /** Set during a drag: levels may then move the curve as far as they do; never saved. */
+  /** Whether a drag is under way: levels may then move the curve freely; never in files. */
   readonly draft?: boolean;
 }
 
@@ -121,7 +121,7 @@ export interface Operand {
   readonly figure: Figure;
 }
 
-/** A curve, a circle, a center or points. The kind decides which part of it is drawn. */
+/** A curve, a circle, a center or points. The kind decides which part the page draws. */
 export interface Figure {
   readonly kind: Kind;
   readonly settings: CurveSettings;
@@ -129,11 +129,11 @@ export interface Figure {
   readonly points: readonly ControlPoint[];
   readonly circle: CircleShape | null;
   readonly circleForm: CircleForm;
-  /** The side that the figure encloses: the smaller one until a side is chosen or a drag begins. */
+  /** The side that the figure encloses. Until a choice or a drag it is the smaller one. */
   readonly inside?: Inside;
-  /** Only figures that are made of others use it. */
+  /** The derivation; only derived figures use it. */
   readonly derived?: Derived;
-  /** The figures of the sources, once `resolvedFigure` has added them; never saved. */
+  /** The figures of the sources, after `resolvedFigure` has added them; never in files. */
   readonly operands?: readonly Operand[];
 }
 
@@ -165,7 +165,7 @@ export const askedLevels = ({ levels, leastLevels = 0, draft = false }: CurveSet
 /** The ranges of the settings' numbers. */
 export const samplesRange = { least: 2, most: 5000 };
 export const toleranceRange = { least: 1e-6, most: 0.1 };
-/** A single mark would be no even spacing. */
+/** The range of the number of marks. A single mark would be no even spacing. */
 export const marksRange = { least: 2, most: 1000 };
 export const mostLevels = 8;
 /**
@@ -242,7 +242,7 @@ export function parameterOf(kind: Kind): ParameterName | null {
   return kind === 'center' || kind === 'rational' || kind === 'bspline' ? 'weight' : null;
 }
 
-/** The range of sliders for numbers of points: by the same factor below 1 and above. */
+/** The range of sliders for numbers of points: the same factor below 1 and above. */
 export const parameterRange = { least: 1 / 16, most: 16 };
 
 /** The point with one of its numbers changed; the default, 1, is not stored. */
@@ -301,7 +301,7 @@ function withTangentPlaces(
   return { ...(before && { before: moved(before) }), ...(after && { after: moved(after) }) };
 }
 
-/** The figure with each of its places on the surface mapped to another one. */
+/** The figure with another place for each of its places on the surface. */
 export function withPlaces(figure: Figure, move: (point: SurfacePoint) => SurfacePoint): Figure {
   const { circle } = figure;
   const moved = (point: ControlPoint): ControlPoint => ({
@@ -323,7 +323,7 @@ export function withPlaces(figure: Figure, move: (point: SurfacePoint) => Surfac
   };
 }
 
-/** Whether the number of knots fits the points; knots that follow a rule always do. */
+/** Whether the number of knots fits the points; knots by a rule always do. */
 export function knotsFit({ settings, points }: Pick<Spline, 'settings' | 'points'>): boolean {
   const { knots, closed, degree } = settings;
   return !knots || knots.length === points.length + 1 + (closed ? 0 : degree);

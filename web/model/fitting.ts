@@ -1,5 +1,5 @@
 /**
- * Drawings on a surface with fewer triangles than their own: parts that lie outside it are removed.
+ * Drawings on a surface with fewer triangles than their own, without the parts that lie outside it.
  */
 import type { SurfacePoint } from 'karcher';
 import type { Drawing, DrawnObject } from './drawing';
@@ -7,7 +7,7 @@ import { type ControlPoint, type Figure, isEmpty, withFittingKnots, withLeg } fr
 import { withTangents } from './pen';
 
 /**
- * The points on such a surface. Their legs stay if they lie on it too and join the same neighbours.
+ * The points on such a surface, with their legs that lie on it, too, and join the same neighbours.
  */
 function fittingPoints(points: readonly ControlPoint[], triangles: number): ControlPoint[] {
   const fits = ({ face }: SurfacePoint) => face < triangles;
@@ -42,10 +42,7 @@ function fittingFigure(figure: Figure, triangles: number): Figure {
   });
 }
 
-/**
- * The parts of objects on a surface with this many triangles; objects without such parts are left
- * out.
- */
+/** The parts of objects on a surface with this many triangles, without objects that have none. */
 export const fittingObjects = (objects: readonly DrawnObject[], triangles: number) =>
   objects
     .map((object) => ({ ...object, figure: fittingFigure(object.figure, triangles) }))

@@ -1,14 +1,14 @@
-/** The distance of two curves from each other, measured on their polylines. */
+/** The distance of two curves from each other, by their polylines. */
 export interface Gap {
   /** The mean distance along both curves, from each to the other. */
   mean: number;
-  /** The Hausdorff distance: the farthest that a point of one curve lies from the other. */
+  /** The Hausdorff distance: the largest distance of a point of one curve from the other. */
   largest: number;
 }
 
-/** The number of evenly spaced points at which each curve is measured. */
+/** The number of evenly spaced points at which the distance of each curve is measured. */
 const samples = 256;
-/** The number of segments that are measured or skipped together. */
+/** The number of segments in a block, which a search measures or skips as a whole. */
 const blockLength = 32;
 
 /** Consecutive segments, within a ball. */

@@ -1,21 +1,21 @@
-/** The history of a drawing. A selection is not a step; it is undone and redone with the step that follows it. */
+/** The history of a drawing. A selection is no step; it belongs to the step that follows it. */
 import { type Command, invert, joined } from './commands';
 
 export interface History {
-  /** The commands that were done, the newest last. */
+  /** The steps of the present drawing, the newest last. */
   done: Command[];
-  /** The undone steps; the last one is redone first. */
+  /** The undone steps; redo takes the last one first. */
   undone: Command[];
-  /** Commands since the newest step that made another object the edited one; they join the next step. */
+  /** Selections for editing since the newest step; they join the next step. */
   activated: Command[];
 }
 
-/** The largest number of steps that can be undone. */
+/** The largest number of steps to undo. */
 const longestHistory = 1000;
 
 export const historyOf = (): History => ({ done: [], undone: [], activated: [] });
 
-/** Records a step; undone steps can no longer be redone. */
+/** Records a step. Undone steps are then lost. */
 export function record(history: History, command: Command): void {
   history.done.push(joined([...history.activated, command]));
   history.activated = [];
@@ -23,14 +23,14 @@ export function record(history: History, command: Command): void {
   if (history.done.length > longestHistory) history.done.shift();
 }
 
-/** Records that another object is edited: undone steps can still be redone. */
+/** Records a selection for editing. Undone steps stay. */
 export function recordActivation({ activated }: History, command: Command): void {
   const last = activated.at(-1);
   if (last?.type !== 'activate' || command.type !== 'activate') {
     activated.push(command);
     return;
   }
-  // Merges activations: from the first object to the last.
+  // This merges selections: from the first object to the last.
   activated.pop();
   if (last.from !== command.to) activated.push({ ...command, from: last.from });
 }
@@ -45,7 +45,7 @@ export function stepBack(history: History): Command | null {
   return invert(whole);
 }
 
-/** Redoes the step that was undone last; returns the command that does it. */
+/** Redoes the last undone step; returns the command that does it. */
 export function stepForth(history: History): Command | null {
   const command = history.undone.pop();
   if (!command) return null;

@@ -1,6 +1,6 @@
 /**
- * The legs of a control polygon: each is the shortest path to the next point, unless its point says
- * otherwise.
+ * The legs of a control polygon: each is the shortest path to the next point, unless its point has
+ * another.
  */
 import type { CurveOptions, DrawnLeg, SurfacePoint } from 'karcher';
 import type { Side } from './figure';
@@ -39,7 +39,7 @@ export function withFittingLegs<Of extends Polygon>(polygon: Of, before: Polygon
   return { ...polygon, points };
 }
 
-/** The legs of a curve as last drawn, and the indices of the dragged control points. */
+/** The legs of a curve in its last drawing, and the indices of the dragged control points. */
 export interface DrawnBefore {
   legs: readonly DrawnLeg[];
   points: readonly number[];

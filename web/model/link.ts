@@ -10,8 +10,8 @@
  * through on its way to the next one (for the pen: from handle to handle). `place` is the number of
  * objects below this one. `view=azimuth,elevation,reach,x,y,z` or `view=top` is the place of the
  * camera (view_place.ts); the front is the default. The other objects follow from the lowest to the
- * topmost, each with the same fields in a field `other`. Weights and betas of 1, shortest legs and
- * other defaults are left out. Ids are not stored: objects are numbered anew in their order.
+ * topmost, each with the same fields in a field `other`. A link omits weights and betas of 1,
+ * shortest legs and other defaults. It has no ids: objects have new numbers in their order.
  */
 import {
   activeObject,
@@ -38,9 +38,9 @@ export interface Link {
   mesh: string;
   method: MethodId | null;
   drawing: Drawing;
-  /** The place from which the surface is seen; null if the link has none. */
+  /** The place of the camera; null if the link has none. */
   view: ViewPlace | null;
-  /** The faulty parts that were left out of the drawing. */
+  /** The faulty parts that the drawing omits. */
   unread: Lost;
   /** Sentences about other faulty parts, and what replaces them. */
   problems: readonly string[];
@@ -102,7 +102,7 @@ function objectFields(
 
 const encodeName = (name: string) => encodeURIComponent(shortened(name, longestName));
 
-/** Reads a link; null unless the fragment names a surface. Faulty fields are left out. */
+/** Reads a link, without faulty fields; null unless the fragment names a surface. */
 export function parseLink(fragment: string): Link | null {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const mesh = fields.get('mesh');
@@ -140,7 +140,7 @@ const countPlaces = ({ objects }: Drawing): Lost => ({
   circles: objects.filter(({ figure }) => figure.circle).length,
 });
 
-/** The parts of a link that are missing in the drawing made from it. */
+/** The parts of a link that its drawing lacks. */
 export function lostOf({ drawing: said, unread }: Link, drawing: Drawing): Lost {
   const [all, left] = [countPlaces(said), countPlaces(drawing)];
   return {

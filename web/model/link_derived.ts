@@ -1,4 +1,4 @@
-/** Figures that are made of others, as fields of links. */
+/** Derived figures, as fields of links. */
 import {
   cornerShapes,
   type Derived,

@@ -140,7 +140,7 @@ export function parseFigure(fragment: string): Figure {
   });
 }
 
-/** Legs by the indices of their points; faulty ones are left out. */
+/** Legs by the indices of their points, without faulty ones. */
 function parseLegs(text: string): Map<number, SurfacePoint[]> {
   const legs = new Map<number, SurfacePoint[]>();
   for (const part of text.split(';')) {
@@ -159,7 +159,7 @@ function parseControlPoint(text: string): ControlPoint | null {
   return weighted && withParameter(weighted, 'beta', parseParameter(beta));
 }
 
-/** The parts of a cut curve may have any numbers, even beyond the range of the sliders. */
+/** The number of a point. Those of a cut curve's parts may exceed the range of the sliders. */
 function parseParameter(text: string): number {
   const [value] = parseNumbers(text, 1) ?? [1];
   return Math.min(1e12, Math.max(1e-12, value!));

@@ -1,6 +1,6 @@
 import type { BridgedInterval, CurveSamples, Status } from 'karcher';
 
-/** Why a part of a curve is no center of mass. */
+/** The reason why a part of a curve is no center of mass. */
 export type LostReason = Exclude<Status, 'converged' | 'bridged' | 'subdivided'>;
 
 /** A part of a segment that is no center of mass. */
@@ -20,7 +20,7 @@ type Samples = Pick<CurveSamples, 'segment' | 't' | 'position' | 'status'>;
 
 /**
  * The parts of a curve without centers of mass, bridged or not, in the curve's order. Pieces that
- * are replaced by their subdivision are drawn correctly and do not count.
+ * are their own subdivision are right and do not count.
  */
 export function lostIntervals(
   samples: Samples,

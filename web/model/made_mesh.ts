@@ -4,7 +4,7 @@ import type { MadeSource } from './meshes';
 import { planeArrays } from './planes';
 import { makeSample, type Tell } from './sample_mesh';
 
-/** Makes the mesh of a source, always the same for the same source; the caller owns it. */
+/** Generates the mesh of a source, always the same for the same source; the caller owns it. */
 export async function makeMesh(
   karcher: Karcher,
   source: MadeSource,
@@ -31,8 +31,8 @@ export async function makeMesh(
 }
 
 /**
- * The mesh simplified to a number of triangles by collapsing the edges that change the surface least
- * (meshoptimizer).
+ * The mesh with a smaller number of triangles: meshoptimizer collapses the edges that change the
+ * surface least.
  */
 async function simplified(karcher: Karcher, fine: Mesh, triangles: number): Promise<Mesh> {
   await MeshoptSimplifier.ready;

@@ -1,4 +1,4 @@
-/** A mesh in its maker's numbering. */
+/** A mesh with the numbers of its origin. */
 export interface MeshArrays {
   /** Coordinates x, y, z of the vertices. */
   positions: Float64Array;

@@ -62,9 +62,9 @@ export const samples: readonly Sample[] = [
 /**
  * A surface's key: `bunny:levels`, `shape:triangles`, `plane:tessellation:triangles`,
  * `plane:anisotropic*stretch:triangles`, `simplified:triangles:` with the key of the simplified
- * surface, or `file:digest:name`. After the digest follow the indices of the parts if not all are
- * read, the tolerance of welding if it is not the default, and the axis that points up if it is not
- * the guessed one, with a sign if it points down: `file:digest.0.2*0.001~-z:name`.
+ * surface, or `file:digest:name`. After the digest follow the indices of the parts to read unless
+ * these are all, the tolerance of welding unless it is the default, and the axis that points up
+ * unless it is the guessed one, with a sign if it points down: `file:digest.0.2*0.001~-z:name`.
  */
 export const defaultMesh = 'bunny:1';
 
@@ -81,8 +81,8 @@ export type ParsedKey =
   | ({ digest: string; name: string } & Reading);
 
 /**
- * The options for reading a file: its parts (null for all), the distance at which boundaries are welded (null
- * for the default), and the axis that points up (null for a guess).
+ * The options for reading a file: its parts (null for all), the tolerance for welding boundaries
+ * (null for the default), and the axis that points up (null for a guess).
  */
 export interface Reading {
   parts: readonly number[] | null;
@@ -182,7 +182,7 @@ export function meshLabel(key: string): string {
   return 'sample' in parsed ? parsed.sample.label : parsed.name;
 }
 
-/** The number of bytes hashed at once, which takes a few milliseconds. */
+/** The number of bytes in one step of the hash, which takes a few milliseconds. */
 const hashedAtOnce = 1 << 21;
 
 /**

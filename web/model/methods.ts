@@ -41,7 +41,7 @@ const list = [
 interface MethodEntry {
   id: string;
   label: string;
-  /** The quality while something is edited, and the final one unless there are refined options. */
+  /** The options during an edit. They are also the final ones unless `refined` exists. */
   options: FieldOptions;
   /** The quality that follows in the background once the edit ends. */
   refined?: FieldOptions;

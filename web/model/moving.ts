@@ -1,4 +1,4 @@
-/** Moving figures as a whole: their places and directions that move, and how. */
+/** Moves of whole figures: of their places and of their directions there. */
 import type { SurfacePoint } from 'karcher';
 import type { Tangent, Tangents } from './figure';
 import { type CircleShape, type Figure, type Vector, withPlaces } from './figure';
@@ -45,8 +45,7 @@ export function carriedOf(figures: readonly Figure[]): Carried[] {
 }
 
 /**
- * The figures with their places and directions where they were carried, and their lengths
- * multiplied by `scale`.
+ * The figures with the moved places and directions, and with their lengths multiplied by `scale`.
  */
 export function movedFigures(
   figures: readonly Figure[],
@@ -71,10 +70,7 @@ export function movedFigures(
   });
 }
 
-/**
- * The figure with other directions at the places of the figure that it was made from, and scaled
- * lengths.
- */
+/** The figure with other directions at the places of its original, and scaled lengths. */
 function withDirections(figure: Figure, from: Figure, scale: number, turn: Turn): Figure {
   const tangentAt = (at: SurfacePoint, tangent: Tangent): Tangent => {
     if ('face' in tangent) return tangent;

@@ -1,4 +1,4 @@
-/** Parts of a cut surface, and which one a point lies in. */
+/** Parts of a cut surface, and the part that contains a point. */
 import type { SurfacePoint } from 'karcher';
 import type { PartChoice } from './derived';
 

@@ -1,7 +1,7 @@
 /**
- * Curves of the pen: cubic Bézier segments between anchors, each with a tangent handle on either side or none.
- * A handle lies at the end of a straightest geodesic from its anchor. If one handle is stored as the opposite
- * of the other, the curve stays smooth there when either moves.
+ * Curves of the pen: cubic Bézier segments between anchors, each with a tangent handle on either
+ * side or none. A handle lies at the end of a straightest geodesic from its anchor. If one handle
+ * is the opposite of the other, the curve stays smooth there when either moves.
  */
 import type { CurveOptions, CurveSamples, FieldOptions, SurfacePoint } from 'karcher';
 import {
@@ -42,9 +42,7 @@ export function withTangents(point: ControlPoint, tangents: Tangents | undefined
 /** A drawn handle as a vector at its anchor. */
 const vectorOf = ({ direction, length }: DrawnTangent): Tangent => ({ direction, length });
 
-/**
- * The handles of a joint as drawn; one of them leads. They are vectors, which move with the anchor.
- */
+/** The handles of a joint as vectors, which move with the anchor. One of them leads. */
 export function byVectors(
   tangents: Tangents | undefined,
   drawn: DrawnTangents,
@@ -59,8 +57,8 @@ export function byVectors(
 }
 
 /**
- * The handles after one of them was dragged. The other one keeps its length and stays opposite; at
- * a corner, or if the joint is broken, it stays where it is.
+ * The handles after a drag of one of them. The other one keeps its length and stays opposite; at a
+ * corner or a broken joint it stays in place.
  */
 export function withHandleAt(
   tangents: Tangents | undefined,
@@ -171,9 +169,9 @@ export function withHandleLength(
 
 /**
  * The anchors with a new one at the curve's place at a parameter: by de Casteljau's algorithm, so
- * that on a plane the curve does not change. `derivative` is the curve's derivative there,
- * `samples` are the curve's; the legs of the two new segments lie along them if the old segment had
- * a leg.
+ * that on a plane the curve does not change. `derivative` is the curve's derivative there, and
+ * `samples` are the curve's. If the old segment had a leg, the legs of the two new segments lie
+ * along the samples.
  */
 export function withAnchorAt(
   { points }: Figure,

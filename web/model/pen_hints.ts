@@ -1,4 +1,4 @@
-/** The cursor and the words for what the pointer would do while a curve of the pen is drawn. */
+/** The cursor and the words for the effect of the pointer on a curve of the pen. */
 import type { Side } from './figure';
 
 export type PenAction =
@@ -31,7 +31,7 @@ export interface PenState {
   alt: boolean;
 }
 
-/** Whether a click on the surface continues the curve; without a selected anchor it has ended. */
+/** Whether a click on the surface continues the curve; it has ended if no anchor is selected. */
 export const goesOn = ({ anchors, closed, selected }: PenState) =>
   anchors > 0 && !closed && selected !== null;
 
@@ -39,7 +39,7 @@ export const goesOn = ({ anchors, closed, selected }: PenState) =>
 const closesAt = (index: number, { anchors, closed, selected, alt }: PenState) =>
   index === 0 && !closed && anchors > 1 && selected === anchors - 1 && !alt;
 
-/** Whether a drag of the curve bends it; a curve that is selected as a whole is moved. */
+/** Whether a drag of the curve bends it. A drag moves a curve that is selected as a whole. */
 export const bends = ({ chosen, selected }: PenState) => !chosen || selected !== null;
 
 export function penActionAt(under: UnderPointer, state: PenState): PenAction {

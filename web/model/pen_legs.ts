@@ -1,7 +1,7 @@
 /**
- * The legs of a curve of the pen. Each segment has three: from its anchor to the handle after it, from there to
- * the handle before the next anchor, and to that anchor. The middle one is stored with the anchor if it is not
- * the shortest path; the others are the geodesics to the handles.
+ * The legs of a curve of the pen. Each segment has three: from its anchor to the handle after it,
+ * from there to the handle before the next anchor, and to that anchor. The anchor stores the middle
+ * one if it is not the shortest path; the others are the geodesics to the handles.
  */
 import type { CurveOptions, CurveSamples, SurfacePoint } from 'karcher';
 import type { ControlPoint, Side, Vector } from './figure';
@@ -23,11 +23,11 @@ export type DrawnTangents = { readonly [Which in Side]?: DrawnTangent };
 const legsOfSegment = 3;
 const middle = 1;
 
-/** The anchor with which a leg is stored; null for a leg to or from a handle. */
+/** The anchor that stores a leg; null for a leg to or from a handle. */
 export const anchorOfLeg = (leg: number): number | null =>
   leg % legsOfSegment === middle ? (leg - middle) / legsOfSegment : null;
 
-/** The legs that are stored with anchors, out of those of the whole control polygon. */
+/** The legs that anchors store, out of those of the whole control polygon. */
 export const legsOfAnchors = <Leg>(legs: readonly Leg[]): Leg[] =>
   legs.filter((_, i) => anchorOfLeg(i) !== null);
 
@@ -48,7 +48,7 @@ export function penLegs(
 const wayOf = (handle: DrawnTangent | undefined): readonly SurfacePoint[] | null =>
   handle?.through.length ? handle.through : null;
 
-/** The points along the two parts of a segment that is cut at t. */
+/** The points along the two parts of a segment, cut at t. */
 export function waysAlong(
   samples: Omit<CurveSamples, 'status'>,
   segment: number,

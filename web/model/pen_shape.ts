@@ -37,7 +37,7 @@ function handleOf(vector: Vector): Tangent | null {
 }
 
 /**
- * The figure with the handles of a segment moved by vectors at their anchors; smooth joints stay
+ * The figure after moves of a segment's handles by vectors at their anchors; smooth joints stay
  * smooth.
  */
 export function withBentSegment(
@@ -62,7 +62,7 @@ export function withBentSegment(
   return { ...figure, points: points.with(to, bent(to, 'before', second)) };
 }
 
-/** The number of places of each of two segments that the curve in their place is fitted to. */
+/** The number of places on each of two segments to which the fit of one curve is held. */
 const placesHeld = 24;
 
 /**

@@ -54,8 +54,7 @@ const fairPoints: Scatter = (flat, count, least, random) => {
   }
 };
 
-/** A grid whose inner vertices are moved at random by up to `jitter` cells; with jitter the diagonals
- * are drawn at random too. */
+/** A grid. With `jitter`, inner vertices move by up to so many cells, and diagonals are random. */
 function grid(columns: number, rows: number, jitter: number): Arrays {
   const random = randomFrom(seed);
   const positions: number[] = [];
@@ -101,7 +100,7 @@ function delaunay(triangles: number, scatter: Scatter): Arrays {
     const [ux, uy] = [flat[2 * b]! - flat[2 * a]!, flat[2 * b + 1]! - flat[2 * a + 1]!];
     const [vx, vy] = [flat[2 * c]! - flat[2 * a]!, flat[2 * c + 1]! - flat[2 * a + 1]!];
     const area = ux * vy - uy * vx;
-    // Points of one side are collinear: rounding may make degenerate triangles of them.
+    // Points of one side are collinear, and rounding may turn them into degenerate triangles.
     if (Math.abs(area) < 1e-12) continue;
     faces.push(...(area > 0 ? [a, b, c] : [a, c, b]));
   }

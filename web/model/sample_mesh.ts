@@ -4,7 +4,7 @@ import type { SampleSource } from './meshes';
 
 export type Tell = (done: number, stage: string) => void;
 
-/** Makes the mesh of a sample; the caller owns it. */
+/** Creates the mesh of a sample; the caller owns it. */
 export function makeSample(karcher: Karcher, source: SampleSource, tell: Tell = () => {}): Mesh {
   if (source.kind === 'shape') return karcher.shape(source.name, source.triangles);
   const coarse = karcher.meshFromArrays(bunny.positions.flat(), bunny.cells.flat());

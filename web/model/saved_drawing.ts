@@ -1,6 +1,6 @@
 /**
- * A drawing as JSON, and its check: a value is a correct drawing in every part and of bounded size,
- * or it is refused with a sentence.
+ * A drawing as JSON, and its check. A value must be a correct drawing in every part and of bounded
+ * size; otherwise a sentence refuses it.
  */
 import type { SurfacePoint } from 'karcher';
 import {

@@ -5,12 +5,12 @@ import { type History, historyOf } from './history';
 import { drawingVersion, readDrawing, savedDrawing } from './saved_drawing';
 
 /**
- * The most text that is kept: a tab's storage holds a few million letters. Beyond it only the
- * newest steps are kept.
+ * The most letters of a history: a tab's storage holds a few million. Beyond it only the newest
+ * steps stay.
  */
 const mostLetters = 1_500_000;
 
-/** Commands as text: each one is converted once. */
+/** Commands as text, which need only one conversion. */
 const texts = new WeakMap<Command, string>();
 
 function textOf(command: Command): string {
@@ -70,7 +70,7 @@ export function sameDrawing(a: Drawing, b: Drawing): boolean {
 
 /**
  * The drawing and history in such a text for a link; null if it belongs to another link. If the
- * history does not lead to this drawing, it is left out.
+ * history does not lead to this drawing, the result has none.
  */
 export function readWork(
   text: string,

@@ -10,8 +10,8 @@ const resolved = new WeakMap<Figure, Figure>();
 
 /**
  * The figure of an object with the figures of its sources, to any depth: the identical object as
- * long as all of these are unchanged. Missing sources, and objects that would be their own sources,
- * are left out.
+ * long as all of these are unchanged. It omits missing sources, and objects that would be their own
+ * sources.
  */
 export function resolvedFigure(drawing: Drawing, object: DrawnObject): Figure {
   if (!isDerived(object.figure.kind)) return object.figure;
@@ -52,11 +52,11 @@ export function withSources(drawing: Drawing, ids: readonly number[]): number[] 
   return [...all].filter((id) => objectOf(drawing, id));
 }
 
-/** Whether other objects are made of an object. */
+/** Whether other objects have an object as a source. */
 export const isSource = ({ objects }: Drawing, id: number) =>
   objects.some((object) => sourcesOf(object).includes(id));
 
-/** The object with renumbered sources; sources without a new number are removed. */
+/** The object with new numbers of its sources, without sources that have none. */
 export function withSourceIds(
   object: DrawnObject,
   idOf: (id: number) => number | undefined,

@@ -26,11 +26,11 @@ export const withSpline = (figure: Figure, spline: Spline): Figure => ({
   ...spline,
 });
 
-/** Whether a kind is subdivided; the others are a mean of all their points, or paths. */
+/** Whether a kind allows levels. The others are a mean of all their points, or paths. */
 export const mayHaveLevels = (kind: Kind) =>
   ['bspline', 'bezier', 'rational', 'catmullrom', 'pen'].includes(kind);
 
-/** Whether a kind follows the legs of its control polygon, or is made of them. */
+/** Whether a kind follows the legs of its control polygon, or consists of them. */
 export const usesLegs = (kind: Kind) => kind === 'polyline' || mayHaveLevels(kind);
 
 /** A spline in the engine's form, with the settings that its kind uses. */
@@ -48,7 +48,7 @@ export function curveOptions(spline: Spline, options: FieldOptions): CurveOption
     ...(tolerance === null ? { samples } : { tolerance }),
     closed,
     ...(usesLegs(kind) && legsOf(spline)),
-    // The paper's method takes one mean a segment.
+    // The paper's method has one mean a segment.
     ...(options.method !== 'paper' && askedLevels(settings)),
     ...(kind === 'bspline' && { degree, knots: knots ? [...knots] : rule }),
     ...(kind === 'catmullrom' && { parametrization }),
@@ -65,7 +65,7 @@ export const waypointsOf = (leg: LegPoints | undefined): SurfacePoint[] | null =
     return surfacePoint(face, bary[1], Math.min(bary[2], 1 - bary[1]));
   }) ?? null;
 
-/** The engine's edited curve as a spline of the drawing; settings that its kind does not use are kept. */
+/** The engine's edited curve as a spline of the drawing; other settings are those of `before`. */
 export function splineFrom(options: CurveValue, before: Spline): Spline {
   const { kind, closed = false, degree, knots, parametrization, legs = [] } = options;
   if (kind === 'custom') throw new Error('the page has no curves with a basis of their own');

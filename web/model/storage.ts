@@ -10,8 +10,8 @@ const filesKept = 4;
 let heardOfKeeping: (kept: boolean) => void = () => {};
 
 /**
- * Calls a listener whenever the page has stored values beyond this tab, with whether all of them
- * were kept.
+ * Adds a listener, which receives whether the browser kept all values that the page stored beyond
+ * this tab.
  */
 export function onKeeping(listener: (kept: boolean) => void): void {
   heardOfKeeping = listener;
@@ -22,7 +22,7 @@ function keep(storage: () => Storage, name: string, value: string): boolean {
     storage().setItem(prefix + name, value);
     return true;
   } catch {
-    // The storage is full or forbidden.
+    // The storage is full, or the browser forbids it.
     return false;
   }
 }
@@ -47,8 +47,8 @@ export const remember = (name: string, value: string) => rememberAll({ [name]: v
 export const recall = (name: string) => find(() => localStorage, name);
 
 /**
- * Keeps a value for this tab only, through reloads; false if there is no room. The earlier value is
- * removed even then: a reload would take it for the newest.
+ * Keeps a value for this tab only, through reloads; false without room. It removes the earlier
+ * value even then, since a reload would take it for the newest.
  */
 export function rememberInTab(name: string, value: string): boolean {
   if (keep(() => sessionStorage, name, value)) return true;
@@ -97,7 +97,7 @@ async function openFiles(mode: IDBTransactionMode): Promise<IDBObjectStore> {
   return database.transaction('files', mode).objectStore('files');
 }
 
-/** A stored file; earlier versions stored bytes, which are still read. */
+/** A stored file. Earlier versions stored bytes, which the page still reads. */
 type StoredFile = ({ content: Blob } | { bytes: Uint8Array<ArrayBuffer> }) & { opened: number };
 
 /**
@@ -119,7 +119,7 @@ export async function keepFile(key: string, content: Blob): Promise<boolean> {
     await kept;
     return true;
   } catch {
-    // The storage is full or forbidden.
+    // The storage is full, or the browser forbids it.
     return false;
   }
 }

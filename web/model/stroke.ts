@@ -1,7 +1,7 @@
 /**
- * A stroke drawn by hand, converted to as few smooth anchors of the pen as possible. The surface
- * along it is unrolled onto a plane, where the stroke has the same lengths and turns as on the
- * surface, and cubic curves are fitted there: near an anchor these are its log coordinates.
+ * A stroke by hand as few smooth anchors of the pen. The surface along it unrolls onto a plane,
+ * where the stroke has the same lengths and turns as on the surface. There the fit of cubic curves
+ * takes place: near an anchor, places of the plane are its log coordinates.
  */
 import type { SurfacePoint } from 'karcher';
 import { cornersOf, fittedCubics, type Planar } from './cubic_fit';
@@ -22,8 +22,8 @@ export interface StrokeSample {
 }
 
 /**
- * The length of a stroke, in pixels, that decides its direction, and the turn that makes a corner,
- * in radians.
+ * The length of a stroke, in pixels, that decides its direction, and the least turn of a corner, in
+ * radians.
  */
 const reachPixels = 10;
 const cornerAngle = 1;

@@ -49,16 +49,16 @@ export function planeThrough(a: Vector, b: Vector, c: Vector): Plane | null {
 const near = 0.7;
 /** The number of directions to try. Every direction lies within some 10 degrees of one of them. */
 const tried = 96;
-/** The number of best directions that are refined. */
+/** The number of best directions for refinement. */
 const followed = 8;
 const mostSteps = 20;
-/** The margin by which another plane counts as equally good; the first of such planes is taken. */
+/** The margin within which another plane counts as equally good; the first of such planes wins. */
 const asGood = { times: 1.25, more: 1e-4 };
 
 /**
  * The plane in which evenly spread samples of a surface have mirror images nearest to the surface.
- * Many planes through the samples' center are tried, and the best ones are refined: each mirror
- * image is drawn to the tangent plane at its nearest place. The first of the `preferred` directions
+ * The search tries many planes through the samples' center and refines the best ones: it draws each
+ * mirror image to the tangent plane at its nearest place. The first of the `preferred` directions
  * wins unless others are better. The search awaits `pause` now and then.
  */
 export async function symmetryOf(
@@ -113,8 +113,8 @@ function apartOf(plane: Plane, samples: readonly Vector[], nearest: NearestPlace
 }
 
 /**
- * The plane, turned and shifted until the mirrored samples lie nearest: Gauss-Newton steps, without
- * the few farthest samples.
+ * The plane, turned and shifted so that the mirrored samples lie nearest: Gauss-Newton steps,
+ * without the few farthest samples.
  */
 function fittedPlane(begin: Plane, samples: readonly Vector[], nearest: NearestPlace): Plane {
   let plane = begin;

@@ -1,11 +1,11 @@
-/** Objects that a move keeps exactly as they are to each other. */
+/** Objects whose places relative to each other survive a move. */
 import type { Drawing, DrawnObject } from './drawing';
 import { placesOf } from './moving';
 import { withSources } from './sources';
 
 /**
- * The objects in parts that move as one: those that share a place of the surface, and the sources of an
- * object that is made of several, such as a union.
+ * The objects in parts that move as one: those that share a place of the surface, and the sources
+ * of an object that has several, such as a union.
  */
 export function togetherOf(drawing: Drawing, objects: readonly DrawnObject[]): DrawnObject[][] {
   const partOf = new Map(objects.map((object) => [object, [object]]));

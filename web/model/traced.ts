@@ -13,7 +13,7 @@ export interface Region {
   area: number;
   /** Closed lines with the region on their left. */
   boundary: readonly Path[];
-  /** The side of the first line on which the region lies; null if it is made of several regions. */
+  /** The side of the first line on which the region lies; null for a union of several regions. */
   side: Inside | null;
 }
 
@@ -30,7 +30,7 @@ export interface Pattern {
  */
 export const mostLines = 1000;
 
-/** Whether a pattern has too many lines: the fill is then drawn solid. */
+/** Whether a pattern has too many lines. The page then draws a solid fill. */
 export const isTooFine = (spacing: number, { area }: Pick<Region, 'area'>) =>
   !(Math.sqrt(area) <= mostLines * spacing);
 
@@ -56,7 +56,7 @@ export interface TracedCurve {
   drawnLegs: readonly DrawnLeg[];
   /** The parts where the curve is no center of mass: bridges by subdivision replace it there. */
   lost: LostInterval[];
-  /** Number of a circle's arcs whose geodesics from the center are no longer shortest. */
+  /** The number of a circle's arcs whose geodesics from the center are no longer shortest. */
   arcsNotShortest: number;
   /** The largest deviation of a circle of arcs from its radius, as a fraction of the radius. */
   deviation: number | null;

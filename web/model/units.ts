@@ -4,7 +4,7 @@ export type Unit = (typeof units)[number];
 
 export const isUnit = (text: string | null): text is Unit => units.some((unit) => unit === text);
 
-/** The most likely unit of a file by its name: glTF is in meters, STL is printed in millimeters. */
+/** The most likely unit of a file by its name: meters for glTF, millimeters for prints of STL. */
 export function guessUnit(name: string): Unit {
   if (/\.stl$/i.test(name)) return 'mm';
   return /\.(glb|gltf)$/i.test(name) ? 'm' : '';

@@ -8,7 +8,7 @@ export type ViewName = (typeof viewNames)[number];
 const isViewName = (name: string | null): name is ViewName =>
   (viewNames as readonly (string | null)[]).includes(name);
 
-/** A view that was turned, zoomed or moved, in the scene, where a surface's diagonal is 2. */
+/** A view after a turn, a zoom or a move, in the scene, where a surface's diagonal is 2. */
 export interface OrbitPlace {
   /**
    * The camera's direction from its target, in degrees: azimuth around the axis that points up,
