@@ -115,17 +115,30 @@ RobustMean search(FieldSets& sets, const Array<SurfacePoint>& points, const Arra
   return mean;
 }
 
-/// The radius of the largest disk around a place inside a face that stays in the face.
-double reachInside(const Geometry& geometry, const SurfacePoint& place) {
+/// The step of differences around a place inside a face: half of the radius of the largest disk
+/// that stays in the face, or less.
+double stepInside(const Geometry& geometry, const SurfacePoint& place) {
   if (place.bary.minCoeff() <= kChainRounding) {
     throw Error(ErrorCode::kBadArgument, "the energy has derivatives inside faces only");
   }
-  double reach = kInfinity;
+  double step = kStep * geometry.edgeLength[3 * place.face];
   for (int k = 0; k < 3; ++k) {
     const double side = geometry.edgeLength[3 * place.face + (k + 1) % 3];
-    reach = std::min(reach, place.bary[k] * doubleArea(geometry, place.face) / side);
+    step = std::min(step, place.bary[k] * doubleArea(geometry, place.face) / side / 2);
   }
-  return reach;
+  return step;
+}
+
+SurfacePoint moved(const Geometry& geometry, const SurfacePoint& place, const Vec2& way) {
+  return {place.face, barycentric(geometry, place.face, pointInFace(geometry, place) + way)};
+}
+
+/// Throws unless the Hessian at a center of mass is positive definite.
+Eigen::Matrix2d inverseHessian(const Geometry& geometry, const Array<SurfacePoint>& points,
+                               Weights weights, const SurfacePoint& center) {
+  const Eigen::Matrix2d hessian = hessianAt(geometry, points, weights, center);
+  if (hessian.determinant() > 0 && hessian(0, 0) > 0) return hessian.inverse();
+  throw Error(ErrorCode::kBadArgument, "the point is no minimum: the Hessian is indefinite there");
 }
 
 }  // namespace
@@ -165,12 +178,9 @@ EnergyGradient energyAt(const Geometry& geometry, const Array<SurfacePoint>& poi
 
 Eigen::Matrix2d hessianAt(const Geometry& geometry, const Array<SurfacePoint>& points,
                           Weights weights, const SurfacePoint& place) {
-  const double step =
-      std::min(reachInside(geometry, place) / 2, kStep * geometry.edgeLength[3 * place.face]);
-  const Vec2 here = pointInFace(geometry, place);
+  const double step = stepInside(geometry, place);
   const auto gradientAt = [&](const Vec2& away) {
-    const SurfacePoint there{place.face, barycentric(geometry, place.face, here + away)};
-    return energyAt(geometry, points, weights, there).gradient;
+    return energyAt(geometry, points, weights, moved(geometry, place, away)).gradient;
   };
   Eigen::Matrix2d hessian;
   for (int axis = 0; axis < 2; ++axis) {
@@ -182,15 +192,29 @@ Eigen::Matrix2d hessianAt(const Geometry& geometry, const Array<SurfacePoint>& p
 
 Array<Vec2> weightDerivatives(const Geometry& geometry, const Array<SurfacePoint>& points,
                               Weights weights, const SurfacePoint& center) {
-  const Eigen::Matrix2d hessian = hessianAt(geometry, points, weights, center);
-  if (!(hessian.determinant() > 0 && hessian(0, 0) > 0)) {
-    throw Error(ErrorCode::kBadArgument,
-                "the point is no minimum: the Hessian is indefinite there");
-  }
   // The gradient stays 0: the Hessian times the derivative is twice the point's log vector.
-  const Eigen::Matrix2d inverse = hessian.inverse();
+  const Eigen::Matrix2d inverse = inverseHessian(geometry, points, weights, center);
   Array<Vec2> derivatives = logVectors(geometry, points, center);
   for (Vec2& vector : derivatives) vector = 2 * inverse * vector;
+  return derivatives;
+}
+
+Array<Eigen::Matrix2d> pointDerivatives(const Geometry& geometry, const Array<SurfacePoint>& points,
+                                        Weights weights, const SurfacePoint& center) {
+  const Eigen::Matrix2d inverse = inverseHessian(geometry, points, weights, center);
+  Array<Eigen::Matrix2d> derivatives;
+  auto weight = weights.begin();
+  for (const SurfacePoint& point : points) {
+    const double step = stepInside(geometry, point);
+    Eigen::Matrix2d change;
+    for (int axis = 0; axis < 2; ++axis) {
+      const Vec2 way = step * Vec2::Unit(axis);
+      const Array<Vec2> vectors =
+          logVectors(geometry, {moved(geometry, point, way), moved(geometry, point, -way)}, center);
+      change.col(axis) = (vectors[0] - vectors[1]) / (2 * step);
+    }
+    derivatives.push_back(2 * *weight++ * inverse * change);
+  }
   return derivatives;
 }
 

@@ -71,4 +71,12 @@ Eigen::Matrix2d hessianAt(const Geometry& geometry, const Array<SurfacePoint>& p
 Array<Vec2> weightDerivatives(const Geometry& geometry, const Array<SurfacePoint>& points,
                               Weights weights, const SurfacePoint& center);
 
+/// The derivatives of the center of mass with respect to each point: a matrix that maps a vector in
+/// the frame of the point's face to one in the frame of the center's face. The Hessian times it is
+/// twice the weight times the derivative of the point's log vector at the center, which is found by
+/// differences. Where the path crosses edges only, that is parallel transport along the path. The
+/// center and the points must lie inside faces. Throws as `weightDerivatives` does.
+Array<Eigen::Matrix2d> pointDerivatives(const Geometry& geometry, const Array<SurfacePoint>& points,
+                                        Weights weights, const SurfacePoint& center);
+
 }  // namespace karcher

@@ -98,6 +98,15 @@ TEST(Statistics, DerivativesOnThePlaneAreTheClosedForms) {
     const Vec3 moves = (places[i] - position(surface.mesh(), center)) / total;
     EXPECT_LT((tangentToSpace(geometry, center, derivatives[i]) - moves).norm(), 1e-5);
   }
+  const Array<Eigen::Matrix2d> byPoints = pointDerivatives(geometry, points, weights, center);
+  for (int i = 0; i < places.count(); ++i) {
+    for (const Vec3& along : {Vec3(1, 0, 0), Vec3(0.6, -0.8, 0)}) {
+      const Vec2 moves = byPoints[i] * tangentFromSpace(geometry, points[i], along);
+      // The center of a plane moves by the point's share of the weights.
+      const Vec3 share = weights[i] / total * along;
+      EXPECT_LT((tangentToSpace(geometry, center, moves) - share).norm(), 1e-7);
+    }
+  }
 }
 
 TEST(Statistics, OnATorusTheHessianIsTheDifferenceOfEnergies) {
@@ -133,6 +142,42 @@ TEST(Statistics, OnATorusTheHessianIsTheDifferenceOfEnergies) {
   }
 }
 
+TEST(Statistics, OnATorusTheCenterFollowsAPointThatMovesInItsFace) {
+  Surface surface(meshOf(makeShape(Shape::kTorus, 2000)));
+  const Geometry& geometry = surface.geometry();
+  const uint64_t seed = 20261127;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  Array<SurfacePoint> points;
+  Array<double> weights;
+  for (const int face : {12, 60, 150, 230, 41}) {
+    points.push_back({face, Vec3(0.2, 0.3, 0.5)});
+    weights.push_back(random.uniform(0.5, 1.5));
+  }
+  MeanOptions options;
+  options.normalize = true;
+  const SurfacePoint center = centerOfMass(surface, points, weights, options).point;
+  const auto moved = [&](const SurfacePoint& point, const Vec2& way) {
+    const Vec2 there = pointInFace(geometry, point) + way;
+    return SurfacePoint{point.face, barycentric(geometry, point.face, there)};
+  };
+  const Array<Eigen::Matrix2d> derivatives = pointDerivatives(geometry, points, weights, center);
+  const double step = 1e-4 * geometry.meanEdge;
+  for (int i = 0; i < points.count(); ++i) {
+    for (int axis = 0; axis < 2; ++axis) {
+      // Where the center follows, the gradient of the energy stays.
+      const auto gradientAt = [&](double length) {
+        Array<SurfacePoint> others = points;
+        others[i] = moved(points[i], length * Vec2::Unit(axis));
+        return energyAt(geometry, others, weights, moved(center, length * derivatives[i].col(axis)))
+            .gradient;
+      };
+      const double left = (gradientAt(step) - gradientAt(-step)).norm();
+      EXPECT_LT(left / (4 * weights[i] * step), 1e-4) << "point " << i;
+    }
+  }
+}
+
 TEST(Statistics, ErrorsNameTheMistake) {
   Surface surface(planeGrid(4, 4));
   FieldSets sets(surface);
@@ -144,6 +189,10 @@ TEST(Statistics, ErrorsNameTheMistake) {
   const SurfacePoint vertex{0, Vec3(1, 0, 0)};
   const Array<double> weights = {1, 1};
   EXPECT_EQ(codeOf([&] { hessianAt(surface.geometry(), points, weights, vertex); }),
+            ErrorCode::kBadArgument);
+  EXPECT_EQ(codeOf([&] {
+              pointDerivatives(surface.geometry(), {vertex, vertex}, weights, points[0]);
+            }),
             ErrorCode::kBadArgument);
 }
 

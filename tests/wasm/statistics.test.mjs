@@ -8,6 +8,7 @@ import {
   hessianAt,
   huberMean,
   median,
+  pointDerivatives,
   weightDerivatives,
 } from 'karcher/statistics';
 import { loadInWorker } from 'karcher/worker';
@@ -134,6 +135,17 @@ for (const [where, loadEngine] of Object.entries({
           1e-5,
         );
       }
+      // The center of a plane moves by the point's share of the weights.
+      const byPoints = await pointDerivatives(mesh, points, weights, point);
+      for (const [i, { axes, moves }] of byPoints.entries()) {
+        for (const k of [0, 1]) {
+          near(
+            moves[k],
+            axes[k].map((x) => (weights[i] / total) * x),
+            1e-7,
+          );
+        }
+      }
     });
 
     test('wrong arguments are reported', async () => {
@@ -152,6 +164,11 @@ for (const [where, loadEngine] of Object.entries({
         /positive/,
       );
       await assert.rejects(() => hessianAt(mesh, points, [1, 1], { vertex: 3 }), /inside faces/);
+      const atVertex = [points[0], { vertex: 3 }];
+      await assert.rejects(
+        () => pointDerivatives(mesh, atVertex, [1, 1], points[1]),
+        /inside faces/,
+      );
     });
   });
 }
@@ -203,6 +220,35 @@ test('on a torus derivatives equal difference quotients, and medians have no gra
     for (let k = 0; k < 3; k++) sum[k] += vector[k] / Math.hypot(...vector);
   }
   assert.ok(Math.hypot(...sum) < 0.05, `${sum}`);
+});
+
+test('on a torus the gradient stays where the center follows a point', async (t) => {
+  t.diagnostic(`seed ${seed}`);
+  const random = randomFrom(seed);
+  const mesh = (await load()).shape('torus', 2000);
+  const points = [12, 60, 150, 230, 41].map((face) => ({ face, bary: [0.2, 0.3, 0.5] }));
+  const weights = points.map(() => 0.5 + random());
+  const { point: center } = mesh.centerOfMass(points, weights, { normalize: true });
+  const step = 1e-5 * mesh.info.diagonal;
+  const moved = (point, way, length) => {
+    const place = mesh.position(point).map((x, k) => x + length * way[k]);
+    const at = mesh.nearestPoint(place).point;
+    assert.equal(at.face, point.face);
+    return at;
+  };
+  for (const [i, { axes, moves }] of (
+    await pointDerivatives(mesh, points, weights, center)
+  ).entries()) {
+    for (const k of [0, 1]) {
+      const gradientAt = async (length) => {
+        const others = points.map((one, l) => (l === i ? moved(one, axes[k], length) : one));
+        return (await energyAt(mesh, others, weights, moved(center, moves[k], length))).gradient;
+      };
+      const change = minus(await gradientAt(step), await gradientAt(-step));
+      const left = Math.hypot(...change) / (4 * weights[i] * step);
+      assert.ok(left < 1e-4, `point ${i}: ${left} of its pull is left`);
+    }
+  }
 });
 
 describe('the centroid of a region', async () => {

@@ -95,6 +95,71 @@ export async function weightDerivatives(
   weights: ArrayLike<number>,
   center: PointLike,
 ): Promise<Vector[]> {
+  const moveOf = await pulled(mesh, points, weights, center);
+  const { vectors } = await mesh.logMap(center, points);
+  return points.map((_, i) => moveOf(vectorAt(vectors, i), 1));
+}
+
+/** The derivatives of a center of mass with respect to one of its points. */
+export interface PointDerivative {
+  /** Two unit vectors in the plane of the point's face, at right angles. */
+  axes: [Vector, Vector];
+  /** The center's moves, in the plane of its face, as the point moves along each axis by 1. */
+  moves: [Vector, Vector];
+}
+
+/**
+ * The derivatives of a center of mass with respect to each of its points, the others being fixed.
+ * `center` is the center of mass of the points with these weights; it and all points lie inside
+ * faces. The log vector of a point changes as the point moves, and the Hessian of the energy says
+ * how far the center follows. The changes are differences between both sides; along a path that
+ * crosses edges only they are the moves, transported to the center.
+ *
+ * They are derivatives on the polyhedron, as those of `weightDerivatives`. On a plane the center
+ * moves by the point's share of the weights.
+ *
+ * @throws {KarcherError} badArgument for a point on an edge or at a vertex, and where the Hessian is not
+ * positive definite; otherwise as `Mesh.logMap`.
+ * @example
+ * ```ts
+ * const [{ axes, moves }] = await pointDerivatives(mesh, points, weights, center);
+ * ```
+ */
+export async function pointDerivatives(
+  mesh: AnyMesh,
+  points: readonly PointLike[],
+  weights: ArrayLike<number>,
+  center: PointLike,
+): Promise<PointDerivative[]> {
+  const moveOf = await pulled(mesh, points, weights, center);
+  const faces = await Promise.all(points.map((point) => faceOf(mesh, point)));
+  const changes = await Promise.all(
+    [0, 1].map(async (k) => {
+      const [before, after] = await Promise.all(
+        [-1, 1].map((side) => {
+          const moved = faces.map((face) => face.moved(face.axes[k]!, side * face.step));
+          return mesh.logMap(center, moved);
+        }),
+      );
+      return faces.map(({ step }, i) => {
+        const change = subtract(vectorAt(after!.vectors, i), vectorAt(before!.vectors, i));
+        return change.map((x) => x / (2 * step)) as Vector;
+      });
+    }),
+  );
+  return faces.map(({ axes }, i) => {
+    const moves = changes.map((change) => moveOf(change[i]!, weights[i]!));
+    return { axes, moves: moves as [Vector, Vector] };
+  });
+}
+
+/** A function that returns the move of a center of mass by a pull with a weight. */
+async function pulled(
+  mesh: AnyMesh,
+  points: readonly PointLike[],
+  weights: ArrayLike<number>,
+  center: PointLike,
+): Promise<(pull: Vector, weight: number) => Vector> {
   const { axes, matrix } = await hessianAt(mesh, points, weights, center);
   const [xx, xy, yy] = matrix;
   const determinant = xx * yy - xy ** 2;
@@ -104,18 +169,16 @@ export async function weightDerivatives(
       'the point is no minimum: the Hessian is indefinite there',
     );
   }
-  const { vectors } = await mesh.logMap(center, points);
-  return points.map((_, i) => {
-    const [x, y] = axes.map((axis) => 2 * dot(vectors.slice(3 * i, 3 * i + 3), axis)) as [
-      number,
-      number,
-    ];
+  return (pull, weight) => {
+    const [x, y] = axes.map((axis) => 2 * weight * dot(pull, axis)) as [number, number];
     const along = (yy * x - xy * y) / determinant;
     const across = (xx * y - xy * x) / determinant;
     return [0, 1, 2].map((k) => along * axes[0][k]! + across * axes[1][k]!) as Vector;
-  });
+  };
 }
 
+const vectorAt = (vectors: Float64Array, i: number) =>
+  Array.from(vectors.subarray(3 * i, 3 * i + 3)) as Vector;
 const dot = (a: ArrayLike<number>, b: ArrayLike<number>) =>
   a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
 const unit = (a: Vector): Vector => a.map((x) => x / Math.hypot(...a)) as Vector;

@@ -15,6 +15,8 @@ export {
   energyAt,
   type Hessian,
   hessianAt,
+  type PointDerivative,
+  pointDerivatives,
   weightDerivatives,
 } from './energy.js';
 export { isolines } from './isolines.js';
