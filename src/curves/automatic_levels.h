@@ -22,7 +22,7 @@ namespace karcher {
 /// The largest move by levels of a curve that is safe without them, in mean edges.
 inline constexpr double kLevelsTolerance = 0.02;
 
-/// Scratch memory, which can be reused.
+/// Reusable scratch memory.
 struct LevelsWorkspace {
   ConvexityWorkspace convexity;
   DeviationWorkspace deviation;
@@ -35,9 +35,9 @@ struct LevelsWorkspace {
 /// pieces are the curve's segments.
 bool isSafe(const Geometry& geometry, const RefinedPolygon& polygon, LevelsWorkspace& workspace);
 
-/// The number of levels that make a polygon safe, judged by the legs of the control polygon; at
-/// least 1 if the shape takes levels. If the legs go around the rim of an ear that the curve
-/// crosses, the refined polygon may need more.
+/// The number of levels that make a polygon safe, by the legs of the control polygon; at least 1 if
+/// the shape takes levels. If the legs go around the rim of an ear that the curve crosses, the
+/// refined polygon may need more.
 int levelsToSafety(const Geometry& geometry, const CurveShape& shape, int points,
                    const Array<SurfacePath>& legs);
 

@@ -10,8 +10,8 @@ inline constexpr int kMostArcs = 64;
 inline constexpr int kMostFittingArcs = 128;
 
 struct CircleOptions {
-  /// The number of equally wide arcs, 3 to 64. By default there are as many as the tolerance needs,
-  /// or 7 for an ellipse.
+  /// The number of equally wide arcs, 3 to 64. By default as many as the tolerance needs, or 7 for
+  /// an ellipse.
   std::optional<int> arcs = {};
   /// The number of samples of each arc, both ends included. A fitting arc of a seventh of the turn
   /// has this number; narrower ones have proportionally fewer, but at least 5.

@@ -50,7 +50,7 @@ void checkOptions(const CurveOptions& options) {
   }
 }
 
-/// Throws if legs are given, but are not one for each pair of consecutive points.
+/// Throws if a value has legs, but not one for each pair of consecutive points.
 void checkLegCount(const CurveValue& value) {
   const int wanted = legCount(value.options.shape, value.points.count());
   if (value.legs.empty() || value.legs.count() == wanted) return;
@@ -85,7 +85,7 @@ SurfacePath shortestLeg(const Geometry& geometry, const CurveOptions& options,
   SurfacePath leg;
   if (options.shape.kind != CurveKind::kPolyline) {
     FindPathWorkspace workspace;
-    // The points lie on one component, so that there is a path.
+    // The points lie on one component, so that a path exists.
     findPath(geometry, from, to, workspace, leg);
     return leg;
   }
@@ -380,8 +380,7 @@ void Curve::layKnots(const Next& next) {
   spaceKnots(workspace_->spacings, shape.closed, workspace_->layout);
 }
 
-/// Sets piece `part` of segment j to an equal piece of this curve, or to one that is yet to be
-/// traced.
+/// Sets piece `part` of segment j to an equal piece of this curve, or to a new one without a trace.
 void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const PartOfSegment& part,
                       bool keep) {
   const RefinedPolygon& polygon = next.polygon;
@@ -414,7 +413,7 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
   };
   if (keep) {
     const Piece* alike = before && isAlike(*before) ? before : nullptr;
-    // If points were inserted or removed, an equal piece may belong to another segment.
+    // After an insertion or removal of points, an equal piece may belong to another segment.
     for (int i = 0; !alike && i < segments_.count(); ++i) {
       const Array<Piece>& pieces = segments_[i].pieces;
       if (part.index < pieces.count() && isAlike(pieces[part.index])) alike = &pieces[part.index];
@@ -437,7 +436,7 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
 void Curve::makeTables(const Next& next, const SegmentLayout& layout, Piece& piece) {
   const CurveOptions& options = next.value.options;
   const SegmentBasis& basis = piece.basis_;
-  // Adaptive sampling computes weights as needed, but a caller's basis must be checked
+  // Adaptive sampling computes weights only on demand, but a caller's basis needs its check
   // nevertheless.
   const bool hasTolerance = options.tolerance > 0 && isOfCenters(options, next.levels);
   if (hasTolerance && piece.isSubdivided_) {

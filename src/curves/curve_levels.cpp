@@ -62,8 +62,8 @@ bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
   bool areShortest = true;
   {
     PointField field(surface(), fieldSet_->options());
-    // The pairs of points that were tested: for the first point, a bit for each number of legs to
-    // the second. Segments share pairs that few legs separate.
+    // The tested pairs of points: for the first point, a bit for each number of legs to the second.
+    // Segments share pairs that few legs separate.
     Array<uint64_t> tested(polygon.points.size());
     const auto isShortest = [&](const SegmentLayout& segment, int from, int to) {
       const uint64_t bit = to - from < 64 ? uint64_t{1} << (to - from) : 0;

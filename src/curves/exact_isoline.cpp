@@ -232,7 +232,7 @@ class ArcChains {
   }
 
  private:
-  /// Ends are numbered 2 i for the begin of arc i and 2 i + 1 for its end.
+  /// The place of an end. Arc i begins at end 2 i, and ends at end 2 i + 1.
   SurfacePoint endPoint(int end) const {
     const Arc& arc = arcs_[end / 2];
     return pointOf(arc, end % 2 == 0 ? arc.begin : arc.end);

@@ -12,7 +12,7 @@
 /// search then improves piece by piece.
 namespace karcher {
 
-/// Scratch memory, which can be reused.
+/// Reusable scratch memory.
 struct FindPathWorkspace {
   StripWorkspace strip;
   TautSearchWorkspace taut;

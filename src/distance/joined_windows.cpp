@@ -33,7 +33,7 @@ double slopeAt(const Window& w, double x) {
 /// The original state of a window to which others were joined.
 struct Origin {
   double change = 0;      ///< the sum of the changes of distances along the edge
-  double beginSlope = 0;  ///< the slope at its begin, once there is a change
+  double beginSlope = 0;  ///< the slope at its begin, if there is a change
 };
 
 /// Joins two windows, neither of which contains the other, to one over both. Returns false if
@@ -167,9 +167,8 @@ void joinWindows(const JoinedEdge& edge, Array<Window>& windows) {
   }
   windows.resize(static_cast<size_t>(last + 1));
 
-  // The rays at the ends of joint windows differ from those of the original windows. They leave a
-  // gap at an end of the edge. If the vertex there is known to lie on the same front, the gap is
-  // closed.
+  // The rays at the ends of joint windows differ from those of the original windows, and leave a
+  // gap at an end of the edge. If the vertex there belongs to the same front, this closes the gap.
   const double sameFront = kSameFront * edge.tolerance;
   const double gap = kWidestGap * length;
   Window& first = windows[0];

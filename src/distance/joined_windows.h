@@ -5,7 +5,7 @@
 /// Joining of windows that wait at an edge and belong to one front: see window_distance.h.
 namespace karcher {
 
-/// A half-edge at which windows are joined, with its tolerance and the known distances.
+/// A half-edge at which windows join, with its tolerance and the known distances.
 struct JoinedEdge {
   double length = 0;
   double tolerance = 0;  ///< the largest permitted change of distances along the edge

@@ -12,7 +12,7 @@ namespace {
 /// one.
 constexpr int kGrowth = 8;
 
-/// The number of page numbers for which memory is reserved first.
+/// The number of page numbers in the first reservation of memory.
 constexpr size_t kFirstNumbers = 64;
 
 }  // namespace

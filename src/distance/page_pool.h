@@ -29,7 +29,7 @@ class PagePool {
   struct Spare {
     Spare* next;
   };
-  /// Pages side by side that were allocated together.
+  /// Pages side by side in one allocation.
   struct Block {
     std::byte* memory;
     int pages;

@@ -151,8 +151,8 @@ void PathDistance::carryAcross(const Waiting& waiting) {
     carried.depth = waiting.isFront ? seen.y() : std::max(0.0, -seen.y());
     if (waiting.isFront && !(seen.y() > 0)) continue;
     if (waiting.isFront) carried.offset = window.offset + source.dot(from);
-    // If the vertex at the other end of the edge that the window crossed beats all of it, it is
-    // dropped.
+    // The vertex at the other end of the edge that the window crossed may beat all of it. If so,
+    // the window ends here.
     const double far = arrivals_[isHead ? mesh_.tail(h) : mesh_.head(h)].distance;
     const Vec2 farPlace = isHead ? Vec2(0, 0) : Vec2(length, 0);
     const double farEnd = isHead ? carried.end : carried.begin;

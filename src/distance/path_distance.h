@@ -55,7 +55,7 @@ class PathDistance {
   Distance at(const SurfacePoint& point) const;
   double atVertex(int vertex) const { return arrivals_[vertex].distance; }
 
-  /// The faces within the limit, in the order in which they were reached.
+  /// The faces within the limit, in the order in which the search reached them.
   const Array<int>& faces() const { return faces_; }
 
  private:
@@ -117,7 +117,7 @@ class PathDistance {
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
   double limit_;
-  std::span<const double> widths_;  ///< while the object is constructed
+  std::span<const double> widths_;  ///< during the construction of the object
   Array<VertexArrival> arrivals_;
   std::priority_queue<Waiting> queue_;
   int count_ = 0;

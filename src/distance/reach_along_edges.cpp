@@ -8,8 +8,7 @@
 // The last part of a search by windows: paths along edges to vertices that no window reaches.
 namespace karcher {
 
-/// Continues along edges, from the vertices that were reached to all others (E. Dijkstra's
-/// algorithm).
+/// Continues along edges, from the reached vertices to all others (E. Dijkstra's algorithm).
 void WindowDistance::reachAlongEdges() {
   using Item = std::pair<double, int>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> waiting;

@@ -73,7 +73,7 @@ class SightLine {
     return std::nullopt;
   }
 
-  /// A vertex beside the strip. It has no initial values, since most of the array is never used.
+  /// A vertex beside the strip. It has no initial values, since most of the array stays unused.
   struct Side {
     double x;
     double y;
@@ -223,8 +223,8 @@ class SightLine {
 
   double curvature(int vertex) const { return 2 * kPi - geometry_.totalAngle[vertex]; }
 
-  /// The position of the target if the faces on the other side of a vertex beside the strip are
-  /// unfolded.
+  /// The position of the target in the unfolding of the faces on the other side of a vertex beside
+  /// the strip.
   Vec2 seenOnOtherSide(const Side& side) const {
     const Vec2 turn = unitVector(-side.sign * curvature(side.vertex));
     return side.at() + rotate(turn, at_ - side.at());

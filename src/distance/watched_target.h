@@ -13,7 +13,7 @@ struct TargetArrival {
   Vec2 direction = Vec2(1, 0);  ///< a unit vector towards the source, in the frame of that face
 };
 
-/// A point of a face or an edge whose distance is updated when windows pass it.
+/// A point of a face or an edge. Windows that pass it update its distance.
 class WatchedTarget {
  public:
   /// The geometry must outlive the object.

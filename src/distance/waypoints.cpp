@@ -7,7 +7,7 @@
 namespace karcher {
 namespace {
 
-/// The number of even parts of their lengths at which two paths are compared.
+/// The number of even parts of their lengths after which a comparison of two paths looks at them.
 constexpr int kComparedParts = 32;
 
 /// The largest distance between equal paths there, as a part of their length.

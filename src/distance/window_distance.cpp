@@ -120,7 +120,7 @@ WindowDistance::WindowDistance(const Geometry& geometry, double tolerance,
       queue_(bucketWidth(geometry)),
       target_(geometry),
       images_(geometry) {
-  // Lengths are rounded, too.
+  // Lengths have rounding errors, too.
   if (geometry.longestEdge > (1 + kChainRounding) * kWidestRange * geometry.shortestEdge) {
     throw Error(ErrorCode::kBadArgument,
                 "edge lengths from " + inSentence(geometry.shortestEdge) + " to " +
@@ -236,8 +236,8 @@ void WindowDistance::leaveVertex(int vertex) {
   }
 }
 
-/// Sends out the part of a vertex's wedge that lies in the corner of half-edge h. Angles are
-/// measured from h.
+/// Sends out the part of a vertex's wedge that lies in the corner of half-edge h. Angles count from
+/// h.
 void WindowDistance::leaveThroughCorner(int vertex, int h, double from, double to) {
   const double angle = geometry_.cornerAngle[h];
   if (!(from <= angle && to >= 0)) return;
@@ -375,7 +375,7 @@ void WindowDistance::carryAcross(int h) {
   }
 
   // The path to the right is the mirror image of the path to the left. In a needle the apex is
-  // exact only up to the rounding of the long edges, so unit vectors are normalized.
+  // exact only up to the rounding of the long edges. So unit vectors are normalized.
   const SideEdge leftSide{mesh_.twin[left], leftLength,   apex.normalized(),
                           length,           tail + slack, top.arrival.distance + slack,
                           head + slack};

@@ -49,8 +49,8 @@ bool spreadsPaths(const Geometry& geometry, int vertex);
 
 class WindowDistance final : public DistanceSolver {
  public:
-  /// The geometry must outlive the solver. The pool may be shared. Throws Error kBadArgument if the
-  /// longest edge is more than kWidestRange times the shortest.
+  /// The geometry must outlive the solver. Solvers may share the pool. Throws Error kBadArgument if
+  /// the longest edge is more than kWidestRange times the shortest.
   explicit WindowDistance(const Geometry& geometry, double tolerance = 0,
                           const std::shared_ptr<PagePool>& pages = newPagePool());
 

@@ -6,10 +6,10 @@
 /// Lengths, angles, tangent frames and the discrete connection of a mesh.
 ///
 /// Frame of a face: corner 0 at the origin, corner 1 on the positive x axis, corner 2 above it.
-/// Frame of a vertex: directions are measured counterclockwise from its `outgoing` half-edge, by
-/// the cumulated corner angle times `angleScale` = 2 pi / total angle. At the boundary the scale is
-/// 1, since any other would bend the plane. The direction in which a path is traced is unscaled:
-/// the cumulated corner angle itself.
+/// Frame of a vertex: directions count counterclockwise from its `outgoing` half-edge, by the
+/// cumulated corner angle times `angleScale` = 2 pi / total angle. At the boundary the scale is 1,
+/// since any other would bend the plane. The direction of a traced path is unscaled: the cumulated
+/// corner angle itself.
 ///
 /// Connection: F. Knoppel, K. Crane, U. Pinkall, P. Schroder, "Globally Optimal Direction Fields"
 /// (2013), section 3, evaluated at the centroids of faces.

@@ -13,7 +13,7 @@
 /// allows another turn. A turn changes only the adjacent legs.
 namespace karcher {
 
-/// A strip to pull tight, and scratch memory, which can be reused.
+/// A strip to pull tight, and reusable scratch memory.
 struct StripWorkspace {
   /// The given strip; after a call, the strip that contains the path.
   Strip strip;

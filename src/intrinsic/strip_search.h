@@ -13,7 +13,7 @@ struct Strip {
   Array<int> crossings;
 };
 
-/// Scratch memory of the search, which can be reused.
+/// Reusable scratch memory of the search.
 struct StripSearchWorkspace {
   struct Node {
     int face = -1;

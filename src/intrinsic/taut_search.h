@@ -11,7 +11,7 @@
 /// only. The strip is better than that of searchStrip, and takes three times the work.
 namespace karcher {
 
-/// Scratch memory of the search, which can be reused.
+/// Reusable scratch memory of the search.
 struct TautSearchWorkspace {
   /// A half-edge through which the search enters a face. In its frame the tail is the origin, the
   /// head lies on the positive x axis, and the source below.

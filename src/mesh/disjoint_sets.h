@@ -7,7 +7,7 @@
 
 namespace karcher {
 
-/// Sets of numbers. The name of each is its smallest number (R. Tarjan, 1975; paths are halved).
+/// Sets of numbers. The name of each is its smallest number (R. Tarjan, 1975; with path halving).
 class DisjointSets {
  public:
   explicit DisjointSets(int count) : parent_(static_cast<size_t>(count)) {
@@ -39,7 +39,7 @@ class DisjointSets {
   Array<int> parent_;
 };
 
-/// Sets of faces whose orientations relative to each other are known.
+/// Sets of faces with known orientations relative to each other.
 class OrientedSets {
  public:
   explicit OrientedSets(int count)

@@ -7,7 +7,7 @@ namespace karcher {
 
 /// The kind of a failure.
 enum class ErrorCode {
-  kBadFile,            ///< the file cannot be read as OBJ, or holds no faces
+  kBadFile,            ///< the file is no valid OBJ, or holds no faces
   kBadIndex,           ///< a face or a point names a vertex or face that does not exist
   kNotFinite,          ///< a coordinate, weight or distance is NaN or infinite
   kDegenerateFace,     ///< a face has a repeated corner or no area
@@ -21,7 +21,7 @@ enum class ErrorCode {
   kUnreachable,        ///< points lie on different components
   kBoundary,           ///< a geodesic meets the boundary where it must not
   kRadiusTooLarge,     ///< a circle is wider than its component
-  kNoEmbedding,        ///< no acceptable embedding of the mesh was found, for weighted averages
+  kNoEmbedding,        ///< the mesh has no acceptable embedding, for weighted averages
 };
 
 /// The name of a code, for callers in other languages: "nonManifoldEdge".

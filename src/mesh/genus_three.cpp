@@ -9,9 +9,9 @@
 
 #include "mesh/split_triangles.h"
 
-// A slab of cubes without three of them has the right topology. Subdivision of its faces gives
-// vertices, which are projected to the zero set of a smooth function and spread out there. A second
-// round does the same at half the size.
+// A slab of cubes without three of them has the right topology. Subdivision of its faces adds
+// vertices. They move to the zero set of a smooth function and spread out there. A second round
+// does the same at half the size.
 
 namespace karcher {
 namespace {
@@ -20,7 +20,7 @@ constexpr double kRing = 0.5;
 constexpr double kTube = 0.22;
 /// the distance of the rings' centers; less than 2 kRing, so that they merge
 constexpr double kSpacing = 0.95;
-constexpr double kBlend = 0.07;  ///< the width over which joints are rounded
+constexpr double kBlend = 0.07;  ///< the width of the rounded joints
 
 struct Implicit {
   double value;

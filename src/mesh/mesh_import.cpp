@@ -59,7 +59,7 @@ struct CutRepairs {
   int polygonsCut;
   int repeatedCorners;
   int leftOut;
-  std::string firstLeftOut;  ///< the place of the first face that was omitted
+  std::string firstLeftOut;  ///< the place of the first omitted face
 };
 
 void addRepairs(const CutRepairs& cut, Array<Repair>& repairs) {

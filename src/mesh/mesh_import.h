@@ -15,19 +15,18 @@ namespace karcher {
 
 struct Repair {
   enum class Kind {
-    kTriangulated,    ///< polygons were cut into triangles
-    kLeftOut,         ///< faces of fewer than three corners, or that cannot be cut, were omitted
-    kContracted,      ///< vertices were merged with neighbours at the other ends of edges without
-                      ///< length
+    kTriangulated,    ///< polygons cut into triangles
+    kLeftOut,         ///< omitted faces of fewer than three corners, or that cannot be cut
+    kContracted,      ///< vertices merged with neighbours at the other ends of edges without length
     kWelded,          ///< vertices at the same place became one
-    kKeptApart,       ///< vertices at the same place were kept apart, since parts only touch there
-    kRepeatedCorner,  ///< faces with the same vertex at two corners were omitted
-    kDuplicate,       ///< faces that repeat another were omitted
-    kNoArea,          ///< faces whose corners lie on a line were flipped away
-    kTurnedOver,      ///< faces that disagreed with their neighbours were turned over
-    kBranching,       ///< edges of more than two faces were separated
+    kKeptApart,       ///< vertices at the same place that became one
+    kRepeatedCorner,  ///< vertices at the same place that stay apart, since parts only touch there
+    kDuplicate,       ///< omitted faces that repeat another
+    kNoArea,          ///< flipped away faces whose corners lie on a line
+    kTurnedOver,      ///< flipped faces whose corners lie on a line
+    kBranching,       ///< turned faces, which disagreed with their neighbours
     kBowTie,          ///< vertices between several fans of faces were split
-    kDropped,         ///< vertices that no face uses were omitted
+    kDropped,         ///< split vertices between several fans of faces
   };
   Kind kind;
   int count = 0;
@@ -50,24 +49,24 @@ struct ImportOptions {
 struct ImportedMesh {
   TriangleMesh mesh;
   Numbering numbering;
-  /// The positions of the input vertices that were dropped, in the input's order.
+  /// The positions of the dropped input vertices, in the input's order.
   Array<Vec3> droppedPositions;
   Array<Repair> repairs;
 };
 
 /// Repairs a mesh, in this order, and counts each kind in `repairs`:
-/// - edges of at most 1e-14 of the diagonal, or 1e-12 of their face's longest edge, are contracted;
-/// - vertices on boundaries are welded where two faces lie along each other (`closeSeams`), which
-///   closes the seams of unwelded files; parts that only touch stay apart;
-/// - faces with a repeated corner, and duplicates, are omitted;
-/// - the longest edges of faces without area are flipped (`flipFlatTriangles`);
-/// - faces are turned over until they agree, edges of more than two faces are separated, and
-///   vertices between several fans are split (`connectRepaired`). A mesh without such defects is
-///   unchanged, to the last bit.
+/// - contracts edges of at most 1e-14 of the diagonal, or 1e-12 of their face's longest edge;
+/// - welds vertices on boundaries where two faces lie along each other (`closeSeams`), which closes
+///   the seams of unwelded files; parts that only touch stay apart;
+/// - omits faces with a repeated corner, and duplicates;
+/// - flips the longest edges of faces without area (`flipFlatTriangles`);
+/// - turns faces over until they agree, separates edges of more than two faces, and splits vertices
+///   between several fans (`connectRepaired`). A mesh without such defects stays unchanged, to the
+///   last bit.
 ///
-/// Throws Error as `buildMesh` does, and kNotOrientable, kBadArgument (a weld that is not finite);
-/// errors name the caller's vertices and triangles. Vertices that no face uses may have any
-/// position.
+/// Throws what `buildMesh` throws, and Error kNotOrientable, kBadArgument (a weld that is not
+/// finite); errors name the caller's vertices and triangles. Vertices that no face uses may have
+/// any position.
 ImportedMesh importMesh(TriangleSoup soup, const ImportOptions& options = {});
 
 /// Cuts polygons as `cutPolygons` does, and imports the triangles. Face numbers are those of

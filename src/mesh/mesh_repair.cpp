@@ -236,7 +236,7 @@ class MeshRepair {
     }
   }
 
-  /// A mark of a triangle in `engineFace` until its image is known.
+  /// A mark in `engineFace` of a triangle whose image is still unknown.
   static constexpr int kGone = std::numeric_limits<int>::min();
 
   TriangleSoup soup_;

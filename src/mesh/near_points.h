@@ -38,7 +38,7 @@ class NearPoints {
   Cell cellOf(int p) const {
     return ((positions_[p] - low_) / width_).array().floor().matrix().cast<int64_t>();
   }
-  /// Cells are counted from 1, so that their neighbours have keys, too.
+  /// Cells have numbers from 1, so that their neighbours have keys, too.
   static uint64_t keyOf(const Cell& cell) {
     return static_cast<uint64_t>(cell[0] + 1) << 42 | static_cast<uint64_t>(cell[1] + 1) << 21 |
            static_cast<uint64_t>(cell[2] + 1);

@@ -19,12 +19,12 @@ struct FacePiece {
 struct FaceImage {
   Triangle corners;            ///< the input vertices
   std::array<Vec3, 3> places;  ///< the places of the corners
-  Array<FacePiece> pieces;     ///< the pieces; empty if the triangle was omitted
-  Array<int> beside;           ///< the engine's faces at its corners, if there are no pieces
+  Array<FacePiece> pieces;     ///< the pieces; empty for an omitted triangle
+  Array<int> beside;           ///< the engine's faces at its corners, for a triangle without pieces
 };
 
 struct Numbering {
-  /// The engine's vertex for each input vertex; -1 if it was dropped. Welded vertices share one. A
+  /// The engine's vertex for each input vertex; -1 for a dropped one. Welded vertices share one. A
   /// split vertex has that of its first part.
   Array<int> engineVertex;
   Array<int> inputVertex;  ///< the first input vertex that became each engine vertex
@@ -39,8 +39,7 @@ struct Numbering {
 
   int inputFaceCount() const { return engineFace.count(); }
   bool isTurnedOver(int t) const { return !turnedOver.empty() && turnedOver[t] != 0; }
-  /// The input vertices of an input triangle, each replaced by the first vertex to which it is
-  /// welded.
+  /// The input vertices of an input triangle, with the first of welded vertices in place of each.
   Triangle inputCorners(const TriangleMesh& mesh, int inputFace) const;
 };
 

@@ -13,8 +13,8 @@ namespace karcher {
 /// inside.
 std::string_view takeObjLine(std::string_view& text);
 
-/// Cuts the next word off the front of `line`, which may be continued. Returns an empty word at the
-/// end.
+/// Cuts the next word off the front of `line`, which may continue on other lines. Returns an empty
+/// word at the end.
 std::string_view takeObjWord(std::string_view& line);
 
 /// Whether the word is a decimal number such as 1, -.5 or 2.e-3.
@@ -40,7 +40,7 @@ struct ObjLines {
 /// names vertices of the file. Throws what `readObj` throws.
 ObjLines checkObjLines(std::string_view text);
 
-/// The sentence that says that the face in this line has too few corners.
+/// A sentence about the face in this line, which has too few corners.
 std::string shortFace(int line);
 
 }  // namespace karcher

@@ -95,7 +95,7 @@ class PlainLines : public std::streambuf {
   std::string block_;
 };
 
-/// A collector of what tinyobjloader reads from a checked file.
+/// The contents of a checked file, as tinyobjloader reads them.
 class Reading {
  public:
   Reading(const ObjLines& lines, const ObjOptions& options) : lines_(lines), options_(options) {

@@ -41,7 +41,7 @@ struct ObjContents {
 
 struct ObjOptions {
   /// Whether to mend the file. If so, vertices that no face uses may have non-finite coordinates,
-  /// faces of fewer than three corners are omitted, and polygons are mended as by `cutPolygons`.
+  /// the reader omits faces of fewer than three corners, and `cutPolygons` mends polygons.
   bool mend = true;
   /// The parts whose faces to read; all parts if unset.
   std::optional<Array<int>> parts;

@@ -44,7 +44,7 @@ Array<Triangle> fanOnALine(const Array<Vec3>& corners) {
   return fan;
 }
 
-/// The two triangles of a quad that crosses itself, cut along its shorter diagonal; none if one of
+/// The two triangles of a quad that crosses itself, cut along its shorter diagonal; empty if one of
 /// them has no area.
 Array<Triangle> halves(const Array<Vec3>& corners) {
   if (corners.count() != 4) return {};
@@ -69,7 +69,7 @@ CutPolygons cutPolygons(PolygonSoup polygons, bool mend,
   Array<Vec3> polygon;
   Array<int> ring;
   PolygonNumber number;
-  int firstCount = 0;  // the number of corners of the first face that was omitted
+  int firstCount = 0;  // the number of corners of the first omitted face
   const int* corner = polygons.corners.data();
   // Marks the triangles of the previous face, however it was cut.
   const auto markTriangles = [&] {

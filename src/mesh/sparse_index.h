@@ -8,8 +8,8 @@
 namespace karcher {
 
 /// Numbers 0, 1, 2, ... for the items (faces, cells) that a search meets, few of many, in the order
-/// in which they are added. The index uses open addressing, so that its memory does not grow with
-/// the mesh.
+/// in which the search adds them. The index uses open addressing, so that its memory does not grow
+/// with the mesh.
 class SparseIndex {
  public:
   int count() const { return static_cast<int>(places_.size()); }

@@ -4,8 +4,7 @@
 
 #include "mesh/triangle_soup.h"
 
-/// Grids in which every second row is shifted by half a step, as in a tiling by equilateral
-/// triangles.
+/// Grids with a shift by half a step in every second row, as in a tiling by equilateral triangles.
 namespace karcher {
 
 struct GridSize {

@@ -77,8 +77,7 @@ class SparseFactor {
     return Eigen::Map<const Row<kColumns>>(x.data() + static_cast<ptrdiff_t>(i) * kColumns);
   }
 
-  // Complex products are written out, since the language's own check for infinities, which takes
-  // time.
+  // Complex products are written out: the language's own check for infinities, which takes time.
   template <int kColumns>
   static void subtractProduct(Columns<Scalar, kColumns>& x, int i, const Scalar& a,
                               const Row<kColumns>& b) {

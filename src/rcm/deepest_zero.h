@@ -22,8 +22,8 @@ inline constexpr double kNearEdge = 0.1;
 /// Whether no adjacent face can have another zero, given the cell's zero and its depth inside the
 /// face.
 inline bool isTheOnlyZero(const CellZero& zero, double depth) {
-  // In the zero's face, the values at an edge's ends make an angle of less than pi. In the other
-  // face they are turned by at most `holonomy`.
+  // In the zero's face, the values at an edge's ends make an angle of less than pi. The other face
+  // turns them by at most `holonomy`.
   const double most =
       std::max({zero.field.corner[0].squaredNorm(), zero.field.corner[1].squaredNorm(),
                 zero.field.corner[2].squaredNorm()});

@@ -7,8 +7,8 @@
 /// solver's values around it. Their coefficients depend only on the mesh, so that all fields share
 /// them.
 ///
-/// Neighbours are placed in the plane of the vertex's frame along edges. A Gaussian of the
-/// covariance of their positions weights them, so that the weights do not depend on a mesh's
+/// Neighbours lie in the plane of the vertex's frame, at places found along edges. A Gaussian of
+/// the covariance of their positions weights them, so that the weights do not depend on a mesh's
 /// anisotropy.
 ///
 /// Where triangles approximate a smooth surface, a fit averages out the noise of single vectors. On

@@ -20,7 +20,7 @@ namespace karcher {
 inline constexpr double kCheckedRadius = 0.3;
 inline constexpr double kLowerBy = 1e-3;
 
-/// K by exact distances, for points on one component. Points of weight 0 are omitted.
+/// K by exact distances, for points on one component. It omits points of weight 0.
 class ExactEnergy {
  public:
   /// The arguments must outlive the object.
@@ -66,8 +66,8 @@ struct ExactMinimum {
 ExactMinimum exactMinimumNear(const Geometry& geometry, ExactEnergy& energy,
                               const SurfacePoint& start);
 
-/// The same for many points. A place needs a search of its own, so only few places of a circle are
-/// compared. The energy of many points is smooth except for small creases, and a quadratic fit to
+/// The same for many points. A place needs a search of its own, so a comparison is of few places of
+/// a circle. The energy of many points is smooth except for small creases, and a quadratic fit to
 /// these places finds its minimum.
 ExactMinimum exactMinimumNear(const Geometry& geometry, ExactOneSourceEnergy& energy,
                               const SurfacePoint& start);

@@ -216,7 +216,7 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
                   const MeanOptions& options, std::shared_ptr<FieldSet>& kept) {
   Surface& surface = sets.surface();
   std::shared_ptr<FieldSet> set = sets.of(options.field);
-  // After an error there is no set to keep.
+  // After an error the caller has no set.
   kept = nullptr;
   checkWeights(weights, points.count(), options.normalize);
   Array<SurfacePoint> connected = points;
@@ -258,7 +258,7 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
   mean = finished(std::move(mean));
   const bool isKept = values <= options.mostValues / 4;
   if (!isKept) fields.clear();
-  // The set keeps at most as many spare fields as there are points.
+  // The set keeps no more spare fields than the number of points.
   set->dropSpare(isKept ? points.count() : 0);
   if (isKept) kept = std::move(set);
   return mean;

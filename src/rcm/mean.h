@@ -77,7 +77,7 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
 
 /// The centers of mass of one set of points, one for each row of weights; `rows` holds the rows one
 /// after the other. Each center is that of `centerOfMass`, but costs as little as a sample of a
-/// curve: the points' fields are computed once, and the searches start at the center of equal
+/// curve: it computes the points' fields once, and the searches start at the center of equal
 /// weights. With options.isChecked exact distances check each, at the cost of a single center.
 /// options.looksForOthers has no effect. Throws what `centerOfMass` throws, with the row of invalid
 /// weights; kBadWeights if a row does not have one weight for each point.

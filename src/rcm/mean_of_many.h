@@ -18,7 +18,7 @@ namespace karcher {
 inline constexpr int kMany = 64;
 
 /// Whether this search can find the mean: the points are at least kMany, no weight is negative, the
-/// method is kKarcher with fast or exact distances, and other minima are not requested.
+/// method is kKarcher with fast or exact distances, and the options request no other minima.
 bool isOfMany(const Array<SurfacePoint>& points, const Array<double>& weights,
               const MeanOptions& options);
 

@@ -44,8 +44,8 @@ void PointField::setPointFor(const SurfacePoint& point, const SurfacePoint& plac
   makeLogField(aimAt(place, most));
 }
 
-/// A ball about a place that holds all vertices from which the values at the corners of its face
-/// are estimated. Such a vertex is at most two edges from its corner.
+/// A ball about a place that holds all vertices on which the estimates at the corners of its face
+/// depend. Such a vertex is at most two edges from its corner.
 PathAim PointField::aimAt(const SurfacePoint& place, double most) const {
   const TriangleMesh& mesh = surface_.mesh();
   const Vec3 center = position(mesh, place);

@@ -32,9 +32,9 @@ class PointField {
   ///
   /// Beside hubs (hubs.h) callers read many values, and each search would go round all of a hub;
   /// there exact windows find all paths out of sight at once. The log vectors of a near field need
-  /// no fit (estimators.h). With exact distances each path is compared with the shortest one by
-  /// exact windows, at many times the cost. With graph distances, and with the paper's method, a
-  /// near field is like any other.
+  /// no fit (estimators.h). With exact distances the search compares each path with the shortest
+  /// one by exact windows, at many times the cost. With graph distances, and with the paper's
+  /// method, a near field is like any other.
   void setPoint(const SurfacePoint& point, bool isNear = false);
   /// Moves the field to a point. Callers read it only near a place and for distances up to `most`.
   /// With windows it costs the region between the point and the place, instead of the whole disk up

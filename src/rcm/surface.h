@@ -34,7 +34,7 @@ class Surface {
 
   const GradientOperator& gradientOperator(Star star = Star::kWide);
 
-  /// The stencils of an estimator, each computed when it is first read.
+  /// The stencils of an estimator, each computed at its first read.
   StencilTable& stencils(Estimator estimator);
 
   /// Whether a vertex is a hub (hubs.h) or has an edge to one.

@@ -37,11 +37,11 @@ struct CurvatureBound {
 /// The bound of the sphere and the torus, whose curvature has a closed form.
 std::optional<CurvatureBound> curvatureBound(Shape shape);
 
-/// The radius of a ball about `center` that holds all points of nonzero weight, if it is proved
-/// that their energy has no other minimum in it and no lower value elsewhere; else -1. Nothing is
-/// proved with negative weights. With `smooth` the proof may be for the smooth surface that the
-/// mesh approximates. Otherwise it is for the mesh, whose vertices within three radii of the center
-/// then have no angle defect above 1e-9.
+/// The radius of a ball about `center` that holds all points of nonzero weight, if their energy
+/// provably has no other minimum in it and no lower value elsewhere; else -1. With negative weights
+/// there is no proof. With `smooth` the proof may be for the smooth surface that the mesh
+/// approximates. Otherwise it is for the mesh, whose vertices within three radii of the center then
+/// have no angle defect above 1e-9.
 double provedRadius(const Surface& surface, const Array<SurfacePoint>& points,
                     const Array<double>& weights, const SurfacePoint& center,
                     const std::optional<CurvatureBound>& smooth = std::nullopt);

@@ -40,7 +40,7 @@ int smallestCorner(const Vec3& b) {
   return b[0] < b[1] ? (b[0] < b[2] ? 0 : 2) : (b[1] < b[2] ? 1 : 2);
 }
 
-/// The zero of a cell's field; none if the Hessian is not positive definite.
+/// The zero of a cell's field; empty if the Hessian is not positive definite.
 std::optional<CellZero> zeroOfCell(FieldBlend& fields, Weights weights, int cell) {
   CellZero zero;
   if (!fields.findZero(cell, weights, zero)) return std::nullopt;

@@ -223,7 +223,7 @@ class Builder {
     }
     for (int i = 0; i < loops.count(); ++i) {
       if (!loops[i].isOutside) continue;
-      // Find the smallest loop around the leftmost place of this one.
+      // The next steps find the smallest loop around the leftmost place of the present one.
       const Vec2 place = leftmost(loops[i]);
       int around = -1;
       for (int j = 0; j < loops.count(); ++j) {

@@ -11,8 +11,8 @@
 namespace karcher {
 namespace {
 
-/// The triangles of a face, stored as the vertex opposite to each side. Vertices are numbered
-/// within the face.
+/// The triangles of a face, stored as the vertex opposite to each side. Numbers of vertices are
+/// those within the face.
 class FaceTriangles {
  public:
   using Side = std::pair<int, int>;

@@ -273,7 +273,7 @@ class Drawer {
   void cutAtCrossings(int number, const Array<Line>& lines, Array<PlacedVertex>& vertices,
                       Array<LineCut>& cuts) {
     if (lines.count() < 2) return;
-    // Bent lines are examined again in any case.
+    // The loop examines bent lines again in any case.
     Array<uint8_t> bent(lines.size(), 0);
     for (const LineCut& cut : cuts) bent[cut.line] = 1;
     const Array<int> order =

@@ -7,7 +7,7 @@
 /// polygon's legs cross, without a distance field.
 namespace karcher {
 
-/// Scratch memory, which can be reused.
+/// Reusable scratch memory.
 struct ConvexityWorkspace {
   // Data along the legs of one piece.
   Array<double> places;      ///< lengths from the first point at which a face begins or ends

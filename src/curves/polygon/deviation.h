@@ -6,7 +6,7 @@
 /// of mass.
 namespace karcher {
 
-/// Scratch memory, which can be reused.
+/// Reusable scratch memory.
 struct DeviationWorkspace {
   Array<Vec2>
       unrolled;  ///< a segment's polygon in the plane, with the turning angles of the surface

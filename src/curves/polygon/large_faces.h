@@ -4,7 +4,7 @@
 
 namespace karcher {
 
-/// The faces along the legs of a refined polygon. The object can be reused.
+/// A reusable list of the faces along the legs of a refined polygon.
 struct FacesAlongLegs {
   Array<int> faces;
   /// the index of each leg's first face: leg k has faces[begin[k]] up to faces[begin[k + 1]]

@@ -48,7 +48,7 @@ struct BezierHalves {
   LeggedPolygon second;
 };
 
-/// Scratch memory of averages, which can be reused.
+/// Reusable scratch memory of averages.
 struct AveragingWorkspace {
   StripWorkspace strip;
   LeggedPolygon row;  ///< a row of a pyramid; its list of legs may be longer than the row
@@ -63,14 +63,13 @@ struct AveragingWorkspace {
 /// Subdivides a control polygon `levels` >= 1 times. `legs` are paths from each point to the next,
 /// and for a closed curve also from the last to the first.
 /// - de Casteljau's algorithm divides Bezier curves, also rational ones, at 1/2;
-/// - B-splines get a knot in the middle of each span: a new point is the repeated average of its
-///   parents, from both ends of their row towards its middle (subdivision.h), with the weights of
-///   the knot insertion. In degrees up to 3, with even knots, that is Lane and Riesenfeld's
+/// - B-splines have a new knot in the middle of each span: a new point is the repeated average of
+///   its parents, from both ends of their row towards its middle (subdivision.h), with the weights
+///   of the knot insertion. In degrees up to 3, with even knots, that is Lane and Riesenfeld's
 ///   algorithm;
-/// - Catmull-Rom curves are divided as cubic Bezier curves, with handles by log and exp maps at the
-///   points.
-/// The result of reversed points and legs is the reversed result. Writes to `refined`. Returns
-/// false if a handle would lie beyond the surface's boundary.
+/// - Catmull-Rom curves count as cubic Bezier curves, with handles by log and exp maps at the
+///   points. The result of reversed points and legs is the reversed result. Writes to `refined`.
+///   Returns false if a handle would lie beyond the surface's boundary.
 bool refinePolygon(const Geometry& geometry, const CurveShape& shape,
                    const Array<SurfacePoint>& points, const Array<SurfacePath>& legs, int levels,
                    AveragingWorkspace& workspace, RefinedPolygon& refined);

@@ -5,7 +5,7 @@
 namespace karcher {
 namespace {
 
-/// The length, in mean edges, below which parts of a curve are not divided further.
+/// The length, in mean edges, below which division of a curve's parts ends.
 constexpr double kShortest = 0.25;
 constexpr int kMostHalvings = 6;
 

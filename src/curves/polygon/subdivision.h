@@ -11,7 +11,7 @@
 /// Splines on Surface Meshes" (2022).
 namespace karcher {
 
-/// Scratch memory, which can be reused.
+/// Reusable scratch memory.
 struct SubdivisionWorkspace {
   FindPathWorkspace paths;
   SurfacePath line;

@@ -13,7 +13,7 @@ struct BezierHandles {
   SurfacePath before;  ///< the path from the curve's end to the second handle
 };
 
-/// Scratch memory of handles, which can be reused.
+/// Reusable scratch memory of handles.
 struct HandleWorkspace {
   Array<double> gaps;
   Array<double> spacings;

@@ -70,7 +70,7 @@ Array<SegmentLayout> catmullRomSegments(const CurveShape& shape, int points) {
       segments.push_back(segmentOf(std::move(basis), consecutive(j + points - 1, 4, points)));
       continue;
     }
-    // Beyond an end the curve continues as if the second point were reflected at the first.
+    // Beyond an end the curve continues to the mirror image of the second point in the first.
     SegmentLayout segment;
     const int begin = first ? 0 : j - 1;
     const int end = last ? points - 1 : j + 2;

@@ -27,7 +27,7 @@ inline SampleStatus statusOn(const Bridge& bridge) {
                                                     : SampleStatus::kBridged;
 }
 
-/// Scratch memory, which can be reused.
+/// Reusable scratch memory.
 struct BridgeWorkspace {
   /// An interval between two samples that needs a bridge. An end that the bridge does not keep is
   /// no center itself.

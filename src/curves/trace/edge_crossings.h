@@ -13,7 +13,7 @@
 /// gaps.
 namespace karcher {
 
-/// Scratch memory, which can be reused.
+/// Reusable scratch memory.
 struct CrossingWorkspace {
   Array<CurveSample> found;
   Array<double> weights;

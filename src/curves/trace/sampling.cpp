@@ -18,8 +18,8 @@ constexpr int kMostBisections = 20;
 constexpr int kLooksAFace = 3;
 constexpr int kFewestLooks = 12;
 constexpr int kMostLooks = 256;
-/// The longest step between two evaluations in different faces, relative to even steps. Longer ones
-/// are divided.
+/// The longest step between two evaluations in different faces, relative to even steps. A bisection
+/// divides longer ones.
 constexpr double kLongestOfSteps = 1.5;
 constexpr int kMostHalvings = 4;
 /// The most bisections where samples do not converge: at the border of an interval, and inside.

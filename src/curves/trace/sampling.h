@@ -10,7 +10,7 @@ namespace karcher {
 /// Throws Error kBadArgument for a tolerance outside 1e-7 to 1.
 void checkTolerance(double tolerance);
 
-/// Scratch memory, which can be reused.
+/// Reusable scratch memory.
 struct SamplingWorkspace {
   Array<double> weights;
   SurfacePath path;

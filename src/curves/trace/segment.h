@@ -77,7 +77,7 @@ struct SegmentFields {
 };
 
 /// Writes to `order` the control points at which a failed search for a center of mass restarts:
-/// those of positive weight, the heaviest first. At the ends of a segment the heaviest is omitted,
+/// those of positive weight, the heaviest first. At the ends of a segment it omits the heaviest,
 /// since the search began there. A search that continues where the Hessian is not positive definite
 /// tries only the heaviest.
 void findRestarts(Weights weights, Method method, bool isEnd, Array<int>& order);

@@ -36,7 +36,7 @@ export const convergenceSizes: readonly number[] = [500, 1_000, 2_000, 5_000, 10
 
 const samplesASegment = 33;
 
-/** A smooth surface with a cubic B-spline on it whose every sample is known. */
+/** A smooth surface with a cubic B-spline on it, all of whose samples are known. */
 interface SmoothCurve {
   points: Vector[];
   project(place: Vector): Vector;

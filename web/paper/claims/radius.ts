@@ -9,8 +9,8 @@ const { at, cross, dot, length, subtract } = vectors;
 
 /**
  * Statistics of four random points in a geodesic ball, on a surface with bumps of some mean edges:
- * how often the paper's method finds a center of mass from each of them, and how often the same one
- * from all four.
+ * the number of cases in which the paper's method finds a center of mass from each of them, and of
+ * those in which all four find the same one.
  */
 export interface RadiusPoint {
   surface: 'sphere' | 'torus';

@@ -36,7 +36,7 @@ export type Verdict =
   | 'open'
   | 'not measured here';
 
-/** What the measurements say about a claim. */
+/** A verdict on a claim by the measurements. */
 export interface Finding {
   verdict: Verdict;
   /** The condition on which the verdict depends. */

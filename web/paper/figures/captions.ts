@@ -10,7 +10,7 @@ const quoted: Record<string, (line: LineNumbers | undefined) => string | undefin
 };
 
 /**
- * The caption with the measurements in place of `{panel/line what}`: no number in it is by hand.
+ * The caption with the measurements in place of `{panel/line what}`. Nobody writes numbers in it.
  */
 function filled({ id, caption }: Figure, panels: Measured['panels']): string {
   return caption.replace(/\{(\w+)\/(\w+) (\w+)\}/g, (_, panel, name, what) => {

@@ -121,7 +121,7 @@ export function methodOf(id: LineId): MethodOptions {
   return options;
 }
 
-/** Methods with a long preparation or slow samples: they get a worker of their own. */
+/** Methods with a long preparation or slow samples. They have a worker of their own. */
 export const slowLines: ReadonlySet<LineId> = new Set([
   'vectorHeat',
   'vectorHeatDelaunay',

@@ -71,7 +71,7 @@ export interface Panel {
 
 export interface Figure {
   id: string;
-  /** The figure of the paper that this one reproduces. */
+  /** The name of the paper's figure. */
   name: string;
   title: string;
   caption: string;

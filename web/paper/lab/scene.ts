@@ -15,7 +15,7 @@ interface OwnMethod {
   method: PreparedCurves;
 }
 
-/** A mesh with the preparations on it, for figures whose points can be dragged. */
+/** A mesh with the preparations on it, for figures with points that the reader can drag. */
 export class Scene {
   readonly positions: Float64Array;
   readonly triangles: Int32Array;

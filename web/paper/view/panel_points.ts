@@ -2,7 +2,7 @@ import { type Handle, Handles } from '../../viewer/handles';
 import type { Panel, Vector } from '../figures/types';
 import type { PanelView } from './panel_view';
 
-/** A panel's points as handles, which can be dragged and moved by keys. */
+/** A panel's points as handles that the reader can drag, and move by keys. */
 export class PanelPoints {
   readonly #handles: Handles;
 
