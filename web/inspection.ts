@@ -26,6 +26,8 @@ export interface Inspection {
    * hidden.
    */
   seen(position: Vector): { x: number; y: number } | null;
+  /** The surface's face at a place of the window, and the size of a pixel there; null beside the surface. */
+  under(x: number, y: number): { face: number; place: Vector; pixel: number } | null;
   /** The objects with a halo, by their ids. */
   marked(): readonly number[];
   info(): MeshInfo | null;
@@ -64,6 +66,13 @@ export function exposeState(
       const { x, y, hidden } = viewer.seen(Float32Array.from(position));
       const box = viewer.box;
       return hidden[0] ? null : { x: box.left + x[0]!, y: box.top + y[0]! };
+    },
+    under(x, y) {
+      const picked = viewer.pick(x, y);
+      if (!picked) return null;
+      const { point, position } = picked;
+      const place = viewer.surface!.fromScene(position);
+      return { face: point.face, place, pixel: viewer.reach(position, 1) };
     },
     marked: () => viewer.marked(editor.state.drawing.active),
     info: () => structuredClone(session.client?.info ?? null),

@@ -63,6 +63,23 @@ describe('what points up', () => {
   });
 });
 
+describe('the view in a link', () => {
+  test('is as near as the view goes, and keeps what is seen to a thousandth of it', async () => {
+    const { formatView, parseView } = await load('model/view_place.ts');
+    for (const reach of [1e-4, 0.00123, 0.01, 0.5, 10]) {
+      const target = [0.123456789, -1.987654321, 1e-9];
+      const text = formatView({ azimuth: 12.345, elevation: -6.5, reach, target });
+      assert.doesNotMatch(text, /e/, 'no exponent');
+      const back = parseView(text);
+      assert.equal(back.reach, reach);
+      for (const [axis, value] of back.target.entries()) {
+        assert.ok(Math.abs(value - target[axis]) <= 1e-3 * reach, `${text}: ${target[axis]}`);
+      }
+    }
+    assert.equal(parseView('0,0,0.00001,0,0,0'), null);
+  });
+});
+
 describe('the pieces of a file', () => {
   test('are parts from the largest; the smallest of very many are one part', async () => {
     const { inPieces } = await load('worker/pieces.ts');

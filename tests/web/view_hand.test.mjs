@@ -60,8 +60,8 @@ describe('the view', () => {
     near(await seen(tab, place), at, 'after 40 steps');
     await wheel(tab, 40, -240);
     near(await seen(tab, place), at, 'after 80 steps');
-    await wheel(tab, 30, 240);
-    near(await seen(tab, place), at, 'after 30 steps back');
+    await wheel(tab, 65, 240);
+    near(await seen(tab, place), at, 'after 65 steps back');
     assert.ok((await sizeOf()) < 50, 'it is not stuck');
     await tab.close();
   });

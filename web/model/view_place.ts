@@ -27,19 +27,22 @@ export type ViewPlace = ViewName | OrbitPlace;
 const ranges = [
   { least: -180, most: 180 },
   { least: -90, most: 90 },
-  { least: 0.01, most: 10 },
+  { least: 1e-4, most: 10 },
   ...Array.from({ length: 3 }, () => ({ least: -20, most: 20 })),
 ];
 
 export const viewRange =
-  'a side, as front, or six numbers: degrees around from -180 to 180, above from -90 to 90, reach from 0.01 to 10, and what is looked at from -20 to 20';
+  'a side, as front, or six numbers: degrees around from -180 to 180, above from -90 to 90, reach from 0.0001 to 10, and what is looked at from -20 to 20';
 
 /** Formats a view; null if it is outside the range of links. */
 export function formatView(view: ViewPlace): string | null {
   if (typeof view === 'string') return view;
   const { azimuth, elevation, reach, target } = view;
   const numbers = [azimuth, elevation].map((angle) => rounded(angle, 2));
-  const text = [...numbers, Number(reach.toPrecision(5)), ...target.map((at) => rounded(at, 5))];
+  // A near view needs more digits, and has no exponent.
+  const digits = Math.max(5, 3 - Math.floor(Math.log10(reach)));
+  const near = Number(reach.toPrecision(5));
+  const text = [...numbers, near, ...target.map((at) => rounded(at, digits))];
   return parseView(text.join(',')) ? text.join(',') : null;
 }
 

@@ -14,9 +14,23 @@ const startDirection = new Vector3(0.34, 0.22, 1).normalize();
 const flightMilliseconds = 260;
 /** The distance from which the camera looks at a place, unless it is nearer already. */
 const closeDistance = 1.6;
-const [nearest, farthest] = [0.02, 20];
+/**
+ * The distances between which the camera stays from what it looks at. At the nearest one a pixel is as
+ * large as the rounding of a coordinate of the scene on the graphics card.
+ */
+const [nearest, farthest] = [2e-4, 20];
+/** The least distance from which a ball is shown in whole. */
+const nearestWhole = 0.16;
 /** The smallest reach of a view's place. */
-const leastReach = 0.01;
+const leastReach = 1e-4;
+/** The range of the distance at which the camera begins to see. */
+const [leastNear, mostNear] = [1e-5, 0.002];
+/** A turn of the wheel by a pixel divides distances by this. */
+const wheelFactor = 0.95 ** -0.01;
+/** Pixels of a wheel that counts lines, or pages; and for each pixel of a pinch on a touchpad. */
+const [pixelsOfLine, pixelsOfPage, pixelsOfPinch] = [16, 100, 10];
+/** The search for the surface around a place: the first ring's radius in pixels, the next ring's part, the rays. */
+const [firstRing, nextRing, raysOfRing] = [4, 1.3, 32];
 /** The factor of the room around the target of a zoom. */
 const roomAround = 1.25;
 
@@ -40,8 +54,10 @@ export class OrbitView {
   #flight: { from: Place; to: Place; started: number } | null = null;
   /** The pivot of turns: a point of the scene, and its place in the camera's view. */
   #pivot: { point: Vector3; seen: Vector3 } | null = null;
-  /** The pointers that are down: several fingers zoom and move, and turn without a pivot. */
-  readonly #pointers = new Set<number>();
+  /** The pointers that are down, with their places: two fingers zoom and move. */
+  readonly #pointers = new Map<number, { x: number; y: number }>();
+  /** The camera's place of which the view was told last. */
+  readonly #told = new Vector3();
 
   /** The view calls `moved` to request a frame. */
   constructor(
@@ -51,9 +67,13 @@ export class OrbitView {
     // Runs before the controls: the surface under the pointer becomes the pivot and the target of
     // zooming.
     stage.addEventListener('pointerdown', (event) => this.#hold(event), { capture: true });
-    stage.addEventListener('wheel', (event) => this.#turnTo(event.clientX, event.clientY), {
-      capture: true,
-      passive: true,
+    stage.addEventListener('wheel', (event) => this.#wheel(event), {
+      ...{ capture: true, passive: false },
+    });
+    window.addEventListener('pointermove', (event) => this.#pinch(event), { capture: true });
+    // Runs after the controls, which keep small changes to themselves: those of a near view.
+    window.addEventListener('pointermove', () => {
+      if (this.#pointers.size > 0 && !this.#told.equals(this.camera.position)) this.#tell();
     });
     for (const type of ['pointerup', 'pointercancel'] as const) {
       window.addEventListener(type, ({ pointerId }) => {
@@ -64,9 +84,8 @@ export class OrbitView {
     this.#controls = new OrbitControls(this.camera, stage);
     // The controls' own cursor would hide the cursors that show what a gesture does.
     stage.style.cursor = '';
-    this.#controls.zoomToCursor = true;
+    this.#controls.enableZoom = false;
     this.#controls.mouseButtons = { LEFT: MOUSE.ROTATE, MIDDLE: MOUSE.PAN, RIGHT: MOUSE.ROTATE };
-    this.#controls.minDistance = nearest;
     this.#controls.maxDistance = farthest;
     let touched = false;
     this.#controls.addEventListener('start', () => {
@@ -79,8 +98,13 @@ export class OrbitView {
     this.#controls.addEventListener('change', () => {
       if (touched) this.#whole = null;
       this.#keepPivot();
-      moved();
+      this.#tell();
     });
+  }
+
+  #tell(): void {
+    this.#told.copy(this.camera.position);
+    this.moved();
   }
 
   /** True while the main button moves the view instead of turning it. */
@@ -88,41 +112,117 @@ export class OrbitView {
     this.#controls.mouseButtons.LEFT = moves ? MOUSE.PAN : MOUSE.ROTATE;
   }
 
-  /**
-   * The point of the surface at a place of the window, or else in the middle of the stage; null if
-   * both miss the surface.
-   */
-  #under(x: number, y: number): Vector3 | null {
+  /** The visible point of the surface at a place of the window; null beside the surface. */
+  #at(x: number, y: number): Vector3 | null {
     const { left, top, width, height } = this.stage.getBoundingClientRect();
-    const at = (h: number, v: number): Vector3 | null => {
-      this.camera.updateMatrixWorld();
-      const origin = this.camera.position;
-      const direction = new Vector3(h, v, 0.5).unproject(this.camera).sub(origin).normalize();
-      const depth = this.surface?.depth(new Ray(origin.clone(), direction)) ?? Infinity;
-      return Number.isFinite(depth) ? direction.multiplyScalar(depth).add(origin) : null;
-    };
-    return at((2 * (x - left)) / width - 1, 1 - (2 * (y - top)) / height) ?? at(0, 0);
+    this.camera.updateMatrixWorld();
+    const origin = this.camera.position;
+    const place = new Vector3((2 * (x - left)) / width - 1, 1 - (2 * (y - top)) / height, 0.5);
+    const direction = place.unproject(this.camera).sub(origin).normalize();
+    const depth = this.surface?.depth(new Ray(origin.clone(), direction)) ?? Infinity;
+    return Number.isFinite(depth) ? direction.multiplyScalar(depth).add(origin) : null;
+  }
+
+  /** A visible point of the surface near a place of the window; null if none is found. */
+  #near(x: number, y: number): Vector3 | null {
+    const { left, top, width, height } = this.stage.getBoundingClientRect();
+    for (let ring = firstRing; ring < width + height; ring *= nextRing) {
+      for (let ray = 0; ray < raysOfRing; ray++) {
+        const angle = (2 * Math.PI * ray) / raysOfRing;
+        const [h, v] = [x + ring * Math.cos(angle), y + ring * Math.sin(angle)];
+        const isOn = h >= left && v >= top && h <= left + width && v <= top + height;
+        const point = isOn ? this.#at(h, v) : null;
+        if (point) return point;
+      }
+    }
+    return null;
+  }
+
+  get #middle(): { x: number; y: number } {
+    const { left, top, width, height } = this.stage.getBoundingClientRect();
+    return { x: left + width / 2, y: top + height / 2 };
   }
 
   /**
-   * Moves the controls' target to the depth of the surface at a place of the window, and does not
-   * change the view. Steps of a zoom or a move are parts of the distance to the target, so that
-   * none passes through the surface.
+   * Moves the controls' target to the depth of the surface at a place of the window, or else in the
+   * middle, and does not change the view: steps of a move are parts of the distance to the target.
    */
   #turnTo(x: number, y: number): Vector3 | null {
-    const point = this.#under(x, y);
+    const { x: h, y: v } = this.#middle;
+    const point = this.#at(x, y) ?? this.#at(h, v);
+    if (point && !this.#flight) this.#putTarget(point);
+    return point;
+  }
+
+  #putTarget(point: Vector3): void {
     const { target } = this.#controls;
     const { position } = this.camera;
-    if (!point || this.#flight) return point;
     const forward = target.clone().sub(position).normalize();
     const depth = point.clone().sub(position).dot(forward);
     if (depth > 0) target.copy(position).addScaledVector(forward, Math.max(nearest, depth));
-    return point;
+  }
+
+  /**
+   * Multiplies distances from the visible point at a place of the window, or beside the surface from one
+   * near it: the point stays where it is seen, and no step passes through the surface before it.
+   */
+  #zoomAt(x: number, y: number, factor: number): void {
+    this.#flight = null;
+    this.#whole = null;
+    const { target } = this.#controls;
+    const { position } = this.camera;
+    const point = this.#at(x, y) ?? this.#near(x, y) ?? target.clone();
+    this.#putTarget(point);
+    const far = position.distanceTo(point);
+    const least = Math.min(1, nearest / far);
+    const most = Math.max(1, farthest / far);
+    const by = Math.min(most, Math.max(least, factor)) - 1;
+    for (const place of [position, target]) place.addScaledVector(place.clone().sub(point), by);
+    this.#controls.update();
+    this.#tell();
+  }
+
+  #wheel(event: WheelEvent): void {
+    event.preventDefault();
+    if (this.#pointers.size > 0) return;
+    const unit =
+      event.deltaMode === WheelEvent.DOM_DELTA_LINE
+        ? pixelsOfLine
+        : event.deltaMode === WheelEvent.DOM_DELTA_PAGE
+          ? pixelsOfPage
+          : 1;
+    // A pinch on a touchpad is a wheel event with Ctrl.
+    const pixels = event.deltaY * unit * (event.ctrlKey ? pixelsOfPinch : 1);
+    this.#zoomAt(event.clientX, event.clientY, wheelFactor ** pixels);
+  }
+
+  /** Zooms as two fingers part or come together, at the place between them. */
+  #pinch({ pointerId, clientX, clientY }: PointerEvent): void {
+    if (!this.#pointers.has(pointerId)) return;
+    const apart = () => {
+      const [one, other] = [...this.#pointers.values()];
+      return other ? Math.hypot(one!.x - other.x, one!.y - other.y) : 0;
+    };
+    const before = apart();
+    this.#pointers.set(pointerId, { x: clientX, y: clientY });
+    const after = apart();
+    if (before === 0 || after === 0) return;
+    const [one, other] = [...this.#pointers.values()];
+    this.#zoomAt((one!.x + other!.x) / 2, (one!.y + other!.y) / 2, before / after);
+  }
+
+  /** Adapts the nearest depth that the camera sees to the surface, before a frame is drawn. */
+  fitDepth(): void {
+    const away = this.surface?.distanceWithin(this.camera.position, 2 * mostNear) ?? null;
+    const near = away === null ? mostNear : Math.min(mostNear, Math.max(leastNear, away / 2));
+    if (near === this.camera.near) return;
+    this.camera.near = near;
+    this.camera.updateProjectionMatrix();
   }
 
   #hold(event: PointerEvent): void {
     this.#flight = null;
-    this.#pointers.add(event.pointerId);
+    this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     const point = this.#turnTo(event.clientX, event.clientY);
     const { mouseButtons } = this.#controls;
     const moves =
@@ -156,7 +256,7 @@ export class OrbitView {
     this.#whole = null;
     const from = direction ?? this.camera.position.clone().sub(this.#controls.target);
     const far = (roomAround * radius) / Math.sin(this.#narrowAngle);
-    const offset = from.clone().setLength(Math.min(farthest, Math.max(8 * nearest, far)));
+    const offset = from.clone().setLength(Math.min(farthest, Math.max(nearestWhole, far)));
     this.#go({ offset, target: center.clone() }, true);
   }
 
@@ -181,20 +281,17 @@ export class OrbitView {
     this.#controls.update();
   }
 
+  /** Zooms in the middle of the stage. */
   zoom(factor: number): void {
-    const { left, top, width, height } = this.stage.getBoundingClientRect();
-    this.#turnTo(left + width / 2, top + height / 2);
-    this.#whole = null;
-    const offset = this.camera.position.clone().sub(this.#controls.target);
-    const length = Math.min(farthest, Math.max(nearest, offset.length() * factor));
-    this.camera.position.copy(this.#controls.target).add(offset.setLength(length));
-    this.#controls.update();
+    const { x, y } = this.#middle;
+    this.#zoomAt(x, y, factor);
   }
 
   /** Moves the view by a number of CSS pixels, measured at the middle of the stage. */
   pan(x: number, y: number): void {
-    const { left, top, width, height } = this.stage.getBoundingClientRect();
-    this.#turnTo(left + width / 2, top + height / 2);
+    const { height } = this.stage.getBoundingClientRect();
+    const { x: h, y: v } = this.#middle;
+    this.#turnTo(h, v);
     this.#whole = null;
     const { camera } = this;
     const { target } = this.#controls;
@@ -206,6 +303,7 @@ export class OrbitView {
     camera.position.add(by);
     target.add(by);
     this.#controls.update();
+    this.#tell();
   }
 
   /** Shows the whole scene from the front; at once if the user does not want motion. */

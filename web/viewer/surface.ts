@@ -233,6 +233,11 @@ export class Surface {
     return this.#pickAt(hit.faceIndex, hit.point).point;
   }
 
+  /** The distance of a place of the scene from the surface; null if it is larger than a bound. */
+  distanceWithin(position: Vector3, most: number): number | null {
+    return this.#tree.closestPointToPoint(position, undefined, 0, most)?.distance ?? null;
+  }
+
   /** The place of a surface point in the scene. */
   position({ face, bary }: SurfacePoint, target = new Vector3()): Vector3 {
     target.set(0, 0, 0);

@@ -99,6 +99,7 @@ export class Viewer {
     this.#frame ||= requestAnimationFrame((now) => {
       this.#frame = 0;
       this.#view.advance(now);
+      this.#view.fitDepth();
       this.#view.camera.updateMatrixWorld();
       const followers = [...this.#lines, ...this.#layers, this.#halos];
       for (const one of followers) one.follow(this.#view.camera.position);
