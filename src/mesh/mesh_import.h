@@ -18,15 +18,15 @@ struct Repair {
     kTriangulated,    ///< polygons cut into triangles
     kLeftOut,         ///< omitted faces of fewer than three corners, or that cannot be cut
     kContracted,      ///< vertices merged with neighbours at the other ends of edges without length
-    kWelded,          ///< vertices at the same place became one
-    kKeptApart,       ///< vertices at the same place that became one
-    kRepeatedCorner,  ///< vertices at the same place that stay apart, since parts only touch there
+    kWelded,          ///< vertices at the same place that became one
+    kKeptApart,       ///< vertices at the same place that stay apart, since parts only touch there
+    kRepeatedCorner,  ///< omitted faces with the same vertex at two corners
     kDuplicate,       ///< omitted faces that repeat another
-    kNoArea,          ///< flipped away faces whose corners lie on a line
-    kTurnedOver,      ///< flipped faces whose corners lie on a line
-    kBranching,       ///< turned faces, which disagreed with their neighbours
-    kBowTie,          ///< vertices between several fans of faces were split
-    kDropped,         ///< split vertices between several fans of faces
+    kNoArea,          ///< flipped faces whose corners lie on a line
+    kTurnedOver,      ///< turned faces, which disagreed with their neighbours
+    kBranching,       ///< separated edges of more than two faces
+    kBowTie,          ///< split vertices between several fans of faces
+    kDropped,         ///< omitted vertices that no face uses
   };
   Kind kind;
   int count = 0;

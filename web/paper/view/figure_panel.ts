@@ -38,9 +38,9 @@ export interface PanelContext {
 }
 
 export interface PanelEvents {
-  /** Receives the end of the measurements of everything that the panel shows. */
+  /** The listener for the end of all measurements. */
   measured(): void;
-  /** Receives a point of the panel that the reader moved to a place in space. */
+  /** The listener for a point of the panel that the reader moved to a place in space. */
   move(index: number, place: Vector): void;
 }
 
