@@ -212,11 +212,11 @@ export interface EngineCurveValue {
 /** The options for sampling and drawing a curve. */
 export interface EngineSampling {
   samples: number;
-  /** 0 for a fixed number of samples. */
+  /** The tolerance, or 0 for a fixed number of samples. */
   tolerance: number;
   /** Whether crossings of edges lie between the samples, instead of geodesics. */
   exact: boolean;
-  /** -1 for `auto`, -2 for the limit. */
+  /** The number of levels, -1 for `auto`, or -2 for the limit. */
   levels: number;
   /** The fewest levels of `auto`. */
   leastLevels: number;

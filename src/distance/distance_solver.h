@@ -20,7 +20,7 @@ struct MidpointArrival {
 /// The last step of the path to a vertex. It starts from the point at `part` of the line from
 /// `tail` to `head`, two neighbours of the vertex.
 struct PathStep {
-  int tail = -1;  ///< -1 at the source
+  int tail = -1;  ///< the neighbour at `part` 0, or -1 at the source
   int head = -1;
   double part = 0;  ///< a number in [0, 1]
 };

@@ -66,8 +66,8 @@ class PathDistance {
     SideOfPath side = SideOfPath::kEnd;
     double offset = 0;
     double least = 0;            ///< a lower bound on the distances through it
-    Vec2 source = Vec2::Zero();  ///< of a front: its direction, of length 1
-    /// of a front, the right end of the line that it starts from; of a fan, a unit vector
+    Vec2 source = Vec2::Zero();  ///< the direction of a front, of length 1
+    /// the right end of the line from which a front starts; for a fan, a unit vector
     Vec2 right = Vec2::Zero();
     Vec2 left = Vec2::Zero();
   };
@@ -77,7 +77,7 @@ class PathDistance {
   struct Waiting {
     double key = 0;
     int number = 0;
-    int halfedge = -1;  ///< -1 if the vertex `vertex` sends out its fan
+    int halfedge = -1;  ///< the half-edge, or -1 if the vertex `vertex` sends out its fan
     int vertex = -1;
     bool isFront = false;
     SideOfPath side = SideOfPath::kEnd;

@@ -128,7 +128,7 @@ void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, double
   const Vec2 aside = (isLeft ? 1.0 : -1.0) * leftOf(along);
   const double rise = std::sqrt((1 - growth) * (1 + growth));
   const Vec2 way = growth * along + rise * aside;
-  // Across the way, in the direction of the piece.
+  // This unit vector is perpendicular to the way, towards the direction of the piece.
   const Vec2 across = rise * along - growth * aside;
   const double width = across.dot(to - from);
   Image image;

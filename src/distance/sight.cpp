@@ -18,12 +18,12 @@ constexpr int kMostWalks = 6;
 /// The ratio of a path's length to the line in space above which the search compares it with paths
 /// to either side: over a ridge, or around a limb, several paths are straight.
 constexpr double kSmallDetour = 1.1;
-constexpr double kAside = 0.7;  ///< in radians
+constexpr double kAside = 0.7;  ///< an angle in radians
 /// The ratio of a path's length to the line in space above which the search rejects it, since it
 /// may not be the shortest. The search also rejects a compared path that passes a vertex of the
 /// curvature kSharp.
 constexpr double kMostDetour = 1.4;
-constexpr double kSharp = 0.25;  ///< in radians
+constexpr double kSharp = 0.25;  ///< an angle in radians
 
 /// The strip of faces between a source and a vertex, unfolded in the frame of the source's face
 /// with the source at the origin, and the path in it.
@@ -78,7 +78,7 @@ class SightLine {
     double x;
     double y;
     int vertex;
-    int sign;  ///< 1 on the right of the path, -1 on the left
+    int sign;  ///< the side of the path: 1 for the right, -1 for the left
 
     Vec2 at() const { return {x, y}; }
   };

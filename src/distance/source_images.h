@@ -66,7 +66,7 @@ class SourceImages {
   }
 
   const Geometry& geometry_;
-  double distance_ = -1;  ///< -1 if no distance matters
+  double distance_ = -1;  ///< the distance, or -1 if none matters
   Array<int> faces_;      ///< sorted faces; empty if the distance decides
   Array<SourceImage> images_;
 };

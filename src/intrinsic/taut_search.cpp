@@ -11,8 +11,8 @@ namespace {
 using TautNode = TautSearchWorkspace::Node;
 using TautEntry = TautSearchWorkspace::QueueEntry;
 
-/// The part of an edge by which the points to which lengths are measured keep away from the edge's
-/// ends.
+/// The least distance from an edge's ends, as a part of the edge, of the points to which lengths
+/// are measured.
 constexpr double kOffVertices = 0.01;
 
 bool isLater(const TautEntry& a, const TautEntry& b) { return a.key > b.key; }

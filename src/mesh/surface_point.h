@@ -44,8 +44,8 @@ enum class Simplex { kFace, kEdge, kVertex };
 struct PointLocation {
   Simplex simplex = Simplex::kFace;
   int face = 0;
-  int halfedge = -1;  ///< of kEdge, the half-edge in the point's own face
-  int vertex = -1;    ///< of kVertex, the vertex
+  int halfedge = -1;  ///< the half-edge in the point's own face, for kEdge
+  int vertex = -1;    ///< the vertex, for kVertex
 };
 
 PointLocation locate(const TriangleMesh& mesh, const SurfacePoint& point);

@@ -7,8 +7,8 @@ namespace {
 /// directions on a small circle in it: the integral over the corner of the hat's slope times the
 /// direction, in a plane with the corner's first side on the x axis.
 struct CornerBall {
-  Complex first;   ///< of the hat at the end of the first side
-  Complex second;  ///< of the hat at the end of the second side
+  Complex first;   ///< the coefficient of the hat at the end of the first side
+  Complex second;  ///< the coefficient of the hat at the end of the second side
 };
 
 CornerBall cornerBall(const IntrinsicTriangulation& triangulation, int h) {

@@ -80,7 +80,7 @@ struct Stencil {
 /// surfaces leave between neighbours, paths arrive from both sides of a ridge, and a fit over both
 /// belongs to no path.
 inline double shareOfLogVector(double share, const Vec2& difference, double distance) {
-  constexpr double kAngle = 0.01;  // in radians
+  constexpr double kAngle = 0.01;  // an angle in radians
   const double squaredAngle = difference.squaredNorm() / (4 * distance * distance);
   if (!(squaredAngle > 0)) return share;
   const double relative = kAngle * kAngle / squaredAngle;

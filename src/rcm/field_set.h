@@ -78,7 +78,7 @@ class FieldSet {
   Array<std::shared_ptr<PointField>> fields_;
   std::shared_ptr<FindPathWorkspace> paths_ = std::make_shared<FindPathWorkspace>();
   std::unordered_map<Key, int, Hash> placeOf_;
-  int next_ = 0;  ///< where the search for a spare field continues
+  int next_ = 0;  ///< the place where the search for a spare field continues
   int made_ = 0;
   int uses_ = 1;
 };

@@ -152,8 +152,8 @@ class Balance {
     }
     const Vec2 first = vector(longest);
     const Vec2 across(-first[1], first[0]);
-    int left = -1;   // of the smallest angle from the opposite direction, counterclockwise
-    int right = -1;  // of the smallest clockwise angle
+    int left = -1;   // the vector of the smallest counterclockwise angle
+    int right = -1;  // the vector of the smallest clockwise angle
     const auto angle = [&](int i) {
       return std::atan2(vector(i).dot(across), -vector(i).dot(first));
     };

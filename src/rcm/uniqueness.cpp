@@ -16,8 +16,8 @@ namespace {
 /// three times.
 constexpr double kReach = 3;
 
-/// The part used of the radius up to which the energy is convex on a smooth surface. The mesh
-/// differs from the surface.
+/// The part of the largest radius of convexity on a smooth surface that the proof uses, since the
+/// mesh differs from the surface.
 constexpr double kConvexPart = 0.9;
 
 double distanceToFace(const TriangleMesh& mesh, int f, const Vec3& place) {

@@ -14,7 +14,7 @@ struct PathUse {
   int halfedge = 0;  ///< the smaller of the edge's two half-edges
   int path = 0;
   int part = 0;
-  int sign = 1;  ///< -1 if the path's direction is opposite to the half-edge's
+  int sign = 1;  ///< the sign: -1 if the path's direction is opposite to the half-edge's
 };
 
 struct Arrangement {
@@ -30,7 +30,7 @@ struct Arrangement {
   Array<int> firstOfFace;
   Array<int> tail;
   Array<int> next;
-  Array<int> twin;  ///< -1 at the boundary of the surface
+  Array<int> twin;  ///< the opposite half-edge, or -1 at the boundary of the surface
   Array<int> piece;
 
   // Arrays by piece. The pieces of a face are consecutive.

@@ -55,7 +55,7 @@ struct AveragingWorkspace {
   Array<LegAverage> averages;
   SurfacePath inner;
   LeggedPolygon polygon;
-  Array<BezierHalves> halves;  ///< by the number of levels left
+  Array<BezierHalves> halves;  ///< the halves, by the number of remaining levels
   SplineWorkspace spline;
   HandleWorkspace handles;
 };

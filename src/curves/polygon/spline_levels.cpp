@@ -76,8 +76,8 @@ class KnotHalving {
     return knots;
   }
 
-  /// The open knots with halved spans. The outer spans are halved, too, so that the first and the
-  /// last points approach the curve. Needless outer knots are omitted.
+  /// The open knots with halved spans, without needless outer ones. The outer spans are halved,
+  /// too, so that the first and the last points approach the curve.
   Array<double> openHalved() const {
     Array<double> all = everySpanHalved();
     const auto first = std::upper_bound(all.begin(), all.end(), old_[degree_]) - 1 - degree_;

@@ -39,7 +39,7 @@ struct SplineWorkspace {
   };
 
   CurveShape shape;
-  int points = 0;  ///< 0: `levels` and `pieces` are not computed yet
+  int points = 0;  ///< the number of control points of `levels`; 0 before these exist
   /// The levels, from the control polygon itself on.
   Array<SplineLevel> levels;
   /// The segments of the last level.

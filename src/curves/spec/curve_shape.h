@@ -52,9 +52,9 @@ struct CurveShape {
   /// Whether the square roots of the points' geodesic distances space a Catmull-Rom curve's knots.
   /// Otherwise the knots are even.
   bool centripetal = true;
-  /// of kBSpline and kRational: one positive weight for each point; if empty, all are 1
+  /// one positive weight for each point of kBSpline and kRational; if empty, all are 1
   Array<double> weights = {};
-  /// of kBarycentric: one positive beta for each point; if empty, all are 1 (Berrut)
+  /// one positive beta for each point of kBarycentric; if empty, all are 1 (Berrut)
   Array<double> betas = {};
   std::shared_ptr<const OwnBasis> basis = {};  ///< the basis of kOwn
 };

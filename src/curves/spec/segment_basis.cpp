@@ -39,7 +39,7 @@ void findUnfolded(const SegmentBasis& basis, double t, Array<double>& weights) {
   }
 }
 
-/// Replaces the weights by the folded ones: appends these, then moves them to the front.
+/// Replaces the weights of the basis by those of the segment's points.
 void fold(const SegmentBasis& basis, Array<double>& weights) {
   const int count = weights.count();
   weights.resize(weights.size() + static_cast<size_t>(basis.points), 0.0);

@@ -22,8 +22,8 @@ bool visitFacesAt(const TriangleMesh& mesh, const SurfacePoint& point, const Vis
   return twin >= 0 && visit(faceOf(twin));
 }
 
-/// The passage from point a to point b: a common face, or else a half-edge from a face of `a` to a
-/// face of `b` (-1 if they have none).
+/// The way from point a to point b: a common face, or else a half-edge that leads from a face of
+/// `a` into a face of `b`; -1 if no half-edge does.
 struct Passage {
   bool sharesFace = false;
   int halfedge = -1;

@@ -190,7 +190,7 @@ class AdaptiveTrace {
   double tolerance_;
   Array<CurveSample>& samples_;
   SamplingWorkspace& workspace_;
-  // Set by `isFine`.
+  // The longest step between evaluations; `isFine` sets it.
   double longestStep_ = 0;
   double farthest_ = 0;
   double largestChange_ = 0;

@@ -33,7 +33,7 @@ const largeNames: Partial<Record<string, string>> = {
   leveled: 'our default',
 };
 
-/** Section 5: the figures and Table 1. */
+/** The claims of section 5: the figures and Table 1. */
 export const figureClaims: readonly Claim[] = [
   {
     id: 'four-points',

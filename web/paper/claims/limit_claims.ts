@@ -73,7 +73,7 @@ function armadillo({ all: { meshes } }: Evidence): { lost: number | null; measur
   };
 }
 
-/** Sections 5.1 to 6: the method's limits and the open questions. */
+/** The claims of sections 5.1 to 6: the method's limits and the open questions. */
 export const limitClaims: readonly Claim[] = [
   {
     id: 'too-far',

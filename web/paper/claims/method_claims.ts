@@ -163,7 +163,7 @@ const fewSteps = 10;
 
 type NewtonSum = 'searches' | 'converged' | 'traced' | 'shortened' | 'needed' | 'stuck' | 'inside';
 
-/** The abstract, the introduction and sections 2 to 4. */
+/** The claims of the abstract, the introduction and sections 2 to 4. */
 export const methodClaims: readonly Claim[] = [
   {
     id: 'against-vector-heat',

@@ -12,9 +12,7 @@ export interface TableRow {
   id: string;
   name: string;
   mesh: MeshSpec;
-  /**
-   * The control points: two of a shortest path (exact distances), or more of a B-spline (k = 6).
-   */
+  /** The control points: two for a shortest path with exact distances, more for a B-spline. */
   points: readonly Vector[];
 }
 
