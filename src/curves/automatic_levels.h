@@ -54,8 +54,8 @@ bool areFieldsNear(const CurveShape& shape, int points, const Array<SurfacePath>
 /// cross, and each level doubles the number of pieces.
 int quickLevels(const CurveShape& shape, int points, const Array<SurfacePath>& legs);
 
-/// The upper end of the estimated largest move of a control polygon's curve by levels, in the
-/// mesh's units. The estimate is right to about a third.
+/// An estimate of the largest move of a control polygon's curve by levels, in the mesh's units. It
+/// is right to about a third, and this is the upper end.
 double levelsDeviation(const Geometry& geometry, const RefinedPolygon& polygon,
                        LevelsWorkspace& workspace);
 

@@ -72,8 +72,8 @@ double legsLength(const RefinedPolygon& polygon, const SegmentLayout& piece) {
 }
 
 /// The number of even samples whose chords stay within a tolerance of a polynomial curve. The
-/// second derivative is at most 2 n (n - 1) times the control polygon's length, and a chord over 1
-/// / m of the curve deviates by at most an eighth of that over m^2.
+/// second derivative is at most 2 n (n - 1) times the control polygon's length. A chord over 1 / m
+/// of the curve deviates by at most an eighth of the second derivative over m^2.
 int samplesWithin(double tolerance, int degree, double polygonLength) {
   const double chords = std::sqrt(degree * (degree - 1) / 4.0 * polygonLength / tolerance);
   return 2 + static_cast<int>(std::min(chords, kMostSamples - 2.0));

@@ -160,7 +160,7 @@ void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, double
     double begin = 0;
     double end = length;
     const auto keepWhere = [&](double here, double slope) {
-      // here + slope x >= 0
+      // This solves here + slope x >= 0 for x.
       if (slope > 0) begin = std::max(begin, -here / slope);
       if (slope < 0) end = std::min(end, -here / slope);
       if (slope == 0 && here < 0) end = begin;

@@ -17,7 +17,7 @@ SurfacePath pathBetween(const Geometry& geometry, const SurfacePoint& from, cons
 /// A point and a direction there, as seen in the tangent plane of another point.
 struct LogMapped {
   Vec2 vector = Vec2::Zero();     ///< the log vector, as long as the path
-  Vec2 direction = Vec2::Zero();  ///< the direction at the other point, transported along the path
+  Vec2 direction = Vec2::Zero();  ///< the direction at the point, transported along the path
 };
 
 LogMapped logMap(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& point,

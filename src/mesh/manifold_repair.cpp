@@ -265,7 +265,7 @@ class ManifoldRepair {
   ManifoldRepairs repairs_;
   Array<Array<int>> branching_;
   Array<std::array<int, 2>> mirrored_;
-  Array<int> part_;  ///< the number, for each face, of the set that edges of two faces connect
+  Array<int> part_;  ///< the number of each face's set: edges of two faces connect the set
   Array<uint8_t> atBranching_;  ///< a flag for each vertex
 };
 

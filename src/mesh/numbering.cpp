@@ -50,8 +50,8 @@ Vec3 placeIn(const FaceImage& image, const Vec3& bary) {
   return place;
 }
 
-/// The nearest point of the adjacent faces, and of faces beyond them by steps that each come
-/// nearer. Several triangles on one line may lie side by side, which takes such steps.
+/// The nearest point of the adjacent faces, and of faces reached from them by steps that each come
+/// nearer. The steps lead past triangles on one line, several of which may lie side by side.
 SurfacePoint nearestBeside(const TriangleMesh& mesh, const FaceImage& image, const Vec3& place) {
   SurfacePoint best;
   double nearest = kInfinity;

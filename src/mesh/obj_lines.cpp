@@ -133,8 +133,8 @@ class LineCheck {
     ++found_.faces;
   }
 
-  /// Checks a corner: the number of a vertex, and after a slash others, which do not matter, as in
-  /// 7, 7/1, 7//2. A negative number counts back from the latest vertex.
+  /// Checks a corner such as 7, 7/1 or 7//2: the number of a vertex, and after slashes numbers that
+  /// do not matter. A negative number counts back from the latest vertex.
   void checkCorner(std::string_view word) {
     const size_t sign = word[0] == '-' || word[0] == '+' ? 1 : 0;
     const size_t digits = countDigits(word, sign);

@@ -149,8 +149,8 @@ Mean checkedMean(const Mean& mean, const Blended& in, bool lowest) {
   return center;
 }
 
-/// The estimated number of values in the fields of these points: the number of vertices within the
-/// points' spread around each point, or of all vertices.
+/// The estimated number of values in the fields of these points. A field has one for each vertex of
+/// the mesh, or only within the points' spread around its point.
 double likelyValues(const Surface& surface, const Array<SurfacePoint>& points, bool everywhere) {
   const double all = static_cast<double>(points.count()) * surface.mesh().vertexCount();
   if (everywhere) return all;

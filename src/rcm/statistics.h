@@ -73,9 +73,9 @@ Array<Vec2> weightDerivatives(const Geometry& geometry, const Array<SurfacePoint
 
 /// The derivatives of the center of mass with respect to each point: a matrix that maps a vector in
 /// the frame of the point's face to one in the frame of the center's face. The Hessian times it is
-/// twice the weight times the derivative of the point's log vector at the center, which is found by
-/// differences. Where the path crosses edges only, that is parallel transport along the path. The
-/// center and the points must lie inside faces. Throws as `weightDerivatives` does.
+/// twice the weight times the derivative of the point's log vector at the center, by differences.
+/// Where the path crosses edges only, that derivative is parallel transport along the path. The
+/// center and the points must lie inside faces. Throws what `weightDerivatives` throws.
 Array<Eigen::Matrix2d> pointDerivatives(const Geometry& geometry, const Array<SurfacePoint>& points,
                                         Weights weights, const SurfacePoint& center);
 

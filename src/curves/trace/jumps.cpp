@@ -206,8 +206,9 @@ class JumpSearch {
     return isTheOnlyZero(zero, std::min(zero.bary[cornerOf(h)], zero.bary[cornerOf(next(h))]) / 2);
   }
 
-  /// Whether the values at the ends of each edge make angles so far from 0 and pi that no adjacent
-  /// face has a zero, and would have none if they turned as much again (isTheOnlyZero).
+  /// Whether no adjacent face has a zero, by a margin: the angles between the values at the ends of
+  /// each edge are so far from 0 and pi that none would have one if these turned as much again
+  /// (isTheOnlyZero).
   static bool turnsBesideNoEdge(const CellZero& zero) {
     const double bound = square(2 * zero.holonomy);
     for (int k = 0; k < 3; ++k) {
