@@ -15,7 +15,7 @@ import { Move, movableObjects, replacing } from './moving';
 import type { Session } from './session';
 
 /**
- * The ways to align: each thing moves to the nearest place of the line, or all are spaced evenly
+ * The ways to align: each thing moves to the nearest place of the line, or all move to even places
  * along it.
  */
 export type Alignment = 'nearest' | 'even';
@@ -23,10 +23,10 @@ export type Alignment = 'nearest' | 'even';
 /** The things that move as a whole: an object, the objects of a group, or a point as its own figure. */
 type Part = readonly DrawnObject[];
 
-/** The fewest things that can be aligned: two are on a line anyway. */
+/** The fewest things to align: two are on a line anyway. */
 const fewest = 3;
 
-/** The selected points or objects if they can be aligned; otherwise an empty list. */
+/** The selected points or objects, if they can be aligned; otherwise an empty list. */
 export function alignedParts(state: State): readonly Part[] {
   const { figure, selection, more, drawing } = state;
   const parts =
@@ -155,8 +155,8 @@ async function goalsOf(
 }
 
 /**
- * The number of points of a line that are compared for the nearest one, and how often the search
- * repeats between the best one's neighbors.
+ * The number of points of a line in the search for the nearest one, and the number of repetitions
+ * of the search between the best one's neighbors.
  */
 const looks = 33;
 const rounds = 4;

@@ -10,15 +10,13 @@ import type { EngineClient, LooseCurve } from '../../worker/client';
 import { directionOf } from './circle_drawing';
 import { drawnTangents } from './pen_drawing';
 
-/** The distance within which the curve is brought to the pointer, as a part of the surface's diagonal. */
+/** The largest distance of the bent curve from the pointer, as a part of the surface's diagonal. */
 const nearEnough = 1e-7;
 
 const sum = (a: Vector, b: Vector): Vector => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 
 export class Bend {
-  /**
-   * A correction to the path to the pointer for the surface's curvature, learnt during the drag.
-   */
+  /** A correction of the path to the pointer for the surface's curvature, from earlier steps. */
   #correction: Vector = [0, 0, 0];
 
   private constructor(
@@ -32,7 +30,7 @@ export class Bend {
     private readonly place: SurfacePoint,
   ) {}
 
-  /** Holds a figure's segment at a parameter; its handles must be drawn. The caller ends it. */
+  /** Holds a figure's segment at a parameter. Its handles must be drawn. The caller ends it. */
   static async of(
     client: EngineClient,
     surface: Pick<Surface, 'carry'>,

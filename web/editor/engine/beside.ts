@@ -19,14 +19,14 @@ import {
 } from './compute';
 import type { ShownCut } from './cut';
 
-/** An object besides the edited one, in the form in which it is drawn. */
+/** An object besides the edited one, in its drawn form. */
 export interface Beside {
   id: number;
   style: LineStyle;
   locked: boolean;
-  /** Its lines; empty until it is traced. */
+  /** The lines; empty before their trace. */
   lines: readonly Float32Array[];
-  /** The points that are drawn as dots. */
+  /** The points in the form of dots. */
   points: readonly SurfacePoint[];
   /** A center of mass. */
   center: SurfacePoint | null;
@@ -41,14 +41,14 @@ interface Traced {
   method: MethodId;
   shown: Shown;
   quality: Quality | null;
-  /** The lines of the sources, if the figure is made of others. */
+  /** The lines of the sources, if the figure is derived from others. */
   from?: readonly (readonly Path[] | null)[];
 }
 
-/** After a slow object, the others of a drag rest for this many times as long as it took. */
+/** The rest of others in a drag after a slow object, as a multiple of its time. */
 const restPart = 2;
 
-/** The number of figures remembered beyond those of the drawing, so that undo finds them. */
+/** The number of results for undo, beyond those for figures of the drawing. */
 export const mostRemembered = 64;
 
 /**
@@ -61,15 +61,15 @@ export class BesideObjects {
   #last: readonly Beside[] = [];
   /** The lines of figures that are sources of others. */
   #outlines = new WeakMap<Figure, { method: MethodId; paths: readonly Path[] }>();
-  /** The last results for objects that follow others, which are shown until the next ones arrive. */
+  /** The last results for objects that follow others. They stay visible until the next ones. */
   readonly #lastOf = new Map<number, Traced>();
   #restUntil = 0;
   #timer: ReturnType<typeof setTimeout> | null = null;
 
-  /** `rested` is called when a figure that rests during a drag may be traced again. */
+  /** `rested` receives the end of a rest during a drag, when a trace may follow. */
   constructor(private readonly rested: () => void) {}
 
-  /** Whether objects wait for the end of a rest before they are traced. */
+  /** Whether objects wait for the end of a rest before their trace. */
   get resting(): boolean {
     return this.#timer !== null;
   }
@@ -82,8 +82,8 @@ export class BesideObjects {
   }
 
   /**
-   * Keeps the result for a figure: the figure may appear again, edited or not. The oldest results
-   * that no object of the drawing uses are forgotten.
+   * Keeps the result for a figure: the figure may appear again, edited or not. Forgets the oldest
+   * results that no object of the drawing uses.
    */
   keep(figure: Figure, traced: Traced, drawing: State['drawing']): void {
     const { operands } = figure;
@@ -103,7 +103,7 @@ export class BesideObjects {
     return fill && !traced.shown.fill ? null : traced;
   }
 
-  /** The side on which the region of a figure last lay; null if it is not known. */
+  /** The last side of a figure's region; null if unknown. */
   insideOf(figure: Figure): Inside | null {
     return this.#traced.get(figure)?.shown.fill?.region?.side ?? null;
   }
@@ -155,7 +155,7 @@ export class BesideObjects {
     }, milliseconds);
   }
 
-  /** Takes the lines of a figure for the objects that are made of it, if they were requested. */
+  /** Takes the lines of a figure for the objects derived from it, if they need them. */
   tell(figure: Figure, method: MethodId, shown: Shown): void {
     const paths = outlinesShown(shown);
     if (paths) this.#outlines.set(figure, { method, paths });
@@ -214,7 +214,7 @@ export class BesideObjects {
   }
 }
 
-/** Whether to request an object's fill. Sources need it too: a drag of a source keeps its side. */
+/** Whether an object needs its fill. Sources need it, too: a drag of a source keeps its side. */
 export const asksFill = (drawing: State['drawing'], { id, fill, figure }: DrawnObject) =>
   fill > 0 || (!figure.inside && isSource(drawing, id));
 

@@ -5,7 +5,7 @@ import type { Across, CircleForm, CircleShape, Vector } from '../../model/figure
 import type { TracedCurve, TracedIsolines } from '../../model/traced';
 import type { AskedFill, EngineClient } from '../../worker/client';
 
-/** A radius that has a handle. */
+/** A radius with a handle. */
 export interface ShownRadius {
   radius: number;
   direction: Vector;
@@ -19,7 +19,7 @@ export interface ShownCircle extends ShownRadius {
   across: ShownRadius | null;
 }
 
-/** The smallest radius across that a handle can give, as a part of the surface's diagonal. */
+/** The smallest radius across that a handle can have, as a part of the surface's diagonal. */
 const leastAcross = 1e-3;
 
 export interface ShownIsolines extends TracedIsolines {
@@ -79,8 +79,8 @@ async function acrossRadius(
 }
 
 /**
- * Rejects if no circle or ellipse has these radii. The draft of an exact isoline is the linear one,
- * which takes as little time far from the center as near it.
+ * The lines of a circle or an ellipse. Rejects if none has these radii. The draft of an exact
+ * isoline is the linear one, which takes as little time far from the center as near it.
  */
 export async function drawCircle(
   client: EngineClient,
@@ -125,7 +125,7 @@ export async function drawCircle(
   return { isolines: { ...isolines, exact } };
 }
 
-/** Takes the levels that the engine chooses, but at least this many. */
+/** Runs with the levels that the engine chooses, but at least this many. */
 async function atLeast(
   levels: number,
   trace: (part: { levels?: number }) => Promise<TracedCurve>,

@@ -11,18 +11,18 @@ import type { View } from './view';
 /** The edited curve by a second method, for comparison with the visible one. */
 export interface Compared {
   method: MethodId;
-  /** Null while there is no comparison, or if none is possible. */
+  /** The curve; null without a comparison, or if none is possible. */
   polyline: Float32Array | null;
   /** The distance of the two curves, in mean edges and as a part of the visible curve's length. */
   inEdges: Gap | null;
   ofLength: Gap | null;
-  /** Whether the comparison is of an earlier state. */
+  /** Whether the comparison belongs to an earlier state. */
   late: boolean;
   /** A sentence that says why the second curve is missing. */
   problem: string | null;
 }
 
-/** A trace that takes longer, in milliseconds, waits until a drag has ended. */
+/** The time of a trace, in milliseconds, above which it waits for the end of a drag. */
 const longestOfDrag = 60;
 
 /** A requested comparison and its result. */
@@ -51,7 +51,7 @@ export class Comparison {
   #polyline: Float32Array | null = null;
   readonly #engine = new Refinement<Shown>();
 
-  /** Called with every change of the comparison. */
+  /** A listener for changes of the comparison. */
   onChange: (compared: Compared | null) => void = () => {};
 
   constructor(private readonly session: Session) {}
@@ -70,7 +70,7 @@ export class Comparison {
     this.#asked = null;
     this.#shown = null;
     this.#engine.drop();
-    // Only a user who compares gets an engine for it.
+    // Only a user who compares needs an engine for it.
     if (!method) {
       this.#engine.use(null);
       this.#client = null;

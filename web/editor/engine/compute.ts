@@ -26,7 +26,7 @@ export interface Shown {
   tangents: readonly DrawnTangents[] | null;
   /** A sentence that says why parts of the result are missing. */
   problem: string | null;
-  /** The region that its lines enclose; null if it was not requested. */
+  /** The region that its lines enclose; null without a request. */
   fill: Fill | null;
 }
 
@@ -45,7 +45,7 @@ export const nothing: Shown = {
   fill: null,
 };
 
-/** The polylines of what is shown. */
+/** The polylines of a result. */
 export function polylinesOf({ curve, isolines }: Shown): Float32Array[] {
   if (curve) return [curve.polyline];
   return isolines?.lines.map(({ polyline }) => polyline) ?? [];
@@ -58,8 +58,8 @@ export interface Computation {
   /** Whether a better answer will follow, with other options. */
   draft?: boolean;
   /**
-   * The points or anchors that a drag moves, and the legs as its last step drew them; the engine
-   * continues these.
+   * The points or anchors that a drag moves, and the legs after its last step, which the engine
+   * continues.
    */
   before?: DrawnBefore | undefined;
   /** Whether to look for other minima besides a center of mass, if the search is quick. */
@@ -73,18 +73,18 @@ export interface Computation {
   fill?: boolean;
   /** Whether to return the paths of the lines. */
   outlines?: boolean;
-  /** Returns the lines of a figure that this one is made of. */
+  /** The function that returns the lines of each figure that this figure combines. */
   outlinesOf?: OutlinesOf;
 }
 
-/** The paths of the result; null if they were not requested. */
+/** The paths of the result; null without a request. */
 export const outlinesShown = ({ curve, isolines }: Shown): readonly Path[] | null =>
   curve || isolines ? (curve ?? isolines)!.outlines : [];
 
 /** The fill of a figure that encloses no region, such as a center. */
 export const noFill: Fill = { region: null, problem: null };
 
-/** The largest number of field values with which other minima are searched for: some 60 ms. */
+/** The largest number of field values in a search for other minima: some 60 ms. */
 const mostLooked = { fast: 120_000, others: 20_000 };
 
 export async function compute(
@@ -199,7 +199,7 @@ async function computeCenter(
 
 /**
  * A center with the other minima that its draft found. The engine of exact answers does not search
- * for them, and its copy of the surface is not known as a built-in shape.
+ * for them, since its copy of the surface does not count as a built-in shape.
  */
 export function withUniqueness(
   exact: ShownCenter | null,

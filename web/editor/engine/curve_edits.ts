@@ -24,7 +24,7 @@ import type { CurveTool } from '../state/tool';
 import { withoutAnchor } from './pen_removal';
 import type { Session } from './session';
 
-/** The number of times that an edit starts again because another one, such as a drag, overtook it. */
+/** The number of new starts of an edit that another one, such as a drag, overtook. */
 const mostAttempts = 20;
 
 /** A command, and the selection after it. */
@@ -52,7 +52,7 @@ function editOf(command: FigureCommand): Edit | null {
  * before the next begins, however fast the user is.
  */
 export class CurveEdits {
-  /** While edits are under way, the end of the last one. */
+  /** The end of the last edit under way, or null. */
   #last: Promise<void> | null = null;
 
   constructor(
@@ -121,8 +121,8 @@ export class CurveEdits {
           this.editor.replace(to, left === 0 ? null : Math.min(index, left - 1));
           return;
         }
-        // The same anchors may have got legs from a drag meanwhile; for another curve the anchor
-        // must be found again.
+        // A drag may have changed the legs of the same anchors meanwhile. For another curve the
+        // search for the anchor begins again.
         from = state.figure;
         const isSame = from.points.length === figure.points.length;
         if (!isSame || state.drawing.active !== drawing.active) return;
@@ -143,7 +143,7 @@ export class CurveEdits {
     });
   }
 
-  /** Gives a B-spline knots; resolves to the engine's sentence if they are invalid. */
+  /** Sets a B-spline's knots; resolves to the engine's sentence if they are invalid. */
   async setKnots(knots: readonly number[]): Promise<string | null> {
     let problem: string | null = null;
     await this.#inOrder(async () => {
@@ -166,7 +166,7 @@ export class CurveEdits {
   }
 
   /**
-   * Carries out a click on the edited curve at a place in the surface's coordinates; a click within
+   * Carries out a click on the edited curve at a place in the surface's coordinates. A click within
    * `within` of a knot means the knot.
    */
   atCurve(tool: CurveTool, near: Vector, within = 0): Promise<void> {
@@ -208,7 +208,7 @@ export class CurveEdits {
     this.editor.replace({ ...figure, points }, index);
   }
 
-  /** The edited object becomes the first piece; the others lie above it and have the same style. */
+  /** Cuts the edited object into the first piece and, above it, the others in the same style. */
   #cut([first, ...rest]: readonly Spline[]): void {
     const { drawing, figure } = this.editor.state;
     if (!first) return;
@@ -273,7 +273,7 @@ export class CurveEdits {
 
   /**
    * Carries out a step, at once if it needs no engine. A B-spline's own knots become those of the
-   * engine's edited curve; if the engine finds none, they are removed.
+   * engine's edited curve; if the engine finds none, the curve has none.
    */
   #edit(stepOn: (figure: Figure) => Step | null): Promise<void> {
     return this.#inOrder(async () => {
@@ -287,7 +287,7 @@ export class CurveEdits {
         const asks = before?.kind === 'bspline' && after && !knotsFit(to);
         const edit = asks && editOf(step.command);
         const knots = edit ? await this.session.knotsAfter(before, edit) : null;
-        // If another step was made in the meantime, this one follows it.
+        // If another step came in the meantime, this one follows it.
         const late = this.editor.state.revision !== revision;
         if (late && attempt < mostAttempts) continue;
         if (knots && !late)
@@ -341,7 +341,7 @@ export class CurveEdits {
   }
 }
 
-/** The ids of the curves that the edited one could be joined with. */
+/** The ids of the curves that the edited one can join. */
 export const joinable = ({ drawing }: State): number[] =>
   othersOf(drawing)
     .filter(({ figure, visible, locked }) => visible && !locked && !isEmpty(figure))

@@ -1,4 +1,4 @@
-/** The engine's results for figures that are made of others. */
+/** The engine's results for derived figures. */
 import type { Path } from 'karcher';
 import { isBoolean } from '../../model/derived';
 import type { Figure, Operand } from '../../model/figure';
@@ -14,9 +14,7 @@ const emptyResults: Partial<Record<Figure['kind'], string>> = {
   exclusion: 'each covers the others',
 };
 
-/**
- * Draws a figure that is made of others. Throws an error with the reason if the result is empty.
- */
+/** Draws a derived figure. Throws an error with the reason if the result is empty. */
 export async function drawDerived(
   client: EngineClient,
   { kind, derived, operands = [] }: Figure,
@@ -25,7 +23,7 @@ export async function drawDerived(
 ): Promise<ShownIsolines> {
   if (operands.length === 0) throw new Error('what it was made of is gone');
   const shapes: OutlinedShape[] = [];
-  // Operands are traced one after the other: a worker traces one curve at a time.
+  // Operands come one after the other: a worker traces one curve at a time.
   for (const operand of operands) {
     const { inside } = operand.figure;
     shapes.push({ outlines: await outlinesOf(operand), ...(inside && { inside }) });

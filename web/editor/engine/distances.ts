@@ -44,9 +44,9 @@ export class Distances {
   #running = new AbortController();
   readonly #newest = new Newest<Job>((job) => this.#trace(job));
 
-  /** Called with every change of the distances; null if none are shown. */
+  /** A listener for changes of the distances; null without any. */
   onChange: (shown: ShownDistances | null) => void = () => {};
-  /** Called with a sentence that says why distances are missing. */
+  /** A listener for sentences that say why distances are missing. */
   onProblem: (sentence: string) => void = () => {};
 
   constructor(
@@ -58,7 +58,7 @@ export class Distances {
     return this.#shown;
   }
 
-  /** Whether distances are shown or requested. */
+  /** Whether distances are visible or requested. */
   get on(): boolean {
     return this.#origin !== null;
   }

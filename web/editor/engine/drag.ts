@@ -6,11 +6,11 @@ import type { State } from '../state/state';
 import type { Shown } from './compute';
 
 /**
- * Steps that take the engine longer, in milliseconds, are followed by drafts without fields: half
- * of a frame's 16 is left for the page.
+ * The time of a step, in milliseconds, above which drafts without fields follow: half of a frame's
+ * 16, with the other half for the page.
  */
 const longestDraft = 8;
-/** The number of consecutive steps that must be slow, since the first one also computes what later ones reuse. */
+/** The number of slow steps before drafts, since the first also computes what others reuse. */
 const slowSteps = 2;
 
 /** Whether a curve by tolerance has more samples than its fixed number. */
@@ -20,12 +20,12 @@ function moreThanFixed({ settings }: Figure, { samples }: TracedCurve): boolean 
 }
 
 /**
- * A drag of control points: the legs at these points continue from where its last step drew them.
+ * A drag of control points. The legs at these points continue from their places at its last step.
  */
 export class Drag {
   readonly base: Figure;
   readonly points: readonly number[];
-  /** The legs as its last step drew them; null before the first. */
+  /** The legs after its last step; null before the first. */
   legs: readonly DrawnLeg[] | null = null;
   /** The points from which the engine finds these legs again. */
   told: ToldLegs;
@@ -48,24 +48,24 @@ export class Drag {
   }
 }
 
-/** The options for tracing a figure during its drag, so that each step is quick and the curve does not leap. */
+/** The options for traces of a figure during its drag: quick steps, and no leaps of the curve. */
 export class HeldTracing {
-  /** Whether a curve by tolerance has more samples than a fixed number would give it. */
+  /** Whether a curve by tolerance has more samples than a fixed number. */
   #manySamples = false;
   /**
-   * The number of levels of a curve with automatic levels: the present one between drags, the
-   * largest so far in a drag.
+   * The number of automatic levels of a curve: the present one between drags, the largest so far in
+   * a drag.
    */
   #levels: number | 'limit' = 0;
   /**
-   * Whether a curve without levels is dragged as a draft, which has some, because its own steps
-   * were slow.
+   * Whether a curve without levels has some in its drag, as a draft, because its own steps were
+   * slow.
    */
   #draft = false;
   /** The number of consecutive slow steps of the drag. */
   #slow = 0;
 
-  /** Resets the state when another object is edited. */
+  /** Resets the state for another edited object. */
   forget(): void {
     this.#manySamples = false;
     this.#levels = 0;
@@ -92,8 +92,8 @@ export class HeldTracing {
   }
 
   /**
-   * Makes the curve a draft, whose means are quick since their points lie near each other; if that
-   * is slow too, it uses averages alone, which need no fields.
+   * Turns the curve into a draft, whose means are quick since their points lie near each other. If
+   * that is slow, too, it uses averages alone, which need no fields.
    */
   #makeQuicker(): void {
     if (this.#levels === 0 && !this.#draft) {
@@ -106,7 +106,7 @@ export class HeldTracing {
 
   /**
    * The figure to trace: in a drag with fewer samples than the tolerance needs, and with the most
-   * levels so far. Both are computed again on release.
+   * levels so far. The release computes both again.
    */
   traced({ figure, dragging }: State): { figure: Figure; coarse: boolean } {
     const { settings } = figure;

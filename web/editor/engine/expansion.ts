@@ -10,10 +10,7 @@ import type { Session } from './session';
 /** The tolerance of a pen curve that replaces lines, as a part of the diagonal. */
 const tolerance = 5e-4;
 
-/**
- * Converts objects that are made of others into curves of the pen, which no longer follow their
- * sources.
- */
+/** Converts derived objects into curves of the pen, which no longer follow their sources. */
 export class Expansion {
   constructor(
     private readonly editor: Editor,

@@ -4,7 +4,7 @@ import type { EngineClient } from '../../worker/client';
 
 export type Ends = readonly [SurfacePoint, SurfacePoint];
 
-/** The geodesics drawn beside a curve: between neighbouring points, or from a center of mass to its points. */
+/** The ends of geodesics beside a curve: neighbouring points, or a center and its points. */
 export function endsOf(figure: Figure, center: SurfacePoint | null): Ends[] {
   const { kind, points, settings } = figure;
   if (isRound(kind) || kind === 'points' || kind === 'pen') return [];
@@ -19,11 +19,11 @@ const keyOf = (ends: Ends) =>
 
 const fewestKept = 64;
 
-/** Shortest paths by their ends, each traced once. */
+/** Shortest paths by their ends, with one trace for each. */
 export class Legs {
   /** The known paths; null if the ends are not connected. */
   readonly #known = new Map<string, Float32Array | null>();
-  /** The paths that are shown for each pair; they stay while a drag is faster than new ones. */
+  /** The visible paths for each pair; they stay while a drag is faster than new ones. */
   #shown: { epoch: number; legs: (Float32Array | null)[] } = { epoch: -1, legs: [] };
 
   clear(): void {
@@ -31,9 +31,7 @@ export class Legs {
     this.#shown = { epoch: -1, legs: [] };
   }
 
-  /**
-   * The known paths between these ends; for missing ones those that a drag of the same epoch left.
-   */
+  /** The known paths between these ends; for missing ones the last of the same drag (`epoch`). */
   between(pairs: readonly Ends[], epoch: number): Float32Array[] {
     const before = this.#shown.epoch === epoch ? this.#shown.legs : [];
     const legs = pairs.map((ends, i) => {
@@ -49,7 +47,7 @@ export class Legs {
     const missing = pairs.find((ends) => !this.#known.has(keyOf(ends)));
     if (!missing) return false;
     if (this.#known.size > fewestKept + 4 * pairs.length) this.#forget(pairs);
-    // Points on two components have no path between them: that leg is not shown.
+    // Points on two components have no path between them: that leg stays invisible.
     const path = await client.mesh.shortestPath(...missing).catch(() => null);
     this.#known.set(keyOf(missing), path?.polyline() ?? null);
     return true;

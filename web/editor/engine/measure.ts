@@ -8,7 +8,7 @@ export class Measure {
   #shown: Measured | null = null;
   readonly #newest: Newest<Vector>;
 
-  /** Called with every change of the measurement. */
+  /** A listener for changes of the measurement. */
   onChange: (measured: Measured | null) => void = () => {};
 
   constructor(session: Session) {

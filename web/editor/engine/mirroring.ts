@@ -12,7 +12,7 @@ import { directionsOf } from './moving';
  * run round a closed surface back to its start, or end near the mirrored objects.
  */
 const beyond = 0.8;
-/** The length for a second attempt, if the first line does not pass beside all mirrored objects. */
+/** The length in a second attempt, if the first line does not pass beside all mirrored objects. */
 const farther = 1.5;
 
 /**
@@ -80,11 +80,11 @@ export async function mirroredFigures(
   return movedFigures(figures, carried, mapped, 1).map(mirroredInside);
 }
 
-/** A figure that was mirrored, with its inside on the other side of its line. */
+/** A mirrored figure, with its inside on the other side of its line. */
 export function mirroredInside(figure: Figure): Figure {
   const { inside, kind } = figure;
-  // Circles and ellipses keep their inside: they run the same way around their centers after
-  // mirroring.
+  // Circles and ellipses keep their inside: their mirror images run the same way around their
+  // centers.
   return inside && !isRound(kind) ? withInside(figure, opposite(inside)) : figure;
 }
 

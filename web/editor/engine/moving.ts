@@ -1,4 +1,4 @@
-/** Selected objects moved, turned and scaled as a whole, by log and exponential maps at a pivot. */
+/** Moves, turns and scalings of a selection as a whole, by log and exponential maps at a pivot. */
 import type { SurfacePoint } from 'karcher';
 import { Vector3 } from 'three';
 import type { Command } from '../../model/commands';
@@ -47,20 +47,19 @@ const samePoint = (a: SurfacePoint, b: SurfacePoint) =>
 export const directionsOf = (carried: readonly Carried[]): Float64Array =>
   Float64Array.from(carried.flatMap(({ direction }) => direction ?? [0, 0, 0]));
 
-/** The objects among these that may be moved. */
+/** The objects among these that a move may change. */
 export function movableObjects(drawing: Drawing, ids: readonly number[]): DrawnObject[] {
   const objects = withSources(drawing, ids).map((id) => objectOf(drawing, id)!);
   const seen = new Set(objects.flatMap(({ visible, group }) => (visible && group ? [group] : [])));
   return (
     objects
-      // An object that is made of others moves with its sources, and a group moves as a whole,
-      // visible or not.
+      // A derived object moves with its sources, and a group moves as a whole, visible or not.
       .filter(({ id, visible, group }) => visible || !ids.includes(id) || seen.has(group ?? ''))
       .filter(({ locked, figure }) => !locked && !isEmpty(figure) && !isDerived(figure.kind))
   );
 }
 
-/** The figures of objects, which keep to the sides that they enclose, as these are shown. */
+/** The figures of objects, with the sides that they enclose in the view. */
 export const keptFigures = (
   session: Pick<Session, 'insideOf'>,
   objects: readonly DrawnObject[],
@@ -110,12 +109,13 @@ export async function faceNormal(
 /**
  * A move of objects relative to a pivot. Each place becomes its log vector in the tangent plane of
  * the pivot, and each direction is transported to the pivot along the same path. The plane follows
- * the pivot by transport along the shortest path from its start, and the exp map puts everything
- * back on the surface. Thus the positions of a drag do not accumulate errors, and back at the start
- * the objects are unchanged.
+ * the pivot by transport along the shortest path from its start, and the exp map returns everything
+ * to the surface. So the positions of a drag do not accumulate errors, and back at the start the
+ * objects are unchanged.
  *
- * Several objects would become narrower or wider by this, the farther they are from the pivot. Therefore
- * only a frame at the middle of each moves so, and the object is put down relative to its frame.
+ * Several objects would become narrower or wider in this way, the farther they are from the pivot.
+ * So only a frame at the middle of each moves so, and the object keeps its places relative to its
+ * frame.
  */
 export class Move {
   private constructor(
@@ -125,7 +125,7 @@ export class Move {
     private readonly objects: readonly DrawnObject[],
     private readonly kept: readonly Figure[],
     private readonly pivot: SurfacePoint,
-    /** The places of the objects in the order in which they are put down. */
+    /** The places of the objects, in the order of their return to the surface. */
     private readonly carried: readonly Carried[],
     private readonly beside: readonly Carried[],
     /** The frames of several objects; a single one has the pivot's. */

@@ -1,5 +1,5 @@
 /**
- * Runs one job at a time. Meanwhile the newest request waits and older ones are dropped. When none
+ * Runs one job at a time. Meanwhile the newest request waits and replaces older ones. When none
  * waits, `idle` may do less urgent work, one piece a turn, until it returns false.
  */
 export class Newest<Job> {

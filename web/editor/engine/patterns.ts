@@ -1,4 +1,4 @@
-/** The patterns of fills, each computed once for a region, a kind and a spacing. */
+/** The patterns of fills: one computation for a region, a kind and a spacing. */
 import type { DrawnObject } from '../../model/drawing';
 import type { Pattern, Region } from '../../model/traced';
 import type { EngineClient } from '../../worker/client';
@@ -13,15 +13,14 @@ const keyOf = ({ pattern, spacing }: DrawnObject) => `${pattern} ${spacing}`;
 export class Patterns {
   readonly #made = new WeakMap<Region, Map<string, Pattern | null>>();
   /**
-   * The last pattern of each region that failed, and the engine in which it failed. That engine
-   * does not get the request again.
+   * The last pattern of each region that failed, and its engine, which does not compute it again.
    */
   readonly #failed = new WeakMap<Region, { key: string; client: EngineClient }>();
 
-  /** `failed` is called with an error, after which the pattern stays missing. */
+  /** `failed` receives an error, after which the pattern stays missing. */
   constructor(private readonly failed: (error: unknown) => void) {}
 
-  /** The pattern; undefined if it is not computed yet, null if the fill stays solid. */
+  /** The pattern; undefined before its computation, null if the fill stays solid. */
   of({ object, region }: Patterned): Pattern | null | undefined {
     return object.pattern === 'solid' ? null : this.#made.get(region)?.get(keyOf(object));
   }

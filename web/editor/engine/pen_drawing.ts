@@ -8,8 +8,8 @@ import type { EngineClient } from '../../worker/client';
 import { directionOf } from './circle_drawing';
 
 /**
- * The handles that each engine found, by their anchors: anchors are values, so only changed ones
- * are computed again.
+ * The handles that each engine found, by their anchors. Anchors are values, so only changed ones
+ * need a new search.
  */
 const found = new WeakMap<EngineClient, WeakMap<ControlPoint, DrawnTangents>>();
 
@@ -40,7 +40,7 @@ async function tangentsAt(client: EngineClient, anchor: ControlPoint): Promise<D
   return drawn;
 }
 
-/** A sentence that names a handle that was not found on the surface; null if all were found. */
+/** A sentence that names a handle without a place on the surface; null if all have one. */
 export function missingHandle({ points }: Figure, drawn: readonly DrawnTangents[]): string | null {
   for (const [i, { tangents }] of points.entries()) {
     for (const side of ['before', 'after'] as const) {
@@ -53,8 +53,8 @@ export function missingHandle({ points }: Figure, drawn: readonly DrawnTangents[
 }
 
 /**
- * The place of a stored handle; an empty result if no path leads there, so that the other handles
- * are still found.
+ * The place of a stored handle; an empty result if no path leads there, so that the search for
+ * other handles continues.
  */
 async function tangentOf(
   client: EngineClient,

@@ -68,7 +68,7 @@ export async function withoutAnchor(
   const { points, settings } = figure;
   const count = points.length;
   const [before, after] = [(index + count - 1) % count, (index + 1) % count];
-  // The leg that led to the anchor is removed with it.
+  // The leg to the anchor disappears with it.
   const without = (changed: readonly ControlPoint[]): Figure => ({
     ...figure,
     points: changed.with(before, withLeg(changed[before]!, null)).toSpliced(index, 1),
@@ -113,7 +113,7 @@ const unit = ([x, y]: Planar): Planar => {
 
 /**
  * The anchor with the handle that the end of the curve needs: its own with another length, or a new
- * one if it has none.
+ * one.
  */
 async function withHandle(
   plane: LogPlane,

@@ -26,8 +26,8 @@ const diagonal = 2;
 
 /**
  * The plane in which the surface is its own mirror image, in the scene, and the difference of its
- * sides as a part of its diagonal. If there are many, as for a vase, it is the one seen edge-on,
- * with its normal to the right.
+ * sides as a part of its diagonal. Of many, as for a vase, it is the one seen edge-on, with its
+ * normal to the right.
  */
 export async function planeOfSymmetry(surface: Surface, right: Vector3): Promise<Symmetry | null> {
   const pause = () => new Promise<void>((resolve) => setTimeout(resolve));

@@ -4,19 +4,19 @@ import { Newest } from './newest';
 /** A computation on a given engine, and the function that takes its answer. */
 export interface RefinementJob<Result> {
   compute(client: EngineClient): Promise<Result>;
-  /** The revision of the state; answers for another one are dropped. */
+  /** The revision of the state; answers for another one have no effect. */
   revision: number;
   done(result: Result): void;
   failed(error: unknown): void;
 }
 
-/** The number of times that an engine that stopped by itself is started again for one surface. */
+/** The number of new starts, for one surface, of an engine that stopped by itself. */
 const mostRestarts = 2;
 
 /**
- * Computes the exact curve that follows the fast one. It has an engine of its own with a copy of
- * the surface, made on first use: its work never delays an edit, and results that an edit has
- * overtaken are dropped.
+ * Computes the exact curve that follows the fast one, in an engine of its own with a copy of the
+ * surface, created on first use. Its work never delays an edit, and results that an edit has
+ * overtaken have no effect.
  */
 export class Refinement<Result> {
   #source: EngineClient | null = null;
@@ -26,7 +26,7 @@ export class Refinement<Result> {
   #wanted = -1;
   readonly #newest = new Newest<RefinementJob<Result>>((job) => this.#run(job));
 
-  /** Changes to another surface, and ends the engine of the one before. */
+  /** Changes to another surface, and ends the engine of the previous one. */
   use(source: EngineClient | null): void {
     this.drop();
     this.#loading?.abort();
@@ -44,7 +44,7 @@ export class Refinement<Result> {
     this.#newest.push(job);
   }
 
-  /** Drops the request, because an edit continues. */
+  /** Drops the request, since an edit continues. */
   drop(): void {
     this.#wanted = -1;
     this.#newest.drop();
@@ -55,7 +55,7 @@ export class Refinement<Result> {
     return this.#client;
   }
 
-  /** Whether a requested answer is still awaited. */
+  /** Whether a requested answer is still to come. */
   get busy(): boolean {
     return this.#wanted !== -1;
   }
@@ -72,7 +72,7 @@ export class Refinement<Result> {
     }
   }
 
-  /** Whether an ended job is still the requested one; it is then no longer awaited. */
+  /** Whether an ended job is still the requested one; its answer is then no longer to come. */
   #settle(job: RefinementJob<Result>, source: EngineClient | null): boolean {
     if (job.revision !== this.#wanted || source !== this.#source) return false;
     this.#wanted = -1;

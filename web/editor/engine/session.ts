@@ -39,16 +39,16 @@ import { Refinement } from './refinement';
 import { shorterLegs } from './shorter_legs';
 import { emptyView, type View } from './view';
 
-/** The least part by which a shorter path must be shorter to be shown. */
+/** The least gain of a shorter path, as a part of the leg, that makes it visible. */
 const leastGain = 0.02;
 
-/** The sentence in place of a curve whose computation was stopped. */
+/** The sentence in place of a curve after a stop of its computation. */
 const stoppedHint = 'it was stopped; an edit or another method computes it again';
 
-/** After the legs were shown they rest for this many times as long as that took. */
+/** The rest of legs after their display, as a multiple of its time. */
 const restPart = 5;
 
-/** Null for an answer that failed; an error that says that it was stopped is thrown again. */
+/** Null for an answer that failed. Throws the error again if it reports a stop. */
 function unlessStopped(error: unknown): null {
   if (error instanceof Stopped) throw error;
   return null;
@@ -66,14 +66,14 @@ export class Session {
   #asked: State | null = null;
   readonly #held = new HeldTracing();
   #drag: Drag | null = null;
-  /** The legs of figures' curves as drawn. */
+  /** The drawn legs of figures' curves. */
   #drawn = new WeakMap<Figure, readonly DrawnLeg[]>();
-  /** The figure whose legs were compared with the shortest ones. */
+  /** The figure of the last comparison of legs with the shortest ones. */
   #compared: Figure | null = null;
-  /** Whether the view has other samples or levels because a drag is under way. */
+  /** Whether a drag under way gives the view other samples or levels. */
   #coarse = false;
   readonly #legs = new Legs();
-  /** The time until which newly traced legs are not shown, and whether some wait for it. */
+  /** The time until which newly traced legs stay invisible, and whether some wait for it. */
   #legsRest = 0;
   #legsUnseen = false;
   readonly #others = new BesideObjects(() => this.#newest.wake());
@@ -89,13 +89,13 @@ export class Session {
       this.#refine(),
   );
 
-  /** Called with every change of the view. */
+  /** A listener for changes of the view. */
   onView: (view: View) => void = () => {};
-  /** Called when the engine begins to work, and when it has ended. */
+  /** A listener for the beginning and the end of the engine's work. */
   onBusy: (busy: boolean) => void = () => {};
-  /** Called with the progress of the engine's work, if it reports any. */
+  /** A listener for the progress of the engine's work, if it reports any. */
   onProgress: (done: number, stage: string) => void = () => {};
-  /** Called with an error when a requested edit is impossible, or a pattern fails. */
+  /** A listener for errors: a requested edit is impossible, or a pattern fails. */
   onFailure: (error: unknown) => void = () => {};
 
   get view(): View {
@@ -112,12 +112,12 @@ export class Session {
     return figure.inside ?? this.#others.insideOf(figure);
   }
 
-  /** Whether the newest state is traced, the geodesics and the exact curve included. */
+  /** Whether the newest state is complete, with the geodesics and the exact curve. */
   get settled(): boolean {
     return !this.#newest.busy && !this.#refinement.busy && !this.#others.resting;
   }
 
-  /** Uses the engine of another surface; results of the one before are dropped. */
+  /** Uses the engine of another surface. Results of the previous one then have no effect. */
   use(client: EngineClient): void {
     if (this.#client) {
       this.#client.onBusy = () => {};
@@ -165,7 +165,7 @@ export class Session {
       this.#newest.push(state);
     } else if ((this.#coarse || drag !== null) && !state.dragging) this.#newest.push(state);
     else if (!this.#newest.busy) {
-      // A drag has ended after its last step was traced; work that rested meanwhile continues.
+      // A drag has ended after the trace of its last step; work that rested meanwhile continues.
       this.#newest.wake();
     }
   }
@@ -191,8 +191,8 @@ export class Session {
   }
 
   /**
-   * A sentence about the problem of a spline that is not shown; null if it has none. The view does
-   * not change.
+   * A sentence about the problem of a spline that is not visible; null if it has none. The view
+   * does not change.
    */
   async problemWith(spline: Spline): Promise<string | null> {
     const [client, state] = [this.#client, this.#state];
@@ -202,8 +202,8 @@ export class Session {
   }
 
   /**
-   * The curves that an edit makes of the figure's curve, and the index of a point that it inserted;
-   * null if the edit is impossible, or the figure has changed meanwhile.
+   * The curves after an edit of the figure's curve, and the index of an inserted point; null if the
+   * edit is impossible, or the figure has changed meanwhile.
    */
   async reshaped(
     edit: Exclude<Edit, { type: 'join' }> | { type: 'join'; other: Spline },
@@ -224,8 +224,8 @@ export class Session {
   }
 
   /**
-   * The knots of a B-spline after an edit, if it has knots of its own; null if the engine cannot
-   * find them, for example because the points make no curve.
+   * The knots of a B-spline after an edit, if it has its own; null if the engine cannot find them,
+   * for example because the points define no curve.
    */
   async knotsAfter(spline: Spline, edit: Edit): Promise<number[] | null> {
     const [client, state] = [this.#client, this.#state];
@@ -241,7 +241,7 @@ export class Session {
     this.onView(this.#view);
   }
 
-  /** Whether an answer to a state may still be shown. */
+  /** Whether the view may still show an answer to a state. */
   #current(client: EngineClient, state: State): boolean {
     return client === this.#client && state.epoch === this.#state?.epoch;
   }
@@ -277,7 +277,7 @@ export class Session {
           outlinesOf: this.#others.outlinesOf(client, method),
         });
         this.#others.tell(state.figure, method, answer);
-        // After a problem the legs drawn last are kept, so that a drag continues them.
+        // After a problem the drawn legs stay, so that a drag continues them.
         const legs = answer.problem ? null : (answer.curve?.drawnLegs ?? []);
         if (legs) this.#drawn.set(state.figure, legs);
         if (legs && drag) drag.legs = legs;
@@ -302,17 +302,17 @@ export class Session {
         drag.told = figure.kind === 'pen' ? legsOfAnchors(told) : told;
       }
     } catch {
-      // The engine has stopped; a new one gets its open requests.
+      // The engine has stopped; a new one receives its open requests.
     }
   }
 
   #showTraced(state: State, traced: Shown, quality: Quality | null): void {
     const { visible, fill } = activeObject(state.drawing);
-    // The enclosed region may be known although it has no fill.
+    // The enclosed region may be known without a fill.
     const shown = visible ? { ...traced, fill: fill > 0 ? traced.fill : null } : nothing;
     // Shorter paths of another figure may be longer than the legs of this one.
     const shorter = this.#compared === state.figure ? this.#view.shorter : [];
-    // Hidden objects have no quality; otherwise a better form would be computed and shown.
+    // Hidden objects have no quality; otherwise the engine would compute a better form.
     const fresh = {
       ...{ quality: visible ? quality : null, refining: false },
       ...{ shift: null, notRefined: null, shorter },
@@ -343,7 +343,7 @@ export class Session {
     const [client, state] = [this.#client, this.#state];
     if (!client || !state || state.dragging || this.#compared === state.figure) return false;
     if (!isCurve(state.figure.kind)) return false;
-    // Without a curve there are no legs.
+    // Without a curve no legs exist.
     if (this.#view.problem) return false;
     const { figure, method, drawing } = state;
     this.#compared = figure;
@@ -396,7 +396,7 @@ export class Session {
     return this.#state ? endsOf(this.#state.figure, this.#view.center?.point ?? null) : [];
   }
 
-  /** The geodesics that are shown beside the newest figure. */
+  /** The visible geodesics beside the newest figure. */
   #beside(shown: Shown): Partial<View> {
     const state = this.#state;
     if (!state) return {};
@@ -440,7 +440,7 @@ export class Session {
     });
   }
 
-  /** Fills are solid during a drag. */
+  /** Computes a pattern. Fills are solid during a drag. */
   async #makePattern(): Promise<boolean> {
     const [client, state] = [this.#client, this.#state];
     if (!client || client.closed || !state || state.dragging) return false;
@@ -455,8 +455,7 @@ export class Session {
     if (!client || client.closed) return false;
     const traced = await this.#legs.trace(client, this.#ends());
     if (client !== this.#client) return false;
-    // Showing takes longer than tracing: if there are many paths, some are shown together with the
-    // next.
+    // A display takes longer than a trace: of many paths, some appear together with the next.
     const started = performance.now();
     if (traced && started < this.#legsRest) this.#legsUnseen = true;
     else if (traced || this.#legsUnseen) {

@@ -1,10 +1,10 @@
-/** How far a curve's samples moved, in a unit of length. */
+/** The moves of a curve's samples, in a unit of length. */
 export interface Shift {
   median: number;
   largest: number;
 }
 
-/** A median shift of more mean edges than this is seen as a jump. */
+/** The median shift, in mean edges, above which users see a jump. */
 export const unseenShift = 0.2;
 
 /**

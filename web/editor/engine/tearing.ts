@@ -1,6 +1,4 @@
-/**
- * Recognizes figures that a move or a mirror would tear: neighbouring points would lie far apart.
- */
+/** Recognizes tears of figures by a move or a mirror: neighbouring points would lie far apart. */
 import { Vector3 } from 'three';
 import type { DrawnObject } from '../../model/drawing';
 import { type ControlPoint, type Figure, isCurve } from '../../model/figure';
@@ -8,12 +6,12 @@ import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
 
 /**
- * A leg counts as torn if it becomes this many times as long. A differently curved surface also
- * stretches figures, but less; points on both sides of a cut locus separate at once.
+ * The ratio of a leg's new length to the old above which it counts as torn. A differently curved
+ * surface also stretches figures, but less; points on both sides of a cut locus separate at once.
  */
 const mostStretch = 4;
 
-/** Whether objects would be torn if they had these figures, `scale` times as large. */
+/** Whether objects with these figures, `scale` times as large, would be torn. */
 export async function isTorn(
   client: EngineClient,
   surface: Surface,

@@ -8,9 +8,9 @@ import type { Shift } from './shift';
 export interface View extends Shown {
   /** The revision of the state. */
   revision: number;
-  /** The quality of what is shown; null if the method has only one, or if nothing is shown. */
+  /** The quality of the view; null if the method has only one, or without a curve. */
   quality: Quality | null;
-  /** Whether a better answer is awaited. */
+  /** Whether a better answer is to come. */
   refining: boolean;
   /** The distance of the exact answer from the draft that it replaced, in mean edges. */
   shift: Shift | null;

@@ -7,7 +7,7 @@ import type { Hold, Place } from './stage_pointer';
 const reach = 7;
 
 /**
- * Selects objects with Shift held: a click adds one to the selection or removes it, and a drag
+ * Selects objects while Shift is down: a click adds one to the selection or removes it, and a drag
  * selects all objects in a box.
  */
 export class BoxSelection {

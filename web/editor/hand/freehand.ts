@@ -16,12 +16,12 @@ import type { Hold, Place } from './stage_pointer';
 /** The least distance of consecutive samples of a stroke, in CSS pixels. */
 const leastStep = 1.5;
 /**
- * The largest distance in CSS pixels between the ends of a stroke that closes, and the factor by
- * which it must be longer.
+ * The largest distance in CSS pixels between the ends of a closed stroke, and the least ratio of
+ * its length to that distance.
  */
 const closesWithin = { mouse: 10, touch: 18 };
 const leastLoop = 6;
-/** The number of times that a fit becomes stricter if its curve is too far off on the surface. */
+/** The number of stricter fits of a curve that is too far off on the surface. */
 const mostRounds = 4;
 const stricter = 0.5;
 
@@ -43,7 +43,7 @@ export class FreehandGestures {
     private readonly session: Session,
     private readonly viewer: Viewer,
     private readonly snapping: Snapping,
-    /** Called with a sentence if a stroke ends before the hand does. */
+    /** A listener for a sentence, if a stroke ends before the hand does. */
     private readonly stopped: (why: string) => void,
   ) {}
 
@@ -164,7 +164,7 @@ export class FreehandGestures {
     return points;
   }
 
-  /** The drawn form of the curve of anchors; null if there is none. */
+  /** The drawn form of the curve of anchors; null if it has none. */
   async #seen(points: readonly ControlPoint[], closed: boolean): Promise<SeenLine | null> {
     const { editor, session, viewer } = this;
     const { client } = session;

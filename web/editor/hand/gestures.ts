@@ -32,18 +32,18 @@ const nearKnot = { mouse: 6, touch: 12 };
 export interface CurveClicks {
   surfaceClicked(point: SurfacePoint): void;
   /**
-   * `within` is the distance, in the surface's unit, within which a click means a knot or an anchor
-   * near the curve.
+   * A click on the curve. `within` is the distance, in the surface's unit, within which it means a
+   * knot or an anchor.
    */
   curveClicked(tool: CurveTool, position: Vector3, within: number): void;
-  /** The pointer is over the curve that is measured, or clicked there. */
+  /** The pointer is over the measured curve, or clicked there. */
   curveMeasured(position: Vector3): void;
   /** The pointer is over the surface while the tool measures, or clicked there. */
   rulerAimed(point: SurfacePoint): void;
   rulerClicked(point: SurfacePoint): void;
   /** An anchor of the pen, by its index. */
   anchorRemoved(index: number): void;
-  /** Words for what a click at the pointer would do; empty if there are none. */
+  /** Words for the effect of a click at the pointer; empty without an effect. */
   aimed(words: string): void;
   /** Another object, by its id. */
   otherClicked(tool: CurveTool, id: number): void;
@@ -52,9 +52,9 @@ export interface CurveClicks {
   /** The pointer is over the surface while the tool mirrors, or clicked there. */
   mirrorAimed(point: SurfacePoint): void;
   mirrorClicked(point: SurfacePoint): void;
-  /** Called with a sentence that says why a gesture stops. */
+  /** A sentence that says why a gesture stops. */
   stopped(why: string): void;
-  /** The size of what the frame encloses; null without a frame. */
+  /** The size of the frame's contents; null without a frame. */
   sized(size: Size | null): void;
 }
 
@@ -160,7 +160,7 @@ export class Gestures {
     });
   }
 
-  /** Undoes the pointer's gesture; the events until its release do not make a click. */
+  /** Undoes the pointer's gesture; the events until its release are no click. */
   letGo(): void {
     this.#press = null;
     this.#drags.letGo();
@@ -173,7 +173,7 @@ export class Gestures {
   show(): void {
     const { surface } = this.viewer;
     const { view } = this.session;
-    // A mirror's line may start at an anchor, so that its handle must not take the click.
+    // A mirror's line may start at an anchor, so its handle must not take the click.
     const isEdited = !['transform', 'mirror'].includes(this.editor.state.tool);
     this.#handles.show(surface && isEdited ? handlesOf(this.editor.state, view, surface) : []);
     this.#transforms.show();
@@ -231,7 +231,7 @@ export class Gestures {
     this.#handles.showBeacon(place);
   }
 
-  /** Whether the keys go to a handle; after a removal they go to the next one. */
+  /** Whether a handle has the keys. After a removal the next one has them. */
   async keepFocus(change: () => Promise<void>): Promise<void> {
     const hadFocus = this.#handles.hasFocus;
     await change();
@@ -281,7 +281,7 @@ export class Gestures {
     this.#schedule();
   }
 
-  /** Rays are cast once a frame, for the pointer's newest place. */
+  /** Requests a ray for the pointer's newest place, at most once a frame. */
   #schedule(): void {
     this.#frame ||= requestAnimationFrame(() => {
       this.#frame = 0;
@@ -329,7 +329,7 @@ export class Gestures {
     }
   }
 
-  /** Shows what the pen would do at the pointer. */
+  /** Shows the effect of the pen at the pointer. */
   #showAction(target: Target | null): void {
     const { figure, tool } = this.editor.state;
     const isPen = figure.kind === 'pen' && this.#isOver;
@@ -360,7 +360,7 @@ export class Gestures {
     const { tool, figure } = this.editor.state;
     const snapped = target?.type === 'curve' ? null : this.#snapAt(place, target);
     if (!target) {
-      // A click that misses the surface does not end the curve that is being drawn.
+      // A click beside the surface does not end the curve under construction.
       if (tool === 'select' || tool === 'transform') this.editor.letGo();
       else {
         this.editor.select(null);
@@ -381,8 +381,8 @@ export class Gestures {
   }
 
   /**
-   * A double click adds an anchor to the pen's curve, or removes the anchor that it hits. With the
-   * tool that only selects, it continues the drawing of the object that it hits.
+   * A double click adds an anchor to the pen's curve, or removes the anchor under it. With the tool
+   * that only selects, it continues the drawing of the object under it.
    */
   #doubleClick({ clientX: x, clientY: y, target: element }: MouseEvent): void {
     const { tool, figure } = this.editor.state;

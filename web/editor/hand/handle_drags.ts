@@ -22,7 +22,7 @@ interface Grabbed {
   /** The pen's handles at the anchor, and at all anchors. */
   tangents: DrawnTangents;
   all: readonly DrawnTangents[];
-  /** The points that a click leaves selected. */
+  /** The selected points after a click. */
   clicked: readonly number[] | null;
   /** The effect of a click on an anchor of the pen. */
   action: PenAction | null;
@@ -32,7 +32,7 @@ interface Grabbed {
 interface Hand {
   readonly pen: PenGestures;
   readonly snapping: Snapping;
-  /** The keys that are held while the pointer moves. */
+  /** The pressed keys while the pointer moves. */
   keys(): HeldKeys;
   /** Requests a call of `dragNow` before the next frame. */
   schedule(): void;
@@ -44,7 +44,7 @@ const noKeys: HeldKeys = { alt: false, shift: false, control: false };
 export class HandleDrags {
   readonly handles: Handles;
   #grabbed: Grabbed | null = null;
-  /** Whether a handle is moved by keys. */
+  /** Whether keys move a handle. */
   #nudges = false;
   /** The pointer's newest place, which the handle has not reached yet. */
   #drag: { id: string; x: number; y: number } | null = null;
@@ -130,7 +130,7 @@ export class HandleDrags {
   /** Moves a handle to the surface's point there; outside the silhouette it stays where it was. */
   #moveTo(id: string, x: number, y: number, grabbed: Grabbed, keys: HeldKeys): void {
     const selection = selectionOf(id);
-    // A handle of the pen gives a direction, and does not snap.
+    // A handle of the pen is a direction, and does not snap.
     const control = keys.control || tangentOf(id) !== null;
     const picked = this.hand.snapping.pick({ x, y, control }, selection);
     if (!picked) return;
@@ -150,7 +150,7 @@ export class HandleDrags {
     }
   }
 
-  /** Moves a point, together with those that are selected with it. */
+  /** Moves a point, together with the other selected ones. */
   #movePoint(
     base: Figure,
     index: number,

@@ -10,8 +10,8 @@ import type { View } from '../engine/view';
 import type { Selection, State } from '../state/state';
 
 /**
- * The handles of the edited object: one for each control point, or those of a circle or an ellipse. Objects
- * that are locked, hidden or not selected have none.
+ * The handles of the edited object: one for each control point, or those of a circle or an ellipse.
+ * Locked, hidden and unselected objects have none.
  */
 export function handlesOf(
   { drawing, figure, selection, more, none }: State,
@@ -83,7 +83,7 @@ function penHandles(
   const sides: Side[] = ['before', 'after'];
   const tangents = sides.flatMap((side): Handle[] => {
     const told = anchor.tangents?.[side];
-    // A dragged handle is shown where the drag puts it, before the engine has answered.
+    // A dragged handle appears at its place in the drag, before the engine has answered.
     const point = told && ('face' in told ? told : drawn[side]?.point);
     if (!point) return [];
     return [

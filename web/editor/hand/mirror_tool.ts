@@ -49,19 +49,19 @@ const torn =
 
 /** Mirrors the selection by clicks on the surface, in the geodesic or the plane through them. */
 export class MirrorTool {
-  /** Whether copies are mirrored while the originals stay. */
+  /** Whether the originals stay, and the mirror images are copies. */
   copies = false;
-  /** Called when the hint changes. */
+  /** A listener for changes of the hint. */
   onChange: () => void = () => {};
   #in: MirrorIn = 'line';
   #clicked: SurfacePoint[] = [];
   /** The surface's plane of symmetry; null if it has none, undefined while the search goes on. */
   #symmetry: Symmetry | null | undefined;
-  /** The surface that this symmetry belongs to. */
+  /** The surface of this symmetry. */
   #of: Surface | null = null;
   readonly #aimed = new Newest<SurfacePoint>((point) => this.#showLine(point));
 
-  /** `problem` is called with a sentence if no mirror image exists. */
+  /** `problem` receives a sentence if no mirror image exists. */
   constructor(
     private readonly editor: Editor,
     private readonly session: Session,

@@ -21,7 +21,7 @@ interface HeldLine {
   copies: boolean;
 }
 
-/** A move by keys: its sum so far, and the revision of the drawing that it made. */
+/** A move by keys: its sum so far, and the revision of the drawing after it. */
 interface KeyedMove {
   move: Move;
   x: number;
@@ -37,7 +37,7 @@ export class MoveGestures {
   #keyed: KeyedMove | null = null;
   #nudges: Promise<void> = Promise.resolve();
 
-  /** `clicked` is called if the press was not a drag, `stopped` with a sentence if a move stops. */
+  /** `clicked` receives a press that was no drag, `stopped` a sentence if a move stops. */
   constructor(
     private readonly editor: Editor,
     private readonly session: Session,
@@ -103,7 +103,7 @@ export class MoveGestures {
 
   /** Moves the selection by a number of CSS pixels; nudges are one step until `endNudge`. */
   nudge(dx: number, dy: number): void {
-    // A nudge that fails is dropped; the next one starts afresh.
+    // A nudge that fails has no effect; the next one starts afresh.
     this.#nudges = this.#nudges
       .then(() => this.#nudge(dx, dy))
       .catch(() => {
@@ -111,7 +111,7 @@ export class MoveGestures {
       });
   }
 
-  /** Ends a move by keys: the key was released, or its release would be missed. */
+  /** Ends a move by keys, after the release of the key or before the page would miss it. */
   endNudge(): void {
     this.#nudges = this.#nudges.then(() => {
       if (this.#keyed?.revision === this.editor.state.revision) this.editor.commitDrag();
@@ -181,7 +181,7 @@ export class MoveGestures {
     const { drawing, chosen } = this.editor.state;
     const ids = chosen.length > 0 ? chosen : [drawing.active];
     const moved = new Set(movableObjects(drawing, ids).map(({ id }) => id));
-    // Objects that are made of others are copied with them; unmoved objects need no copy.
+    // Copies of derived objects need copies of their sources; unmoved objects need no copy.
     const copied = withSources(drawing, ids).filter((id) => {
       const { figure, locked } = objectOf(drawing, id)!;
       return moved.has(id) || (isDerived(figure.kind) && !locked);

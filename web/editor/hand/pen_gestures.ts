@@ -18,14 +18,14 @@ import { targetAt } from './targets';
 /** The number of corrections of a bend at each step of a drag, and at its end. */
 const whileDragged = 1;
 const atLast = 8;
-/** With Shift held handles keep to multiples of this angle. */
+/** The angle of whose multiples handles keep to while Shift is down. */
 const angleStep = Math.PI / 4;
 
-/** Keys held during a drag. */
+/** The pressed keys during a drag. */
 export interface HeldKeys {
   alt: boolean;
   shift: boolean;
-  /** Ctrl or Cmd. */
+  /** Whether Ctrl or Cmd is down. */
   control: boolean;
 }
 
@@ -41,7 +41,7 @@ export class PenGestures {
     private readonly snapping: Snapping,
   ) {}
 
-  /** Places an anchor where the surface is pressed, or bends the curve. */
+  /** Places an anchor under a press on the surface, or bends the curve. */
   take(press: Place): Hold | null {
     const { editor, viewer } = this;
     const { figure, tool } = editor.state;
@@ -109,7 +109,7 @@ export class PenGestures {
       const point = this.viewer.pick(x, y)?.point;
       const segment = await bend;
       const command = point && (await segment?.through(point, corrections).catch(() => null));
-      // The curve may have been removed after the release.
+      // The curve may have disappeared after the release.
       if (held && segment && command && editor.state.base === figure) {
         editor.preview(command, segment.anchors);
       }
@@ -159,7 +159,7 @@ export class PenGestures {
     this.editor.select(t < 0.5 ? from : to);
   }
 
-  /** Makes an anchor with handles a corner, and one without handles smooth. */
+  /** Turns an anchor with handles into a corner, and one without handles into a smooth one. */
   convert(index: number): void {
     const { figure } = this.editor.state;
     const from = figure.points[index];
@@ -184,7 +184,7 @@ export class PenGestures {
     return { direction: surface.directionFromScene(direction), length };
   }
 
-  /** An anchor with one of its handles dragged to a place of the window. */
+  /** An anchor after the drag of one of its handles to a place of the window. */
   withHandle(
     anchor: ControlPoint,
     drawn: DrawnTangents,
@@ -198,8 +198,7 @@ export class PenGestures {
   }
 
   /**
-   * An anchor at another point, with its handles moved along; with Alt, new handles are drawn out
-   * instead.
+   * An anchor at another point, with its handles; with Alt, the drag draws out new handles instead.
    */
   moved(
     anchor: ControlPoint,

@@ -1,14 +1,12 @@
-/**
- * Selections of several points of a curve, made with Shift; they move along with the dragged one.
- */
+/** Selections of several points of a curve by Shift. The points move along with the dragged one. */
 import type { ControlPoint } from '../../model/figure';
 import type { Editor } from '../state/editor';
 import { selectionOf, tangentOf } from './handle_list';
 
 /**
- * Selects the point whose handle is pressed. With Shift it is added to the selection; a point that is already
- * selected keeps the others selected, which a drag moves as well. Returns the points that a mere click should
- * leave selected, where these differ.
+ * Selects the point whose handle is under a press. With Shift the point joins the selection; a
+ * point that is already selected keeps the others selected, which a drag moves as well. Returns the
+ * points for the selection after a mere click, if these differ.
  */
 export function selectPressed(editor: Editor, id: string, shift: boolean): number[] | null {
   const selection = selectionOf(id);
@@ -26,7 +24,7 @@ export function selectPressed(editor: Editor, id: string, shift: boolean): numbe
   return isIn ? others : [...others, selection];
 }
 
-/** Selects the point whose handle gets the focus; other points selected with it stay selected. */
+/** Selects the point whose handle has the focus; other points selected with it stay selected. */
 export function selectFocused(editor: Editor, id: string): void {
   const { selection, more } = editor.state;
   const focused = selectionOf(id);
@@ -36,8 +34,8 @@ export function selectFocused(editor: Editor, id: string): void {
 }
 
 /**
- * The new places of points when one of them moved others along; `moved` returns the place of each,
- * or null if it stays.
+ * The new places of points after a move of one of them; `moved` returns the place of each, or null
+ * if it stays.
  */
 export function takenAlong(
   points: readonly ControlPoint[],

@@ -15,14 +15,14 @@ export interface Snapped extends Pick {
 
 /** The distance in CSS pixels within which places snap. */
 const within = { mouse: 9, touch: 18 };
-/** Triangles whose sides appear shorter, in CSS pixels, are too small to aim at. */
+/** The least visible length of sides, in CSS pixels, of a triangle that can be a target. */
 const leastSide = 30;
 
 interface Where {
   x: number;
   y: number;
   touch?: boolean;
-  /** With Ctrl or Cmd held nothing snaps. */
+  /** Whether Ctrl or Cmd is down; nothing snaps then. */
   control: boolean;
 }
 

@@ -24,7 +24,7 @@ interface Place {
 
 /** The keys of the stage: they turn and zoom the view, move the selection and place points. */
 export class StageKeys {
-  /** `clicked` is called when a key clicks, and `aimed` with the place of the next such click. */
+  /** `clicked` receives the clicks of a key, `aimed` the place of the next one. */
   constructor(
     private readonly editor: Editor,
     private readonly viewer: Viewer,
@@ -47,7 +47,7 @@ export class StageKeys {
   }
 
   /**
-   * While the space bar is held the pointer moves the view; on a button the space bar presses it.
+   * While the space bar is down the pointer moves the view; on a button the space bar presses it.
    */
   #space(event: KeyboardEvent): void {
     if (event.key !== ' ' || event.defaultPrevented) return;

@@ -1,29 +1,29 @@
 import type { Held } from './two_fingers';
 
-/** A press that moves less, in CSS pixels, is a click. */
+/** The move of a press, in CSS pixels, below which it is a click. */
 export const clickSlop = { mouse: 4, touch: 10 };
 
-/** A place of the pointer in the window, in CSS pixels, and the keys that are held. */
+/** A place of the pointer in the window, in CSS pixels, and the pressed keys. */
 export interface Place {
   x: number;
   y: number;
   touch: boolean;
   alt: boolean;
   shift: boolean;
-  /** Ctrl or Cmd. */
+  /** Whether Ctrl or Cmd is down. */
   control: boolean;
 }
 
 /** The handlers of a pointer after its press. */
 export interface Hold {
   /**
-   * Called during a drag at most once a frame: with the newest place of the pointer, and all places
-   * since the last call. A press that hardly moves is not a drag.
+   * Receives a drag at most once a frame: the newest place of the pointer, and all places since the
+   * last call. A press that hardly moves is not a drag.
    */
   drag(place: Place, way: readonly Place[]): void;
-  /** The pointer was released; `dragged` says whether `drag` was called. */
+  /** Receives the release; `dragged` is true after a call of `drag`. */
   release(place: Place, dragged: boolean): void;
-  /** The gesture is undone. */
+  /** Undoes the gesture. */
   cancel(): void;
 }
 
@@ -73,7 +73,7 @@ export class StagePointer implements Held {
   }
 
   /**
-   * Adds a taker; presses are offered in the order of these calls, and those with Alt only with
+   * Adds a taker. Takers receive presses in the order of these calls, and those with Alt only with
    * `withAlt`.
    */
   offer(taker: Taker, { withAlt = false } = {}): void {
@@ -94,7 +94,7 @@ export class StagePointer implements Held {
     const { stage } = this;
     const free = event.target === stage || event.target instanceof HTMLCanvasElement;
     if (!free || event.button !== 0 || this.#pressed || this.severalFingers()) return;
-    // The view takes presses with the space bar held, and those with Alt that no tool takes.
+    // The view takes presses while the space bar is down, and those with Alt that no tool takes.
     if (stage.classList.contains('moving')) return;
     const from = placeOf(event);
     for (const taker of this.#takers) {

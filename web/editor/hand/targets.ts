@@ -18,7 +18,7 @@ export type Target =
 /** The distance in CSS pixels within which a click means a curve. */
 export const reach = { mouse: 7, touch: 16 };
 
-/** The distance in CSS pixels within which a click measures the curve, which need not be hit. */
+/** The distance in CSS pixels within which a click measures the curve. */
 const measuredWithin = { mouse: 16, touch: 28 };
 
 export function targetAt(

@@ -1,6 +1,6 @@
 /**
- * The frame round selected objects: a rectangle in the tangent plane of the pivot, laid on the surface
- * by the exp map.
+ * The frame round selected objects: a rectangle in the tangent plane of the pivot, which the exp
+ * map lays on the surface.
  */
 import type { SurfacePoint } from 'karcher';
 import { Vector3 } from 'three';
@@ -51,7 +51,7 @@ export interface ShownFrame {
  */
 const margin = 0.02;
 const stalk = 0.05;
-/** A frame is measured at this many points of all its lines, but at the fewest of each line. */
+/** The number of points of all lines that determine a frame, and the fewest of each line. */
 const measured = 512;
 const fewestMeasured = 16;
 /** The number of pieces of each side. */
@@ -135,7 +135,7 @@ export async function frameOf(
   };
 }
 
-/** What a frame encloses of objects with their lines; of an object without a line its places. */
+/** The extents of objects with their lines; for an object without a line, of its places. */
 export function extentsOf(
   objects: readonly DrawnObject[],
   lines: readonly ObjectLines[],
@@ -158,7 +158,7 @@ export function extentsOf(
   });
 }
 
-/** The points that a move carries along to carry the frame. */
+/** The points of a frame that a move carries along. */
 export const carriedFrame = ({ pivot, right }: TransformFrame): Carried[] => [
   { place: pivot, direction: null },
   { place: pivot, direction: right },
@@ -184,7 +184,7 @@ export function frameAt(
   };
 }
 
-/** The frame in the form in which it lies on the surface. */
+/** The frame as it lies on the surface. */
 export async function shownFrame(
   client: EngineClient,
   surface: Surface,

@@ -23,10 +23,10 @@ import {
   type TransformFrame,
 } from './transform_frame';
 
-/** With Shift held, angles and scales are multiples of these. */
+/** The angle and the factor of whose multiples turns and scales are while Shift is down. */
 const angleStep = Math.PI / 12;
 const scaleStep = 0.1;
-/** A key turns and scales by these; with Shift by the steps above. */
+/** The angle and the factor of a key's turn and scale; with Shift they are the steps above. */
 const keyedAngle = Math.PI / 180;
 const keyedScale = 0.01;
 const nudgePixels = 4;
@@ -57,7 +57,7 @@ export interface Numbers extends Omit<Placement, 'point'>, Partial<Size> {
 
 type Steps = Required<Omit<Numbers, keyof Size>>;
 
-/** The scale that gives a side this length; null for a side without extent, which no scale gives one. */
+/** The scale for which a side has this length; null for a side without extent. */
 const scaleTo = (length: number, of: number) => (of > 0 ? length / of : null);
 
 interface Place {
@@ -82,12 +82,12 @@ export class TransformGestures {
   readonly #newest = new Newest<Place>((place) => this.#dragTo(place));
   #frame: TransformFrame | null = null;
   #shown: ShownFrame | null = null;
-  /** The state for which the frame was computed. */
+  /** The state of the computed frame. */
   #made: { drawing: Drawing; chosen: string; client: EngineClient } | null = null;
-  /** The pivot that the user chose. */
+  /** The user's own pivot. */
   #pivot: { point: SurfacePoint; chosen: string } | null = null;
   #held: Hold | null = null;
-  /** The sum of the arrow keys' moves, until they are released. */
+  /** The sum of the arrow keys' moves, until their release. */
   #keyed: {
     id: FrameHandle;
     frame: TransformFrame;
@@ -97,12 +97,12 @@ export class TransformGestures {
   #keys: Promise<void> = Promise.resolve();
   #shift = false;
 
-  /** What the frame encloses, for the drawing in which it was found. */
+  /** The extents inside the frame, and their drawing. */
   #around: { of: string; drawing: Drawing; extents: Promise<Extent[]> } | null = null;
 
   /**
-   * `stopped` is called with a sentence if a drag stops, `sized` with the size of the frame's contents,
-   * and null without a frame.
+   * `stopped` receives a sentence if a drag stops, `sized` the size of the frame's contents, or
+   * null without a frame.
    */
   constructor(
     private readonly editor: Editor,
@@ -212,7 +212,7 @@ export class TransformGestures {
     if (frame && this.#made === made) await this.#showFrame(frame);
   }
 
-  /** What the frame encloses. */
+  /** The extents inside the frame. */
   #extents(): Promise<Extent[]> {
     const { drawing, chosen } = this.editor.state;
     const known = this.#around;
@@ -302,7 +302,7 @@ export class TransformGestures {
     return { scale: Math.max(leastScale, kept) };
   }
 
-  /** Makes this point the pivot of turns and scalings. */
+  /** Turns this point into the pivot of turns and scalings. */
   async #putPivot(point: SurfacePoint): Promise<void> {
     const { client } = this.session;
     const { surface } = this.viewer;
@@ -334,7 +334,7 @@ export class TransformGestures {
     this.#commit();
   }
 
-  /** Ends the drag as one step; the frame stays where it was carried. */
+  /** Ends the drag as one step; the frame stays at its new place. */
   #commit(): void {
     const { editor } = this;
     const { client } = this.session;

@@ -3,10 +3,7 @@ import { type Drawing, objectOf } from '../../model/drawing';
 import { isEmpty, isUnfinished } from '../../model/figure';
 import type { State } from './state';
 
-/**
- * Remembers the object that was begun and has only a few points: it is removed once it is
- * deselected.
- */
+/** Remembers a new object with only a few points. If it loses the selection, it is removed. */
 export class Begun {
   #id: number | null;
 
@@ -18,17 +15,13 @@ export class Begun {
     return this.#id === id;
   }
 
-  /**
-   * Keeps the object even with few points: another object was made of it, or it belongs to another
-   * drawing.
-   */
+  /** Keeps the object even with few points: it is a source now, or belongs to another drawing. */
   keep(): void {
     this.#id = null;
   }
 
   /**
-   * Follows each lasting state; `isBack` says that a step was undone, possibly back to the begun
-   * object.
+   * Follows each lasting state. After an undo, `isBack`, the state may have the begun object again.
    */
   follow({ figure, drawing }: State, isBack = false): void {
     const { active } = drawing;
@@ -36,7 +29,7 @@ export class Begun {
     this.#id = isEmpty(figure) || goesOn ? active : null;
   }
 
-  /** The command, extended by the removal of the object if another one is edited afterwards. */
+  /** The command, with the removal of the object if another one is edited afterwards. */
   gone(command: Command, base: Drawing): Command {
     const begun = this.#id === null ? undefined : objectOf(base, this.#id);
     if (!begun || begun.locked || !isUnfinished(begun.figure)) return command;

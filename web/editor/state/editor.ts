@@ -58,12 +58,12 @@ export class Editor {
   #resting: RestingTool = 'insert';
   readonly #begun = new Begun(firstState.drawing);
 
-  /** Called with a sentence when an edit is refused. */
+  /** A listener for the sentence of a refused edit. */
   onRefusal: (sentence: string) => void = () => {};
 
-  /** Called when another action interrupts the drag: its gesture then ends. */
+  /** A listener for another action that interrupts the drag: its gesture then ends. */
   onInterrupt: () => void = () => {};
-  /** Returns the edited figure at the end of a drag of its points. */
+  /** The function that returns the edited figure at the end of a drag of its points. */
   onEnded: (figure: Figure) => Figure = (figure) => figure;
   /** The side that a figure encloses in the view: a drag keeps it. */
   insideOf: (figure: Figure) => Inside | null = () => null;
@@ -77,8 +77,8 @@ export class Editor {
   }
 
   /**
-   * Shows another surface, with the drawing it had when last shown, or else with this drawing and
-   * history. Earlier steps on it can still be undone.
+   * Shows another surface, with its last drawing, or else with this drawing and history. Undo still
+   * has the earlier steps on it.
    */
   open(
     mesh: string,
@@ -105,8 +105,8 @@ export class Editor {
   }
 
   /**
-   * Changes the edited object. Its own knots are removed if they no longer fit: `CurveEdits` knows
-   * how to keep them.
+   * Changes the edited object. Own knots that no longer fit disappear: `CurveEdits` knows how to
+   * keep them.
    */
   run(edit: FigureCommand, selection: Selection = this.#state.selection): void {
     this.cancelDrag();
@@ -148,7 +148,7 @@ export class Editor {
     this.previewCommand({ type: 'steps', steps: [begin, { type: 'figure', id, edit }] });
   }
 
-  /** Makes the drag one step of the history. */
+  /** Turns the drag into one step of the history. */
   commitDrag(): void {
     if (!this.#drag) return;
     const { base } = this.#drag;
@@ -162,8 +162,8 @@ export class Editor {
   }
 
   /**
-   * The edit that stores the side that the edited figure encloses; null if a side is stored
-   * already, or the figure encloses none.
+   * The edit that stores the side that the edited figure encloses; null if it has a side already,
+   * or encloses none.
    */
   #insideKept(): Command | null {
     const { id, figure } = this.active;
@@ -249,7 +249,7 @@ export class Editor {
     if (tool !== this.#state.tool) this.#change({ tool }, false);
   }
 
-  /** A tool that was only tried leaves no object and no selection. */
+  /** Leaves no object and no selection after a mere trial of a tool. */
   #dropBegun(): void {
     this.cancelDrag();
     const { drawing } = this.#state;
@@ -265,8 +265,8 @@ export class Editor {
   }
 
   /**
-   * Edits another object. If that removes points, it is a step that can be undone alone. After
-   * undone steps it is no step, so that they can still be redone.
+   * Edits another object. If that removes points, it is a step with an undo of its own. After
+   * undone steps it is no step, so that redo still has them.
    */
   #leave(command: Command, drops: boolean): void {
     const isStep = drops && this.#history.undone.length === 0;
@@ -330,7 +330,7 @@ export class Editor {
     else this.letGo();
   }
 
-  /** Clears the selection; an object that was only begun is removed. */
+  /** Clears the selection, and removes an object that was only begun. */
   letGo(): void {
     const { none, selection, chosen, figure } = this.#state;
     if (isUnfinished(figure) && !this.active.locked) this.#dropBegun();
@@ -356,7 +356,7 @@ export class Editor {
     if (last !== undefined) this.choose([...chosen.filter((id) => id !== last), last]);
   }
 
-  /** Makes the next drawing another object. */
+  /** Begins another object for the next drawing. */
   begin(kind?: Kind): void {
     this.interrupt();
     this.setTool('insert');
@@ -475,7 +475,7 @@ export class Editor {
     return history;
   }
 
-  /** Undoes or redoes a step; the touched objects are selected, so that the change is visible. */
+  /** Undoes or redoes a step, and selects the changed objects, so that the change is visible. */
   #step(command: Command): void {
     const drawing = apply(this.#state.drawing, command);
     const chosen = this.#state.chosen.filter((id) => indexOf(drawing, id) >= 0);
@@ -483,7 +483,7 @@ export class Editor {
     this.#change({ drawing, selection, chosen }, true);
   }
 
-  /** Keeps the edited object when it is deselected: another object was made of it. */
+  /** Keeps the edited object without a selection: it is a source now. */
   keepBegun(): void {
     this.#begun.keep();
   }

@@ -34,8 +34,8 @@ export interface PartOfStep {
 }
 
 /**
- * Edits of whole objects, each one step of the history. They apply to the selection unless objects
- * are named.
+ * Edits of whole objects, each one step of the history. They apply to the selection unless the
+ * caller names objects.
  */
 export class ObjectEdits {
   readonly #editor: Editing;

@@ -16,11 +16,11 @@ export interface State {
   readonly figure: Figure;
   /** The same figure without the drag under way. */
   readonly base: Figure;
-  /** Whether this surface stands in for one that could not be opened, and is still unedited. */
+  /** Whether this surface stands in for one that did not open, and is still unedited. */
   readonly standIn: boolean;
   /** The selected part of the edited object. */
   readonly selection: Selection;
-  /** Indices of points that are selected besides `selection`. */
+  /** The indices of selected points besides `selection`. */
   readonly more: readonly number[];
   /** The ids of the selected objects. */
   readonly chosen: readonly number[];
@@ -32,7 +32,7 @@ export interface State {
   readonly method: MethodId;
   /** Whether the drawing belongs to an unfinished drag. */
   readonly dragging: boolean;
-  /** The indices of the dragged points, or of the anchor whose handles are drawn out. */
+  /** The indices of the dragged points, or of the anchor with new handles. */
   readonly dragged: readonly number[];
   /** The tool, which determines what a click does; `split` and `join` are for one click. */
   readonly tool: CurveTool;
@@ -89,7 +89,7 @@ export function changedState(
   newEpoch: boolean,
 ): State {
   const state = { ...before, ...part };
-  // An empty object is removed when another one is edited, and leaves the selection.
+  // An empty object disappears when another one is edited, and leaves the selection.
   const isThere = (id: number) => indexOf(state.drawing, id) >= 0;
   if (!state.chosen.every(isThere)) state.chosen = state.chosen.filter(isThere);
   // The edited object is always selected.
@@ -117,12 +117,12 @@ export function changedState(
   };
 }
 
-/** The selected part of the edited object after a step was undone or redone. */
+/** The selected part of the edited object after undo or redo of a step. */
 export function selectionAfter(command: Command, drawing: Drawing, before: Selection): Selection {
   const edit = onlyEditOf(command, drawing.active);
   if (edit?.type === 'insert' || edit?.type === 'change') return edit.index;
   if (edit?.type === 'reorder') return edit.to;
-  // The last added point is removed: the curve continues from the one before.
+  // The last added point disappears: the curve continues from the previous one.
   if (edit?.type === 'remove' && edit.index > 0) return edit.index - 1;
   return edit?.type === 'circle' && edit.to ? before : null;
 }
