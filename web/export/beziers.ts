@@ -2,23 +2,24 @@
 import { cornersOf, fittedCubics, type Planar } from '../model/cubic_fit';
 
 /**
- * A path lies within a quarter of a pixel of its line. Vertices within the first distance are
- * merged, the curves keep to the second, and the fitted places lie no farther apart than the third.
+ * Distances of a path, in pixels. Nearer vertices than the first become one, the curves keep to the
+ * second, and the fitted places lie no farther apart than the third. So the path lies within a
+ * quarter of a pixel of its line.
  */
 const [together, tolerance, apart] = [0.1, 0.12, 4];
-/** A corner turns by this angle within this many pixels. */
+/** The least turn of a corner, within this many pixels. */
 const corner = { reach: 2, angle: 0.35 };
 
 const far = (p: Planar, q: Planar) => Math.hypot(p[0] - q[0], p[1] - q[1]);
 const short = (value: number) => `${Number(value.toFixed(2))}`;
 
-/** The places of a line, without repeated ones. */
+/** The places of a line, without repetitions. */
 function merged(line: readonly Planar[]): Planar[] {
   const places = line.slice(0, 1);
   for (const [i, place] of line.entries()) {
     const isLast = i === line.length - 1;
     if (far(places.at(-1)!, place) >= together) places.push(place);
-    // The end stays where it is.
+    // The end stays in place.
     else if (isLast && places.length > 1) places[places.length - 1] = place;
   }
   return places;
@@ -39,11 +40,11 @@ function filled(places: readonly Planar[]): Planar[] {
   return result;
 }
 
-/** The data of a path along a line's places; it ends exactly where the line does. */
+/** The data of a path along a line's places. The path ends exactly at the line's end. */
 export function pathData(line: readonly Planar[]): string {
   const points = filled(merged(line));
   const at = ([x, y]: Planar) => `${short(x)} ${short(y)}`;
-  // A dot, whose round ends make it visible.
+  // The path is a dot, whose round ends make it visible.
   if (points.length < 2) return `M${at(line[0]!)}L${at(line.at(-1)!)}`;
   const { pieces } = fittedCubics(points, {
     tolerances: points.map(() => tolerance),

@@ -52,12 +52,9 @@ export interface FileInside {
   bytes: Blob;
 }
 
-/**
- * The largest file in bytes that is stored within another; encoding a longer one would make the
- * page wait.
- */
+/** The largest size in bytes of a file inside another; a longer one would make the page wait. */
 export const longestInside = 16 * 1024 * 1024;
-/** The number of bytes that are encoded at once: base64 makes four letters of three bytes. */
+/** The number of bytes in one step: base64 turns three bytes into four letters. */
 const encodedAtOnce = 3 * 256 * 1024;
 const decodedAtOnce = 4 * 256 * 1024;
 
@@ -151,7 +148,7 @@ function samplesOf({ samples, lost }: TracedCurve) {
 }
 
 /**
- * The link in a file made by `jsonOf`, and the surface's file if it is inside; throws for any other
+ * The link in a file by `jsonOf`, and the surface's file if it is inside. Throws for any other
  * file.
  */
 export async function readJson(text: string): Promise<{ link: Link; file: File | null }> {

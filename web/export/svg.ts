@@ -32,15 +32,15 @@ export interface Drawing {
   lines: DrawnLine[];
   points: { x: number; y: number; color: string; filled?: boolean; hidden?: boolean }[];
   /**
-   * The surface's outline in the view: x, y of each line's points. Hidden parts of lines are then
-   * left out.
+   * The surface's outline in the view: x, y of each line's points. With it, hidden parts of lines
+   * are missing.
    */
   outline?: { lines: readonly Float32Array[]; color: string };
 }
 
 /**
- * The curve as it appears, as an SVG file. Parts behind the surface are faint; with an outline they
- * are left out.
+ * The curve as it appears, as an SVG file. Parts behind the surface are faint, or missing if the
+ * drawing has an outline.
  */
 export const svgOf = (drawing: Drawing): string => [...partsOfSvg(drawing)].join('');
 

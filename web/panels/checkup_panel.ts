@@ -23,8 +23,8 @@ export class CheckUpPanel {
   #shown: HTMLButtonElement | null = null;
 
   /**
-   * `check` examines a surface; `showPlaces` draws outlines on it, x, y, z each, instead of earlier
-   * ones; `weld` reads its file anew with a tolerance.
+   * `check` examines a surface. `showPlaces` draws outlines on it, x, y, z each, instead of earlier
+   * ones. `weld` reads its file anew with a tolerance.
    */
   constructor(
     private readonly check: (surface: CheckedSurface, work: LongWorkOptions) => Promise<CheckedUp>,
@@ -37,7 +37,7 @@ export class CheckUpPanel {
     });
   }
 
-  /** Discards the findings, because another surface is shown, or the same one in another form. */
+  /** Discards the findings, since another surface is visible, or the same one in another form. */
   show(client: CheckedSurface): void {
     this.#client = client;
     this.#toggle(null, []);
@@ -107,7 +107,7 @@ export class CheckUpPanel {
     return button;
   }
 
-  /** A count of findings, and a button that shows them; null if there are none. */
+  /** A count of findings, and a button that shows them; null without findings. */
   #row(count: number, one: string, lines: () => Float32Array[], many = `${one}s`) {
     if (count === 0) return null;
     const row = make('li');

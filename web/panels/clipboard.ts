@@ -8,7 +8,7 @@ import { sentenceOf, showNote } from './messages';
 /** Fields in which the browser's own copy and paste apply. */
 const typing = 'input[type="text"], textarea';
 
-/** Copies, cuts and pastes objects as text on the system's clipboard, and thus between tabs too. */
+/** Copies, cuts and pastes objects as text on the system's clipboard, thus also between tabs. */
 export class Clipboard {
   constructor(
     private readonly editor: Editor,
@@ -16,7 +16,7 @@ export class Clipboard {
   ) {
     document.addEventListener('copy', (event) => this.#copy(event));
     document.addEventListener('cut', (event) => {
-      // A drag under way is undone first: objects are cut as they were before it.
+      // A drag under way ends without effect: the clipboard receives the objects before it.
       editor.interrupt();
       if (this.#copy(event)) editor.objects.delete(this.#ids);
     });
@@ -54,10 +54,10 @@ export class Clipboard {
     else if (!this.#add(text)) showNote('Nothing of a drawing was copied.');
   }
 
-  /** The selection as text; null if nothing is selected. */
+  /** The selection as text; null without a selection. */
   get #text(): string | null {
     const { mesh, drawing } = this.editor.state;
-    // Objects are copied with their sources, which another drawing does not have.
+    // Objects need copies of their sources, which another drawing does not have.
     const ids = withSources(drawing, this.#ids);
     const objects = drawing.objects.filter(
       ({ id, figure }) => ids.includes(id) && !isEmpty(figure),

@@ -23,7 +23,7 @@ export class ComparisonPanel {
     });
   }
 
-  /** Shows the comparison with the chosen method, which may still be without an answer. */
+  /** Shows the comparison with the chosen method, which may have no answer yet. */
   show({ method: own, drawing }: State, method: MethodId | null, told: Compared | null): void {
     if (own !== this.#offered) {
       this.#offered = own;
@@ -66,7 +66,7 @@ function short(value: number): string {
   return value < 100 ? value.toPrecision(2) : formatInteger(Math.round(value));
 }
 
-/** A gap in a unit; dots while it is measured, empty if it is unknown. */
+/** A gap in a unit; dots during the measurement, empty if unknown. */
 function wordsOf(gap: Gap | null | undefined, which: keyof Gap, scale = 1): string {
   if (gap === undefined) return '…';
   return gap ? short(scale * gap[which]) : '';

@@ -14,7 +14,7 @@ import { hasOtherSide } from './object_panel';
 const restMilliseconds = 500;
 
 /**
- * The menu of actions: a right click or a resting finger opens it for a place of the stage, and the
+ * The menu of actions. A right click or a resting finger opens it for a place of the stage, and the
  * menu key for the selection.
  */
 export class ContextMenu {
@@ -33,12 +33,11 @@ export class ContextMenu {
     /** The actions on the surface, at one of its faces or at none. */
     private readonly ofSurface: (face: number | null) => readonly Action[],
   ) {
-    // The page closes the menu itself: the browser would close it when the finger that opened it is
-    // lifted.
+    // The page closes the menu itself: the browser would close it at the release of the finger that
+    // opened it.
     window.addEventListener('pointerdown', ({ target }) => this.#close(target), { capture: true });
     window.addEventListener('blur', () => this.#close(null));
-    // The listener is on the window, because the menu gets the focus only a moment after it
-    // appears.
+    // The listener is on the window, since the menu has the focus only a moment after it appears.
     const byKey = (event: KeyboardEvent) => {
       if (event.key !== 'Escape' && event.key !== 'Tab') return;
       if (!this.#menu.element.matches(':popover-open')) return;

@@ -76,10 +76,10 @@ export class CurvePanel {
     const takesPoints = !isRound(kind) && !isDerived(kind);
     this.#goOn.hidden = tool !== 'select' || !takesPoints || isEmpty(state.figure);
     byId('actions').hidden = !isCurve(kind) && this.#goOn.hidden;
-    // Curves of the pen are edited by their anchors.
+    // The edits of a curve of the pen are those of its anchors.
     for (const button of [this.#split, this.#reverse]) {
       button.hidden = !isSpline(kind);
-      // The panel keeps its layout, so that no control jumps while the first points are set.
+      // The panel keeps its layout, so that no control jumps during the first points.
       button.disabled = !view.curve;
     }
     this.#split.setAttribute('aria-pressed', `${tool === 'split'}`);

@@ -41,7 +41,7 @@ export class CutPanel {
   #parts: readonly ShownPart[] = [];
   #unit: Unit = '';
 
-  /** `fileOf` makes a part's file; `title` is the surface's name. */
+  /** `fileOf` returns a part's file; `title` is the surface's name. */
   constructor(
     private readonly editor: Editor,
     private readonly fileOf: (part: ShownPart, format: WrittenFormat) => Promise<Uint8Array>,
@@ -156,7 +156,7 @@ export class CutPanel {
     if (!editor.refuses()) editor.perform(remaking(editor.state.drawing, part));
   }
 
-  /** The parts that are not deleted. */
+  /** The parts of saved files: all except deleted ones. */
   get #saved(): { part: ShownPart; name: string }[] {
     return this.#parts.flatMap((part, i) =>
       part.state === 'deleted' ? [] : { part, name: `Part ${i + 1}` },

@@ -53,7 +53,7 @@ const atLeastZero = {
 const isLoop = ({ kind, settings }: Figure) =>
   isRound(kind) || isBoolean(kind) || (isCurve(kind) && settings.closed);
 
-/** Objects that are made of others: the buttons that make them, and their settings. */
+/** The buttons that derive objects from others, and the settings of derived ones. */
 export class DerivedPanel {
   readonly #makers: readonly HTMLButtonElement[];
   readonly #actions: readonly [name: string, act: () => void][];
@@ -97,7 +97,7 @@ export class DerivedPanel {
     byId('expand').addEventListener('click', () => void expansion.expand());
   }
 
-  /** The objects that can be made of the selection, with the commands for them. */
+  /** The names of objects that the selection can become, with the commands for them. */
   get possible(): readonly [name: string, act: () => void][] {
     if (byId('makers-group').hidden) return [];
     return this.#actions.flatMap(([name, act], i) => {
@@ -107,7 +107,7 @@ export class DerivedPanel {
     });
   }
 
-  /** Makes an offset of the selection, and lets the user type its distance. */
+  /** Adds an offset of the selection, and lets the user type its distance. */
   offset(): void {
     const power = 10 ** Math.floor(Math.log10(firstDistance * this.diagonal()));
     const rounded = Math.round((firstDistance * this.diagonal()) / power) * power;
@@ -123,7 +123,7 @@ export class DerivedPanel {
     const { drawing, figure, none, dragging } = state;
     if (dragging) return;
     const count = combinable(drawing, selectedObjects(state)).length;
-    // The panel appears with the first point, so that nothing jumps while others are set.
+    // The panel appears with the first point, so that nothing jumps during the others.
     byId('makers-group').hidden = !willCombine(drawing, selectedObjects(state));
     for (const [i, button] of this.#makers.entries()) {
       button.hidden = count < 2 && i >= 2;

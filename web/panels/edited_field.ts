@@ -5,9 +5,9 @@ export interface FieldFormat<Value> {
 }
 
 /**
- * A field that takes its value on Enter or when it loses the focus; Escape or an invalid value
- * restores the one before. While it holds an unfinished text it has `data-edited`, and the page's
- * shortcuts do not apply. The text is for the object whose value was shown when the typing began.
+ * A field that takes its value on Enter or when it loses the focus. Escape or an invalid value
+ * restores the previous one. While its text is unfinished it has `data-edited`, and the page's
+ * shortcuts do not apply. The text is for the object of the former value.
  */
 export class EditedField<Value> {
   #shown = '';
@@ -41,7 +41,7 @@ export class EditedField<Value> {
     });
   }
 
-  /** Shows a value; null if the field has nothing to change. */
+  /** Shows a value; null disables the field. */
   show(value: Value | null, of: number | null = null): void {
     this.#shown = value === null ? '' : this.format.write(value);
     this.#of = of;
@@ -50,9 +50,7 @@ export class EditedField<Value> {
     if (!this.#began || value === null) this.#restore();
   }
 
-  /**
-   * Leaves the field empty if the objects have different values; a typed value is for all of them.
-   */
+  /** Leaves the field empty for objects with different values; a typed value is for all of them. */
   showOpen(): void {
     this.#shown = '';
     this.#of = null;

@@ -1,4 +1,4 @@
-/** An element of index.html; a wrong name is a programming error. */
+/** An element of index.html. A wrong name is a programming error. */
 export function byId<Type extends HTMLElement = HTMLElement>(id: string): Type {
   const element = document.getElementById(id);
   if (!element) throw new Error(`index.html has no element '${id}'`);
@@ -54,8 +54,8 @@ export function formatBytes(bytes: number): string {
 }
 
 /**
- * Writes a text into an element, unless it has this text already: each writing would lay out the
- * page again.
+ * Writes a text into an element, unless it has this text already: each write would lay out the page
+ * again.
  */
 export function write(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;

@@ -106,9 +106,9 @@ function showNumber(field: NumberField, value: number | undefined): void {
 const shown = (knot: number) => `${Number(knot.toPrecision(6))}`;
 
 /**
- * A B-spline's knots as a list, which takes effect on Enter or when the field loses the focus; an
+ * A B-spline's knots as a list, which takes effect on Enter or when the field loses the focus. An
  * empty list makes the knots uniform. An invalid list stays in the field, with the engine's
- * sentence; Escape restores the one before.
+ * sentence; Escape restores the previous one.
  */
 class KnotsField {
   readonly #text = byId<HTMLTextAreaElement>('knots');
@@ -131,7 +131,7 @@ class KnotsField {
     });
   }
 
-  /** Shows knots; null if the curve has none to show. */
+  /** Shows knots; null for a curve without any. */
   show(knots: readonly number[] | null): void {
     byId('knots-field').hidden = !knots;
     if (!knots) this.#restore();

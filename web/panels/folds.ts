@@ -3,7 +3,7 @@ import { isEmpty, isRound, parameterOf } from '../model/figure';
 import { recall, remember } from '../model/storage';
 import { byId, write } from './elements';
 
-/** The longest list that is not folded. */
+/** The length of a list above which it folds. */
 const longest = 6;
 
 /**
@@ -30,7 +30,7 @@ export class Folds {
   show({ drawing, figure }: State): void {
     const count = isRound(figure.kind) || isEmpty(figure) ? 0 : figure.points.length;
     write(byId('points-count'), count > 0 ? `${count}` : '');
-    // A growing list is folded only when another object is edited, never under the pointer.
+    // A growing list folds only when another object is edited, never under the pointer.
     if (drawing.active === this.#active) return;
     this.#active = drawing.active;
     const said = recall('points');

@@ -49,7 +49,7 @@ export class Legend {
     this.#element.hidden = !shown;
   }
 
-  /** Whether the legend's contents are still being computed. */
+  /** Whether the computation of the legend's contents is under way. */
   set busy(busy: boolean) {
     this.#element.setAttribute('aria-busy', `${busy}`);
   }
@@ -60,7 +60,7 @@ export class Legend {
   }
 }
 
-/** Writes words that may be cut off; equal words are not written again during a drag. */
+/** Writes words that may be too long for their place; during a drag, only new words. */
 function say(element: HTMLElement, words: string): void {
   if (element.textContent === words) return;
   write(element, words);

@@ -14,14 +14,14 @@ interface Dragged {
 export interface ListMoves {
   /** A row begins to move. */
   began(row: HTMLElement): void;
-  /** The row was dropped at another place; both are counted from the top. */
+  /** The row has another place after a drop; both places count from the top. */
   moved(from: number, to: number): void;
   /** The drag has ended, by a drop or without one. */
   ended(): void;
 }
 
 /**
- * Drags rows of a list: a mouse can take a row anywhere, a finger only by its grip, since elsewhere
+ * Drags rows of a list. A mouse can take a row anywhere, a finger only by its grip, since elsewhere
  * it scrolls.
  */
 export class ListDrag {

@@ -25,7 +25,7 @@ const advice: Record<LostReason, string> = {
 const mostShown = 40;
 
 /**
- * The visible places: between two good samples a line is fine, unless it jumps from one to the
+ * The visible places. Between two good samples a line is fine, unless it jumps from one to the
  * other.
  */
 const seenOf = (intervals: readonly LostInterval[]) =>

@@ -1,11 +1,11 @@
 import { byId } from './elements';
 
-/** A menu, usually opened by a button; the arrow keys move from item to item. */
+/** A menu, which usually has a button that opens it; the arrow keys move from item to item. */
 export class Menu {
   readonly element: HTMLElement;
   readonly #button: HTMLElement | null;
 
-  /** `opening` is called before the menu appears. */
+  /** `opening` runs before the menu appears. */
   constructor(id: string, button = '', opening: () => void = () => {}) {
     this.element = byId(id);
     this.#button = button ? byId(button) : null;

@@ -71,7 +71,7 @@ function wholeGroup(objects: readonly DrawnObject[], { drawing }: State): string
   return isWhole && members.length === objects.length ? group : null;
 }
 
-/** The group named by a field: the field has the negative id of a member. */
+/** The group that a field names: the field has the negative id of a member. */
 const groupNamed = (id: number | null, { drawing }: State) =>
   id !== null && id < 0 ? (objectOf(drawing, -id)?.group ?? null) : null;
 
@@ -184,7 +184,7 @@ export class ObjectPanel {
         set({ onSurface, width: active.width });
         return;
       }
-      // The width is converted to the other unit, so that it looks the same.
+      // The width in the other unit is such that it looks the same.
       const reach = reachOf(active);
       const width = Number((active.width * (onSurface ? reach : 1 / reach)).toPrecision(2));
       const { least, most } = onSurface ? surfaceWidths : widthRange;
@@ -272,7 +272,7 @@ export class ObjectPanel {
     return selectedObjects(this.editor.state);
   }
 
-  /** Shows the properties that the selected objects share; others are left empty. */
+  /** Shows the properties that the selected objects share, and leaves others empty. */
   #showStyle(objects: readonly DrawnObject[], selected: number): void {
     const last = objects.at(-1)!;
     const common = <Key extends keyof (LineStyle & FillStyle)>(key: Key) =>

@@ -28,7 +28,7 @@ export class ObjectRows {
   readonly #list = byId('objects');
   readonly #folded = new Set<string>();
   #rows: ListedRow[] = [];
-  /** The group that is folded only while it is dragged. */
+  /** The group that is folded only during its drag, or null. */
   #carried: string | null = null;
 
   /** `rename` opens the field for a name of the selection. */
@@ -45,7 +45,7 @@ export class ObjectRows {
 
   show(state: State): void {
     const { drawing, chosen } = state;
-    // The list omits an object that was only begun, since trying a tool leaves no object.
+    // The list omits an object that was only begun: a trial of a tool leaves no object.
     const objects = drawing.objects.filter(({ figure }) => !isEmpty(figure)).toReversed();
     const active = state.none ? null : drawing.active;
     this.#rows = rowsOf(objects, this.#folded);
@@ -172,7 +172,7 @@ export class ObjectRows {
     this.show(this.editor.state);
   }
 
-  /** Folds a group while it is dragged, so that its members move along. */
+  /** Folds a group during its drag, so that its members move along. */
   #carry(group: string | undefined): void {
     if (this.#carried !== null) this.#fold(this.#carried);
     const places = this.#rows.filter((row) => row.type === 'group' && row.group === group);

@@ -46,9 +46,9 @@ export function unitsOf(rows: readonly ListedRow[]): Unit[] {
 }
 
 /**
- * The ids in their order after a row is moved to the place of another one, and the new group of the
- * moved object: it joins a group when dropped among its members, and leaves its own otherwise. A
- * group is moved while it is folded; `moved` is any of its members.
+ * The ids in their order after a row has moved to the place of another one, and the new group of
+ * the moved object. It joins a group if it drops among its members, and leaves its own otherwise. A
+ * moving group is folded; `moved` is any of its members.
  */
 export function rowsAfter(
   rows: readonly ListedRow[],

@@ -199,7 +199,7 @@ function numbersOf(kind: Kind, point: ControlPoint, total: number): string {
   return kind === 'pen' ? jointOf(point.tangents) : '';
 }
 
-/** A point's number as text, or its share in percent if the numbers are divided by their sum. */
+/** A point's number as text, or its share in percent if the sum divides the numbers. */
 function numberOf(point: ControlPoint, name: ParameterName, total: number | null): string {
   const value = point[name] ?? 1;
   if (total !== null) return `${((100 * value) / total).toFixed(1)} %`;

@@ -1,6 +1,6 @@
 import { byId, write } from './elements';
 
-/** Work this short shows no bar. */
+/** The duration of work up to which no bar appears. */
 const patienceMilliseconds = 200;
 
 const box = byId('progress');
@@ -11,7 +11,7 @@ const cancel = byId<HTMLButtonElement>('cancel');
 let shown: object | null = null;
 
 export interface ShownProgress {
-  /** The fraction of the work that is done, from 0 to 1; null while it is unknown. */
+  /** Sets the completed fraction of the work, from 0 to 1, or null if unknown, and its stage. */
   set(done: number | null, stage: string): void;
   hide(): void;
 }

@@ -63,10 +63,7 @@ export class SaveMenu {
     private readonly editor: Editor,
     private readonly session: Session,
     private readonly viewer: Viewer,
-    /**
-     * The file of the visible surface; null for a surface that the page generates, or whose file it
-     * no longer has.
-     */
+    /** The file of the visible surface; null for a generated surface, or without the file. */
     private readonly surfaceFile: () => Promise<Blob | null>,
   ) {
     this.#only.addEventListener('click', () => {
@@ -87,7 +84,7 @@ export class SaveMenu {
     }
   }
 
-  /** Saves the drawing in a format; if it has no curve, says so. */
+  /** Saves the drawing in a format. If it has no curve, shows a note. */
   async save(format: Format): Promise<void> {
     if (!this.#has(format)) {
       showNote('There is no curve to save yet.');
@@ -104,8 +101,7 @@ export class SaveMenu {
   }
 
   /**
-   * Saves the drawing together with the file of its surface, so that it can be opened without that
-   * file.
+   * Saves the drawing together with the file of its surface, so that it opens without that file.
    */
   async #saveWhole(): Promise<void> {
     const { state } = this.editor;
@@ -171,7 +167,7 @@ export class SaveMenu {
 
   /** Saves the view, with the surface's outline, as lines. */
   async #saveOutline(): Promise<void> {
-    // The drawing is of the present view, which may turn while the outline is computed.
+    // The drawing is of the present view, which may turn during the computation of the outline.
     const drawing = this.#drawing();
     const [title, color] = [this.#title, sceneColors().marks];
     const controller = new AbortController();
@@ -211,7 +207,7 @@ export class SaveMenu {
     return [...own, ...others.flatMap(({ lines }) => lines)];
   }
 
-  /** Whether to save an object: all are saved, or only the selected ones. */
+  /** Whether to save an object: the choice is all objects, or only the selected ones. */
   #isMeant(id: number): boolean {
     return !this.#onlySelected || selectedObjects(this.editor.state).includes(id);
   }
@@ -239,7 +235,7 @@ export class SaveMenu {
     const { state } = this.editor;
     const drawn = state.drawing.objects.filter(({ figure }) => !isEmpty(figure));
     const selected = selectedObjects(state);
-    // The choice is offered only if it matters.
+    // The choice appears only if it matters.
     const ofDrawn = drawn.filter(({ id }) => selected.includes(id)).length;
     this.#only.disabled = ofDrawn === 0 || ofDrawn === drawn.length;
     byId('save-none').hidden = this.#has('json');

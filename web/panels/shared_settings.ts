@@ -15,7 +15,7 @@ export function sharedSettings(state: State) {
   };
 }
 
-/** Shows a shared value; if it is undefined the control shows that the values are mixed. */
+/** Shows a shared value. If it is undefined, the control shows that the values are mixed. */
 export function showShared(
   control: HTMLInputElement | HTMLSelectElement,
   value: string | number | boolean | undefined,

@@ -1,7 +1,7 @@
 import { recall, remember } from '../model/storage';
 import { byId } from './elements';
 
-/** The magnet: whether places snap to nearby targets; the browser keeps the choice. */
+/** The button of the magnet, which snaps places to targets; the browser keeps the choice. */
 export class SnapToggle {
   readonly #button = byId<HTMLButtonElement>('snap');
   #on = recall('snap') === 'on';

@@ -26,7 +26,7 @@ import { countLost, reasons } from './lost_panel';
 import { sentenceOf } from './messages';
 import { makeSlider, showOnSlider } from './point_rows';
 
-/** Work shorter than this, in milliseconds, shows neither words nor a button that stops it. */
+/** The times of work, in milliseconds, before words and a button that stops it appear. */
 const patienceMilliseconds = { saying: 300, stopping: 1000 };
 
 export interface StatusEvents {
@@ -65,7 +65,7 @@ export class Status {
   show(state: State, view: View, info: MeshInfo | null): void {
     write(byId('status-triangles'), info ? formatCount(info.triangles, 'triangle') : '');
     const { curve, isolines, center } = view;
-    // The figures are of the selection; without one the view still has the last edited object.
+    // The figures are of the selection, while the view still has the last edited object.
     write(byId('status-samples'), state.none ? '' : countOf(view));
     write(byId('status-length'), state.none ? '' : measureOf(view, this.#unit));
     const time = (curve ?? isolines ?? center)?.milliseconds;
@@ -82,7 +82,7 @@ export class Status {
     this.showHint(state, view);
   }
 
-  /** Shows that the engine is busy, once it has been for a while. */
+  /** Shows that the engine is busy, after a while. */
   setBusy(busy: boolean): void {
     for (const timer of this.#timers) clearTimeout(timer);
     const { saying, stopping } = patienceMilliseconds;
@@ -104,7 +104,7 @@ export class Status {
   }
 
   /**
-   * Shows a warning if the drawing is not kept, because the browser's storage is full or blocked.
+   * Shows a warning if the browser does not keep the drawing, since its storage is full or blocked.
    */
   setKept(kept: boolean): void {
     byId('status-kept').hidden = kept;
@@ -136,26 +136,26 @@ export class Status {
     this.showHint(state, view);
   }
 
-  /** Shows the distance between two points of the surface, or that the first one is set. */
+  /** Shows the distance between two points of the surface, or that the first one is placed. */
   showRuled(ruled: Ruled | null, begun: boolean, state: State, view: View): void {
     [this.#ruled, this.#begun] = [ruled, begun];
     this.showHint(state, view);
   }
 
-  /** Sets the unit in which lengths are shown. */
+  /** Sets the unit of visible lengths. */
   showUnit(unit: Unit, state: State, view: View): void {
     this.#unit = unit;
     write(byId('status-length'), state.none ? '' : measureOf(view, unit));
     this.showHint(state, view);
   }
 
-  /** Shows the purpose of the next click while the selection is mirrored. */
+  /** Shows the purpose of the next click for a mirror image of the selection. */
   showMirroring(hint: string, state: State, view: View): void {
     this.#mirroring = hint;
     this.showHint(state, view);
   }
 
-  /** Shows what the pointer would do, unless there is a more important message. */
+  /** Shows the effect of the pointer, unless a message is more important. */
   showAim(words: string, state: State, view: View): void {
     if (words === this.#aim) return;
     this.#aim = words;
@@ -285,7 +285,7 @@ function qualityText(
 
 const formatShift = (edges: number) => `${edges.toPrecision(2)} edges`;
 
-/** A remark about a center that was not found or is not the only one; empty without one. */
+/** A remark about a center that is missing or not the only one; empty without one. */
 function centerHint({ status, uniqueness, otherMinima }: ShownCenter): string {
   if (status !== 'converged') return `No center was found: ${reasons[status as LostReason]}`;
   if (uniqueness !== 'notUnique' || otherMinima === 'notLooked') return '';
@@ -296,10 +296,10 @@ function centerHint({ status, uniqueness, otherMinima }: ShownCenter): string {
   return `Not the only center: ${are}, of energy ${shown}${more}`;
 }
 
-/** The number of other minima whose energies are shown. */
+/** The largest number of other minima whose energies appear. */
 const mostEnergies = 3;
 
-/** Whether the center is the only one. */
+/** The words for each answer to whether the center is the only one. */
 const uniquenessWords: Record<Uniqueness, string> = {
   certain: ' · certainly the only center',
   likely: ' · likely the only center',
@@ -319,7 +319,7 @@ function measureOf({ curve, isolines, center, fill }: View, unit: Unit): string 
   if (center) {
     const { status, certificate, uniqueness } = center;
     const only = status === 'converged' ? uniquenessWords[uniqueness] : '';
-    // Energy and residual come from exact shortest paths once the refined answer has arrived.
+    // Energy and residual are by exact shortest paths after the refined answer.
     const exact = certificate ? ` · residual ${certificate.residual.toPrecision(2)}` : '';
     const { energy } = certificate ?? center;
     return `energy ${formatLength(energy)}${exact}${only}`;
@@ -329,7 +329,7 @@ function measureOf({ curve, isolines, center, fill }: View, unit: Unit): string 
   return drawn ? `length ${formatLength(drawn.length, unit)}${area}` : '';
 }
 
-/** The mathematics is shown only to users who opened it. */
+/** The words for a measurement. Only users who opened the mathematics see it. */
 function measuredText(
   { parameter, length, wholeLength, tangent }: Measured,
   unit: Unit,

@@ -54,9 +54,7 @@ export function partActions(
   return part === undefined || name === undefined ? [] : [[`Show only ${name}`, show([part])]];
 }
 
-/**
- * The surface's menu, its details and its facts; it also takes files that are dropped on the page.
- */
+/** The surface's menu, its details and its facts. It also takes files dropped on the page. */
 export class SurfacePanel {
   readonly #surface = byId<HTMLSelectElement>('surface');
   readonly #detail = byId<HTMLSelectElement>('detail');
@@ -87,7 +85,7 @@ export class SurfacePanel {
     this.#takeDrops();
   }
 
-  /** Shows which surface is on the stage; it also resets the menu after a failed choice. */
+  /** Shows the name of the surface on the stage. It also resets the menu after a failed choice. */
   show(key: string, { info, file, up }: ShownSurface): void {
     this.#key = key;
     const parsed = parseKey(key);
@@ -108,7 +106,7 @@ export class SurfacePanel {
     this.#showFacts(info, file?.notRead ?? []);
   }
 
-  /** The options for reading a file: which of its parts, if it has several, and which axis points up. */
+  /** The options for reading a file: its parts, if it has several, and the axis that points up. */
   #showReading(file: FileInfo | null, up: UpAxis): void {
     const reading = readingOf(this.#key);
     byId('reading').hidden = !file || !reading;

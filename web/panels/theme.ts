@@ -20,7 +20,7 @@ export function applyTheme(): void {
   for (const listener of listeners) listener(theme);
 }
 
-/** A choice that agrees with the system makes the page follow the system again. */
+/** Changes the theme. If the choice agrees with the system, the page follows the system again. */
 export function toggleTheme(): void {
   const theme = document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark';
   remember('theme', theme === systemTheme() ? '' : theme);

@@ -16,7 +16,7 @@ export interface DrawingTool {
   /** The content of its icon, an SVG of 20 by 20. */
   icon: string;
   isActive(state: State): boolean;
-  /** Whether the tool is available; by default it always is. */
+  /** Whether the tool is available; by default always. */
   isPossible?(state: State, view: View): boolean;
   choose(): void;
 }
@@ -28,7 +28,7 @@ export function drawingTools(editor: Editor, edits: CurveEdits): DrawingTool[] {
     const group = kindGroups.find(({ kinds }) => kinds.includes(figure.kind))!.kinds;
     latest.set(group, figure.kind);
   });
-  /** Draws objects of some kinds, initially of the one that was edited last. */
+  /** A tool that draws objects of some kinds, initially of the last edited one. */
   const draws = (kinds: readonly Kind[], group = kinds) => ({
     isActive: ({ tool, figure }: State) => tool === 'insert' && kinds.includes(figure.kind),
     choose() {

@@ -15,8 +15,8 @@ import type { ViewMenu } from './view_menu';
 export interface ToolEvents {
   removeSelected(): void;
   /**
-   * An address that opens the drawing again. A complete one works elsewhere too, a short one in any
-   * program.
+   * An address that opens the drawing again. A complete one works elsewhere, too, a short one in
+   * any program.
    */
   link(): { address: string; complete: boolean; short: boolean };
   saveJson(): void;
@@ -68,7 +68,7 @@ export class Tools {
     else editor.letGo();
   }
 
-  /** Zooms to the selection, or to everything if nothing is selected. */
+  /** Zooms to the selection, or without one to everything. */
   #zoomToSelection(): void {
     const { viewer } = this;
     const { state } = this.editor;
@@ -124,7 +124,7 @@ export class Tools {
       return;
     }
     const key = event.key.toLowerCase();
-    // Keys go to a field with an unfinished text, including those of its undo.
+    // A field with an unfinished text receives keys, including those of its undo.
     if (element?.matches('[data-edited]')) return;
     const typing =
       element?.closest('select, input[type="text"], textarea') ??

@@ -6,7 +6,7 @@ interface Step {
   about: string;
   title: string;
   text: string;
-  /** Whether the step is shown only if the drawing is not empty. */
+  /** Whether the step appears only for a drawing that is not empty. */
   isOfDrawing?: boolean;
 }
 
@@ -50,9 +50,7 @@ export class Tour {
   readonly #next = byId<HTMLButtonElement>('tour-next');
   #at = 0;
 
-  /**
-   * `reveal` shows the panel if it is lowered; `isDrawn` returns whether the drawing is not empty.
-   */
+  /** `reveal` shows the panel if it is down; `isDrawn` returns whether the drawing is not empty. */
   constructor(
     private readonly reveal: () => void,
     private readonly isDrawn: () => boolean,
@@ -77,7 +75,7 @@ export class Tour {
     });
   }
 
-  /** Begins, unless it was shown before; the focus stays where it is. */
+  /** Begins, unless the user has seen it before; the focus stays in place. */
   greet(): void {
     if (recall('tour') === null) this.#show(0);
   }
@@ -128,7 +126,7 @@ export class Tour {
     about.classList.add('toured');
   }
 
-  /** The card lies beside, below or above the element that it explains; for a wide stage it is in a corner. */
+  /** Places the card at the element that it explains, or for a wide stage in a corner. */
   #place(): void {
     const about = this.#about;
     const { left, right, top, bottom, width } = about.getBoundingClientRect();

@@ -21,12 +21,12 @@ const format = (least: number) => ({
   write: (value: number) => `${value}`,
 });
 
-/** Sides that differ less, as a part of the surface's diagonal, count as equal. */
+/** The difference of sides, as a part of the surface's diagonal, below which they are equal. */
 const least = 1e-4;
 
 /**
- * Numbers that move, turn and scale the selection, each as one step. The selection keeps its proportion,
- * as with the frame's corners, so a typed width changes the height too.
+ * Numbers that move, turn and scale the selection, each as one step. The selection keeps its
+ * proportion, as with the frame's corners, so a typed width changes the height, too.
  */
 export class TransformPanel {
   readonly #panel = byId('transform');
@@ -64,7 +64,7 @@ export class TransformPanel {
     byId('mirror-now').addEventListener('click', () => void mirror.mirrorInSymmetry());
   }
 
-  /** The size of what the frame encloses. A side without extent can not be scaled. */
+  /** Shows the size of the frame's contents. No scale gives length to a side without extent. */
   showSize(size: Size | null): void {
     this.#width.show(size?.width || null);
     this.#height.show(size?.height || null);
@@ -74,7 +74,7 @@ export class TransformPanel {
     byId('size-unit').textContent = unit;
   }
 
-  /** The similarity of the surface's two sides, while the selection is mirrored in its symmetry. */
+  /** Shows the difference of the surface's two sides, while its symmetry mirrors the selection. */
   showMirror({ apart }: MirrorTool): void {
     byId('mirror-symmetric').hidden = apart === null;
     byId('mirror-apart').textContent =

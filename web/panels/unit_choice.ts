@@ -12,7 +12,7 @@ const names: Record<Unit, string> = {
 };
 
 /**
- * The unit of the surface's lengths: a guess until the user chooses; the browser keeps the choice
+ * The unit of the surface's lengths: a guess until the user chooses. The browser keeps the choice
  * for the surface.
  */
 export class UnitChoice {

@@ -14,7 +14,7 @@ const labels: Record<ViewName, string> = {
   bottom: 'Bottom',
 };
 
-/** Looks that are a matter of taste: a choice applies to every surface, and is kept. */
+/** Looks by the user's taste: a choice applies to every surface, and the browser keeps it. */
 const keptLooks = [
   ['relief', 'relief'],
   ['ground-shadow', 'groundShadow'],

@@ -1,6 +1,6 @@
 import { byId, make } from './elements';
 
-/** Asks which of several files to open; null if the user chooses none. */
+/** Lets the user choose the file to open among several; null without a choice. */
 export function chooseFile(files: readonly File[]): Promise<File | null> {
   const dialog = byId<HTMLDialogElement>('which-dialog');
   // A second question replaces the first.

@@ -1,6 +1,6 @@
 /**
  * Answers each message to this worker with the result of `make`. `buffersOf` returns the buffers of
- * a result to transfer. A failure becomes an error event of the worker.
+ * a result for transfer. A failure becomes an error event of the worker.
  */
 export function answering<Request, Answer>(
   make: (request: Request) => Promise<Answer>,

@@ -8,11 +8,11 @@ export interface Band {
 
 const usual = 'vec4 clip = ( position.y < 0.5 ) ? clipStart : clipEnd;';
 
-/** The part of its width by which a band is drawn nearer to the eye. */
+/** The part of its width by which a band appears nearer to the eye. */
 const lift = 0.25;
 
 /**
- * The vertex shader of three.js's lines. A line with a width on the surface is first widened within
+ * The vertex shader of three.js's lines. It widens a line with a width on the surface first within
  * the surface's plane, then on the screen, so that perspective and slant apply to it as to the
  * surface.
  */

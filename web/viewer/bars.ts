@@ -24,7 +24,7 @@ export const partPainted = ({ from, to }: Bars) => to - from;
 /** A place on paper, and its distance. */
 type Valued = readonly [number, number, number];
 
-/** A triangle with more bars is painted solid: on paper it is far smaller than a bar is wide. */
+/** The most bars of a triangle; with more it is solid, being far smaller than a bar on paper. */
 const mostBars = 64;
 
 /**

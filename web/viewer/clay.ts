@@ -46,9 +46,9 @@ const light = {
 };
 
 /**
- * The distance by which the surface is moved back for each unit of its slope, as a part of its
- * distance from the camera. A sloped surface rises beside a line and would hide half of the line's
- * width. Steeper slopes count as this one.
+ * The shift of the surface away from the camera for each unit of its slope, as a part of its
+ * distance. A sloped surface rises beside a line and would hide half of the line's width. Steeper
+ * slopes count as this one.
  */
 const sunk = { value: 0 };
 const steepest = 4;
@@ -63,7 +63,7 @@ const reliefPixels = 16;
 
 /**
  * Adapts the surface to a stage of a given height, for lines that reach this many CSS pixels to
- * both sides and must be visible whole.
+ * both sides and must be visible in their whole width.
  */
 export function fitSurface(pixels: number, camera: PerspectiveCamera, height: number): void {
   pixel.value = (2 * Math.tan((camera.fov * Math.PI) / 360)) / height;
@@ -162,8 +162,8 @@ const clay = {
 };
 const material = new ShaderMaterial(clay);
 /**
- * The inner sides, if both sides are visible. They are moved back the most whatever their slope, so
- * that no specks of them show before the outer sides at the rim.
+ * The inner sides, if both sides are visible. They lie farthest back whatever their slope, so that
+ * no specks of them show before the outer sides at the rim.
  */
 const inner = new ShaderMaterial({
   ...clay,
@@ -190,7 +190,7 @@ export function paint(color: Color, opacity: number, bars: Bars | null = null): 
       bars: { value: bars ? new Vector3(bars.period, bars.from, bars.to) : new Vector3() },
     },
     side: inner.visible ? DoubleSide : material.side,
-    // Opaque paint counts as transparent too, so that all paint is drawn in order.
+    // Opaque paint counts as transparent, too, so that all paint appears in order.
     transparent: true,
     depthWrite: false,
     polygonOffset: true,

@@ -1,10 +1,10 @@
 import { Mesh, type Object3D } from 'three';
 
 /**
- * Recovers from the loss of a canvas's drawing context: the browser takes it away and returns it
+ * Recovers from the loss of a canvas's drawing context, which the browser takes away and returns
  * empty, for example after a fault of the graphics driver. The scenes' resources are disposed of
- * while the context is lost; later three.js would delete them in the new context, to which they do
- * not belong.
+ * during the loss. Later three.js would delete them in the new context, to which they do not
+ * belong.
  */
 export function outliveContextLoss(
   canvas: HTMLCanvasElement,

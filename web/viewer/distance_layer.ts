@@ -11,7 +11,7 @@ import type { Surface } from './surface';
 /** Shows distances as colors of the surface, and as isolines, from a dot. */
 export class DistanceLayer implements Layer {
   readonly object = new Group();
-  // Isolines lie below the curves, and are drawn only where the surface is visible.
+  // Isolines lie below the curves, and appear only where the surface is visible.
   readonly #lines = new FatLine({ width: 1.25, hidden: 0 }, 0);
   readonly #dot = new FatLine({ width: 11, hidden: 0 }, 1);
   #surface: Surface | null = null;

@@ -40,8 +40,8 @@ export interface LineStyle {
 const free = 255;
 
 /**
- * The part of the distance to the camera by which lines are drawn nearer, so that the surface does
- * not cut them.
+ * The part of the distance to the camera by which lines appear nearer, so that the surface does not
+ * cut them.
  */
 const nearer = 0.003;
 
@@ -64,8 +64,8 @@ function segmentGeometry(): LineSegmentsGeometry {
 }
 
 /**
- * Polylines of constant width on the screen, or on the surface; hidden parts are visible faintly.
- * Buffers are reused and only grow, so that a drag allocates none.
+ * Polylines of constant width on the screen, or on the surface, with faint hidden parts. Buffers
+ * stay and only grow, so that a drag allocates none.
  */
 export class FatLine {
   readonly object = new Group();
@@ -88,8 +88,8 @@ export class FatLine {
     const common = { transparent: true, depthWrite: false };
     const made = [0, 1].map(() => withBand(new LineMaterial(common)));
     const [hidden, seen] = made.map(({ material }) => material) as [LineMaterial, LineMaterial];
-    // The color is mixed beforehand: transparent segments would show their overlapping round ends
-    // as beads.
+    // The color is a mixture beforehand: transparent segments would show their overlapping round
+    // ends as beads.
     hidden.depthFunc = GreaterDepth;
     hidden.visible = style.hidden > 0;
     this.#materials = [hidden, seen];
@@ -118,7 +118,7 @@ export class FatLine {
     const seen = this.#materials[1]!;
     this.#opacity = opacity;
     seen.opacity = opacity;
-    // Each pixel is painted once, even where segments overlap.
+    // Each pixel has its paint once, even where segments overlap.
     seen.stencilWrite = opacity < 1 || frames !== null;
     seen.stencilRef = frames === null ? mark : free;
     seen.stencilFunc = frames === 'inside' ? AlwaysStencilFunc : NotEqualStencilFunc;

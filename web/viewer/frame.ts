@@ -2,8 +2,8 @@ import type { Vector } from '../model/figure';
 import type { UpAxis } from '../model/meshes';
 
 /**
- * Maps a surface's coordinates to the scene's: the bounding box's center to 0, its diagonal to 2,
- * and its axis up to y.
+ * The map of a surface's coordinates to the scene's: the bounding box's center to 0, its diagonal
+ * to 2, and its axis up to y.
  */
 export interface Frame {
   center: Vector;
@@ -35,25 +35,25 @@ const [x, y, z]: Turn[] = [
 /** The turn by half a circle around the scene's last axis: up becomes down. */
 const over = (turn: Turn): Turn => turn.map(([axis, sign], i) => [axis, i < 2 ? -sign : sign]);
 
-/** All of these are rotations. */
+/** The turns for each axis, all of which are rotations. */
 const turns: Readonly<Record<UpAxis, Turn>> = {
   ...{ x: x!, y: y!, z: z! },
   ...{ '-x': over(x!), '-y': over(y!), '-z': over(z!) },
 };
 
-/** A direction in the surface's coordinates, converted to the scene's. */
+/** A direction of the surface's coordinates in those of the scene. */
 export function directionInScene(up: UpAxis, direction: ArrayLike<number>): Vector {
   return turns[up].map(([axis, sign]) => sign * direction[axis]!) as Vector;
 }
 
-/** A direction in the scene's coordinates, converted to the surface's. */
+/** A direction of the scene's coordinates in those of the surface. */
 export function directionFromScene(up: UpAxis, direction: ArrayLike<number>): Vector {
   const result: Vector = [0, 0, 0];
   for (const [i, [axis, sign]] of turns[up].entries()) result[axis] = sign * direction[i]!;
   return result;
 }
 
-/** Places in the surface's coordinates, x, y, z each, converted to the scene's. */
+/** Places of the surface's coordinates, x, y, z each, in those of the scene. */
 export function placesInScene(
   { center, scale, up }: Frame,
   places: ArrayLike<number>,
@@ -68,7 +68,7 @@ export function placesInScene(
   return result;
 }
 
-/** A place in the surface's coordinates, converted to the scene's, in doubles. */
+/** A place of the surface's coordinates in those of the scene, in doubles. */
 export function placeInScene({ center, scale, up }: Frame, place: Vector): Vector {
   return directionInScene(
     up,
@@ -76,7 +76,7 @@ export function placeInScene({ center, scale, up }: Frame, place: Vector): Vecto
   );
 }
 
-/** A place of the scene, converted to the surface's coordinates. */
+/** A place of the scene in the surface's coordinates. */
 export function placeFromScene({ center, scale, up }: Frame, place: ArrayLike<number>): Vector {
   return directionFromScene(up, place).map(
     (value, axis) => value / scale + center[axis]!,

@@ -25,9 +25,9 @@ import type { Surface } from './surface';
  */
 const heights = [0.06, 0.12, 0.24, 0.48] as const;
 /**
- * Under a wide sky, a unit of area at height h hides h² / (π (h² + d²)²) from a place of the ground
- * at distance d: half of its shadow lies within h. A bell curve has half of its mass within 1.18 of
- * its width.
+ * The widths of the bells that shadows are. Under a wide sky, a unit of area at height h hides h² /
+ * (π (h² + d²)²) from a place of the ground at distance d: half of its shadow lies within h. A bell
+ * curve has half of its mass within 1.18 of its width.
  */
 const bellWidths = heights.map((height) => height / Math.sqrt(2 * Math.log(2)));
 const widest = Math.max(...bellWidths);
@@ -48,8 +48,8 @@ const bellSteps = Math.ceil((3.7 * widest * side) / (2 * reach));
  */
 const darkest = 0.7;
 /**
- * The largest part of a black background's color that the lit ground's own replaces. On a background
- * without light no shadow is seen; the brighter a background is, the less light it needs.
+ * The largest part of a black background's color that the lit ground's own replaces. A background
+ * without light shows no shadow; the brighter a background is, the less light it needs.
  */
 const lit = 0.5;
 
@@ -174,15 +174,15 @@ export class GroundShadow {
   }
 
   /**
-   * Discards the shadow, because the surface has changed or the drawing context is lost; it is
-   * rendered when next shown.
+   * Discards the shadow, since the surface has changed or the drawing context is lost. The next
+   * display renders it again.
    */
   forget(): void {
     this.#target?.dispose();
     this.#target = null;
   }
 
-  /** Renders the shadow if it is shown and missing. */
+  /** Renders the shadow if it is visible and missing. */
   prepare(renderer: WebGLRenderer, surface: Surface): void {
     if (!this.object.visible || this.#target) return;
     const ground = surface.lowest;

@@ -55,7 +55,7 @@ export class Halos {
     this.#hover.setColors(new Color(colors.frame), surface);
   }
 
-  /** Shows the halos of chosen and hovered objects, and the rims of those of all objects that need one. */
+  /** Shows the halos of chosen and hovered objects, and the rims of those objects that need one. */
   show(all: readonly Drawn[], chosen: readonly Drawn[], hovered: readonly Drawn[]): void {
     this.#inside.show(around([...chosen, ...hovered]));
     this.#halo.show(around(chosen));

@@ -39,7 +39,7 @@ export class Handles {
   /** The drag under way: its pointer, and that pointer's offset from the handle's middle. */
   #held: { button: HTMLButtonElement; id: string; pointer: number; x: number; y: number } | null =
     null;
-  /** The number of times that handles were shown. */
+  /** The number of calls of `show`. */
   #shows = 0;
   /** Whether several fingers are down; they move the view. */
   severalFingers: () => boolean = () => false;
@@ -63,7 +63,7 @@ export class Handles {
     viewer.onFrame(() => this.#place());
   }
 
-  /** Shows these handles only; a drag of any other is undone. */
+  /** Shows these handles only, and undoes a drag of any other. */
   show(handles: readonly Handle[]): void {
     const ids = new Set(handles.map(({ id }) => id));
     const shows = ++this.#shows;
@@ -94,8 +94,8 @@ export class Handles {
   }
 
   /**
-   * Marks the place where a click would put a point: on the surface, in the curve, or on the target
-   * that it snaps to, with its name; or the measured place.
+   * Marks the place of a point that a click would add: on the surface, in the curve, or on the
+   * target to which it snaps, with its name; or the measured place.
    */
   showPreview(
     position: Vector3 | null,
@@ -221,7 +221,7 @@ export class Handles {
     });
     button.addEventListener('pointerdown', (event) => {
       if (event.button !== 0 || this.#held || this.severalFingers()) return;
-      // The view's controls listen on the stage and must not get a drag of a handle.
+      // The view's controls listen on the stage and must not receive a drag of a handle.
       event.stopPropagation();
       button.setPointerCapture(event.pointerId);
       const box = button.getBoundingClientRect();

@@ -1,11 +1,11 @@
 /**
- * The bending of the surface at each vertex, for relief: how much its neighborhood of each of
- * `hollowRadii` sinks, as `hollowWidths` bytes a vertex, positive in hollows, negative on ridges,
- * and 0 where the surface is flat or a saddle bends equally to both sides.
- * A triangle's bend is the flux of its normals through its border: the integral of twice the mean
- * curvature, for any shape of the triangle. Heat that flows along the surface spreads it to a
- * radius, so that the result does not depend on the size of the triangles. Positions are in the
- * scene, where a surface is about 2 wide.
+ * The bending of the surface at each vertex, for relief: the depth of its neighborhoods of the
+ * `hollowRadii`, as `hollowWidths` bytes a vertex. It is positive in hollows, negative on ridges,
+ * and 0 where the surface is flat or a saddle bends equally to both sides. A triangle's bend is the
+ * flux of its normals through its border: the integral of twice the mean curvature, for any shape
+ * of the triangle. Heat that flows along the surface spreads it to a radius, so that the result
+ * does not depend on the size of the triangles. Positions are in the scene, where a surface is
+ * about 2 wide.
  */
 export function hollowsOf(
   positions: Float32Array,
@@ -16,7 +16,7 @@ export function hollowsOf(
   const hollows = new Int8Array(hollowWidths * count);
   const { areas, bends, weights } = measured(positions, normals, triangles);
   const curvatures = new Float64Array(count);
-  // Solutions are computed from the finest to the widest; each starts from the previous one.
+  // The order is from the finest solution to the widest; each starts from the previous one.
   for (let width = hollowWidths - 1; width >= 0; width--) {
     const radius = hollowRadii[width]!;
     spread(curvatures, bends, areas, { triangles, weights, time: radius ** 2 / 4 });
@@ -31,8 +31,8 @@ export function hollowsOf(
 /** The number of neighborhoods of a vertex. */
 export const hollowWidths = 4;
 /**
- * The radii, each a quarter of the one before: with the whole surface in view the second is some 15
- * pixels wide.
+ * The radii, each a quarter of the previous one. With the whole surface in view the second is some
+ * 15 pixels wide.
  */
 export const hollowRadii = [0.2, 0.05, 0.0125, 0.003125] as const;
 /**

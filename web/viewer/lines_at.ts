@@ -16,7 +16,7 @@ export interface PickableLines {
   shorter: readonly Float32Array[];
 }
 
-/** The lines visible at a place of the stage. Distances are in CSS pixels; a wide line is hit within its width. */
+/** The visible lines at a place of the stage, in their whole width. Distances are in CSS pixels. */
 export class LinesAt {
   constructor(
     private readonly vantage: Vantage,

@@ -12,22 +12,22 @@ const margin = 0.88;
 const widthTaken = 0.94;
 const startDirection = new Vector3(0.34, 0.22, 1).normalize();
 const flightMilliseconds = 260;
-/** The distance from which the camera looks at a place, unless it is nearer already. */
+/** The largest distance from which the camera looks at a place. */
 const closeDistance = 1.6;
 /**
- * The distances between which the camera stays from what it looks at. At the nearest one a pixel is as
- * large as the rounding of a coordinate of the scene on the graphics card.
+ * The range of the camera's distance from its target. At the nearest one a pixel is as large as the
+ * rounding of a coordinate of the scene on the graphics card.
  */
 const [nearest, farthest] = [2e-4, 20];
-/** The least distance from which a ball is shown in whole. */
+/** The least distance from which a ball is visible in whole. */
 const nearestWhole = 0.16;
 /** The smallest reach of a view's place. */
 const leastReach = 1e-4;
 /** The range of the distance at which the camera begins to see. */
 const [leastNear, mostNear] = [1e-5, 0.002];
-/** A turn of the wheel by a pixel divides distances by this. */
+/** The divisor of distances for a turn of the wheel by a pixel. */
 const wheelFactor = 0.95 ** -0.01;
-/** Pixels of a wheel that counts lines, or pages; and for each pixel of a pinch on a touchpad. */
+/** The pixels of a wheel that counts lines, or pages, and of a pinch on a touchpad. */
 const [pixelsOfLine, pixelsOfPage, pixelsOfPinch] = [16, 100, 10];
 /** The search for the surface around a place: the first ring's radius in pixels, the next ring's part, the rays. */
 const [firstRing, nextRing, raysOfRing] = [4, 1.3, 32];
@@ -54,9 +54,9 @@ export class OrbitView {
   #flight: { from: Place; to: Place; started: number } | null = null;
   /** The pivot of turns: a point of the scene, and its place in the camera's view. */
   #pivot: { point: Vector3; seen: Vector3 } | null = null;
-  /** The pointers that are down, with their places: two fingers zoom and move. */
+  /** The pressed pointers with their places: two fingers zoom and move. */
   readonly #pointers = new Map<number, { x: number; y: number }>();
-  /** The camera's place of which the view was told last. */
+  /** The camera's place at the last call of `moved`. */
   readonly #told = new Vector3();
 
   /** The view calls `moved` to request a frame. */
@@ -64,14 +64,14 @@ export class OrbitView {
     private readonly stage: HTMLElement,
     private readonly moved: () => void,
   ) {
-    // Runs before the controls: the surface under the pointer becomes the pivot and the target of
-    // zooming.
+    // This listener runs before the controls: the surface under the pointer becomes the pivot and
+    // the target of zooms.
     stage.addEventListener('pointerdown', (event) => this.#hold(event), { capture: true });
     stage.addEventListener('wheel', (event) => this.#wheel(event), {
       ...{ capture: true, passive: false },
     });
     window.addEventListener('pointermove', (event) => this.#pinch(event), { capture: true });
-    // Runs after the controls, which keep small changes to themselves: those of a near view.
+    // This listener follows the controls, which do not report the small changes of a near view.
     window.addEventListener('pointermove', () => {
       if (this.#pointers.size > 0 && !this.#told.equals(this.camera.position)) this.#tell();
     });
@@ -82,7 +82,7 @@ export class OrbitView {
       });
     }
     this.#controls = new OrbitControls(this.camera, stage);
-    // The controls' own cursor would hide the cursors that show what a gesture does.
+    // The controls' own cursor would hide the cursors that show the effect of a gesture.
     stage.style.cursor = '';
     this.#controls.enableZoom = false;
     this.#controls.mouseButtons = { LEFT: MOUSE.ROTATE, MIDDLE: MOUSE.PAN, RIGHT: MOUSE.ROTATE };
@@ -107,7 +107,7 @@ export class OrbitView {
     this.moved();
   }
 
-  /** True while the main button moves the view instead of turning it. */
+  /** Whether the main button moves the view instead of turning it. */
   set moves(moves: boolean) {
     this.#controls.mouseButtons.LEFT = moves ? MOUSE.PAN : MOUSE.ROTATE;
   }
@@ -123,7 +123,7 @@ export class OrbitView {
     return Number.isFinite(depth) ? direction.multiplyScalar(depth).add(origin) : null;
   }
 
-  /** A visible point of the surface near a place of the window; null if none is found. */
+  /** A visible point of the surface near a place of the window; null without one. */
   #near(x: number, y: number): Vector3 | null {
     const { left, top, width, height } = this.stage.getBoundingClientRect();
     for (let ring = firstRing; ring < width + height; ring *= nextRing) {
@@ -145,7 +145,7 @@ export class OrbitView {
 
   /**
    * Moves the controls' target to the depth of the surface at a place of the window, or else in the
-   * middle, and does not change the view: steps of a move are parts of the distance to the target.
+   * middle. The view does not change, but steps of a move are parts of the distance to the target.
    */
   #turnTo(x: number, y: number): Vector3 | null {
     const { x: h, y: v } = this.#middle;
@@ -163,8 +163,9 @@ export class OrbitView {
   }
 
   /**
-   * Multiplies distances from the visible point at a place of the window, or beside the surface from one
-   * near it: the point stays where it is seen, and no step passes through the surface before it.
+   * Multiplies distances from the visible point at a place of the window, or beside the surface
+   * from one near it. The point stays in place in the window, and no step passes through the
+   * surface.
    */
   #zoomAt(x: number, y: number, factor: number): void {
     this.#flight = null;
@@ -396,10 +397,7 @@ export class OrbitView {
     return Math.atan(halfSlope * Math.min(1, this.camera.aspect));
   }
 
-  /**
-   * The distance from which the bounding sphere, of radius 1, fills the stage without being cut
-   * off.
-   */
+  /** The distance from which the bounding sphere, of radius 1, just fits into the stage. */
   #wholeDistance(direction: Vector3): number {
     const narrow = this.#narrowAngle;
     const wide = widthTaken * halfSlope * this.camera.aspect;

@@ -1,8 +1,8 @@
 /**
- * The outline of a mesh in a camera's view. On smooth parts it is the line on which normals, given
- * at the triangles' corners and linear in between, are at right angles to the view (Hertzmann and
- * Zorin, Illustrating smooth surfaces); it is smoother than the edges between front and back faces.
- * Creases and the boundary belong to it, too.
+ * The outline of a mesh in a camera's view. On smooth parts it is the line on which normals are at
+ * right angles to the view (Hertzmann and Zorin, Illustrating smooth surfaces). Normals at the
+ * triangles' corners are linear in between, so that the line is smoother than the edges between
+ * front and back faces. Creases and the boundary belong to it, too.
  */
 import { joinedSegments } from 'karcher/statistics';
 import { levelLines } from '../model/level_lines';
@@ -77,7 +77,7 @@ function faceNormals({ positions, triangles }: Mesh): Float64Array {
 
 /**
  * The opposite side of each side, in the triangle beyond it; -1 on the boundary. Where more than
- * two triangles meet at an edge, the others are paired among themselves.
+ * two triangles meet at an edge, the others form pairs among themselves.
  */
 function sidesAcross({ positions, triangles }: Mesh): Int32Array {
   const across = new Int32Array(triangles.length).fill(-1);

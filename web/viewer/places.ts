@@ -5,7 +5,7 @@ import type { Surface } from './surface';
 /** A distance from the middle beyond everything in the scene. */
 const outside = 4;
 
-/** Finds places of a surface in the scene. */
+/** The search for places of a surface in the scene. */
 export function placesOn(surface: Surface): Places {
   return {
     seen([dx, dy, dz], x, y) {

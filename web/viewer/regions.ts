@@ -12,7 +12,7 @@ import type { Vantage } from './vantage';
 export interface PaintedRegion {
   id: number;
   region: Region;
-  /** The pattern of the fill; null for a solid fill, undefined until it is computed. */
+  /** The pattern of the fill; null for a solid fill, undefined before its computation. */
   pattern: Pattern | null | undefined;
   style: FillStyle;
   /** The color of the line, for a fill without a color of its own. */
@@ -34,7 +34,7 @@ export class Regions {
     this.#paint();
   }
 
-  /** Shows regions on a surface, unless the same ones are shown already. */
+  /** Shows regions on a surface, unless they are already visible. */
   show(painted: readonly PaintedRegion[], surface: Surface | null): void {
     if (surface === this.#surface && `${painted.map(keyOf)}` === `${this.#painted.map(keyOf)}`) {
       if (painted.every((one, i) => shapeOf(one) === shapeOf(this.#painted[i]!))) return;
@@ -69,13 +69,13 @@ export class Regions {
       const { style, color, pattern } = one;
       const own = style.fillColor ?? color;
       const bars = barsOf(style);
-      // Until its pattern is computed a fill is as dark on average as the pattern.
+      // Before the computation of its pattern, a fill is as dark on average as the pattern.
       const opacity = bars && pattern === undefined ? partPainted(bars) * style.fill : style.fill;
       const mesh = new Mesh(
         this.#geometryOf(one),
         paint(own ? new Color(own) : this.#color, opacity, pattern ? bars : null),
       );
-      // Regions are drawn after the surface, and before all lines.
+      // Regions come after the surface, and before all lines.
       mesh.renderOrder = 0.1 + i * 1e-4;
       this.object.add(mesh);
     }

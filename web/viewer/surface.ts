@@ -31,7 +31,7 @@ import { SurfaceParts } from './surface_parts';
 
 export { colorSurface, fitSurface } from './clay';
 
-/** A weight of a picked point, cut to few decimals so that links are short. */
+/** A weight of a picked point with few decimals, so that links are short. */
 const shortened = (weight: number) => Math.floor(weight * 1e9) / 1e9;
 
 /** A point under the pointer, and its place in the scene. */
@@ -57,7 +57,7 @@ export class Surface {
   readonly frame: Frame;
   /** The mesh in the surface's own coordinates. */
   readonly mesh: MeshBlobs;
-  /** Whether its file gave it colors. */
+  /** Whether its file has colors. */
   readonly hasColors: boolean;
   readonly #geometry = new BufferGeometry();
   readonly #tree: MeshBVH;
@@ -71,7 +71,7 @@ export class Surface {
   readonly #edges: Mesh;
   #edgesShown = false;
   readonly #whole: Mesh;
-  /** The parts that are shown instead of a cut surface. */
+  /** The visible parts in place of a cut surface. */
   readonly #parts = new SurfaceParts(clayMesh, edgeMesh, paint);
   readonly #along = new WeakMap<Float32Array, Float32Array>();
 
@@ -275,32 +275,32 @@ export class Surface {
     return normals;
   }
 
-  /** A polyline in the surface's coordinates, x, y, z each, converted to the scene's. */
+  /** A polyline of the surface's coordinates, x, y, z each, in those of the scene. */
   toScene(polyline: Float32Array): Float32Array {
     return placesInScene(this.frame, polyline);
   }
 
-  /** A place in the surface's coordinates, converted to the scene's. */
+  /** A place of the surface's coordinates in those of the scene. */
   inScene(place: Vector): Vector3 {
     return new Vector3(...placeInScene(this.frame, place));
   }
 
-  /** A place of the scene, converted to the surface's coordinates. */
+  /** A place of the scene in the surface's coordinates. */
   fromScene(position: Vector3): Vector {
     return placeFromScene(this.frame, position.toArray());
   }
 
-  /** A direction in the surface's coordinates, converted to the scene's. */
+  /** A direction of the surface's coordinates in those of the scene. */
   directionInScene(direction: Vector): Vector3 {
     return new Vector3(...directionInScene(this.frame.up, direction));
   }
 
-  /** A direction of the scene, converted to the surface's coordinates. */
+  /** A direction of the scene in the surface's coordinates. */
   directionFromScene(direction: Vector3): Vector {
     return directionFromScene(this.frame.up, direction.toArray());
   }
 
-  /** Carries directions from a point to another one by the rotation between their normals. */
+  /** The turn of directions from a point to another one, by the rotation between the normals. */
   carry(from: SurfacePoint, to: SurfacePoint): (direction: Vector) => Vector {
     const turning = new Quaternion().setFromUnitVectors(this.normal(from), this.normal(to));
     return (direction) =>
@@ -335,8 +335,8 @@ export class Surface {
   /** The surface's extent in a direction, times the direction's length. */
   #reach(direction: Vector3): number {
     let farthest = -Infinity;
-    // Boxes that reach less than this farther are skipped, since all boxes of a plane have the same
-    // extent.
+    // The search skips boxes that reach less than this farther, since all boxes of a plane have the
+    // same extent.
     const grain = 1e-6 * direction.length();
     const corner = new Vector3();
     const reachOf = (box: Box3) =>

@@ -19,8 +19,8 @@ export class SurfaceParts {
   #edges = false;
 
   /**
-   * `clay` makes the mesh of a part, `edges` that of its triangles' edges, and `paint` the material
-   * of a color over it.
+   * `clay` returns the mesh of a part, `edges` that of its triangles' edges, and `paint` the
+   * material of a color over it.
    */
   constructor(
     private readonly clay: (geometry: BufferGeometry) => Mesh,
@@ -28,7 +28,7 @@ export class SurfaceParts {
     private readonly paint: (color: Color, opacity: number) => ShaderMaterial,
   ) {}
 
-  /** Whether the edges of the parts' triangles are seen. */
+  /** Whether the edges of the parts' triangles are visible. */
   set edgesShown(shown: boolean) {
     this.#edges = shown;
     for (const { edges } of this.#drawn.values()) edges.visible = shown;

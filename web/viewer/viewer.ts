@@ -51,9 +51,9 @@ export class Viewer {
   #edges = false;
   #fileColors = true;
   #relief = true;
-  /** The stage's size in CSS pixels, kept since reading it from the page causes a slow layout. */
+  /** The stage's size in CSS pixels, kept here since a read from the page is a slow layout. */
   #size = { width: 1, height: 1 };
-  /** The stage's place in the window; null until a caller measures it again. */
+  /** The stage's place in the window; null until the next measurement. */
   #box: DOMRect | null = null;
   #frame = 0;
 
@@ -83,14 +83,14 @@ export class Viewer {
     }
   }
 
-  /** Adds a layer, and gives it the colors that are set from then on. */
+  /** Adds a layer, and gives it the present colors and all later ones. */
   addLayer(layer: Layer): void {
     this.#layers.push(layer);
     this.#scene.add(layer.object);
     if (this.#colors) layer.setColors(this.#colors);
   }
 
-  /** Adds a listener that is called before each frame, after the camera has moved. */
+  /** Adds a listener, which runs before each frame, after the camera has moved. */
   onFrame(listener: () => void): void {
     this.#beforeFrame.push(listener);
   }
@@ -108,7 +108,7 @@ export class Viewer {
     });
   }
 
-  /** Whether the newest view is drawn, and no motion is under way. */
+  /** Whether the newest view is visible, and no motion is under way. */
   get still(): boolean {
     return this.#frame === 0;
   }
@@ -223,7 +223,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Shows polylines in the surface's coordinates instead of a curve; they cannot be picked. */
+  /** Shows polylines in the surface's coordinates instead of a curve; nobody can pick them. */
   showLines(lines: readonly Float32Array[]): void {
     const surface = this.#surface;
     this.#line = new Float32Array();
@@ -393,7 +393,7 @@ export class Viewer {
     return this.#vantage.reach(position, pixels);
   }
 
-  /** The stage's place in the window, measured once, and again after a change of size. */
+  /** The stage's place in the window, with a new measurement after a change of size. */
   get box(): DOMRect {
     this.#box ??= this.stage.getBoundingClientRect();
     return this.#box;
@@ -423,13 +423,13 @@ export class Viewer {
     this.#view.pan(x, y);
   }
 
-  /** While this is set the pointer only moves the view. */
+  /** Whether the pointer only moves the view. */
   set movesView(moves: boolean) {
     this.#view.moves = moves;
     this.stage.classList.toggle('moving', moves);
   }
 
-  /** Zooms to points of the surface; turns to where they are visible if most are hidden. */
+  /** Zooms to points of the surface, and turns to where they are visible if most are hidden. */
   zoomTo(points: readonly SurfacePoint[], around: readonly Vector3[] = []): void {
     const surface = this.#surface;
     if (!surface || points.length === 0) return;
@@ -464,8 +464,8 @@ export class Viewer {
   }
 
   /**
-   * The view as a PNG, with a number of pixels for each CSS pixel; transparent around the surface unless a
-   * background is given.
+   * The view as a PNG, with a number of pixels for each CSS pixel; transparent around the surface
+   * without a background.
    */
   picture(scale: number, background: string | null): Promise<Blob> {
     const picture = pictureOf(this.#renderer, () => this.#render(), this.#size, scale, background);

@@ -49,7 +49,7 @@ export class Stopped extends Error {
   }
 }
 
-/** Reports when the first call begins and when the last one ends. */
+/** A client that reports the beginning of the first call and the end of the last one. */
 class TellingClient extends WorkerClient {
   onBusy: (busy: boolean) => void = () => {};
   #calls = 0;
@@ -83,7 +83,7 @@ export interface OutlinedShape {
 
 /** The parts of a curve's view to return besides its value. */
 export interface CurveRequest {
-  /** The object of the curve; a curve without one is disposed of after its view. */
+  /** The object of the curve; a curve without one ends after its view. */
   object?: number;
   /** The number of marks along the curve. */
   marks?: number;
@@ -93,7 +93,7 @@ export interface CurveRequest {
   outlines?: boolean;
 }
 
-/** A curve whose points are moved repeatedly; the engine continues its legs. */
+/** A curve with repeated moves of its points; the engine continues its legs. */
 export class LooseCurve {
   #legs: readonly DrawnLeg[] | undefined;
 
@@ -120,14 +120,14 @@ export class LooseCurve {
   }
 
   dispose(): void {
-    // If the worker has ended, the curve no longer exists.
+    // A worker that has ended has no curve.
     void this.curve.dispose().catch(() => {});
   }
 }
 
 /**
- * A surface in a worker of its own, with a curve for each object on it; after a change only changed
- * parts are computed. `stop` cancels the work under way. `close` ends the worker; its calls then
+ * A surface in a worker of its own, with a curve for each object on it. After a change it computes
+ * only changed parts. `stop` cancels the work under way. `close` ends the worker; its calls then
  * fail with a `KarcherError`.
  */
 export class EngineClient {
@@ -142,16 +142,16 @@ export class EngineClient {
    * curve.
    */
   readonly #curves = new Map<number, Promise<RemoteCurve | null>>();
-  /** Called when the worker ends by itself, for example because memory runs out. */
+  /** A listener for a worker that ends by itself, for example because memory runs out. */
   onStopped: (() => void) | null = null;
-  /** Called with the finished fraction of long work, and the name of its stage. */
+  /** A listener for the finished fraction of long work, and the name of its stage. */
   onProgress: (done: number, stage: string) => void = () => {};
 
   private constructor() {
     this.#worker.onFatal = () => this.onStopped?.();
   }
 
-  /** Starts a worker and makes the surface there; ends the worker if that fails or is aborted. */
+  /** Starts a worker and creates the surface there. Ends the worker if that fails or is aborted. */
   static async load(source: MeshSource, work: LongWorkOptions = {}): Promise<EngineClient> {
     const client = new EngineClient();
     try {
@@ -163,17 +163,15 @@ export class EngineClient {
     }
   }
 
-  /**
-   * Sets the listener that is called when the first call begins, and when the last one has ended.
-   */
+  /** Sets the listener for the beginning of the first call and the end of the last one. */
   set onBusy(hear: (busy: boolean) => void) {
     this.#worker.onBusy = hear;
   }
 
   /**
    * Cancels the work under way, which fails with `Stopped`. If the worker is busy with a long call,
-   * another one replaces it, with the surface and loose curves. Curves of objects are traced again
-   * on their next request.
+   * another one replaces it, with the surface and loose curves. The next request for an object's
+   * curve traces it again.
    */
   stop(): void {
     this.keepCurves([]);
@@ -221,7 +219,7 @@ export class EngineClient {
     const before = object === undefined ? null : await this.#curves.get(object);
     const curve = before ?? (await this.#first(object, value));
     try {
-      // Both calls are sent at once, so that no other call comes between them.
+      // The client sends both calls at once, so that no other call comes between them.
       const [[view, marked], [filled, path]] = await both(
         both(
           before ? curve.set(value) : curve.view(),
@@ -246,7 +244,7 @@ export class EngineClient {
   forget(object: number): void {
     const curve = this.#curves.get(object);
     this.#curves.delete(object);
-    // If the worker has ended, the curve no longer exists.
+    // A worker that has ended has no curve.
     void curve?.then((one) => one?.dispose()).catch(() => {});
   }
 
@@ -268,8 +266,8 @@ export class EngineClient {
   }
 
   /**
-   * The point of an object's curve nearest to a place; `value` makes the curve if the worker does
-   * not have it.
+   * The point of an object's curve nearest to a place; `value` defines the curve for a worker
+   * without it.
    */
   async measure(
     object: number,
@@ -393,7 +391,7 @@ export class EngineClient {
     return this.#worker.call('framedAt', [this.mesh, places]) as Promise<Framed>;
   }
 
-  /** What a step of a move puts down on the surface: all of it in one call, for a drag. */
+  /** The results of a step of a move on the surface, all in one call, for a drag. */
   putDown(step: Step): Promise<MappedPoints> {
     return this.#worker.call('putDown', [this.mesh, step]) as Promise<MappedPoints>;
   }
@@ -441,5 +439,5 @@ export class EngineClient {
   }
 }
 
-/** Both answers. If both fail, the second failure is not reported as unhandled. */
+/** Both answers. If both fail, the second failure does not count as unhandled. */
 const both = <A, B>(a: Promise<A>, b: Promise<B> | B): Promise<[A, B]> => Promise.all([a, b]);

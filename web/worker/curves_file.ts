@@ -3,7 +3,7 @@ import type { Mesh, SurfacePoint } from 'karcher';
 import type { FileMarks, FilePath } from 'karcher/formats';
 import type { CurvesFormat, DrawnCurve } from '../model/drawn_curves';
 
-/** A curve as it is sent to the worker: with the arrays of its path, whose methods do not pass. */
+/** A curve in a message to the worker: with the arrays of its path, whose methods do not pass. */
 export interface SentCurve extends Omit<DrawnCurve, 'path'> {
   closed: boolean;
   points: readonly SurfacePoint[];

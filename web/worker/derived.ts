@@ -1,4 +1,4 @@
-/** Lines that are made of other lines: their offsets, and booleans of their regions. */
+/** Lines derived from other lines: their offsets, and booleans of their regions. */
 import { KarcherError, type Mesh, type Path, type Region, type SurfacePoint } from 'karcher';
 import type { BooleanKind, Offset, OffsetSide } from '../model/derived';
 import type { Inside } from '../model/figure';
@@ -13,7 +13,7 @@ export interface DerivedLines {
   fill: Fill | null;
 }
 
-/** The inside is a side of the first line, or the side that contains the middle of a line. */
+/** A shape. Its inside is a side of the first line, or the side with the middle of a line. */
 const outlined = (
   mesh: Mesh,
   outlines: (Outline | Path)[],
@@ -33,7 +33,7 @@ function enclosed(mesh: Mesh, outlines: Outline[], inside?: Inside | undefined):
   }
 }
 
-/** An inward offset lies on the enclosed side of closed lines; for other lines it is the left. */
+/** The offset of lines. Inwards is the enclosed side of closed lines, and the left of others. */
 export function offsetOf(
   mesh: Mesh,
   outlines: Outline[],

@@ -31,7 +31,7 @@ export async function edited(
   value: CurveOptions,
   edit: Edit,
 ): Promise<Edited> {
-  // Calls are answered in their order, even those that are not awaited.
+  // The worker answers calls in their order, even those that nobody awaits.
   const set = curve.set(value);
   switch (edit.type) {
     case 'insertPoint':
@@ -103,7 +103,7 @@ async function meantAt(
 
 const far = (p: Place, q: Place) => Math.hypot(...p.map((value, axis) => value - q[axis]!));
 
-/** Joins both curves into one, and reverses them if needed. */
+/** Joins both curves into one, and reverses them if necessary. */
 async function joinedAtEnds(a: RemoteCurve, b: RemoteCurve): Promise<RemoteCurve> {
   const ends = async (curve: RemoteCurve) => {
     const { segmentCount } = await curve.view();

@@ -1,13 +1,13 @@
 /**
- * Fills parts of faces given by their sides. A sweep from left to right joins each vertex that it
- * meets to those that this vertex sees (S. Hertel, K. Mehlhorn, "Fast triangulation of simple
- * polygons", 1983). Triangles have corners only at ends of sides, so neighbors have whole edges in
- * common, also across faces, and no pixel between them is missed.
+ * Fills parts of faces, described by their sides. A sweep from left to right joins each vertex that
+ * it meets to those that this vertex sees (S. Hertel, K. Mehlhorn, "Fast triangulation of simple
+ * polygons", 1983). Triangles have corners only at ends of sides. So neighbors have whole edges in
+ * common, also across faces, and no pixel between them is missing.
  */
 
 type Place = readonly [x: number, y: number];
 
-/** From its left end to its right one; upright sides go up. */
+/** A side from its left end to its right one; upright sides go up. */
 interface Side {
   left: Place;
   right: Place;
@@ -19,13 +19,13 @@ interface Side {
  */
 type Front = Place[];
 
-/** Weights are multiples of its inverse. */
+/** The scale of which weights are multiples of the inverse. */
 const scale = 2 ** 40;
 
 /**
- * `faces` has the face of each side, in order, and `sides` four numbers each: second and third
- * weight of one end and of the other. Returns triangles: their faces, and the two weights of each
- * corner.
+ * The triangles that fill parts of faces: their faces, and the two weights of each corner. `faces`
+ * has the face of each side, in order, and `sides` four numbers each: second and third weight of
+ * one end and of the other.
  */
 export function filledSides(
   faces: Int32Array,
@@ -48,7 +48,7 @@ export function filledSides(
 const isBefore = ([ax, ay]: Place, [bx, by]: Place) => ax < bx || (ax === bx && ay < by);
 const isSame = ([ax, ay]: Place, [bx, by]: Place) => ax === bx && ay === by;
 
-/** Positive where a, b and c turn to the left, 0 on a line: the sign is exact. */
+/** The turn from a and b to c: positive for a left turn, 0 on a line. Its sign is exact. */
 function turn([ax, ay]: Place, [bx, by]: Place, [cx, cy]: Place): number {
   const [x, y, u, v] = [bx - ax, by - ay, cx - ax, cy - ay];
   const [over, under] = [x * v, y * u];
@@ -92,7 +92,7 @@ function fillFace(sides: Float64Array, add: Add): void {
     const before = (under && fronts.get(under)) ?? [];
     const rows = ended.map((side) => fronts.get(side) ?? []);
     for (const side of ended) fronts.delete(side);
-    // Filling between two ended sides closes at the place; that below and above goes on from it.
+    // The filling between two ended sides ends here; below and above, others go on from here.
     for (const [k, row] of rows.slice(0, -1).entries())
       if ((k % 2 === 1) === isFilled) close(row, place, add);
     let lower: Front = [];
@@ -135,7 +135,7 @@ function joinedBelow(front: Front, place: Place, add: Add): Front {
   return [place, ...front.slice(first)];
 }
 
-/** A front parted by a place in its middle, which its rightmost place is joined to first. */
+/** A front in two parts at a place in its middle, first joined to the front's rightmost place. */
 function parted(front: Front, place: Place, add: Add): [Front, Front] {
   let right = 0;
   for (const [i, other] of front.entries()) if (isBefore(front[right]!, other)) right = i;

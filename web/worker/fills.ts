@@ -18,7 +18,7 @@ export function fillOf(
   return painted(mesh, () => mesh.regions([{ outlines, ...(inside && { inside }) }])[0]!);
 }
 
-/** A region in its painted form, or the reason why there is none. */
+/** A region in its painted form, or the reason why it does not exist. */
 export function painted(mesh: Mesh, regionOf: () => Region): Fill {
   try {
     const region = regionOf();

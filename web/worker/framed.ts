@@ -1,8 +1,8 @@
 /**
  * Figures that move together, each in a frame of its own: a pair of perpendicular directions at the
- * figure's middle. The frame is carried on the surface, and the figure is laid out from it anew. Told
- * from one pivot, far figures would become narrower or wider, for geodesics of a curved surface come
- * together or part.
+ * figure's middle. The frame moves on the surface, and the figure keeps its places relative to it.
+ * From a single pivot, far figures would become narrower or wider, since geodesics of a curved
+ * surface come together or part.
  */
 import type { MappedPoints, Mesh, PointLike, SurfacePoint } from 'karcher';
 import type { Vector } from '../model/figure';
@@ -23,7 +23,7 @@ export interface Framed {
   directions: Float64Array;
 }
 
-/** A step of a move: vectors and directions at a place, and where it is now; null if it stays. */
+/** A step of a move: vectors and directions at a place, with its new position or null. */
 export interface Step {
   from: PointLike;
   to: PointLike | null;
@@ -36,8 +36,8 @@ export interface Step {
 }
 
 /**
- * Each round brings the middle nearer to the center of mass of at most that many of the places. The
- * middle need not be exact, for any place amid a figure serves.
+ * The number of rounds. Each brings the middle nearer to the center of mass of a number of places.
+ * The middle need not be exact, since any place amid a figure serves.
  */
 const rounds = 3;
 const mostCompared = 64;
@@ -64,7 +64,7 @@ export function framedAt(mesh: Mesh, { places, directions }: DirectedPlaces): Fr
   };
 }
 
-/** What a step puts down: the places of the framed figures, and then the rest of the vectors' ends. */
+/** The ends of a step: the places of the framed figures, and then the ends of the other vectors. */
 export function putDown(
   mesh: Mesh,
   { from, to, vectors, directions, framed, scale }: Step,
@@ -86,7 +86,7 @@ export function putDown(
       ...laid.flatMap((figure) => [...figure.directions]),
       ...ends.directions.subarray(3 * rest),
     ]),
-    // A frame that meets the boundary stops there, and with it the move.
+    // A frame that meets the boundary stops there, and the move with it.
     remaining: Float64Array.from([
       ...laid.flatMap(({ remaining }, i) =>
         [...remaining].map((left) => left + ends.remaining[2 * i]!),
@@ -108,7 +108,7 @@ function endsOf(
 
 /** Two perpendicular directions in the plane with a unit normal. */
 function axesOf(normal: Vector): Float64Array {
-  // The coordinate axis from which the normal is farthest.
+  // This is the coordinate axis farthest from the normal.
   const sizes = normal.map(Math.abs);
   const farthest = sizes.indexOf(Math.min(...sizes));
   const aside = cross(normal, [+(farthest === 0), +(farthest === 1), +(farthest === 2)]);

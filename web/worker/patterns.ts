@@ -10,7 +10,7 @@ const sidePart = 1 / 3;
 /** The approximate largest number of triangles; they are larger if necessary. */
 const mostTriangles = 150_000;
 /**
- * The length of the line that distances start from, to each side of the region's middle, as a
+ * The length of the line from which distances start, to each side of the region's middle, as a
  * multiple of the distance from there to the region's farthest triangle.
  */
 const reachPart = 1.5;

@@ -11,8 +11,8 @@ export interface Opened {
 const mostParts = 1000;
 
 /**
- * The index of each triangle's piece, and the number of triangles of each piece. Pieces are ordered
- * from the largest; of equally large ones, the one with the first triangle comes first.
+ * The index of each triangle's piece, and the number of triangles of each piece. The largest piece
+ * comes first; of equally large ones, the one with the first triangle.
  */
 export function piecesOf(
   triangles: Int32Array,
@@ -57,7 +57,7 @@ function partsOf(sizes: readonly number[]): FileInfo['parts'] {
 
 /**
  * A completely read file, with its pieces as parts if it has none, and the mesh of the selected
- * ones. The given mesh is disposed of if another one is returned.
+ * ones. If that is another mesh, the given one is disposed of.
  */
 export async function inPieces(
   karcher: Karcher,

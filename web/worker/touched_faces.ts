@@ -1,7 +1,7 @@
 /**
  * Faces that lie in a region as a whole, but have a corner of the region's border on one of their
- * edges: such as where a line runs along a part of the edge. They have to be filled like those that
- * are partly in the region, so that neighbors have whole edges in common.
+ * edges, such as where a line runs along a part of the edge. Like faces that are partly in the
+ * region they need a filling, so that neighbors have whole edges in common.
  */
 
 export interface Sides {
@@ -24,7 +24,7 @@ const bothOf = [
   [0, 1],
 ] as const;
 
-/** The whole faces that are left, and all sides. `triangles` has the vertices of all faces. */
+/** The remaining whole faces, and all sides. `triangles` has the vertices of all faces. */
 export function withTouched(
   whole: Int32Array,
   given: Sides,
@@ -37,7 +37,7 @@ export function withTouched(
   };
   const edges = new Map<number, Touched>();
   for (const [i, face] of given.faces.entries()) {
-    // Sides make loops, so their first ends are all corners.
+    // Sides form loops, so their first ends are all corners.
     const [x, y] = [given.sides[4 * i]!, given.sides[4 * i + 1]!];
     const weights = [1 - x - y, x, y];
     const corner = weights.indexOf(0);
