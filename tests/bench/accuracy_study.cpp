@@ -11,10 +11,10 @@
 #include "peers/compared_curve.h"
 #include "plot.h"
 
-/// How far a B-spline on a mesh of a smooth surface is from the true one on the surface, at three
-/// sizes, for the paper's fields and for log vectors; for the paper's method also as its authors
-/// run it, whose lost samples are left out of the errors. Prints Markdown; with a folder as
-/// argument writes accuracy.md and a plot a surface there.
+/// The distance of a B-spline on a mesh of a smooth surface from the true one on the surface, at
+/// three sizes. The study takes the paper's fields and log vectors, and the paper's method also as
+/// its authors run it; lost samples do not count. It prints Markdown. With a folder as argument it
+/// writes accuracy.md and a plot for each surface there.
 ///
 ///   accuracy_study [FOLDER] [SCALE]      SCALE multiplies the triangle counts; 1 by default
 namespace karcher {

@@ -8,20 +8,20 @@
 #include "generators/curve_shapes.h"
 #include "rcm/exact_minimum.h"
 
-/// Where curves of level 0 break, by both solvers: whether the energy by exact distances breaks
-/// there too. Random cubic Bezier curves, 128 samples.
+/// The breaks of curves of level 0, by both solvers, and those at which the energy by exact
+/// distances breaks, too. Random cubic Bezier curves, 128 samples.
 ///
 ///   breaks_study [--polygons N] [--seed S] MESH.obj [MESH.obj ...]
 ///
-/// At the middle of a break the energy's minimum is looked for from both of its ends, by exact
-/// distances. Two that lie apart are two minima, between which the mean has to jump whatever the
-/// solver; one is a break that the solver's fields made.
+/// At the middle of a break the study looks for the energy's minimum from both of its ends, by
+/// exact distances. If the two ends of the searches lie apart, the mean has to jump whatever the
+/// solver; otherwise the break comes from the solver's fields.
 namespace karcher {
 namespace {
 
 constexpr int kSamples = 128;
 constexpr double kSpacings[] = {0.05, 0.1, 0.2};
-/// Minima of one valley end nearer to each other than this, in mean edges: the width of the
+/// The distance, in mean edges, below which two ends of searches are one minimum: the width of the
 /// circles.
 constexpr double kApart = 2 * kCheckedRadius;
 

@@ -11,7 +11,7 @@
 #include "rcm/exact_minimum.h"
 #include "rcm/mean.h"
 
-/// What `converged` of a center of mass is worth, on the gallery of meshes that try solvers
+/// The worth of `converged` for a center of mass, on the gallery of meshes that try solvers
 /// (generators/gallery.h), or on meshes of files. Random points with random weights; every other
 /// case has points within a tenth of the diagonal, and two of four have points at vertices. For
 /// each mesh:
@@ -60,7 +60,7 @@ struct Lower {
   }
 };
 
-/// Centers that a change moved although it should not.
+/// The centers that a change moved although it should not.
 struct Moved {
   int count = 0;
   int ties = 0;
@@ -127,7 +127,7 @@ Array<SurfacePoint> randomPoints(const TriangleMesh& mesh, double diagonal, bool
 }
 
 /// The amount by which the lowest point on the circle is lower than the center, in square mean
-/// edges. The distances are not aimed, and so differ from those of the search.
+/// edges. Its distances have no aim, and so differ from those of the search.
 double lowerOnCircle(const Geometry& geometry, const Array<SurfacePoint>& points,
                      const Array<double>& weights, const SurfacePoint& center) {
   const double radius = kCheckedRadius * geometry.meanEdge;

@@ -11,9 +11,9 @@
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
 
-/// How far circles are from equidistance: the exact distance from the center to points all along
-/// each, less the radius. Circles of n rational arcs by each method, and the isolines of the exact
-/// distance, interpolated and exact, as in the paper's section 5.
+/// The deviation of circles from equidistance: the exact distance from the center to points all
+/// along each, less the radius. Circles of n rational arcs by each method, and the isolines of the
+/// exact distance, interpolated and exact, as in the paper's section 5.
 ///
 ///   circle_study [MESH.obj ...]
 namespace karcher {
@@ -24,7 +24,7 @@ constexpr int kPointsAlong = 100;
 /// Radii as parts of the bounding box's diagonal.
 constexpr double kRadii[] = {0.05, 0.15};
 
-/// Largest and mean deviation from equidistance, in parts of the radius.
+/// The largest and the mean deviation from equidistance, in parts of the radius.
 struct Deviation {
   double largest = 0;
   double sum = 0;

@@ -127,8 +127,8 @@ Placed placed(const Family& family, const Surface& surface, const Case& example)
   return result;
 }
 
-/// The minimum of a quadratic that is fitted to the energy by exact distances over a disk around
-/// this minimum.
+/// The minimum of a quadratic fitted to the energy by exact distances over a disk around this
+/// minimum.
 SurfacePoint fittedMinimum(const Geometry& geometry, const Placed& example, double radius,
                            SurfacePoint center) {
   constexpr int kRings = 2;

@@ -40,7 +40,7 @@ CurveTimes timeCurve(Surface& surface, const Array<SurfacePoint>& points, int sa
   for (int i = 0; i < (field.method == Method::kPaper ? kRuns : kQuickRuns); ++i) {
     curve.movePoint(moved, places[i % 2]);
     drags.push_back(untilBridged());
-    // Another run with all fields known measures the searches alone. Equal weights change nothing
+    // A second run with all fields known measures the searches alone. Equal weights change nothing
     // else.
     CurveValue again = curve.value();
     again.options.shape.weights.assign(points.size(), i % 2 == 0 ? 2 : 1);

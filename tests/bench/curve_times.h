@@ -18,11 +18,11 @@ double medianTime(const Work& work, int runs = kRuns) {
 }
 
 struct CurveTimes {
-  double sampleUs = 0;  ///< with all fields known
-  double dragMs = 0;    ///< the middle point moved by an edge: its field, its segments, not joined
+  double sampleUs = 0;  ///< the time of a sample with all fields known
+  double dragMs = 0;    ///< a drag of the middle point by an edge: its field and segments
   double bridgeMs = 0;  // the search for jumps between the samples
   double joinMs = 0;    ///< the joining paths of all segments
-  double weightMs = 0;  ///< the middle point's weight changed: its segments, without joining paths
+  double weightMs = 0;  ///< another weight of the middle point: its segments, without joining paths
   int samples = 0;
   int lost = 0;
 };

@@ -87,7 +87,7 @@ void runPlan(ImportedMesh imported, const std::string& planPath, int levels) {
   const auto dragThere = [&](const SurfacePoint& place) {
     steps.push_back(processorTimed([&] { curve.dragPoint(kDragged, place); }));
   };
-  // Drags there and back, until `ms` have passed; returns the first steps.
+  // This drags there and back, until `ms` have passed; it returns the first steps.
   const auto drag = [&](double ms) {
     steps.clear();
     const double start = processorMilliseconds();

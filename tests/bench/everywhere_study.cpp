@@ -11,9 +11,9 @@
 #include "measures/allocations.h"
 #include "steadiness.h"
 
-/// Whether the default curve is as quick and as smooth on every mesh: cubic Bezier curves of random
+/// The speed and the smoothness of the default curve on every mesh: cubic Bezier curves of random
 /// polygons at .05 to .3 of the bounding box's diagonal, drawn and dragged, beside the limit of
-/// subdivision with every path searched anew. A row a mesh and spacing.
+/// subdivision with a new search for every path. A row a mesh and spacing.
 ///
 ///   everywhere_study [OPTIONS] MESH ...
 ///
@@ -94,7 +94,7 @@ void drawAndDrag(const TurningMeasure& measure, Surface& surface, const SteadyVa
 }
 
 /// The number of values of near fields at the corners of the faces that a curve's pieces cross, and
-/// how many of them sight does not find: each of these takes a path search.
+/// the number of those that sight does not find. Each of these takes a path search.
 struct Sighted {
   int values = 0;
   int unseen = 0;
@@ -189,8 +189,8 @@ void printRow(Surface& surface, const TurningMeasure& measure, double spacing,
   std::fflush(stdout);
 }
 
-/// Prints the time and memory that a first and a second curve of distant points take, including
-/// everything that they make for the mesh.
+/// Prints the time and memory of a first and a second curve of distant points, including all data
+/// for the mesh.
 void printMemory(Surface& surface, const Options& options) {
   Random random(static_cast<uint64_t>(options.seed));
   for (const char* which : {"first", "second"}) {

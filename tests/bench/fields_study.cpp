@@ -13,9 +13,8 @@
 #include "rcm/field_options.h"
 #include "rcm/surface.h"
 
-/// Whole fields: how far distances to all vertices are from exact ones, relative, and what a vertex
-/// takes beside a Dijkstra along edges in the same run. By the fast solver
-/// (field_options.h).
+/// Whole fields by the fast solver (field_options.h): the relative errors of distances to all
+/// vertices, and the time for a vertex beside a Dijkstra along edges in the same run.
 ///
 ///   fields_study tubes [COUNT [SEED]]    ring tubes of random proportions
 ///   fields_study rough [TRIANGLES]       a rough torus of so many triangles, or of a million, from
@@ -33,7 +32,7 @@ struct Row {
   double mean = 0;
   double longest = 0;   // the largest relative error of values that are too long
   double shortest = 0;  // the largest relative error of values that are too short
-  double wrong = 0;     ///< part of the vertices that are off by more than kWrong
+  double wrong = 0;     ///< the part of the vertices with errors above kWrong
   double time = 0;      // processor time, in multiples of Dijkstra's
 };
 

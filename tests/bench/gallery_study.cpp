@@ -12,9 +12,9 @@
 /// The solvers on the gallery of meshes that try them (generators/gallery.h), or on meshes of
 /// files. From 16 sources, half of them vertices, to all vertices:
 ///
-/// - the fast solver's worst and mean relative error against exact distances
-///   (straight ones where the mesh is flat), pairs off by more than 2 %, pairs
-///   below the straight line, and the most that a rotation of the mesh changes a distance;
+/// - the fast solver's worst and mean relative error against exact distances (straight ones where
+///   the mesh is flat), pairs off by more than 2 %, pairs below the straight line, and the most
+///   that a rotation of the mesh changes a distance;
 /// - of exact distances: pairs that no path joins, how far the two ways differ, and what a rotation
 ///   changes;
 /// - microseconds a vertex of both solvers.
@@ -24,7 +24,7 @@
 ///   gallery_study [PART_OF_A_NAME | MESH.obj ...]
 ///   gallery_study --random COUNT
 ///
-/// The second form tries so many random rough sheets, and prints how wrong the fast solver is
+/// The second form tries so many random rough sheets, and prints the errors of the fast solver
 /// there.
 namespace karcher {
 namespace {
@@ -32,8 +32,7 @@ namespace {
 constexpr uint64_t kSeed = 21;
 constexpr int kSources = 16;
 constexpr double kWrong = 0.02;
-/// The part of the diagonal by which a distance must be shorter than the straight line to count as
-/// below it.
+/// The part of the diagonal by which a distance below the straight line must be shorter to count.
 constexpr double kBelow = 1e-12;
 constexpr FieldOptions kFast{Method::kKarcher, Solver::kFast, 6};
 

@@ -32,7 +32,7 @@ namespace {
 constexpr double kSpacings[] = {0.1, 0.3};
 /// The longest legs that fit on the saddle.
 constexpr double kFarthestOnSaddle = 0.2;
-/// Samples of a segment: pieces of up to 5 levels have the eight steps that the stencils need.
+/// The samples of a segment: pieces of up to 5 levels have the steps that the stencils need.
 constexpr int kSamples = 513;
 constexpr int kSteps = 8;
 
@@ -54,7 +54,7 @@ Derivatives derivatives(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3&
 }
 
 struct Joints {
-  Array<double> kinks;  ///< degrees
+  Array<double> kinks;  ///< kinks in degrees
   Array<double>
       leaps;  // leaps of the second derivative, as parts of the larger value of both sides
 };
@@ -91,8 +91,8 @@ Array<SurfacePoint> pointsOf(const Array<CurveSample>& samples) {
   return points;
 }
 
-/// The samples of both pieces, with the joint once; none if the pieces differ in their numbers of
-/// samples.
+/// Measures the samples of both pieces, with the joint once; nothing if the pieces differ in their
+/// numbers of samples.
 void measure(const Curve& curve, const Meter& meter, Joints& joints, Joints& middles) {
   Array<Array<SurfacePoint>> pieces;
   for (int j = 0; j < curve.segmentCount(); ++j) {
@@ -112,7 +112,7 @@ void measure(const Curve& curve, const Meter& meter, Joints& joints, Joints& mid
   }
 }
 
-/// Legs of up to `farthest` of the diagonal fit on the mesh.
+/// Prints the rows of a mesh on which legs of up to `farthest` of the diagonal fit.
 void printRows(const std::string& name, Surface& surface, double farthest, int polygons) {
   struct Kind {
     const char* name;
@@ -197,7 +197,7 @@ void study(const Options& options) {
     print(meshName(name), surface);
   }
   if (options.memory && options.names.empty()) {
-    // Of any size, as the generators of uneven triangles are not.
+    // This mesh has any size, unlike those of the generators of uneven triangles.
     const int around = static_cast<int>(std::lround(std::sqrt(options.triangles / 4.0)));
     Surface surface(importMesh(ringTube(0.4, around, 2 * around)).mesh);
     print("ring tube", surface);

@@ -11,7 +11,7 @@
 #include "mesh/mesh_import.h"
 #include "peers/timed_field.h"
 
-/// Whether an edit's cost grows with the mesh: B-splines at several places of a mesh after LEVELS
+/// The growth of an edit's cost with the mesh: B-splines at several places of a mesh after LEVELS
 /// steps of Loop subdivision and after two steps less. Their points lie 4 % of the diagonal apart
 /// on the large mesh, and on the small one so far that the fields hold as many vertices as there.
 /// Each time is a median over the places. One JSON object.
@@ -64,8 +64,7 @@ Subject prepare(TriangleSoup soup) {
   return subject;
 }
 
-/// The average number of vertices that are nearer to a place's middle point than its neighbours
-/// are.
+/// The average number of vertices nearer to a place's middle point than its neighbours.
 double fieldVertices(const Subject& subject, double spacing) {
   double sum = 0;
   for (int place = 1; place <= kPlaces; ++place) {

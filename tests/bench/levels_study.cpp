@@ -24,10 +24,10 @@ constexpr double kFarthestOnSaddle = 0.2;
 constexpr double kSpacings[] = {0.05, 0.1, 0.2, 0.3};
 /// The number of samples of a curve for comparison, so that all pieces of up to 5 levels have one.
 constexpr int kSamples = 65;
-/// Every sample with a multiple of this index is compared with the truth, which takes long on some
+/// The factor of the indices of samples in the comparison with the truth, which takes long on some
 /// surfaces.
 constexpr int kTruthEvery = 16;
-/// Degrees by which level 0 may turn beyond the limit and still count as whole, if it has no
+/// The turn, in degrees, beyond the limit of a level 0 that still counts as whole, if it has no
 /// bridge.
 constexpr double kLittleTurning = 3;
 
@@ -51,7 +51,7 @@ double largestDistance(const Array<Vec3>& a, const Array<Vec3>& b) {
   return largest;
 }
 
-/// The largest distance of a curve from the true one; none if the true one has no center.
+/// The largest distance of a curve from the true one; nothing if the true one has no center.
 double fromTruth(const SmoothSurface& smooth, const Curve& curve, const Array<Vec3>& samples) {
   Array<Vec3> points;
   for (const SurfacePoint& p : curve.points()) {

@@ -6,8 +6,8 @@
 #include "generators/curve_shapes.h"
 
 /// Samples whose search did not converge, on uniform cubic B-splines of 256 samples a segment, of
-/// level 0 and of automatic levels: with the control points where the file has them, and snapped to
-/// the nearest corner of their faces.
+/// level 0 and of automatic levels. The control points are those of the file, or the nearest
+/// corners of their faces.
 ///
 ///   lost_study MESH.obj POINTS.txt [MESH.obj POINTS.txt ...]
 namespace karcher {

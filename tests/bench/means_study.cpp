@@ -8,10 +8,10 @@
 #include "mesh/shapes.h"
 #include "rcm/mean.h"
 
-/// What a center of mass of random points costs, on meshes of files or on a torus of this many
-/// triangles: a row for each number of points and each part of the diagonal within which they lie,
-/// with the processor's milliseconds (median and most; the fields are made in them), the steps of a
-/// search (median), and the share that converged.
+/// The cost of a center of mass of random points, on meshes of files or on a torus of this many
+/// triangles. A row is for a number of points and a part of the diagonal within which they lie. It
+/// has the processor's milliseconds (median and most, with the fields), the steps of a search
+/// (median), and the share that converged.
 ///
 ///   means_study [--points N]... [--within PART]... [--solver exact] [--cases N] [--list]
 ///               [MESH.obj | TRIANGLES]...

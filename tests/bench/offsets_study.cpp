@@ -11,10 +11,10 @@
 #include "intrinsic/straightest.h"
 #include "mesh/error.h"
 
-/// How well offsets keep their distance: along each line, at its points and between them, the exact
-/// distance from the curve less the offset's, as a part of it. The distance is that of the field
-/// of the curve, and at some points, without that field, the shortest of exact paths to points all
-/// along the curve.
+/// The deviation of offsets from their distance: along each line, at its points and between them,
+/// the exact distance from the curve less the offset's, as a part of it. The distance is that of
+/// the field of the curve, and at some points, without that field, the shortest of exact paths to
+/// points all along the curve.
 ///
 ///   offsets_study [MESH.obj ...]
 namespace karcher {
@@ -24,8 +24,8 @@ namespace {
 constexpr double kDistances[] = {0.002, 0.01, 0.03};
 constexpr int kCurves = 3;
 constexpr int kChecked = 4;
-/// Samples of a curve for each distance of the offset along it: the nearest one finds the nearest
-/// place.
+/// The number of samples of a curve for each distance of the offset along it: the nearest one finds
+/// the nearest place.
 constexpr int kAlong = 10;
 
 /// A closed polygon of geodesics around a place.

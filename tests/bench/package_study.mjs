@@ -45,7 +45,7 @@ await logDirections();
 await medians(20);
 await derivatives(20);
 
-/** Hits of rays on every geometry, with each tree made before the surface and each after it. */
+/** Hits of rays on every geometry, with each tree built before the surface and after it. */
 function hits(count) {
   const trees = {
     none: () => {},
@@ -157,7 +157,7 @@ async function logDirections() {
   }
 }
 
-/** Medians of three points of a plane, seen from which the points are at equal angles. */
+/** Medians of three points of a plane: they see the points at equal angles. */
 async function medians(count) {
   const mesh = karcher.meshFromObj(grid(10));
   let most = 0;

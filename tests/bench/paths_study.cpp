@@ -9,10 +9,9 @@
 #include "intrinsic/straighten.h"
 #include "intrinsic/straightest.h"
 
-/// Paths that are found fast against the shortest ones by exact windows: random pairs of points,
-/// .05 to .3 of the diagonal apart. And what a crossing of an edge costs where a path that is tight
-/// is straightened again, and where its end moves by a tenth of a mean edge. Times are the least of
-/// three.
+/// Fast paths against the shortest ones by exact windows, for random pairs of points, .05 to .3 of
+/// the diagonal apart. And the cost of a crossing of an edge when a tight path is straightened
+/// again, and when its end moves by a tenth of a mean edge. Times are the least of three.
 ///
 ///   paths_study [--pairs N] [--rough] MESH.obj ...
 ///

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kSamples = 16;
 
-/// The control points of a spline, and those of the spline that it is measured from.
+/// The control points of a spline, and those of its reference spline.
 struct Placement {
   const char* name;
   Array<SurfacePoint> points;

@@ -12,8 +12,8 @@ struct Series {
   Array<double> y;
 };
 
-/// An SVG picture of the series on logarithmic axes; values that are not positive are drawn at the
-/// lower end.
+/// An SVG picture of the series on logarithmic axes. Values that are not positive lie at the lower
+/// end.
 std::string logLogPlot(const std::string& title, const std::string& xLabel,
                        const std::string& yLabel, const Array<Series>& series);
 

@@ -62,7 +62,7 @@ int study(const Arguments& arguments) {
       const double took =
           timed([&] { fuzzPolygon(surface, spacing, seed, tally, arguments.levels); });
       slowest = std::max(slowest, took);
-      // A run takes long, so faults are printed when they are found.
+      // A run takes long, so it prints faults as it finds them.
       for (int k = known; k < tally.faults.count(); ++k) {
         std::printf("%s: %s\n", arguments.meshes[m].c_str(), tally.faults[k].c_str());
         std::fflush(stdout);

@@ -23,7 +23,7 @@ namespace {
 constexpr uint64_t kSeed = 5;
 constexpr int kSamples = 65;
 constexpr int kSizes = 5;
-constexpr double kLargest = 0.5;  ///< the largest leg, about
+constexpr double kLargest = 0.5;  ///< the approximate length of the largest leg
 constexpr int kLevels[] = {1, 2, 3, 4, kAutomaticLevels};
 
 struct Example {

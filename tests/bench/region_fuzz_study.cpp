@@ -6,8 +6,8 @@
 #include "bench_support.h"
 #include "fuzz/region_fuzz.h"
 
-/// Random drawings on surfaces of genus 0 to 3 and with rims, in turn: what their cells and regions
-/// miss of what must hold.
+/// Random drawings on surfaces of genus 0 to 3 and with rims, in turn: the violations of the
+/// invariants of their cells and regions.
 ///
 ///   region_fuzz_study [--count N] [--seed S]
 ///

@@ -11,9 +11,9 @@
 #include "regions/cut.h"
 #include "regions/region.h"
 
-/// What cells, regions and cuts along random closed polygons take on spheres and tori of 70,000 and
-/// a million triangles: the least time of five (two), of the processor, so that what else runs does
-/// not count, beside what is asked.
+/// The time of cells, regions and cuts along random closed polygons on spheres and tori of 70,000
+/// and a million triangles, beside its limit: the least processor time of five (two), so that other
+/// programs do not count.
 namespace karcher {
 namespace {
 

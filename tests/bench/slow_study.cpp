@@ -29,7 +29,7 @@ Array<SurfacePoint> randomPoints(const TriangleMesh& mesh, int count, Random& ra
   return points;
 }
 
-/// The rows of the table; only those whose names contain a given text are measured.
+/// The rows of the table; only those whose names contain a given text run.
 class Rows {
  public:
   explicit Rows(std::string wanted) : wanted_(std::move(wanted)) {

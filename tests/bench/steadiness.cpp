@@ -21,10 +21,9 @@ Array<Vec3> positionsOf(const TriangleMesh& mesh, const Array<SurfacePoint>& pat
   return positions;
 }
 
-/// The largest leap that a curve may make when a geodesic of some length changes into another one:
-/// half of the length times the curvature between both. This is the curvature of vertices next to
-/// both geodesics; or, where they are farther than an edge apart, it follows from the angles
-/// between them.
+/// The largest leap of a curve when a geodesic of some length changes into another one: half of the
+/// length times the curvature between both. This is the curvature of vertices next to both
+/// geodesics. If these are farther than an edge apart, it follows from the angles between them.
 double allowedByPassing(const Geometry& geometry, double length, const Array<SurfacePoint>& before,
                         const Array<SurfacePoint>& after) {
   const TriangleMesh& mesh = *geometry.mesh;
@@ -171,7 +170,7 @@ CurveFigures measureCurves(const TurningMeasure& measure, Surface& surface,
   CurveFigures figures;
   for (const Array<SurfacePoint>& polygon : polygons) {
     TracedCurve traced;
-    // The measurement includes everything that a first tracing allocates and makes for the mesh.
+    // The measurement includes all allocations of a first tracing, and its data for the mesh.
     figures.ms.push_back(processorTimed([&] { traced = variant.trace(surface, polygon); }));
     figures.turnings.push_back(turning(measure, traced.polyline));
     figures.bridged.push_back(traced.bridged);

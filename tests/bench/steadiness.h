@@ -14,9 +14,9 @@ namespace karcher {
 
 /// Figures of traced curves, with an entry for each polygon.
 struct CurveFigures {
-  Array<double> turnings;  ///< degrees
+  Array<double> turnings;  ///< angles in degrees
   Array<double> bridged;   ///< parts of the curve
-  Array<double> corners;   ///< degrees
+  Array<double> corners;   ///< angles in degrees
   Array<double> levels;
   Array<double> ms;
   int lost = 0;
@@ -44,12 +44,12 @@ struct Drag {
   Array<SurfacePoint> path;
 };
 
-/// A drag in a random direction; drags that meet the boundary are drawn again.
+/// A drag in a random direction. Drags that meet the boundary are drawn again.
 Drag randomDrag(const Geometry& geometry, Random& random, const ControlPolygonOptions& options,
                 int steps);
 
 /// Steps that shiver although no leg passed a vertex that allows it, classified by the paths of the
-/// averages: like a leg, a geodesic between two averages may cease to exist at a vertex of positive
+/// averages. Like a leg, a geodesic between two averages may cease to exist at a vertex of positive
 /// curvature. The passages of legs and averages in a step add up.
 struct AverageFigures {
   int passing = 0;  // steps that the passages explain
@@ -71,21 +71,21 @@ struct Leap {
 struct HandFigures {
   DragFigures motion;
   AverageFigures averages;
-  Array<double> ms;           ///< a step
-  Array<double> allocations;  ///< a step
+  Array<double> ms;           ///< milliseconds of each step
+  Array<double> allocations;  ///< allocations of each step
   std::map<std::string, Array<double>> stageMs;
   Array<std::string> stages;  // in order
   Array<Leap> leaps;          // in descending order
-  double bridged = 0;         ///< sum over the steps
+  double bridged = 0;         ///< the sum over the steps
   int lost = 0;
   /// The distance by which release moves the curve, as a part of its length, for each drag.
   Array<double> released;
-  /// The same from a draft to the curve of automatic levels; none if the variant has no drafts.
+  /// The same from a draft to the curve of automatic levels; empty if the variant has no drafts.
   Array<double> releasedToAutomatic;
 };
 
-/// The figures by variant. Each drag is measured with all variants before the next, so that a
-/// machine whose speed drifts does not favour one.
+/// The figures by variant. All variants of a drag are measured before the next drag, so that a
+/// machine whose speed drifts favours none.
 Array<HandFigures> measureDrags(Surface& surface, const Array<SteadyVariant>& variants,
                                 const Array<Drag>& drags);
 

@@ -10,9 +10,9 @@
 #include "plot.h"
 #include "steadiness.h"
 
-/// How steady cubic Bezier curves are whose neighbouring control points lie .05 to .3 of the
-/// bounding box's diagonal apart: how much they turn, whether they hold together, how still they
-/// are while a control point is dragged, and how long a step of the hand takes.
+/// The steadiness of cubic Bezier curves whose neighbouring control points lie .05 to .3 of the
+/// bounding box's diagonal apart: their turning, their gaps, their stillness in a drag of a control
+/// point, and the time of a step of the hand.
 ///
 ///   steadiness_study [OPTIONS] MESH ...
 ///
@@ -37,7 +37,7 @@ namespace karcher {
 namespace {
 
 constexpr double kSpacings[] = {0.05, 0.1, 0.2, 0.3};
-/// Degrees by which curves may turn more than the smoothest ones without counting.
+/// The excess turning of curves over the smoothest ones, in degrees, that does not count.
 constexpr double kFreeTurning = 5;
 
 struct Options {
@@ -164,7 +164,7 @@ void printDrags(Surface& surface, const Options& options, Plots& plots) {
 /// The turning of another program's curves and of ours with the same control points, by spacing.
 struct Compared {
   Array<double> theirs;
-  Array<Array<double>> ours;  ///< by variant
+  Array<Array<double>> ours;  ///< the turning of our curves, by variant
 };
 
 void compare(const std::string& mesh, const Options& options,

@@ -77,7 +77,7 @@ SteadyVariant refined(const std::string& name, int levels) {
     return largestCorner(curve);
   };
   variant.hold = [levels](Surface& surface, const Array<SurfacePoint>& points) {
-    // Reading the processor's clock takes a microsecond: too long for stages.
+    // A read of the processor's clock takes a microsecond: too long for stages.
     const auto curve =
         std::make_shared<Curve>(surface, CurveValue{cubicBezier(levels), points, {}}, milliseconds);
     HeldCurve held;

@@ -47,14 +47,14 @@ struct SteadyVariant {
   std::string name;
   /// The cubic Bezier curve of these points.
   std::function<TracedCurve(Surface&, const Array<SurfacePoint>&)> trace;
-  /// Its largest angle at a joint of two pieces, degrees.
+  /// Its largest angle at a joint of two pieces, in degrees.
   std::function<double(Surface&, const Array<SurfacePoint>&)> corner;
   /// Begins a drag.
   std::function<HeldCurve(Surface&, const Array<SurfacePoint>&)> hold;
 };
 
 /// The variant with this name: a number of levels, "auto", "averages" (the engine's curve of
-/// subdivision, whose legs are continued) or "limit" (the curve of subdivision to the end, with a
+/// subdivision, which continues its legs) or "limit" (the curve of subdivision to the end, with a
 /// search for every path at every step). Throws std::runtime_error for another name.
 SteadyVariant steadyVariant(const std::string& name);
 

@@ -9,7 +9,8 @@
 
 /// The center of mass of two points with weights 1 - w and w against the point at the fraction w of
 /// their exact shortest path, in mean edges: 50 random pairs, 5 to 20 % of the diagonal apart, 101
-/// values of w. Errors across the path come of the fields' directions, along it of their lengths.
+/// values of w. Errors across the path come from the fields' directions, along it from their
+/// lengths.
 ///
 ///   two_points_study [MESH.obj ...]
 namespace karcher {

@@ -21,8 +21,8 @@
 namespace karcher {
 namespace {
 
-/// Checks that bridges are where the curve says, that their lines are connected, and that bridged
-/// samples lie on them.
+/// Checks that bridges are where the curve has them, that their lines are connected, and that
+/// bridged samples lie on them.
 void expectWhole(const Curve& curve, const Surface& surface) {
   const TriangleMesh& mesh = surface.mesh();
   for (int j = 0; j < curve.segmentCount(); ++j) {
@@ -186,7 +186,7 @@ TEST(Bridge, EveryGapIsMarked) {
       double t1 = static_cast<double>(i + 1) / kLooks;
       CurvePoint from = at(t0);
       CurvePoint to = at(t1);
-      // Bisects towards the larger half; a step that stays long is a gap.
+      // This bisects towards the larger half; a step that stays long is a gap.
       while (converged(from) && converged(to) && t1 - t0 > 1e-10) {
         const double t = (t0 + t1) / 2;
         const CurvePoint middle = at(t);

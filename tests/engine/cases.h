@@ -6,7 +6,7 @@
 
 namespace karcher {
 
-/// The number of cases: all, or `watched` where the sanitizers leave the longest tests out.
+/// The number of cases: all, or `watched` if the sanitizers omit the longest tests.
 inline int casesOf(int all, int watched) { return leavesLongestOut() ? watched : all; }
 
 /// The cases of a list: all, or the first ones.

@@ -82,8 +82,8 @@ TEST(Certificate, IsTheClosedFormOnDevelopableSurfaces) {
     for (const SurfacePoint& place : placesOf(flat, random)) {
       const Certificate truth = onPlane(flat, points, weights, place);
       const Certificate found = certificateOf(mesh.geometry, points, weights, false, place);
-      // Lengths up to 12 are known to a few units in the last place; a billionth of a face beside a
-      // side moves the place by that.
+      // Lengths up to 12 are exact up to a few units in the last place. Beside a side, a billionth
+      // of a face moves the place by as much.
       EXPECT_NEAR(found.energy, truth.energy, isBeside(place) ? 1e-7 : 1e-11);
       EXPECT_NEAR(found.residual, truth.residual, isBeside(place) ? 1e-8 : 1e-11);
     }

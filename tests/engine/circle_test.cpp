@@ -143,7 +143,7 @@ TEST(Circle, IsContinuousOnARoughSurface) {
 }
 
 /// The largest difference of distance and radius along a circle's joined path, as a part of the
-/// radius; each distance has its own search.
+/// radius. Each distance has its own search.
 double worstAlong(Surface& surface, const SurfacePoint& center, double radius,
                   const GeodesicCircle& circle, int points) {
   double worst = 0;

@@ -11,7 +11,7 @@
 namespace karcher {
 namespace {
 
-/// A curve of four points around a tube of radius 1, each given by its angle and its height.
+/// A curve of four points around a tube of radius 1, each at an angle and a height.
 class ContinuedLegs : public testing::Test {
  protected:
   SurfacePoint at(double angle, double height) const {

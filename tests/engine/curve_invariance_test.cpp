@@ -20,10 +20,10 @@
 namespace karcher {
 namespace {
 
-/// Levels of curves: centers of mass throughout, automatic refinement, or a fixed number of levels.
+/// The levels of curves: centers of mass throughout, automatic levels, or a fixed number.
 constexpr int kLevels[] = {0, kAutomaticLevels, 3};
 
-/// 17 samples a segment.
+/// Options with 17 samples a segment.
 CurveOptions optionsOf(const CurveShape& shape, Solver solver, int levels) {
   CurveOptions options = ofLevelZero(shape, 17, {Method::kKarcher, solver, 6});
   options.levels = levels;
@@ -216,7 +216,7 @@ TEST(CurveInvariance, ReversedControlPointsGiveTheSameCurve) {
 struct Comparison {
   int curves = 0;
   int refined = 0;       // curves with levels
-  int bridged = 0;       // curves that may differ: bridges appear and vanish by rounding
+  int bridged = 0;       // curves that may differ: rounding makes bridges appear and vanish
   int bridgedMoved = 0;  // those of them that do differ
   double largest = 0;    // the largest change of the others, as a part of the diagonal
 

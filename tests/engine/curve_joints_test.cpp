@@ -35,9 +35,9 @@ bool isBridged(const Curve& curve) {
 /// Measurements at the joints of curves.
 struct Joints {
   int curves = 0;
-  int segments = 0;       ///< joints between segments
-  int pieces = 0;         ///< joints between pieces of a segment
-  double atSegments = 0;  ///< the largest angles, degrees
+  int segments = 0;       ///< the number of joints between segments
+  int pieces = 0;         ///< the number of joints between pieces of a segment
+  double atSegments = 0;  ///< the largest angles, in degrees
   double atPieces = 0;
 
   void add(Curve& curve) {
@@ -59,7 +59,7 @@ struct Joints {
 };
 
 /// Four anchors, each between two handles on a geodesic through it: consecutive cubic Bezier
-/// curves. The second handle is turned away from that geodesic by `bend` radians.
+/// curves. The second handle turns away from that geodesic by `bend` radians.
 Array<SurfacePoint> anchorsWithHandles(const Geometry& geometry, Random& random, double spacing,
                                        double bend) {
   const Array<SurfacePoint> anchors =
@@ -119,7 +119,7 @@ Joints jointsOn(const TriangleSoup& soup, uint64_t seed) {
   return joints;
 }
 
-/// The remaining angle comes from the mesh, and falls with the square of its edges.
+/// Checks that the remaining angle comes from the mesh: it falls with the square of its edges.
 void expectSmoothJoints(const TriangleSoup& coarse, const TriangleSoup& fine, uint64_t seed) {
   const Joints onCoarse = jointsOn(coarse, seed);
   const Joints onFine = jointsOn(fine, seed);

@@ -208,7 +208,7 @@ TEST(CurveKinds, AfterAnyEditsAreTheCurveTracedAnew) {
 TEST(CurveKinds, ACustomBasisIsUsedUnchanged) {
   Surface surface(planeGrid(12, 12));
   CurveShape shape{CurveKind::kOwn};
-  // A quadratic through the three points, at 0, 0.5 and 1.
+  // The basis is a quadratic through the three points, at 0, 0.5 and 1.
   shape.basis = std::make_shared<OwnBasis>([](int, double t) {
     return Array<double>{(2 * t - 1) * (t - 1), 4 * t * (1 - t), t * (2 * t - 1)};
   });
@@ -218,7 +218,7 @@ TEST(CurveKinds, ACustomBasisIsUsedUnchanged) {
   Curve curve(surface, ofLevelZero(shape, 5, kExact), points);
   ASSERT_EQ(curve.segmentCount(), 1);
   EXPECT_LT((position(surface.mesh(), curve.samples(0)[2].point) - places[1]).norm(), 1e-9);
-  // The basis has no fourth weight: refused, and the curve stays.
+  // The basis has no fourth weight, so the curve refuses and stays.
   EXPECT_EQ(codeOf([&] { curve.insertPoint(1, points[0]); }), ErrorCode::kBadWeights);
   EXPECT_EQ(curve.pointCount(), 3);
 }

@@ -46,7 +46,7 @@ Array<CurveShape> sixPointShapes() {
 constexpr int kPoints = 6;
 const Array<double> kGaps{1, 2, 0.5, 0, 3, 1};
 
-/// The segments, with knots spaced by the gaps if there are any.
+/// The segments, with knots spaced by the gaps, if any.
 Array<SegmentLayout> layOutSpaced(const CurveShape& shape, const Array<double>& gaps) {
   Array<SegmentLayout> segments = layOut(shape, kPoints);
   if (shape.kind == CurveKind::kCatmullRom) {
@@ -132,7 +132,7 @@ double largestJump(const Array<SegmentLayout>& segments, const Array<double>& le
     for (int i = 0; i <= 5; ++i) {
       differences.push_back(weightedSum(spread(segments[j], at + direction * i * kStep), values));
     }
-    // Forward differences are the Newton form; its derivative is taken at the first value.
+    // Forward differences are the Newton form; its derivative is that at the first value.
     Array<double> coefficients;
     for (int order = 0; order <= 5; ++order) {
       coefficients.push_back(differences[0]);
@@ -231,7 +231,7 @@ TEST(CurveLayout, KeepsCustomKnotsValidThroughEdits) {
     try {
       checkShape(changed, count);
     } catch (const Error& error) {
-      // Only the requested change may be refused, and multiple knots that become inner ones.
+      // Only the requested change may be invalid, and multiple knots that become inner ones.
       EXPECT_TRUE(count < 4 || std::string(error.what()).find("occurs") != std::string::npos)
           << error.what();
       continue;

@@ -463,7 +463,7 @@ TEST(CurveLevels, FollowTheGivenLegs) {
       curve.dragPoint(1, nearestPoint(mesh, place));
     }
     EXPECT_GT(lineOf(curve).path.lengths.back(), 1.5 * shortest) << curveKindName(kind);
-    // When the point is moved, not dragged, its leg is the shortest.
+    // A move, unlike a drag, resets the point's legs to the shortest.
     curve.movePoint(1, b);
     EXPECT_NEAR(lineOf(curve).path.lengths.back(), shortest, 1e-9) << curveKindName(kind);
   }
@@ -497,7 +497,7 @@ TEST(CurveLevels, OfACurveThroughPointsBesideTheBoundaryAreTheSameCurve) {
     for (const int levels : {1, 2, kLimitLevels}) {
       const CurveOptions options = optionsOf(shape, 9, levels, kFast);
       const Curve center(surface, optionsOf(shape, 9, 0, kFast), points);
-      // There are no centers beyond the boundary.
+      // Beyond the boundary no centers exist.
       if (!hasAllCenters(center)) continue;
       const Curve curve(surface, options, points);
       refined += curve.levels() > 0 ? 1 : 0;

@@ -145,7 +145,7 @@ TEST(CurveMeasure, FindsTheNearestPoint) {
 
 /// The largest jumps of a curve's direction, in radians.
 struct Jumps {
-  double tangent = 0;    ///< between the two sides of a knot, by the derivatives
+  double tangent = 0;    ///< the jump between the two sides of a knot, by the derivatives
   double knotSteps = 0;  // the same by difference quotients, extrapolated to the knot
   double edges = 0;      ///< the largest turn within 5e-4 of t anywhere: at edges of the mesh
 };

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kPolygonPoints = 6;
 
-/// Curves of all kinds over random points, coarsely, finely and adaptively sampled.
+/// Runs an action for curves of all kinds over random points, with three ways of sampling.
 template <class Action>
 void forRandomCurves(uint64_t seed, const Action& action) {
   Surface bunny(bunnyMesh());

@@ -48,7 +48,7 @@ class CurveRefine : public testing::Test {
   }
 };
 
-/// The parameter of a point after a knot was inserted.
+/// The parameter of a point after the insertion of a knot.
 double afterCut(const SegmentParameter& at, const SegmentParameter& cut) {
   if (cut.t == 0 || cut.t == 1 || at.segment < cut.segment) return at.segment + at.t;
   if (at.segment > cut.segment) return at.segment + 1 + at.t;

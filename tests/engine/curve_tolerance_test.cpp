@@ -26,11 +26,11 @@ double distanceToPolyline(const Vec3& p, const Array<Vec3>& line, double enough)
 }
 
 struct Deviation {
-  double most = 0;  ///< of the diagonal
+  double most = 0;  ///< the largest deviation, as a part of the diagonal
   double at = 0;
 };
 
-/// The largest deviation of the curve, at `count` parameters, from the line drawn for it.
+/// The largest deviation of the curve, at `count` parameters, from its drawn line.
 Deviation deviationOf(Curve& curve, int count) {
   const TriangleMesh& mesh = curve.surface().mesh();
   const double diagonal = curve.surface().geometry().diagonal;

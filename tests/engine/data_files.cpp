@@ -1,4 +1,4 @@
-// The only file that contains the path of the checkout: the other files compile to the same
+// This is the only file that contains the path of the checkout: the other files compile to the same
 // everywhere.
 #include <stdexcept>
 

@@ -60,8 +60,8 @@ TEST(DragMemory, OfAPlacedPointKeepsTheOtherLegs) {
   EXPECT_EQ(codeOf([&] { withPointPlaced(value, 4, points[0]); }), ErrorCode::kBadIndex);
 }
 
-/// Default curves check whether level 0 follows the paths that the legs straighten to. The fields
-/// from end to end for this check are freed if the curve takes levels anyway.
+/// Default curves check whether level 0 follows the paths to which the legs straighten. If the
+/// curve takes levels anyway, it frees the fields from end to end of this check.
 TEST(CurveMemory, OfAutomaticLevelsEqualsThatOfGivenLevels) {
   const TriangleMesh mesh = meshOf(makeShape(Shape::kTorus, 80000));
   const auto heldBy = [&](const CurveOptions& options, const Array<SurfacePoint>& polygon,

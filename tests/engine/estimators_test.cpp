@@ -112,7 +112,7 @@ TEST(StencilTable, YieldsToTheOwnLogVectorOnARoughSurface) {
 }
 
 TEST(StencilTable, DoesNotGoThroughAHub) {
-  // A disc around one vertex: all others are two edges apart through it.
+  // The mesh is a disc around one vertex: all others are two edges apart through it.
   const TriangleSoup disc = wheel(3'000, 0, 0);
   const TriangleMesh mesh = buildMesh(disc.positions, disc.triangles);
   const Geometry geometry = buildGeometry(mesh);

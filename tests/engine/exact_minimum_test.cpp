@@ -103,7 +103,7 @@ TEST(ExactMinimum, IsNotClaimedAfterTheLastMove) {
   EXPECT_FALSE(result.isLowest);
 }
 
-/// `converged` promises this; the test uses whole shortest paths, at other points than the search.
+/// `converged` promises this. The test uses whole shortest paths, at other points than the search.
 TEST(Mean, AConvergedMeanMinimizesTheEnergyOfShortestPaths) {
   SKIP_WHERE_SANITIZED();
   // On these meshes, some zeros of the blended fields are not minima.

@@ -41,8 +41,8 @@ TEST(FieldSet, AMovedSpareIsFoundAtItsNewPlace) {
   EXPECT_EQ(set.find(vertexPoint(mesh, 10)), nullptr);
 }
 
-/// If a set holds too many fields, the longest unused ones rest, and return the same values after
-/// waking up.
+/// If a set holds too many fields, the longest unused ones rest. After a rest they return the same
+/// values.
 TEST(FieldSet, UnusedFieldsBeyondTheBudgetRest) {
   for (const FieldOptions& options : {kFast, kExact, FieldOptions{.solver = Solver::kGraph}}) {
     Surface surface(bunnyMesh());

@@ -6,7 +6,7 @@
 namespace karcher {
 namespace {
 
-/// The fuzzers' checks also hold for the seeds of the fuzzers.
+/// Checks that the fuzzers find nothing in their own seeds.
 void expectNoFinding(void (*check)(Bytes), const Array<Seed>& seeds) {
   for (int i = 0; i < seeds.count(); ++i) {
     EXPECT_NO_THROW(check(seeds[i])) << "seed " << i;

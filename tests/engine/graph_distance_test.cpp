@@ -29,8 +29,8 @@ TEST(RingGraph, OfThePlaneJoinsTheWholeRingByStraightLines) {
       EXPECT_NEAR(graph.length[arc], step.norm(), 1e-12);
     }
   }
-  // Edges run along x, y and the diagonal x = y: the 3-ring of an inner vertex has 36 vertices.
-  // Along the three directions each hides only vertices that are reached through it.
+  // Edges run along x, y and the diagonal x = y: the 3-ring of an inner vertex has 36 vertices. In
+  // each of the three directions, only the first vertex is in sight.
   const int middle = 7 + 15 * 7;
   EXPECT_EQ(graph.start[middle + 1] - graph.start[middle], 36);
 }

@@ -41,7 +41,7 @@ void expectSound(const TriangleMesh& mesh, const Array<Isoline>& lines, double m
 TEST(Isoline, TheExactIsolineOfThePlaneIsTheCircle) {
   const TriangleMesh mesh = planeGrid(24, 20);
   const Geometry geometry = buildGeometry(mesh);
-  // A source in a face, on an edge and at a vertex; a circle within one face, and wider ones.
+  // The source lies in a face, on an edge and at a vertex; circles are within a face or wider.
   for (const Vec3& center : {Vec3(11.3, 9.8, 0), Vec3(11.5, 9, 0), Vec3(12, 10, 0)}) {
     for (const double radius : {0.05, 0.7, 2.6, 8.9}) {
       const Array<Isoline> lines = exactIsolines(geometry, nearestPoint(mesh, center), radius);

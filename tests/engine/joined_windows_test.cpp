@@ -38,8 +38,8 @@ void expectNearExact(const TriangleMesh& mesh, const SurfacePoint& source) {
   EXPECT_LE(sum / mesh.vertexCount(), 0.001);
 }
 
-/// A rectangle of cells with randomly moved inner vertices, each cut by a random diagonal, then
-/// stretched and sheared along x. Its outline stays convex.
+/// A rectangle of cells with random inner vertices, each cut by a random diagonal, then stretched
+/// and sheared along x. Its outline stays convex.
 TriangleMesh randomCells(int side, double stretch, double shear, Random& random) {
   Array<Vec3> positions;
   for (int j = 0; j <= side; ++j) {
@@ -131,8 +131,8 @@ TEST(JoinedWindows, AreNearExactOnTheGallery) {
   }
 }
 
-/// A flange with a tube on it, as a CAD program meshes them: each face is cut into slivers from rim
-/// to rim, and each rim is turned against the one before it.
+/// A flange with a tube on it, as a CAD program meshes them. Slivers from rim to rim divide each
+/// face, and each rim is turned against the previous one.
 TriangleMesh flangedTube(int around, double height) {
   const Array<Vec2> profile{{1, 0}, {5, 0}, {5, 0.5}, {1.5, 0.5}, {1.5, height}, {1, height}};
   const int rims = profile.count();
@@ -231,7 +231,7 @@ TEST(JoinedWindows, AreStraightOnStretchedAndShearedPlanes) {
 }
 
 TEST(JoinedWindows, AreStraightAcrossVerticesOfManyEdges) {
-  // A disk: rings of 100 vertices, evenly spaced, around one vertex.
+  // The mesh is a disk: rings of 100 vertices, evenly spaced, around one vertex.
   constexpr int kRound = 100;
   Array<Vec3> positions{Vec3::Zero()};
   for (const int radius : {1, 2, 3}) {

@@ -103,7 +103,7 @@ TEST_P(LogFields, FindEverySampleOnTheBunny) {
   }
 }
 
-/// A field with the values of another, which counts the vertices that are read from it.
+/// A field with the values of another, which counts the vertices whose values are read.
 ControlField countingField(ControlField& field, int& count) {
   ControlField::EvaluateMidpoint midpoint;
   if (field.hasMidpoints()) {
@@ -267,7 +267,7 @@ TEST(NearFields, SeeBesideHubsWithoutAWavefront) {
 }
 
 /// Near fields at vertices also find the shortest path almost everywhere: no path is shorter than
-/// exact ones, and few are longer.
+/// an exact one, and few are longer.
 TEST(NearFields, AreSeldomLongerThanShortestPaths) {
   Surface surface(bunnyMesh());
   const TriangleMesh& mesh = surface.mesh();

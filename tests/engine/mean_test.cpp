@@ -69,8 +69,8 @@ TEST(Mean, OfACapOfTheSphereComesNearerTheTruthUnderRefinement) {
   }
 }
 
-/// Long steps are bounded by the size of the mesh, not by that of its bounding box, which changes
-/// when the mesh is turned.
+/// The bound on long steps is the size of the mesh, not that of its bounding box, which changes
+/// when the mesh turns.
 TEST(Mean, IsTheSameWhereverTheSurfaceLies) {
   struct Case {
     const char* mesh;

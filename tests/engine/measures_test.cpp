@@ -170,7 +170,7 @@ TEST(CountStep, DistinguishesShiversFromPassages) {
   countStep(figures, lineAt(0), lineAt(0.6), 0.1);
   EXPECT_EQ(figures.shivers, 1);
   EXPECT_NEAR(figures.largestLeap, 6, 2e-2);
-  // A passage allows 8 steps, and 7.2 are taken.
+  // A passage allows 8 steps, and the leap is 7.2.
   countStep(figures, lineAt(0), lineAt(0.72), 0.1, 0.8);
   EXPECT_EQ(figures.steps, 2);
   EXPECT_EQ(figures.passing, 1);
@@ -178,7 +178,7 @@ TEST(CountStep, DistinguishesShiversFromPassages) {
   EXPECT_NEAR(figures.largestPassing, 0.9, 1e-2);
   countStep(figures, lineAt(0), lineAt(0.9), 0.1, 0.8);
   EXPECT_EQ(figures.beyond, 1);
-  // Another cause of a leap in the same step is added.
+  // This adds another cause of a leap in the same step.
   DragFigures both;
   countStep(both, lineAt(0), lineAt(0.9), 0.1, 0.8, [] { return 0.2; });
   EXPECT_EQ(both.beyond, 0);
@@ -191,7 +191,7 @@ TEST(CountStep, DistinguishesShiversFromPassages) {
 }
 
 TEST(PassedVertices, AreThoseBetweenTwoPaths) {
-  // A hexagon of triangles around vertex 0, which is raised: a point of positive curvature.
+  // A hexagon of triangles lies around vertex 0, which is higher: a point of positive curvature.
   Array<Vec3> positions = {{0, 0, 0.3}};
   Array<Triangle> faces;
   for (int k = 0; k < 6; ++k) {

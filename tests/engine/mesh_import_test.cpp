@@ -35,7 +35,7 @@ TriangleSoup exploded(const TriangleSoup& soup) {
 const TriangleSoup kTetrahedron = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                    {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 
-/// The tetrahedron and a copy of it, whose own vertices are moved by `move`.
+/// The tetrahedron and a copy of it, whose own vertices `move` changes.
 template <class Move>
 TriangleSoup withCopy(Move&& move) {
   TriangleSoup result = kTetrahedron;
@@ -132,7 +132,7 @@ TEST(ImportMesh, TreatsMinusZeroAsZero) {
 
 TEST(ImportMesh, SeparatesPartsThatTouchAtAVertex) {
   const TriangleSoup soup = withCopy([](const Vec3& p) { return Vec3(-p); });
-  // -p turns the copy's faces inside out, which leaves it a surface.
+  // The map -p turns the copy's faces inside out, and it is still a surface.
   const ImportedMesh imported = importMesh(soup);
   expectSameSurface(soup, imported);
   EXPECT_EQ(topology(imported.mesh).components, 2);
@@ -144,11 +144,11 @@ TEST(ImportMesh, SeparatesPartsThatTouchAtAVertex) {
 }
 
 TEST(ImportMesh, SeparatesPartsThatTouchAlongAnEdge) {
-  // The copy is rotated by half a turn about the z axis: the edge 0-3 has four faces.
+  // The copy is the tetrahedron after half a turn about the z axis: the edge 0-3 has four faces.
   const auto turn = [](const Vec3& p) { return Vec3(-p.x(), -p.y(), p.z()); };
   const TriangleSoup soup = withCopy(turn);
   EXPECT_EQ(topology(importMesh(soup).mesh).components, 2);
-  // The same without shared vertices: everything except that ambiguous edge is welded.
+  // Without shared vertices, the import welds everything except that ambiguous edge.
   const ImportedMesh imported = importMesh(exploded(soup));
   EXPECT_EQ(topology(imported.mesh).components, 2);
   EXPECT_EQ(topology(imported.mesh).boundaryLoops, 0);
@@ -156,7 +156,7 @@ TEST(ImportMesh, SeparatesPartsThatTouchAlongAnEdge) {
 }
 
 TEST(ImportMesh, SeparatesTheSidesOfADoubledSheetInside) {
-  // The front and the back of a square of four triangles around its center.
+  // The soup is the front and the back of a square of four triangles around its center.
   TriangleSoup soup = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}},
                        {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
   for (int v = 0; v < 5; ++v) soup.positions.push_back(Vec3(soup.positions[v]));

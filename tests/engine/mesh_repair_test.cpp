@@ -69,12 +69,12 @@ void expectSound(const TriangleMesh& mesh) {
   EXPECT_TRUE(again.onBoundary == mesh.onBoundary);
 }
 
-/// The tolerance of places: where vertices were moved, twice sqrt(3) / 2 of 1e-9 of the diagonal.
+/// The tolerance of places. For moved vertices it is sqrt(3) times 1e-9 of the diagonal.
 double apart(Defect defect, const TriangleMesh& mesh) {
   return (defect == Defect::kSeams ? 1.8e-9 : 1e-14) * boundingBoxDiagonal(mesh);
 }
 
-/// Each defect alone is repaired by its own repair, counted, and leaves the shape unchanged.
+/// The repair of each defect alone counts it, and leaves the shape unchanged.
 TEST(RepairMesh, MendsEachDefectAlone) {
   for (const Shape shape : kShapes) {
     const TriangleSoup sound = makeShape(shape, 2000);
@@ -97,7 +97,7 @@ TEST(RepairMesh, MendsEachDefectAlone) {
   }
 }
 
-/// Pairs of defects are repaired as well. The last defect separates the vertices of the others, so
+/// Pairs of defects are repaired, too. The last defect separates the vertices of the others, so
 /// that another repair may apply to them.
 TEST(RepairMesh, MendsDefectsInPairs) {
   SKIP_WHERE_SANITIZED();
@@ -240,8 +240,8 @@ TriangleSoup looseGrid(int n, double most, const Vec3& shift, Random& random) {
   return soup;
 }
 
-/// Points are first grouped in cubes: in any position, points within the tolerance are welded, and
-/// farther ones are not.
+/// The repair first groups points in cubes. In any position it welds points within the tolerance,
+/// and no farther ones.
 TEST(RepairMesh, WeldsAcrossTheCellsOfTheGrid) {
   const uint64_t seed = 31;
   SCOPED_TRACE("seed " + std::to_string(seed));

@@ -11,7 +11,7 @@
 #include "generators/gallery.h"
 #include "support.h"
 
-/// Values of near fields that sight does not find. Each is a path search; a curve needs few of
+/// Values of near fields that sight does not find. Each takes a path search; a curve needs few of
 /// them, however fine the mesh is and whatever its levels are.
 namespace karcher {
 namespace {
@@ -59,7 +59,7 @@ struct Case {
   CurveShape shape;
   int points;
   double spacing;
-  int levels;  ///< or kAutomaticLevels
+  int levels;  ///< the number of levels, or kAutomaticLevels
   int leastLevels;
 };
 

@@ -18,7 +18,7 @@
 namespace karcher {
 namespace {
 
-/// The error of reading, as "code: sentence"; empty if there was none.
+/// The error of a read, as "code: sentence"; empty without an error.
 std::string errorOf(const std::string& text, bool mend = true) {
   try {
     readObj(text, {mend, {}});
@@ -119,7 +119,7 @@ TEST(ReadObj, ReadsTheChosenParts) {
       EXPECT_TRUE(std::string(error.what()).ends_with("the file has 2, numbered from 0"));
     }
   }
-  // The line of a polygon that cannot be cut is named, whatever precedes it.
+  // The error names the line of a polygon that cannot be cut, whatever precedes it.
   try {
     readObj(kThree + "v 1 1 0\nf 1 2 4 3\ng b\nf 1 2 2 3\n", {false, Array<int>{1}});
     ADD_FAILURE();
@@ -155,7 +155,7 @@ int64_t unitsApart(double a, double b) {
   return std::abs(i - j);
 }
 
-/// Coordinates are read within 10 units in the last place of the printed value; a million draws
+/// Coordinates are right within 10 units in the last place of the printed value; a million draws
 /// have shown at most 8.
 TEST(ReadObj, ReadsNumbersToTheLastPlaces) {
   const uint64_t seed = 5;
@@ -178,7 +178,7 @@ TEST(ReadObj, ReadsNumbersToTheLastPlaces) {
       ASSERT_LE(unitsApart(coordinateOf(text), std::strtod(text, nullptr)), 10) << text;
     }
   }
-  // Some numbers must be inexact: otherwise the test would prove nothing.
+  // Some numbers must be inexact. Otherwise the test would prove nothing.
   EXPECT_GT(worst, 0);
   EXPECT_EQ(coordinateOf("-12.5"), -12.5);
 }
@@ -262,7 +262,7 @@ TEST(ReadObj, QuotesJunkWithPrintableCharactersOnly) {
   EXPECT_EQ(errorOf("v 0 0 \x01g\xff\n"), "badFile: line 1: the coordinate '?g?' is not a number");
 }
 
-/// Every file gives an error, or a soup whose triangles have vertices.
+/// Every file leads to an error, or to a soup whose triangles have vertices.
 TEST(ReadObj, SurvivesDamagedFiles) {
   const std::string sound =
       "# a cube's corner\nmtllib a.mtl\no x\ng y z\nv 0 0 0\nv 1.5e0 0 -0\nv 0 1 0 1\nvn 0 0 1\n"

@@ -120,10 +120,9 @@ TEST(PathDistance, OnMeshesIsTheLeastDistanceOfItsPoints) {
         least[v] = std::min(least[v], exact.distance(v));
       }
     }
-    // A sample lies within half a step of the nearest point, so that its path is longer by at most
-    // half a step. The step is perpendicular to the path, so that the excess is usually of second
-    // order: it is step^2 / (8 d) where paths do not bend, and larger beside a vertex around which
-    // they bend.
+    // A sample lies within half a step of the nearest point, so its path is longer by at most half
+    // a step. The step is perpendicular to the path, so the excess is usually of second order. It
+    // is step^2 / (8 d) if paths do not bend, and larger beside a vertex around which they bend.
     const bool isConvex = std::string(name) == "sphere, random";
     double nearest = 0;
     double farthest = 0;
@@ -303,8 +302,8 @@ TEST(Offset, KeepsItsDistanceAtTheTipsOfNarrowGaps) {
   }
 }
 
-// Where the corners of a piece of a face are collinear up to rounding, halves of its two longest
-// sides have each other for sides: halved in turn, they would not end.
+// The corners of a piece of a face may be collinear up to rounding. Then halves of its two longest
+// sides have each other for sides, and halving in turn would not end.
 TEST(Offset, EndsWherePiecesOfFacesAreCollinear) {
   for (const uint64_t seed : {8, 17, 26}) {
     SCOPED_TRACE("seed " + std::to_string(seed));

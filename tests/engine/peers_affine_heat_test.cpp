@@ -18,8 +18,8 @@ LogMap logMap(const HeatOperators& operators, const SurfacePoint& source, Affine
 
 TEST(AffineHeat, IsExactOnThePlane) {
   // With u (x - p) as vectors and u as heat, the system is the heat flow of u. Heat must not fall
-  // below 0, where digits are lost: edges are flipped to Delaunay, and the sheared piece is left
-  // out, since its boundary edges face obtuse angles and cannot be flipped.
+  // below 0, which costs digits. So flips make edges Delaunay; the sheared piece is missing, since
+  // its boundary edges face obtuse angles and cannot flip.
   for (const AffineVariant variant : kVariants) {
     for (const PlaneTessellation tessellation : kPlaneTessellations) {
       if (tessellation == PlaneTessellation::kStretchedSheared) continue;

@@ -56,7 +56,7 @@ TEST(PolygonFuzz, CurvesOfAutomaticLevelsAreContinuous) {
 }
 
 TEST(PolygonFuzz, AJumpWhereTheZeroReachesAnEdgeIsMarked) {
-  // Catmull-Rom and Bezier curves with jumps of .070 and .082 mean edges. They were not marked as
+  // Catmull-Rom and Bezier curves here have jumps of .070 and .082 mean edges. They had no marks as
   // long as the bound on a jump ignored zeros at the edge of their cell.
   const int anySpacing = kSpacingCount - 1;
   expectNoFaults("bunny", bunnyMesh(), 500'036, 1, anySpacing);

@@ -17,7 +17,7 @@
 namespace karcher {
 namespace {
 
-constexpr double kSame = 1e-9;  ///< a part of the diagonal
+constexpr double kSame = 1e-9;  ///< the tolerance, as a part of the diagonal
 
 CurveOptions randomOptions(Random& random) {
   CurveOptions options;
@@ -69,7 +69,7 @@ class RandomCurve {
     return (position(surface_.mesh(), a) - position(surface_.mesh(), b)).norm();
   }
 
-  /// Where one control point has all the weight it is the mean, whatever its field estimates.
+  /// Checks that the mean is a control point with all the weight, whatever its field estimates.
   void expectEnds(Curve& curve) const {
     const CurveShape& shape = curve.shape();
     const bool endsAtPoints =
@@ -87,7 +87,7 @@ class RandomCurve {
 
   void expectAsAnew(const Curve& curve) const {
     CurveValue value = curve.value();
-    // A curve keeps numbers that only another kind uses, but they cannot be set.
+    // A curve keeps numbers that only another kind uses, but a caller cannot set them.
     CurveShape& shape = value.options.shape;
     if (!takesWeights(shape.kind)) shape.weights.clear();
     if (!takesBetas(shape.kind)) shape.betas.clear();

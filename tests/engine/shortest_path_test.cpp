@@ -15,7 +15,7 @@
 namespace karcher {
 namespace {
 
-/// Consecutive points must share a face and differ, and the pieces add up to the length.
+/// Checks that consecutive points share a face and differ, and pieces add up to the length.
 void expectPathOnSurface(const TriangleMesh& mesh, const SurfacePath& path) {
   double length = 0;
   for (int i = 1; i < path.points.count(); ++i) {
@@ -48,7 +48,7 @@ TEST(ShortestPath, InThePlaneIsTheStraightLine) {
 }
 
 TEST(ShortestPath, TurnsAroundTheCornerOfTheBoundary) {
-  // An L: the square [0, 4]^2 without its upper right quarter; the corner is at (2, 2).
+  // The mesh is the square [0, 4]^2 without its upper right quarter, with a corner at (2, 2).
   const TriangleMesh square = planeGrid(4, 4);
   Array<Triangle> faces;
   for (const Triangle& f : square.faces) {

@@ -110,7 +110,7 @@ TEST(Sight, IsUsuallyTheShortestPathOnCurvedSurfaces) {
   check("sheet with folds", MeasuredMesh(galleryMesh("crumpled sheet, 6 folds")), 0.002, 1.1);
 }
 
-/// Moving the mesh only changes rounding for a path along flat faces past their vertices.
+/// A move of the mesh changes only rounding for a path along flat faces past their vertices.
 TEST(Sight, IsTheSameOfAMovedMesh) {
   const Eigen::AngleAxisd turn(1.234, Vec3(1, -2, 0.7).normalized());
   for (const char* name : {"fans, q = 8", "sphere, jittered UV", "cylinder of 12 sides"}) {

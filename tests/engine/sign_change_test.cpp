@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kRounding = 1e-15;
 
-/// The zero found for a function, and the number of evaluations.
+/// The zero of a function, and the number of evaluations.
 template <class Function>
 double changeOf(const Function& function, double from, double to, int& evaluations) {
   evaluations = 0;

@@ -27,7 +27,7 @@ TEST(Statistics, TheMedianOfATriangleIsItsFermatPoint) {
   const RobustMean found = median(sets, pointsAt(surface.mesh(), kTriangle), {1, 1, 1});
   EXPECT_TRUE(found.converged);
   const Vec3 place = position(surface.mesh(), found.point);
-  // Seen from it, the corners are 120 degrees apart.
+  // From the median, the corners are 120 degrees apart.
   Vec3 sum = Vec3::Zero();
   double length = 0;
   for (const Vec3& corner : kTriangle) {
@@ -60,7 +60,7 @@ TEST(Statistics, HubersMeanIsTheClosedFormOnALineAndAMeanWhereTheThresholdIsWide
   Surface surface(planeGrid(10, 10));
   FieldSets sets(surface);
   const Array<Vec3> line = {Vec3(0.4, 5, 0), Vec3(0.9, 5, 0), Vec3(9.4, 5, 0)};
-  // With x measured from the first point: x + (x - .5) = 1.
+  // With x from the first point: x + (x - .5) = 1.
   const RobustMean onLine = huberMean(sets, pointsAt(surface.mesh(), line), {1, 1, 1}, 1);
   EXPECT_LT((position(surface.mesh(), onLine.point) - Vec3(1.15, 5, 0)).norm(), 1e-5);
   const RobustMean wide = huberMean(sets, pointsAt(surface.mesh(), kTriangle), {1, 2, 3}, 100);

@@ -171,7 +171,7 @@ TEST(Straightest, GoesAlongAStraightRimFromEveryVertexAndFace) {
 TEST(Straightest, LeavesAReentrantCornerInEveryDirection) {
   const MeasuredMesh corner(turned(lShape(2), 0.3, 0.4));
   const TriangleMesh& mesh = corner.mesh;
-  // The corner's place, and the two axes from it.
+  // The rows have the corner's place, and the two axes from it.
   const TriangleMesh flat = lShape(2);
   int v = 0;
   while ((flat.positions[v] - Vec3(2, 2, 0)).norm() > 0) ++v;

@@ -11,8 +11,8 @@
 #include "generators/plane.h"
 #include "support.h"
 
-/// Pieces over slivers from rim to rim are replaced by their subdivision. A strip is flat however
-/// it is folded or rolled, so that the correct curve is that of the unrolled strip.
+/// Pieces over slivers from rim to rim become their subdivision. A strip is flat whether folded or
+/// rolled, so that the correct curve is that of the unrolled strip.
 namespace karcher {
 namespace {
 

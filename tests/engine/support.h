@@ -28,7 +28,7 @@ TriangleMesh meshOf(const TriangleSoup& soup);
 /// A vector in space at a vertex of a flat mesh, converted to the vertex's frame.
 Vec2 inVertexFrame(const Geometry& geometry, int vertex, const Vec3& vector);
 
-/// A file of tests/data, opened. Throws std::runtime_error if it is not there.
+/// An open file of tests/data. Throws std::runtime_error if it is missing.
 std::ifstream testData(const std::string& name);
 
 /// The mesh of the npm package `bunny`, vertices and faces in its own order. Throws

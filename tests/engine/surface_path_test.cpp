@@ -391,7 +391,7 @@ void expectContinued(const MeasuredMesh& surface, int walks, uint64_t seed) {
                                    1e-12 * surface.geometry.diagonal);
       ASSERT_TRUE(moveStart(surface.geometry, end, fromBehind, workspace));
       EXPECT_LT(apart(mesh, reversed(fromBehind), path), 1e-10 * surface.geometry.diagonal);
-      // After moving there and back the path is the old one, if the surface in between has no
+      // After a move there and back the path is the old one, if the surface in between has no
       // vertex.
       SurfacePath back = path;
       ASSERT_TRUE(moveEnd(surface.geometry, before.end(), back, workspace));
@@ -422,7 +422,7 @@ TEST(SurfacePath, IsContinuedBesideABoundary) {
 }
 
 TEST(SurfacePath, IsRestoredAfterADragBackInThePlane) {
-  // On the plane no vertex holds a path: after moving there and back it is always the old one.
+  // On the plane no vertex holds a path: after a move there and back it is always the old one.
   const MeasuredMesh plane(tessellatedPlane(PlaneTessellation::kRandomDelaunay, 800, 2));
   Random random(8);
   StripWorkspace workspace;

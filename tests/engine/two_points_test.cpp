@@ -21,7 +21,7 @@ constexpr int kWeights = 21;
 struct Outcome {
   int samples = 0;
   int converged = 0;
-  double median = 0;  ///< of the converged samples' distances from the truth, in mean edges
+  double median = 0;  ///< the median distance of converged samples from the truth, in mean edges
 };
 
 Outcome measure(Surface& surface, const Array<PointPair>& pairs, const FieldOptions& options) {

@@ -173,7 +173,7 @@ Array<SurfacePoint> randomPoints(Random& random, Setting& setting) {
   return points;
 }
 
-// Certain uniqueness is tested: searches from many places in the ball end at the center, and
+// A test of certain uniqueness: searches from many places in the ball end at the center, and
 // searches from elsewhere find no lower minimum.
 TEST(Uniqueness, ACertainMinimumIsReachedFromAThousandStarts) {
   SKIP_WHERE_SANITIZED();

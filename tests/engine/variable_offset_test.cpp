@@ -43,8 +43,8 @@ double leastOf(double low, double high, const Function& function) {
   return std::min({function(low), function(high), function((low + high) / 2)});
 }
 
-/// How far a place of the plane is outside of all disks round places of a path, by a search along
-/// each stretch between corners and bends of the distance, where that is convex.
+/// The distance by which a place of the plane is outside of all disks round places of a path. The
+/// search goes along each stretch between corners and bends of the distance, where that is convex.
 double outside(const Vec2& place, const Array<Vec2>& corners, bool closed,
                const Array<double>& distances) {
   Array<Vec2> points = corners;
@@ -99,7 +99,7 @@ TEST(VariableOffset, TheDistanceOnThePlaneIsThatFromTheDisks) {
     Random random(seed);
     Array<Vec2> corners;
     for (int i = 0; i < 5; ++i) corners.emplace_back(random.uniform(1, 11), random.uniform(1, 9));
-    // Through vertices and along edges, too.
+    // Paths go through vertices and along edges, too.
     if (seed % 2 == 0) {
       for (Vec2& corner : corners) corner = corner.array().round();
     }
@@ -107,7 +107,7 @@ TEST(VariableOffset, TheDistanceOnThePlaneIsThatFromTheDisks) {
       if (corners[i] == corners[i - 1]) corners[i].x() += corners[i].x() < 6 ? 1 : -1;
     }
     const bool closed = seed % 3 == 0 && corners.front() != corners.back();
-    // Some so different that disks hold others.
+    // Some distances differ so much that disks hold others.
     Array<double> distances;
     const int count = 2 + random.index(5);
     for (int i = 0; i < count; ++i) distances.push_back(random.uniform(0, seed % 4 == 0 ? 9 : 2));
@@ -173,7 +173,7 @@ TEST(VariableOffset, MayEndInAPoint) {
   const auto lines = offsetLines(sheet.geometry, {&path, 1}, distances, OffsetSide::kBoth);
   ASSERT_EQ(lines.count(), 1);
   EXPECT_TRUE(lines[0].closed);
-  // Chords are measured in their middle: one past a sharp tip may be off by twice as much
+  // The test measures chords in their middle: one past a sharp tip may be off by twice as much
   // elsewhere.
   expectOnTheBorder(
       sheet.mesh, lines,
@@ -205,7 +205,7 @@ TEST(VariableOffset, OnACylinderIsThatOfThePlane) {
   const Sheet sheet(meshOf(cylinder.soup));
   Random random(9);
   const auto unrolled = [&](const SurfacePoint& point) {
-    // In the frame of one corner, since x jumps somewhere.
+    // The place is in the frame of one corner, since x jumps somewhere.
     Vec2 place = Vec2::Zero();
     const Vec2 first = cylinder.unrolled[sheet.mesh.corner(point.face, 0)];
     for (int k = 0; k < 3; ++k) {
@@ -304,7 +304,7 @@ TEST(VariableOffset, TheDistanceOnMeshesIsTheLeastOfThePathsPoints) {
       farthest = std::max(farthest, longer);
       sum += longer;
     }
-    // A sample lies within half a step of the best place, and both the way and the distance of the
+    // A sample lies within half a step of the best place. Both the way and the distance of the
     // offset change by no more than about twice that.
     const double rounding = 1e-9 * surface.geometry.diagonal;
     EXPECT_LT(nearest, rounding) << name;

@@ -85,7 +85,7 @@ TEST(Waypoints, FindDrawnPathsAgainOnCurvedSurfaces) {
     SurfacePath path;
     const SurfacePoint from = randomPlace(mesh, random);
     ASSERT_TRUE(findPath(geometry, from, randomPlace(mesh, random), workspace, path));
-    // Its end is led along another path, as by a drag.
+    // The end follows another path, as in a drag.
     SurfacePath way;
     ASSERT_TRUE(findPath(geometry, path.end(), randomPlace(mesh, random), workspace, way));
     bool goesOn = true;

@@ -98,8 +98,8 @@ TEST(WindowDistance, KeepsItsAccuracyOnNeedles) {
 }
 
 TEST(WindowDistance, IsNoShorterThanStraightAtTheEndOfANeedle) {
-  // Two needles on an edge of 1e-10, and the triangle between them; sources are all corners of each
-  // needle.
+  // The mesh is two needles on an edge of 1e-10, and the triangle between them. The sources are all
+  // corners of each needle.
   const Array<Vec3> positions{{0, 0, 0}, {1e-10, 0, 0}, {0, 8, 0}, {9, 14, 0}};
   for (int turn = 0; turn < 9; ++turn) {
     SCOPED_TRACE("turned " + std::to_string(turn));
@@ -187,7 +187,7 @@ TEST(WindowDistance, UnrollsTheCone) {
       solver.grow(kInfinity);
       for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
         // The chord of the bottom's polygon cuts into the unrolled disk, and paths follow it there;
-        // points near the rim are left out.
+        // so points near the rim do not count.
         if (cone.unrolled[v].x() > 0.5 || cone.unrolled[source].x() > 0.5) continue;
         const double truth = coneDistance(cone, cone.unrolled[source], cone.unrolled[v]);
         ASSERT_NEAR(solver.distance(v), truth, 1e-12);
@@ -366,7 +366,7 @@ TEST(WindowDistance, IsStraightPastNeedlesOfAPlane) {
   }
 }
 
-/// The distance between two vertices, which is to be the same both ways.
+/// The distance between two vertices, which must be the same both ways.
 double bothWays(const MeasuredMesh& surface, int a, int b) {
   WindowDistance solver(surface.geometry);
   const int count = surface.mesh.vertexCount();
@@ -452,8 +452,8 @@ TEST(WindowDistance, WindsAroundANeedleOnceAtMost) {
   }
 }
 
-/// The long edges of spikes dominate the mean edge; windows across the short edges between them are
-/// not propagated again and again.
+/// The long edges of spikes dominate the mean edge, but windows do not cross the short edges
+/// between them again and again.
 TEST(WindowDistance, CarriesFewUselessWindowsAmongSpikes) {
   Random random(20261127);
   TriangleSoup soup = makeShape(Shape::kSphere, 4000);

@@ -116,8 +116,8 @@ void CountedSides::placeMiddles(Random& random) {
   }
 }
 
-/// Adds the change along a straight line: left of a path is one more. False if the line is too
-/// near.
+/// Adds the change along a straight line: left of a path is one more. Returns false if the line is
+/// too near.
 bool CountedSides::count(int f, const Vec2& from, const Vec2& to, Array<int>& counts) const {
   const Vec2 way = to - from;
   for (const Piece& piece : pieces_[f]) {

@@ -7,7 +7,7 @@
 #include "intrinsic/geometry.h"
 #include "intrinsic/surface_path.h"
 
-/// The sides of paths, by counting single crossings face by face.
+/// The sides of paths, by the count of single crossings face by face.
 namespace karcher {
 
 /// A point in each face, and lines from it across each side of the face to the neighbor's point.
@@ -21,7 +21,7 @@ class CountedSides {
   /// Whether paths (a range of them) bound a region together; by parity, or with multiplicity.
   bool bound(int first, int count, bool byParity) const;
 
-  /// For each path the winding of the point relative to the first face's point; none if a path is
+  /// For each path the winding of the point relative to the first face's point; empty if a path is
   /// too near.
   std::optional<Array<int>> labels(const SurfacePoint& point) const;
 
@@ -47,11 +47,11 @@ class CountedSides {
 
   const TriangleMesh& mesh_;
   int paths_;
-  Array<Array<Piece>> pieces_;  // by face
-  Array<Array<Run>> runs_;      // by half-edge: the smaller one of the edge's two
-  Array<Vec2> middle_;          // by face
-  Array<Array<int>> labels_;    // by face
-  Array<Array<int>> defects_;   // changes along lines that gave no labels, if not all are 0
+  Array<Array<Piece>> pieces_;  // the pieces by face
+  Array<Array<Run>> runs_;      // the runs by half-edge: the smaller one of the edge's two
+  Array<Vec2> middle_;          // the points by face
+  Array<Array<int>> labels_;    // the labels by face
+  Array<Array<int>> defects_;   // changes along lines without labels, if not all are 0
 };
 
 }  // namespace karcher

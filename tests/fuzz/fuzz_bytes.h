@@ -17,13 +17,13 @@ class FuzzBytes {
 
   bool isAtEnd() const { return next_ >= bytes_.size(); }
   int byte() { return isAtEnd() ? 0 : bytes_[next_++]; }
-  /// One of 0, ..., count - 1; at most 65,536.
+  /// A number from 0 to count - 1; `count` is at most 65,536.
   int index(int count) {
     const int low = byte();
     return (count > 256 ? low + 256 * byte() : low) % count;
   }
   bool flag() { return byte() % 2 == 1; }
-  /// In [0, 1], both ends included.
+  /// A number in [0, 1], both ends included.
   double unit() {
     const int low = byte();
     return (low + 256 * byte()) / 65'535.0;

@@ -8,9 +8,9 @@
 #include "mesh/error.h"
 #include "mesh/mesh_import.h"
 
-/// What must hold of the engine whatever it is given. Each check reads its case from bytes, takes
-/// an Error for an answer, and throws FuzzFinding, or what the engine should not have thrown, where
-/// something is wrong. Fuzzers call them (fuzz/targets), and tests with what fuzzers have found.
+/// Invariants of the engine for any input. Each check reads its case from bytes and accepts an
+/// Error as an answer. It throws FuzzFinding for a violation, or an exception that the engine
+/// should not throw. Fuzzers call them (fuzz/targets), and tests with the findings of fuzzers.
 namespace karcher {
 
 class FuzzFinding : public std::runtime_error {
@@ -18,19 +18,19 @@ class FuzzFinding : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The bytes are an OBJ file: it is opened, with and without repairs, or refused with a sentence;
-/// what was opened is a mesh as `expectSoundMesh` has it.
+/// The bytes are an OBJ file. The engine opens it, with and without repairs, or refuses it with a
+/// sentence. An opened file is a mesh in the sense of `expectSoundMesh`.
 void fuzzObj(Bytes bytes);
 
 /// The bytes are vertices, many of them at the same place or nearly, any triangles of them, and the
-/// options of repairs. What is opened is a mesh as `expectSoundMesh` has it, points keep their
-/// place, distances are finite within a component, symmetric and no shorter than straight lines,
-/// and the mesh can be saved and opened again.
+/// options of repairs. The imported mesh is sound in the sense of `expectSoundMesh`, and points
+/// keep their place. Distances are finite within a component, symmetric and no shorter than
+/// straight lines. The mesh survives a file.
 void fuzzRepairs(Bytes bytes);
 
 /// The bytes are a mesh, control points, a kind, levels, and edits of that curve. All points are on
-/// the surface, paths do not leave it, and after each edit the curve is the one made anew; an edit
-/// that is refused changes nothing. Shortest paths are as long in both directions.
+/// the surface, paths do not leave it, and after each edit the curve equals a new one. An edit that
+/// is refused changes nothing. Shortest paths are as long in both directions.
 void fuzzCurve(Bytes bytes);
 
 /// Throws FuzzFinding unless the condition holds.

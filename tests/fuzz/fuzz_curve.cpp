@@ -36,7 +36,7 @@ TriangleSoup sheet(FuzzBytes& bytes) {
   return soup;
 }
 
-/// The shapes are made once: a surface keeps its derived data.
+/// The shapes exist once, since a surface keeps its derived data.
 Surface& shapeOf(int number) {
   static Array<std::unique_ptr<Surface>> shapes;
   if (shapes.empty()) {
@@ -222,7 +222,7 @@ class CurveCase {
 
   void checkSameAnew(Curve& curve) {
     CurveValue value = curve.value();
-    // A curve keeps numbers that only another kind uses, but they cannot be set.
+    // A curve keeps numbers that only another kind uses, but a caller cannot set them.
     CurveShape& shape = value.options.shape;
     if (!takesWeights(shape.kind)) shape.weights.clear();
     if (!takesBetas(shape.kind)) shape.betas.clear();

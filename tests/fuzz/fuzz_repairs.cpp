@@ -23,7 +23,7 @@ struct Case {
   ImportOptions options;
 };
 
-/// Vertices of a coarse lattice, so that they coincide; some are moved by 10^-1 to 10^-15 of it.
+/// Vertices of a coarse lattice, many of them equal; some lie 10^-1 to 10^-15 of its unit off.
 Case readCase(Bytes given) {
   FuzzBytes bytes(given);
   Case made;
@@ -61,7 +61,7 @@ Vec3 placeInSoup(const TriangleSoup& soup, int face, const Vec3& bary) {
   return place;
 }
 
-/// The largest distance by which vertices were moved onto others.
+/// The largest distance by which vertices moved onto others.
 double farthestWeld(const Case& made, const ImportedMesh& imported) {
   double farthest = 0;
   for (int v = 0; v < made.soup.positions.count(); ++v) {
@@ -89,7 +89,7 @@ void checkPlaces(const Case& made, const ImportedMesh& imported) {
     const Vec3 place = position(imported.mesh, point);
     expect((placeInSoup(made.soup, back.face, back.bary) - place).norm() <= tolerance,
            "a point comes back elsewhere");
-    if (imported.numbering.engineFace[t] < 0) continue;  // left out, or cut into parts
+    if (imported.numbering.engineFace[t] < 0) continue;  // omitted, or cut into parts
     expect((place - placeInSoup(made.soup, t, bary)).norm() <= tolerance,
            "a point is not at its place");
   }
@@ -172,7 +172,7 @@ void fuzzRepairs(Bytes bytes) {
   try {
     expectSoundMesh(importObj(asObj(imported.mesh)));
   } catch (const Error& error) {
-    // Separated edges coincide, and a file does not say that they are several. Reading welds them
+    // Separated edges coincide, and a file does not separate them. The next import welds them
     // again, rarely in another way, which may be one-sided.
     expect(error.code() == ErrorCode::kNotOrientable,
            "a mended mesh that was saved is refused: " + std::string(error.what()));

@@ -69,7 +69,7 @@ class Fuzz {
         try {
           checkShape(shape, count);
         } catch (const Error&) {
-          continue;  // such points make no such curve
+          continue;  // these points have no such curve
         }
         name_ = std::string(curveKindName(kind)) + (closed ? ", closed" : "");
         check(shape, points);

@@ -57,7 +57,7 @@ class Drawings {
       : surface_(surface), geometry_(surface.geometry), mesh_(surface.mesh), random_(random) {}
 
   Array<SurfacePath> paths;
-  Array<uint8_t> isOpen;  ///< per path whether it ends where there is no rim
+  Array<uint8_t> isOpen;  ///< whether each path ends where there is no rim
 
   void draw() {
     const int count = 1 + random_.index(5);
@@ -116,7 +116,7 @@ class Drawings {
       const Vec2 way = size * random_.uniform(0.3, 1) * unitVector(2 * kPi * turn);
       points.push_back(traceStraightest(geometry_, middle, way).path.end());
       if (random_.index(12) == 0) points.push_back(anyPlace());
-      // Now and then the path repeats a stretch.
+      // At times the path repeats a stretch.
       if (random_.index(10) == 0) points.push_back(points[random_.index(points.count())]);
     }
     return chain(geometry_, points, true);
@@ -318,7 +318,7 @@ class Fuzz {
     }
   }
 
-  /// By parity the inside on one side is the outside on the other.
+  /// Checks that by parity the inside on one side is the outside on the other.
   void checkSides(const PathRange& range, FillRule rule) {
     const std::optional<int> cell = cellBeside(all_, range, rule, PathSide::kLeft);
     if (!cell || !cellBeside(all_, range, rule, PathSide::kRight)) return;
@@ -337,7 +337,7 @@ class Fuzz {
     return byParity ? label & 1 : label;
   }
 
-  /// Points outside have one label, and points inside have others.
+  /// Checks that points outside have one label, and points inside have others.
   void checkPoints(const PathRange& range, bool byParity, const Region& region,
                    const Placed* inside) {
     std::optional<int> outside;

@@ -17,11 +17,11 @@ struct RegionSurface {
   std::string name;
   TriangleMesh mesh;
   Geometry geometry;
-  Array<int> rim;  ///< half-edges without a twin
+  Array<int> rim;  ///< the half-edges without a twin
 };
 
 /// Spheres, tori, plates with two holes and surfaces of genus 3, even and uneven, each whole and
-/// with some of its vertices taken out; and sheets.
+/// without some of its vertices; and sheets.
 Array<std::unique_ptr<RegionSurface>> regionSurfaces();
 
 /// Findings, summed over drawings.
@@ -32,16 +32,16 @@ struct RegionTally {
   int regions = 0;    // regions that sets of paths bound
   int unbounded = 0;  // sets of paths that bound no region
   int points = 0;
-  double largestAreaError = 0;    // of the cells' sum, as a part of the surface's area
-  double largestBonnetError = 0;  ///< of a region's curvature and turns
-  Array<std::string> faults;      ///< sentences
+  double largestAreaError = 0;    // the error of the cells' sum, as a part of the surface's area
+  double largestBonnetError = 0;  ///< the error of a region's curvature and turns
+  Array<std::string> faults;      ///< the faults, as sentences
 };
 
-/// Draws closed polygons, walks along edges and the rim, stretches of one another, copies that are
-/// moved by less or more than what becomes one, and paths from rim to rim or into the open. Checks
-/// the areas of cells, the theorem of Gauss and Bonnet, which sets of paths bound, and for a
-/// hundred points in which regions they are, by crossings that are counted face by face without the
-/// arrangement. Everything depends on the seed alone.
+/// Draws closed polygons, walks along edges and the rim, stretches of one another, copies at less
+/// or more than the distance of merging, and paths from rim to rim or into the open. Checks the
+/// areas of cells, the theorem of Gauss and Bonnet, and the sets of paths that bound regions. For a
+/// hundred points it checks the regions that contain them, by counts of crossings face by face
+/// without the arrangement. Everything depends on the seed alone.
 void fuzzRegions(const RegionSurface& surface, uint64_t seed, RegionTally& tally);
 
 }  // namespace karcher

@@ -37,17 +37,16 @@ struct AccuracyCase {
 struct Accuracy {
   double rms = 0;
   double maximum = 0;
-  double turningNoise = 0;  ///< RMS of the turning angle less the true curve's, rad a sample
+  double turningNoise = 0;  ///< the RMS of the turning angle less the true one, in radians
   int lost = 0;
   double meanEdge = 0;
   double diagonal = 0;
 };
 
-/// The accuracy of the engine's curve with some levels: where samples are lost, its bridges are
-/// measured.
+/// The accuracy of the engine's curve with some levels; in place of lost samples, of its bridges.
 Accuracy measureAccuracy(AccuracyCase& example, const FieldOptions& options, int levels = 0);
 
-/// The accuracy of a curve's samples, given by segment; only converged ones count.
+/// The accuracy of a curve's samples, segment by segment; only converged ones count.
 Accuracy accuracyOfFound(const AccuracyCase& example, const Array<Array<CurveSample>>& segments);
 
 }  // namespace karcher

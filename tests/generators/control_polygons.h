@@ -3,8 +3,7 @@
 #include "generators/random.h"
 #include "intrinsic/straightest.h"
 
-/// Random control polygons that resemble those of users: points about evenly spaced, with gentle
-/// turns.
+/// Random control polygons that resemble those of users: nearly even points, with gentle turns.
 namespace karcher {
 
 struct ControlPolygonOptions {
@@ -17,14 +16,14 @@ struct ControlPolygonOptions {
   double turning = 0.9;
 };
 
-/// The first point lies in a uniformly chosen face. Each leg is a straightest geodesic that leaves
-/// at a random angle from the last one's direction. Polygons that meet the boundary are drawn
-/// again. Throws std::runtime_error after a thousand such attempts.
+/// A random polygon. Its first point lies in a uniformly chosen face. Each leg is a straightest
+/// geodesic that leaves at a random angle from the last one's direction. Polygons that meet the
+/// boundary are drawn again. Throws std::runtime_error after a thousand such attempts.
 Array<SurfacePoint> randomControlPolygon(const Geometry& geometry, Random& random,
                                          const ControlPolygonOptions& options);
 
-/// The places of a point that is dragged `steps` steps along a straightest geodesic, in a direction
-/// of the frame of its face, including the start. Empty if the path would meet the boundary.
+/// The places of a point in a drag of `steps` steps along a straightest geodesic, in a direction of
+/// the frame of its face, including the start. Empty if the path would meet the boundary.
 Array<SurfacePoint> dragPath(const Geometry& geometry, const SurfacePoint& start,
                              const Vec2& direction, double step, int steps);
 

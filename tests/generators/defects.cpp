@@ -156,7 +156,7 @@ void DefectiveMesh::putOnALine(int f) {
   soup_.triangles.emplace_back(b, a, m);
 }
 
-/// The last vertex takes over half of the faces of v; two faces fill the edge between the two.
+/// Splits vertex v: the last vertex takes half of its faces, and two faces fill the edge between.
 void DefectiveMesh::splitVertex(int v) {
   const int added = soup_.positions.count();
   soup_.positions.push_back(Vec3(soup_.positions[v]));

@@ -10,9 +10,9 @@
 namespace karcher {
 
 enum class Defect {
-  kOnALine,          ///< a triangle on a line fills a vertex in the middle of an edge
+  kOnALine,          ///< a triangle on a line, which fills a vertex in the middle of an edge
   kRepeatedCorner,   ///< a face with one vertex at two corners
-  kDuplicate,        ///< a face twice
+  kDuplicate,        ///< a repeated face
   kDuplicateTurned,  // a face and its reversed copy
   kTurnedOver,       // a face with the opposite orientation
   kFin,              ///< a third face on an edge
@@ -36,7 +36,7 @@ Repair::Kind repairOf(Defect defect);
 
 class DefectiveMesh {
  public:
-  /// Takes a closed mesh without defects.
+  /// A closed mesh without defects is the start.
   DefectiveMesh(TriangleSoup sound, uint64_t seed);
 
   /// Inserts up to `count` defects of one kind, apart from all others, and returns their number,
@@ -47,8 +47,7 @@ class DefectiveMesh {
   const TriangleSoup& soup() const { return soup_; }
 
  private:
-  /// A vertex whose faces are untouched, which marks these as touched; -1 if there is no such
-  /// vertex.
+  /// A vertex with untouched faces, which the call marks as touched; -1 if none remains.
   int takeVertex();
   /// An untouched face with such a vertex, rotated so that the vertex comes first.
   int takeFace();

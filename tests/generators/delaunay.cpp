@@ -9,8 +9,8 @@
 namespace karcher {
 namespace {
 
-/// In the plane a determinant decides the side of a line, and the paraboloid z = x^2 + y^2 (lifted
-/// from the point d, to keep digits) the inside of a circle.
+/// The decisions in the plane. A determinant decides the side of a line, and the paraboloid z = x^2
+/// + y^2 (lifted from the point d, to keep digits) the inside of a circle.
 struct PlanePredicates {
   const Array<Vec2>& points;
 
@@ -34,7 +34,7 @@ struct PlanePredicates {
   }
 };
 
-/// On the sphere a great circle replaces the line, and a plane cuts out the circle.
+/// The decisions on the sphere. A great circle replaces the line, and a plane cuts out the circle.
 struct SpherePredicates {
   const Array<Vec3>& points;
 
@@ -53,7 +53,7 @@ struct SpherePredicates {
   }
 };
 
-/// Half-edge 3 f + k runs from corner k to corner k + 1 of face f.
+/// The triangulation. Half-edge 3 f + k runs from corner k to corner k + 1 of face f.
 template <class Predicates>
 class Insertion {
  public:
@@ -91,8 +91,8 @@ class Insertion {
     if (t >= 0) twin_[t] = h;
   }
 
-  /// Walks across the first edge that separates it from p. A bound ends walks that rounding sends
-  /// in circles.
+  /// Walks to the face of p, each time across the first edge that separates it from p. A bound ends
+  /// walks that rounding sends in circles.
   int locate(int p) {
     const int limit = 4 * faces_.count() + 100;
     for (int step = 0; step < limit; ++step) {

@@ -2,13 +2,13 @@
 
 #include "mesh/triangle_soup.h"
 
-/// Surfaces that unroll onto the plane: prisms and pyramids of many sides, whose side lines are
+/// Surfaces that unroll onto the plane: prisms and pyramids of many sides. Their side lines are
 /// edges of the mesh, so that the mesh itself is flat but for a cone's apex.
 namespace karcher {
 
 struct FlatCylinder {
   TriangleSoup soup;
-  Array<Vec2> unrolled;  ///< per vertex: x along the circumference, y along the axis
+  Array<Vec2> unrolled;  ///< the place of each vertex: x along the circumference, y along the axis
   double circumference = 0;
   double height = 0;
 };
@@ -18,7 +18,7 @@ FlatCylinder flatCylinder(int sides, double height, uint64_t seed);
 
 struct FlatCone {
   TriangleSoup soup;
-  Array<Vec2> unrolled;  ///< per vertex: distance from the apex, angle around it in [0, totalAngle)
+  Array<Vec2> unrolled;  ///< for each vertex: distance from the apex, angle in [0, totalAngle)
   double totalAngle = 0;
 };
 

@@ -42,7 +42,7 @@ TriangleSoup moved(TriangleSoup soup, const Vec3& scale, const Vec3& shift) {
   return soup;
 }
 
-/// A sheet of Delaunay triangles of random points, its heights random by `noise` of an edge.
+/// A sheet of Delaunay triangles of random points, with random heights of `noise` of an edge.
 TriangleSoup roughSheet(int triangles, double noise, uint64_t seed) {
   TriangleSoup soup = tessellatedPlane(PlaneTessellation::kJitteredDelaunay, triangles, seed);
   const double edge = 1.5 / std::sqrt(triangles);

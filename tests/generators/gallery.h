@@ -23,7 +23,7 @@ Array<GalleryMesh> gallery();
 /// shear (0 to 4) are random.
 GalleryMesh randomSheet(uint64_t seed);
 
-/// The mesh of that name. Throws std::runtime_error if there is none.
+/// The mesh of that name. Throws std::runtime_error for an unknown name.
 TriangleMesh galleryMesh(const std::string& name);
 
 /// A sheet folded along random lines, one after another, upwards and downwards: creases cross, and

@@ -4,8 +4,8 @@
 
 namespace karcher {
 
-/// Triangles of a grid of columns x rows cells whose vertex (i, j) has number j (columns + 1) + i;
-/// diagonal(i, j) true cuts a cell from its (i, j) corner, false from (i + 1, j).
+/// Triangles of a grid of columns x rows cells whose vertex (i, j) has number j (columns + 1) + i.
+/// If diagonal(i, j) is true, a cell's cut starts at its (i, j) corner, otherwise at (i + 1, j).
 template <class Diagonal>
 Array<Triangle> gridTriangles(int columns, int rows, Diagonal&& diagonal) {
   Array<Triangle> triangles;

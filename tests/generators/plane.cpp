@@ -16,12 +16,12 @@ struct Grid {
   int columns;
   int rows;
 
-  /// Cells `stretch` times as wide as high fill a square.
+  /// A square full of cells that are `stretch` times as wide as high.
   Grid(int triangles, double stretch)
       : columns(std::max(2, static_cast<int>(std::lround(std::sqrt(triangles / (2 * stretch)))))),
         rows(std::max(2, static_cast<int>(std::lround(triangles / (2.0 * columns))))) {}
 
-  /// The vertices, row by row; inner ones are moved by up to `jitter` along each axis.
+  /// The vertices, row by row; inner ones move by up to `jitter` along each axis.
   Array<Vec2> vertices(double jitter, Random& random) const {
     Array<Vec2> result;
     for (int j = 0; j <= rows; ++j) {

@@ -7,12 +7,12 @@ namespace karcher {
 /// Tessellations of a piece of the plane z = 0: the unit square, or for kStretchedSheared its image
 /// under the shear x += y.
 enum class PlaneTessellation {
-  kRandomDelaunay,    ///< Delaunay of random points
-  kJitteredDelaunay,  ///< Delaunay of a jittered grid
+  kRandomDelaunay,    ///< the Delaunay triangulation of random points
+  kJitteredDelaunay,  ///< the Delaunay triangulation of a jittered grid
   kRegularGrid,       ///< squares cut by parallel diagonals
-  kStretched,         ///< Delaunay of a jittered grid, stretched 20:1 along x
+  kStretched,         ///< the Delaunay triangulation of a jittered grid, stretched 20:1 along x
   kStretchedSheared,  ///< the same, sheared
-  kStretchedRandom,   ///< jittered grid of cells 20:1, cut by random diagonals
+  kStretchedRandom,   ///< a jittered grid of cells 20:1, cut by random diagonals
 };
 
 inline constexpr PlaneTessellation kPlaneTessellations[] = {

@@ -14,10 +14,10 @@ class Random {
  public:
   explicit Random(uint64_t seed) : engine_(seed) {}
 
-  /// Uniform in [0, 1).
+  /// A uniform number in [0, 1).
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
-  /// Uniform among 0, ..., count - 1.
+  /// A uniform number from 0 to count - 1.
   int index(int count) { return static_cast<int>(uniform() * count); }
   /// Permutes the values uniformly.
   void shuffle(Array<int>& values) {

@@ -18,7 +18,7 @@ struct PointPair {
 };
 
 /// Pairs of points `least` to `most` of the diagonal apart by exact distances (from the vertex of
-/// the second one's face), each chosen by `choose`, one of the above.
+/// the second one's face). `choose`, one of the above, chooses each point.
 Array<PointPair> randomPairs(const Geometry& geometry, Random& random, int count,
                              SurfacePoint (*choose)(const TriangleMesh&, Random&),
                              double least = 0.05, double most = 0.2);

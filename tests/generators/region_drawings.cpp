@@ -51,7 +51,7 @@ Array<SurfacePath> randomDrawing(const Geometry& geometry, Random& random) {
           random.uniform(0.02, 0.25) * geometry.diagonal * unitVector(random.uniform(0, 2 * kPi));
       points.push_back(traceStraightest(geometry, start, way).path.end());
       if (random.index(6) == 0) points.push_back(randomPlace(mesh, random));
-      // Now and then the path repeats a stretch.
+      // At times the path repeats a stretch.
       if (random.index(8) == 0) points.push_back(points[random.index(points.count())]);
     }
     paths.push_back(chain(geometry, points, true));

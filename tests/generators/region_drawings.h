@@ -25,8 +25,7 @@ double surfaceArea(const Geometry& geometry);
 
 class Random;
 
-/// One to four closed polygons that cross themselves and each other, and now and then repeat a
-/// stretch.
+/// One to four closed polygons that cross themselves and each other, and at times repeat a stretch.
 Array<SurfacePath> randomDrawing(const Geometry& geometry, Random& random);
 
 }  // namespace karcher

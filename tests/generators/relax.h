@@ -4,7 +4,7 @@
 
 namespace karcher {
 
-/// For each vertex the area-weighted mean of its triangles' centroids: moving it there makes the
+/// The area-weighted mean, for each vertex, of its triangles' centroids. A move there makes the
 /// tessellation more even (a step towards a centroidal one).
 inline Array<Vec3> meanCentroids(const TriangleSoup& soup) {
   Array<Vec3> sum(soup.positions.size(), Vec3::Zero());

@@ -8,7 +8,7 @@
 
 namespace karcher {
 
-/// Runs a check for libFuzzer, which keeps the input where the program aborts.
+/// Runs a check for libFuzzer, which keeps the input for which the program aborts.
 inline int fuzzed(void (*check)(Bytes), const uint8_t* data, size_t size) {
   try {
     check({data, size});
