@@ -1,9 +1,10 @@
-// `npm run pictures`: replays the two sittings of tests/web/sittings.mjs in every size of window, light and
+// `npm run pictures`: replays the sittings of new users (tests/web/sittings.mjs, part_sittings.mjs) in every size of window, light and
 // dark, and writes a picture of each step to build/pictures/, for a person to look at.
 //
-//   npm run pictures -- [--size laptop|desk|phone] [--theme light|dark] [--save] [--built]
+//   npm run pictures -- [--size laptop|desk|phone] [--theme light|dark] [--sitting scan|seam|poster|trim|badge]
+//     [--save] [--built]
 //
-// --size and --theme choose one of each. --save makes the README's picture, docs/drawing.jpg, in place of the
+// --size, --theme and --sitting choose one of each. --save makes the README's picture, docs/drawing.jpg, in place of the
 // sittings. --built uses build/page without a build.
 import { mkdirSync, statSync } from 'node:fs';
 import { parseArgs } from 'node:util';
@@ -12,7 +13,8 @@ import { chromiumPath, setUp } from './setup.mjs';
 import { inRoot } from './shell.mjs';
 
 const usage =
-  'Usage: npm run pictures -- [--size laptop|desk|phone] [--theme light|dark] [--save] [--built]';
+  'Usage: npm run pictures -- [--size laptop|desk|phone] [--theme light|dark]' +
+  ' [--sitting scan|seam|poster|trim|badge] [--save] [--built]';
 const themes = ['light', 'dark'];
 /** The largest size of the README's picture, in bytes. */
 const mostBytes = 300_000;
@@ -59,7 +61,8 @@ async function savePicture({ sitDown }) {
 }
 
 try {
-  const options = { size: 'string', theme: 'string', save: 'boolean', built: 'boolean' };
+  const strings = { size: 'string', theme: 'string', sitting: 'string' };
+  const options = { ...strings, save: 'boolean', built: 'boolean' };
   const { values } = parseArgs({
     options: Object.fromEntries(Object.entries(options).map(([name, type]) => [name, { type }])),
   });
@@ -74,12 +77,18 @@ try {
   const sittings = await import('../tests/web/sittings.mjs');
   const sizes = chosen('size', values.size, Object.keys(sittings.windows));
   mkdirSync(inRoot('build/pictures'), { recursive: true });
-  const both = { scan: sittings.scanSitting, seam: sittings.seamSitting };
+  const { badgeSitting, trimSitting } = await import('../tests/web/part_sittings.mjs');
+  const { posterSitting, scanSitting, seamSitting } = sittings;
+  const all = {
+    ...{ scan: scanSitting, seam: seamSitting, poster: posterSitting },
+    ...{ trim: trimSitting, badge: badgeSitting },
+  };
+  const names = chosen('sitting', values.sitting, Object.keys(all));
   for (const size of values.save ? [] : sizes) {
     for (const theme of wantedThemes) {
-      for (const [name, sitting] of Object.entries(both)) {
+      for (const name of names) {
         const path = inRoot(`build/pictures/${name}-${size}-${theme}`);
-        const count = await replay(sittings, sitting, sittings.windows[size], theme, path);
+        const count = await replay(sittings, all[name], sittings.windows[size], theme, path);
         console.log(`${name}, ${size}, ${theme}: ${count} pictures`);
       }
     }

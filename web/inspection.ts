@@ -12,6 +12,8 @@ import type { Viewer } from './viewer/viewer';
 export interface Inspection {
   /** Whether the engine has answered the newest state, control polygon included. */
   readonly settled: boolean;
+  /** Whether the engine owes an answer, also to a gesture that changes the drawing only then. */
+  readonly busy: boolean;
   /** The revision of the visible state. */
   readonly shown: number;
   /** The number of triangles of the surface; 0 without one. */
@@ -49,6 +51,9 @@ export function exposeState(
   const inspection: Inspection = {
     get settled() {
       return session.settled && session.view.revision === editor.state.revision;
+    },
+    get busy() {
+      return session.client?.busy ?? false;
     },
     get shown() {
       return session.view.revision;

@@ -33,13 +33,13 @@ export async function sitDown(viewport, options = {}) {
  * A place of the stage in the window: from -1 to 1 in both directions, relative to its smaller
  * side.
  */
-async function placeOn(tab, [x, y]) {
+export async function placeOn(tab, [x, y]) {
   const box = await tab.page.locator('#stage').boundingBox();
   const unit = Math.min(box.width, box.height) / 2;
   return { x: box.x + box.width / 2 + unit * x, y: box.y + box.height / 2 + unit * y };
 }
 
-async function clickAt(tab, ...places) {
+export async function clickAt(tab, ...places) {
   for (const place of places) {
     const { x, y } = await placeOn(tab, place);
     await tab.page.mouse.click(x, y);
@@ -47,10 +47,11 @@ async function clickAt(tab, ...places) {
   }
 }
 
-const dragAt = async (tab, from, to) => tab.drag(await placeOn(tab, from), await placeOn(tab, to));
+export const dragAt = async (tab, from, to) =>
+  tab.drag(await placeOn(tab, from), await placeOn(tab, to));
 
 /** A control of the panel, scrolled into view as by the wheel. */
-async function control(tab, selector) {
+export async function control(tab, selector) {
   const found = tab.page.locator(selector).filter({ visible: true }).first();
   await found.scrollIntoViewIfNeeded();
   return found;

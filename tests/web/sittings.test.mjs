@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { inLongRun, part } from './part.mjs';
+import { badgeSitting, trimSitting } from './part_sittings.mjs';
 import {
   figureSitting,
   posterSitting,
@@ -38,3 +39,24 @@ inLongRun('the sitting with figure 4, on a laptop', async () => {
     await browser.close();
   }
 });
+
+for (const size of ['laptop', 'desk', 'phone']) {
+  inLongRun(
+    `a trim line on a limb, in at most 15 clicks and drags, and a badge, on a ${size}`,
+    async () => {
+      for (const sitting of [trimSitting, badgeSitting]) {
+        const { browser, tab } = await sitDown(windows[size]);
+        try {
+          const hands = await sitting(tab);
+          if (hands) {
+            assert.ok(hands <= 15, `${hands} clicks and drags`);
+            console.log(`${hands} clicks and drags beside the line`);
+          }
+          assert.deepEqual(tab.logged, []);
+        } finally {
+          await browser.close();
+        }
+      }
+    },
+  );
+}

@@ -58,6 +58,37 @@ const step = fc.oneof(
     }),
   },
   { weight: 2, arbitrary: fc.record({ do: fc.constant('undo and redo') }) },
+  { weight: 2, arbitrary: fc.record({ do: fc.constant('make'), which: number }) },
+  {
+    weight: 1,
+    arbitrary: fc.record({
+      do: fc.constant('fill'),
+      percent: fc.constantFrom(0, 40, 100),
+      pattern: fc.constantFrom('solid', 'hatched', 'striped'),
+    }),
+  },
+  {
+    weight: 1,
+    arbitrary: fc.record({ do: fc.constant('mirror'), at: place, to: place, copy: fc.boolean() }),
+  },
+  { weight: 1, arbitrary: fc.record({ do: fc.constant('ruler'), at: place, to: place }) },
+  {
+    weight: 1,
+    arbitrary: fc.record({
+      do: fc.constant('freehand'),
+      stroke: fc.array(place, { minLength: 2, maxLength: 5 }),
+    }),
+  },
+  { weight: 1, arbitrary: fc.record({ do: fc.constant('frame'), which: number, to: place }) },
+  {
+    weight: 1,
+    arbitrary: fc.record({
+      do: fc.constant('size'),
+      side: fc.constantFrom('width', 'height'),
+      times: fc.constantFrom(0.5, 1.5),
+    }),
+  },
+  { weight: 1, arbitrary: fc.record({ do: fc.constant('part'), which: number }) },
   { weight: 2, arbitrary: dropStep },
 );
 
@@ -73,7 +104,8 @@ const mostObjects = 8;
 const said = () => {
   const page = window.karcherPage;
   const { drawing, chosen, none, figure, selection, more, tool } = page.state();
-  const isDrawn = ({ figure: { points, circle } }) => points.length > 0 || circle !== null;
+  const isDrawn = ({ figure: { points, circle, derived } }) =>
+    points.length > 0 || circle !== null || Boolean(derived);
   const selected = none ? [] : chosen.length > 0 ? chosen : [drawing.active];
   const objects = drawing.objects.filter(({ id }) => selected.includes(id));
   const active = drawing.objects.find(({ id }) => id === drawing.active);
@@ -185,6 +217,51 @@ describe('a walk', () => {
         const button = page.locator(`#${taken.id}`);
         if ((await button.isVisible()) && (await button.isEnabled())) await button.click();
       },
+      make: async () => (await nth('#makers button:enabled'))?.click(),
+      fill: async () => {
+        const fill = page.locator('#fill');
+        if (!(await fill.isVisible()) || !(await fill.isEnabled())) return;
+        await fill.fill(`${taken.percent}`);
+        await page.keyboard.press('Enter');
+        const pattern = page.locator('#pattern');
+        if ((await pattern.isVisible()) && (await pattern.isEnabled())) {
+          await pattern.selectOption(taken.pattern);
+        }
+      },
+      mirror: async () => {
+        await page.keyboard.press('i');
+        const copies = page.locator('#mirror-copies');
+        if (!(await copies.isVisible())) return;
+        await copies.setChecked(taken.copy);
+        for (const one of [taken.at, taken.to]) await page.mouse.click(...Object.values(at(one)));
+      },
+      ruler: async () => {
+        await page.keyboard.press('m');
+        for (const one of [taken.at, taken.to]) await page.mouse.click(...Object.values(at(one)));
+      },
+      freehand: async () => {
+        await page.keyboard.press('f');
+        const [from, ...rest] = taken.stroke.map(at);
+        await page.mouse.move(from.x, from.y);
+        await page.mouse.down();
+        for (const one of rest) await page.mouse.move(one.x, one.y, { steps: 6 });
+        await page.mouse.up();
+      },
+      frame: async () => {
+        await page.keyboard.press('k');
+        await tab.settled();
+        const handle = await nth('.handles:not(#handles) .handle:not(.behind)');
+        const box = await handle?.boundingBox();
+        if (!box) return;
+        await tab.drag({ x: box.x + box.width / 2, y: box.y + box.height / 2 }, at(taken.to));
+      },
+      size: async () => {
+        const side = page.locator(`#size-${taken.side}`);
+        if (!(await side.isVisible()) || !(await side.isEnabled())) return;
+        await side.fill(`${taken.times * Number(await side.inputValue())}`);
+        await page.keyboard.press('Enter');
+      },
+      part: async () => (await nth('#parts button:enabled:not([aria-label^="Save"])'))?.click(),
       'undo and redo': async () => {
         if (!(await page.locator('#undo').isEnabled())) return;
         await page.locator('#undo').click();
@@ -194,6 +271,7 @@ describe('a walk', () => {
       drop: () => dropping.take(taken),
     };
     await todo[taken.do]();
+    await tab.page.waitForFunction(() => !window.karcherPage?.busy);
     await tab.settled();
   }
 
@@ -204,7 +282,9 @@ describe('a walk', () => {
       const way = [];
       let before = await tab.page.evaluate(said);
       for (const taken of walk) {
-        const makes = ['Control+d', 'duplicate'].includes(taken.key ?? taken.id);
+        const makes =
+          ['Control+d', 'duplicate'].includes(taken.key ?? taken.id) ||
+          ['make', 'mirror', 'freehand', 'alt-drag'].includes(taken.do);
         if (makes && before.count >= mostObjects) continue;
         way.push(JSON.stringify(taken));
         const told = () => `after step ${way.length}:\n${way.slice(-8).join('\n')}`;

@@ -54,6 +54,10 @@ class TellingClient extends WorkerClient {
   onBusy: (busy: boolean) => void = () => {};
   #calls = 0;
 
+  get busy(): boolean {
+    return this.#calls > 0;
+  }
+
   override call(...call: Parameters<WorkerClient['call']>): Promise<unknown> {
     if (this.#calls++ === 0) this.onBusy(true);
     return super.call(...call).finally(() => {
@@ -161,6 +165,11 @@ export class EngineClient {
       client.close();
       throw error;
     }
+  }
+
+  /** Whether the engine owes an answer. */
+  get busy(): boolean {
+    return this.#worker.busy;
   }
 
   /** Sets the listener for the beginning of the first call and the end of the last one. */
