@@ -29,6 +29,7 @@ export const contents = {
     ['docs/steady-curves.md', 'Steady curves'],
     ['docs/algorithms/paths.md', 'Paths'],
     ['docs/algorithms/circles.md', 'Circles and ellipses'],
+    ['docs/algorithms/regions.md', 'Regions, cuts and offsets'],
     ['docs/algorithms/editing.md', 'Editing on a surface'],
     ['docs/repairs.md', 'Repairs'],
   ],
@@ -68,7 +69,22 @@ export const drawn = {
   ],
   'docs/algorithms/paths.md': ['paths', 'Shortest paths from one point to eight others'],
   'docs/algorithms/circles.md': ['circles', 'Six circles about one point'],
+  'docs/algorithms/regions.md': [
+    'regions',
+    'Two regions as colors, with offsets of their joint boundary inside and outside',
+  ],
   'docs/algorithms/editing.md': ['editing', 'A curve before and after one of its points moved'],
+};
+
+/** The example that runs below a page (docs/book/live.mjs), by its name in examples/. */
+export const live = {
+  'docs/algorithms/means.md': 'mean',
+  'docs/algorithms/fields.md': 'decal',
+  'docs/algorithms/distances.md': 'distance_colors',
+  'docs/algorithms/curves.md': 'drag_on_glb',
+  'docs/algorithms/paths.md': 'cut_path',
+  'docs/algorithms/regions.md': 'offset_seam',
+  'docs/algorithms/editing.md': 'drag_on_glb',
 };
 
 /** The package's entries with types, by the names that they are imported by. */

@@ -21,13 +21,23 @@ const titleOf = (name) =>
     .replace('react', 'React');
 const languageOf = (file) => (file.endsWith('.mjs') ? 'js' : file.replace(/.*\./, ''));
 
+/** An example in a frame, under its words. */
+const framed = ({ words, name }) =>
+  `${words[0].toUpperCase()}${words.slice(1)}.\n\n` +
+  `<iframe src="../live/${name}.html" title="${words.replaceAll('"', '')}" loading="lazy"></iframe>\n\n`;
+
+/** The example of this name below the text of a page, in Markdown. */
+export function withLive(text, name) {
+  const example = listed().find((one) => one.name === name);
+  return `${text}\n## Live\n\n${framed(example)}[Its program](../examples.md) is among the examples.\n`;
+}
+
 /** The page of the examples, as Markdown. */
 export function examplesPage() {
   const parts = listed().map(
-    ({ file, words, name }) =>
-      `## ${titleOf(name)}\n\n${words[0].toUpperCase()}${words.slice(1)}.\n\n` +
-      `<iframe src="../live/${name}.html" title="${words.replaceAll('"', '')}" loading="lazy"></iframe>\n\n` +
-      `\`\`\`${languageOf(file)}\n${sourceOf(file)}\`\`\`\n`,
+    (example) =>
+      `## ${titleOf(example.name)}\n\n${framed(example)}` +
+      `\`\`\`${languageOf(example.file)}\n${sourceOf(example.file)}\`\`\`\n`,
   );
   return `# Examples, live\n\nOne idea each. The programs are those that run in the frames.\n\n${parts.join('\n')}`;
 }

@@ -6,8 +6,8 @@ import { dirname, relative, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { Application, Converter, ReflectionKind } from 'typedoc';
 import { filesBelow, inRoot } from '../../.tools/shell.mjs';
-import { contents, drawn, entries } from './contents.mjs';
-import { buildLive, examplesPage } from './live.mjs';
+import { contents, drawn, entries, live } from './contents.mjs';
+import { buildLive, examplesPage, withLive } from './live.mjs';
 import { pictures } from './pictures.mjs';
 import { addExamples, reportOf } from './reference.mjs';
 
@@ -50,7 +50,8 @@ async function writeSource() {
   const pages = [];
   for (const [group, listed] of Object.entries(contents)) {
     for (const [path, title] of listed) {
-      const text = withPicture(path, readFileSync(`${source}/${path}`, 'utf8'));
+      const words = withPicture(path, readFileSync(`${source}/${path}`, 'utf8'));
+      const text = path in live ? withLive(words, live[path]) : words;
       writeFileSync(
         `${source}/${path}`,
         `---\ntitle: ${JSON.stringify(title)}\ngroup: ${group}\n---\n\n${text}`,

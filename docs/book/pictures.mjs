@@ -75,6 +75,38 @@ const drawings = {
     }
     see.dot(mesh.position(center), colors.center, 14);
   },
+  regions({ mesh, see }) {
+    const { diagonal } = mesh.info;
+    const outlines = [
+      [0.5, 0.66],
+      [0.62, 0.6],
+    ].map(([x, y]) => mesh.circle(see.pick(x, y), { radius: 0.1 * diagonal }).path);
+    const insides = mesh.regions(outlines);
+    const triangles = mesh.triangles();
+    const tints = [
+      [0.83, 0.85, 0.89],
+      [0.72, 0.79, 0.96],
+      [0.98, 0.82, 0.68],
+      [0.86, 0.72, 0.82],
+    ];
+    const cells = new Map();
+    for (let corner = 0; corner < triangles.length; corner++) {
+      const bary = [0, 1, 2].map((k) => +(k === corner % 3));
+      const point = { face: Math.floor(corner / 3), bary };
+      const cell = insides.reduce((sum, one, i) => sum + 2 ** i * one.contains(point), 0);
+      cells.set(triangles[corner], cell);
+    }
+    see.surface((vertex) => tints[cells.get(vertex) ?? 0]);
+    const [union] = mesh.regions(outlines, { combine: 'union' });
+    for (const k of [1, 2, 3]) {
+      const options = { distance: 0.012 * k * diagonal, side: 'both' };
+      for (const line of mesh.offset(union.boundary(), options)) {
+        see.line(line.polyline(), colors.point, 1.5);
+      }
+    }
+    see.line(outlines[0].polyline(), colors.curve, 4);
+    see.line(outlines[1].polyline(), colors.other, 4);
+  },
   curves({ mesh, see }) {
     const points = [
       [0.34, 0.62],
