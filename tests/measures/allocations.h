@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-/// Counts the memory that the program takes by `new`; with the address sanitizer also by `malloc`.
-/// A program that uses these functions has its operator new replaced.
+/// Counts of the memory that the program takes by `new`; with the address sanitizer also by
+/// `malloc`. These functions replace the operator new of a program.
 namespace karcher {
 
 /// The number of allocations of the program so far.

@@ -4,8 +4,8 @@
 
 #include "mesh/types.h"
 
-/// Finds the item in space that is nearest to a place: a tree of boxes around the items, which
-/// opens only boxes that may contain a nearer one.
+/// A search for the item in space nearest to a place: a tree of boxes around the items, which opens
+/// only boxes that may contain a nearer one.
 namespace karcher {
 
 struct Box {
@@ -27,7 +27,7 @@ struct Box {
 
 class BoxTree {
  public:
-  /// One box an item.
+  /// The items have one box each.
   explicit BoxTree(const Array<Box>& boxes);
 
   struct Nearest {
@@ -35,8 +35,8 @@ class BoxTree {
     double squaredDistance = kInfinity;
   };
 
-  /// `squaredDistance` returns the squared distance between an item, by its index, and q. `best` is
-  /// the result so far; it is returned if no item is nearer.
+  /// The nearest item. `squaredDistance` returns the squared distance between an item, by its
+  /// index, and q. `best` is the result so far, and of the search if no item is nearer.
   template <class SquaredDistance>
   Nearest nearest(const Vec3& q, const SquaredDistance& squaredDistance, Nearest best) const {
     open(0, nodes_[0].box.squaredDistance(q), q, squaredDistance, best);
@@ -48,7 +48,7 @@ class BoxTree {
   }
 
  private:
-  /// Its first child is the next node.
+  /// A node, whose first child is the next one.
   struct Node {
     Box box;
     int second = -1;  // the second child; -1 at a leaf

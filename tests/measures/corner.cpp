@@ -13,7 +13,7 @@ double cornerAt(Curve& curve, double parameter) {
   const CurveTangent after = tangentAt(curve, parameter + kBeside);
   const Geometry& geometry = curve.surface().geometry();
   Vec2 in = before.inFace;
-  // On an edge both lie in faces of their own.
+  // On an edge, the point before and the point after lie in faces of their own.
   if (before.at.point.face != after.at.point.face) {
     const TriangleMesh& mesh = *geometry.mesh;
     int h = 3 * before.at.point.face;

@@ -5,8 +5,8 @@
 #include "intrinsic/geometry.h"
 #include "measures/polyline_distance.h"
 
-/// The steadiness of a curve in a drag: while a control point moves in small steps, how far the
-/// whole curve moves in each step.
+/// The steadiness of a curve in a drag: the motion of the whole curve in each small step of a
+/// control point.
 namespace karcher {
 
 /// A vertex of positive curvature that changed from one side of a leg to the other. No geodesic
@@ -28,16 +28,16 @@ Array<VertexPassage> passedVertices(const Geometry& geometry, const Array<Surfac
 double anglesBetween(const TriangleMesh& mesh, const Array<SurfacePoint>& before,
                      const Array<SurfacePoint>& after);
 
-/// Lengths in steps of the hand.
+/// The figures of drags. Lengths are in steps of the hand.
 struct DragFigures {
-  /// A motion of more than this is a shiver.
+  /// The motion above which a step is a shiver.
   static constexpr double kShiver = 5;
   static constexpr double kTolerance = 1e-2;
 
   int steps = 0;  // the steps that count
   int shivers = 0;
   double largestLeap = 0;
-  /// Steps that do not count: a leg passed vertices that explain the leap.
+  /// The number of steps that do not count: a leg passed vertices that explain the leap.
   int passing = 0;
   /// The largest of their leaps, as a part of what the passages allow.
   double largestPassing = 0;
@@ -52,10 +52,10 @@ struct DragFigures {
   }
 };
 
-/// Counts one step of the hand. `allowedLeap`: half of length * curvature, summed over the passages
-/// of the legs in this step, in the mesh's units as `step` is. Where that is less than a shiver the
-/// step counts like any other. `allowedBeside`: what else allows a leap in the same step, asked
-/// where a leg's passage does not suffice. Returns the motion.
+/// Counts one step of the hand, and returns its motion. `allowedLeap` is half of length *
+/// curvature, summed over the passages of the legs in this step, in the mesh's units like `step`.
+/// If it is less than a shiver, the step counts like any other. `allowedBeside` returns what else
+/// allows a leap in the same step; it runs if a leg's passage does not suffice.
 double countStep(DragFigures& figures, const MeasuredPolyline& before,
                  const MeasuredPolyline& after, double step, double allowedLeap = 0,
                  const std::function<double()>& allowedBeside = {});

@@ -22,7 +22,7 @@ GaussBonnet gaussBonnet(const Geometry& geometry, const Arrangement& all, const 
   for (int h = 0; h < all.halfedgeCount(); ++h) {
     if (!isIn(h)) continue;
     const bool border = isBorder[h] != 0;
-    // Edges are counted; interior ones are counted once.
+    // The characteristic counts edges; interior ones once.
     if (border || h < all.twin[h]) --result.euler;
     if (!border) corners.unite(h, all.next[all.twin[h]]);
   }

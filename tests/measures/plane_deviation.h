@@ -4,8 +4,8 @@
 
 namespace karcher {
 
-/// On a flat mesh: the largest distance of a curve's samples from the Euclidean curve, which is the
-/// sum of the control points with the weights of the curve of level 0.
+/// The largest distance, on a flat mesh, of a curve's samples from the Euclidean curve: the sum of
+/// the control points with the weights of the curve of level 0.
 double planeDeviation(Surface& surface, const CurveOptions& options,
                       const Array<SurfacePoint>& points);
 

@@ -41,9 +41,9 @@ struct TurningMeasure {
 /// `count` places with the same length of the polyline between consecutive ones, its ends included.
 Array<Vec3> evenlySpaced(const Array<Vec3>& polyline, int count);
 
-/// The sum of the angles, in degrees, between consecutive pieces of the polyline through
-/// `pieces` + 1 places that are evenly spaced on a curve, the two pieces at a place projected to
-/// the mesh's tangent plane there.
+/// The sum of the angles, in degrees, between consecutive pieces of the polyline through `pieces` +
+/// 1 even places on a curve. At each place the two pieces are projected to the mesh's tangent plane
+/// there.
 double turning(const TurningMeasure& measure, const Array<Vec3>& curve, int pieces = 32);
 
 }  // namespace karcher

@@ -74,7 +74,7 @@ const argument = fc.oneof(
   wrong,
   fc.array(number, { maxLength: 6 }),
 );
-/** Adaptive curves with many samples and large numbers take long, and are not tested here. */
+/** Whether a curve takes too long for this test: adaptive with many samples or large numbers. */
 const tooLong = ({ samples, tolerance }) =>
   (typeof samples === 'number' && samples > 200) ||
   (samples === 'adaptive' && tolerance !== undefined);
@@ -96,7 +96,7 @@ const isHuge = (args) =>
   args.some((arg) => typeof arg === 'number' && arg > 1e6) ||
   args.some((arg) => typeof arg === 'object' && arg !== null && tooLong(arg));
 
-/** Calls, and catches an expected failure. */
+/** Runs a call, and catches an expected failure. */
 function tried(work) {
   try {
     return work();

@@ -10,8 +10,8 @@ before(async () => {
 
 const paper = { method: 'paper', solver: 'exact' };
 const cells = 12;
-// Inner points: their neighbourhoods on the grid are symmetric, so that the paper's estimator of
-// the gradient is exact.
+// The points are inner ones: their neighbourhoods on the grid are symmetric, so that the paper's
+// estimator of the gradient is exact.
 const inner = [
   { vertex: 4 + (cells + 1) * 4 },
   { vertex: 8 + (cells + 1) * 5 },
@@ -281,7 +281,7 @@ test('weights of a point carry it to other control points', () => {
   const back = mesh.centerOfMass(corners, weights, { normalize: true });
   assert.ok(back.position.every((value, axis) => Math.abs(value - place[axis]) < 1e-9));
 
-  // Given weights are kept if they are valid, and stay positive on request.
+  // Given weights stay if they are valid, and stay positive on request.
   const given = mesh.weightsOf(at(70), corners, { weights: weights.map((one) => 3 * one) });
   assert.ok(given.weights.every((weight, i) => Math.abs(weight - weights[i]) < 1e-12));
   const sound = mesh.weightsOf(at(18), [...corners, at(30)], { nonNegative: true });

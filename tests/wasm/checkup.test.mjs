@@ -83,7 +83,7 @@ test('the boundary is that of the remaining faces', async () => {
   assert.equal(sides.length, 4);
   for (const twice of ['f 1 2 3', 'f 3 1 2\nf 2 3 1', 'f 1 3 2', 'f 1 3 2\nf 3 2 1\nf 1 3 4'])
     assert.deepEqual(await edges(`${square}${twice}\n`), sides, twice);
-  // A fin has two boundary edges of its own, and one where it was attached.
+  // A fin has two boundary edges of its own, and one at its foot.
   const fin = await edges(`${square}v .5 .5 1\nf 1 3 5\n`);
   assert.deepEqual(
     fin.filter((edge) => !sides.includes(edge)),
@@ -169,10 +169,10 @@ test('seams that were not welded are coinciding boundaries', async () => {
     karcher.meshFromArrays(positions, triangles, { weld: near.weld }).info.components,
     1,
   );
-  // After welding there are none.
+  // Welding leaves none.
   const whole = await checkUp(karcher.meshFromArrays(positions, triangles));
   assert.deepEqual([whole.nearBoundaries, whole.boundary.length / 6], [null, 2 * 8 + 4]);
-  // Corners that only touch are not welded, and no weld is offered.
+  // Corners that only touch stay apart, and the check-up offers no weld.
   const touching = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, -1, 0];
   const mesh = karcher.meshFromArrays(touching, [0, 1, 2, 3, 4, 5]);
   assert.equal((await checkUp(mesh)).nearBoundaries, null);
@@ -189,7 +189,7 @@ test('degenerate triangles are no caps: the engine flips them away', async () =>
 });
 
 test('many boundary vertices near each other are examined in slices', async () => {
-  // Parallel strips: near each other compared with the diagonal, but too far to be welded.
+  // Parallel strips are near each other compared with the diagonal, but too far apart for welding.
   const [positions, triangles] = [[], []];
   for (let k = 0; k < 4000; k++) {
     const [x, y] = [1e-6 * (k % 60), 1e-6 * Math.floor(k / 60)];

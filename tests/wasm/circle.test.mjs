@@ -42,7 +42,7 @@ test('on a plane circles and ellipses are the same at every level', () => {
   for (const levels of [0, 3, 'auto', 'limit']) {
     const round = mesh.circle(center, { radius: 4.5, levels });
     const long = mesh.ellipse(center, { ...ellipse, levels });
-    // On a plane no level is needed.
+    // A plane needs no level.
     const expected = levels === 'auto' ? 0 : levels;
     if (levels !== 'limit') assert.deepEqual([round.levels, long.levels], [expected, expected]);
     else assert.ok(round.levels > 0 && long.levels > 0);
@@ -124,7 +124,7 @@ test('impossible circles are refused', () => {
 });
 
 test('an arc beyond the cut locus is marked', () => {
-  // A torus, with the center on its tube: geodesics round the hole meet behind it.
+  // The mesh is a torus, with the center on its tube: geodesics round the hole meet behind it.
   const mesh = karcher.shape('torus', 6000);
   const circle = mesh.circle({ vertex: 0 }, { radius: 1.6, ...paper });
   assert.ok(circle.notShortest.length > 0);

@@ -27,7 +27,7 @@ const fileOf = (value) => folder.write(`curve${files++}.json`, JSON.stringify(va
 const edited = (...args) => printed('edit', meshFile, ...args);
 const traced = (...args) => printed('trace', meshFile, '--samples', '9', ...args);
 
-/** JSON has no -0. */
+/** The value as JSON has it, without -0. */
 const asJson = (value) => JSON.parse(JSON.stringify(value));
 
 /** Checks that both curves pass through the same places. */
@@ -104,7 +104,7 @@ test('edit prints a curve that trace reads', async () => {
     assert.equal(result.point, point);
     assert.equal(result.curves[0].kind, curve.kind);
     expectSame(await traced('--curve', fileOf(result)), curve);
-    // A single curve of the output is also accepted.
+    // A single curve of the output is valid, too.
     expectSame(await traced('--curve', fileOf(result.curves[0])), curve);
   }
 });
@@ -112,7 +112,7 @@ test('edit prints a curve that trace reads', async () => {
 test('legs are read with a curve, and printed with it', async () => {
   const [a, b, c, ...rest] = points;
   const through = mesh.curve({ kind: 'polyline', points: [a, b, c], samples: 9 });
-  // On a plane every path straightens to the same line, so that no leg is stored.
+  // On a plane every path straightens to the same line, so that the file has no leg.
   const file = fileOf({ kind: 'polyline', points: [a, b, c], legs: [[rest[0]], null] });
   expectSame(await traced('--curve', file), through);
   assert.equal((await edited('--curve', file, '--reverse')).curves[0].legs, undefined);
@@ -174,7 +174,7 @@ test('curves are split and joined again', async () => {
   const [first, second] = curve.split(1.5);
   expectSame(await traced('--curve', fileOf(joined)), first.join(second));
 
-  // A file of points makes a curve of the same kind.
+  // A file of points describes a curve of the same kind.
   const more = folder.write('more.txt', linesOf(places.toReversed()));
   const clamped = { kind: 'bspline', degree: 2, knots: 'clamped', samples: 9 };
   const both = await edited(...curveArgs, '--degree', '2', '--knots', 'clamped', '--join', more);

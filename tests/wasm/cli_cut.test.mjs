@@ -1,4 +1,4 @@
-// Meshes cut apart along curves, and the files of the parts.
+// Cuts of meshes along curves, and the files of the parts.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -128,7 +128,7 @@ test('a part that touches itself at a point is read unchanged', async () => {
 
 test('parts of a cut keep the colors and parts of the file, and shells keep colors', async () => {
   const [positions, triangles] = [sphere.positions(), sphere.triangles()];
-  // Colors that change linearly, so that they are known between corners.
+  // Colors change linearly, so that those between corners are known.
   const colorAt = (place) => Array.from(place, (x) => Math.round(127.5 + 100 * x));
   const colors = Uint8Array.from(positions, (x) => Math.round(127.5 + 100 * x));
   const names = [{ name: 'upper' }, { name: 'lower' }];

@@ -172,7 +172,7 @@ test('points are read from the JSON that commands print', async () => {
   }
 });
 
-/** A drawing in the form in which the page saves it. */
+/** A drawing as the page saves it. */
 function drawing(...figures) {
   const settings = {
     closed: false,
@@ -218,9 +218,7 @@ test('drawings of the page are read as curves and points', async () => {
   );
 });
 
-/**
- * A bow tie, an edge of three faces, a seam that is not welded, a repeated face and a loose vertex.
- */
+/** A bow tie, an edge of three faces, an unwelded seam, a repeated face and a loose vertex. */
 const broken = `${[
   ...['0 0 0', '1 0 0', '1 1 0', '-1 0 0', '-1 -1 0', '5 0 0', '6 0 0', '5 1 0', '6 0 0'],
   ...['6 1 0', '5 1 0', '9 9 9', '5 -1 0', '5 0 1'],
@@ -303,7 +301,7 @@ test('each of several meshes has a line, and a failing one does not stop the oth
   assert.match(await failure('convert', plane, other, '--out', 'a.stl'), /needs a '\*'/);
   const drawn = ['--from', 'v:0', '--to', 'v:2', '--format', 'obj'];
   assert.match(await failure('path', plane, other, ...drawn), /takes one mesh with --format obj/);
-  // Standard input is read once for all meshes.
+  // One read of standard input serves all meshes.
   const points = await karcherReading(
     'v:0\n',
     'log',

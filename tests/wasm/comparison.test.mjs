@@ -22,7 +22,7 @@ describe('a drag', () => {
       await curve.trace();
       const { steps, leaps, most } = await measureDrag(curve, plane, plan, 10);
       assert.deepEqual([steps, leaps], [10, 0], name);
-      // The weight is 2/3 at a knot; averages are taken in an embedding that differs slightly from
+      // The weight is 2/3 at a knot. Averages are those of an embedding that differs slightly from
       // the plane.
       const tolerance = name === 'weightedAverages' ? 0.05 : 1e-6;
       assert.ok(Math.abs(most - 2 / 3) < tolerance, `${name}: ${most}`);

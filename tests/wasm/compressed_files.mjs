@@ -14,8 +14,8 @@ function compressedParts(mesh, name, buffer) {
 }
 
 /**
- * A file compressed by Draco: a coordinate has `bits` bits, or all of them. The order of triangles
- * may change. `colors` are four bytes a vertex.
+ * A file by Draco: a coordinate has `bits` bits, or all of them. The order of triangles may change.
+ * `colors` are four bytes a vertex.
  */
 export async function dracoParts(mesh, { bits = 0, colors } = {}) {
   const encoderModule = await draco3d.createEncoderModule();
@@ -54,7 +54,7 @@ export async function dracoParts(mesh, { bits = 0, colors } = {}) {
 
 export const dracoFile = async (mesh, options) => glbOf(await dracoParts(mesh, options));
 
-/** A file compressed by meshoptimizer, under either name of the extension. */
+/** A file by meshoptimizer, under either name of the extension. */
 export async function meshoptParts(mesh, { name = 'EXT_meshopt_compression' } = {}) {
   await MeshoptEncoder.ready;
   const corners = Uint32Array.from(mesh.faces.flat());

@@ -22,8 +22,8 @@ export function rimOf(part) {
 }
 
 /**
- * The rims of parts that do not match another rim in the opposite direction, place by place: where
- * all parts fit to the last bit, these are the surface's own boundary.
+ * The rims of parts that do not match another rim in the opposite direction, place by place. If all
+ * parts fit to the last bit, these are the surface's own boundary.
  */
 function openEdges(parts) {
   const sides = new Map();
@@ -94,7 +94,7 @@ export function leastHeight(part) {
   return least;
 }
 
-/** Whether two of its vertices lie at one place: readers keep such vertices apart. */
+/** Whether a part has two vertices at one place: readers keep such vertices apart. */
 const touchesItself = ({ positions }) => {
   const places = new Set();
   for (let i = 0; i < positions.length; i += 3) places.add(positions.slice(i, i + 3).join(' '));
@@ -137,8 +137,8 @@ export function checkedParts(parts, surface) {
 }
 
 /**
- * The faults of files of parts. Each must be read without a repair, unless the part touches itself
- * or has a slit.
+ * The faults of files of parts. Each must open without a repair, unless the part touches itself or
+ * has a slit.
  */
 export async function checkedFiles(karcher, parts, surface) {
   const faults = [];

@@ -1,4 +1,4 @@
-// A cut of a large mesh in a worker: it tells its progress, can be given up, and nothing is lost.
+// A cut of a large mesh in a worker reports its progress, can be canceled, and loses nothing.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { loadForTest } from './workers.mjs';

@@ -42,8 +42,8 @@ test('graph distances are at least the exact ones, and exact where vertices see 
 });
 
 test('welded vertices repeat their distance; dropped and unreachable ones have none', () => {
-  // Two squares joined along an edge with doubled vertices, a vertex without a face, and a separate
-  // square.
+  // The mesh is two squares joined along an edge with doubled vertices, a vertex without a face,
+  // and a separate square.
   const apart = square.replace(/^v (.)/gm, 'v 5$1').replace('f 1 2 3 4', 'f 10 11 12 13');
   const mesh = karcher.meshFromObj(
     `${square}v 7 8 9\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nf 6 7 8 9\n${apart}`,

@@ -1,7 +1,7 @@
 // The number of cases that a test draws with fast-check, and their seed.
 import { long, seed } from '../web/part.mjs';
 
-/** A long run draws many times as many cases. */
+/** The number of cases; a long run draws many times as many. */
 export const draws = (count) => ({
   ...{ seed, numRuns: long ? 30 * count : count, endOnFailure: true },
   includeErrorInReport: true,

@@ -1,5 +1,5 @@
 // Tests of the examples. Those for Node run, and Vite bundles those for a page. Each is short and
-// listed.
+// appears in the list.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';

@@ -175,7 +175,7 @@ test('glTF: strips, fans, no indices, normalized and sparse numbers', async () =
   assert.deepEqual(placesOf(mesh), written(cutBox));
   assert.deepEqual([mesh.info.vertices, mesh.info.boundaryLoops], [8, 0], 'welded');
 
-  // Three rows of bytes; row 2 is changed from 0 0 0 to 0 255 51, the others are 0 0 0 and 255 0 0.
+  // Rows of bytes: 0 0 0, 255 0 0, and 0 0 0, which sparse values replace by 0 255 51.
   const bytes = [0, 0, 0, 0, 255, 0, 0, 0, 0, 0, 0, 0, 2, 0, 255, 51];
   const quantized = {
     asset: { version: '2.0' },
@@ -482,7 +482,7 @@ test('colors are those of the file’s vertices, in every type of number, welded
   assert.deepEqual(Array.from(glb.file.materialOf), [0, 0]);
   assert.equal((await open(files.objFile(box))).file.colors, null);
   assert.equal((await open(files.glbFile(cutBox))).file.colors, null);
-  // Invalid colors do not make a surface fail.
+  // A surface opens despite invalid colors.
   const { file } = await open(coloredGlb(light, { type: 'VEC2' }));
   assert.equal(file.colors, null);
 });

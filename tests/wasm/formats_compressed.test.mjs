@@ -1,5 +1,5 @@
-// glTF files compressed by Draco or meshoptimizer: written meshes are restored, in this thread and
-// in a worker, and damage is reported.
+// Files of glTF compressed by Draco or meshoptimizer: readers restore written meshes, in this
+// thread and in a worker, and report damage.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { load } from 'karcher';

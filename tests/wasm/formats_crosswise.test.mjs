@@ -1,5 +1,5 @@
 // One table for all text formats: byte order marks, line ends, comments, spellings of invalid
-// numbers, and whether these are used. All readers behave alike.
+// numbers, and the use of these. All readers behave alike.
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { load } from 'karcher';

@@ -1,4 +1,4 @@
-// Damaged files of meshes: each is refused with the fault and its place.
+// Damaged files of meshes: the reader refuses each with the fault and its place.
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { load } from 'karcher';

@@ -154,7 +154,7 @@ test('parts of an OBJ file: comments, continued lines and line numbers are as in
   // A wrong line after a removed one has its line number in the file.
   const bad = encode(`${text}o b#1\nf 1 2 x\n`);
   await assert.rejects(open(bad, { parts: [1] }), { message: /^line 18: / });
-  // Lines without end, and one that is continued fifty thousand times.
+  // One file has a line without end, and one continues a line fifty thousand times.
   const long = `v 0 0 0\nv 1 0 0\nv 0 1 0\no a\nf 1 2 3\no b\nf 1 2 ${'\\\n'.repeat(50_000)}3`;
   assert.equal((await open(encode(long), { parts: [0] })).mesh.info.triangles, 1);
   assert.equal((await open(encode(long), { parts: [1] })).mesh.info.triangles, 1);
@@ -250,7 +250,7 @@ test('glTF: a mesh that many nodes place is read once, and one that is too large
   const positions = Array.from({ length: 120_000 }, (_, i) => i % 17);
   const vertices = files.glbFile({ positions, faces: [[0, 1, 3]] }, { nodes, scenes });
   await assert.rejects(open(vertices), { code: 'outOfMemory', message: /of 100,040,000 vertices/ });
-  // The vertices would fit twice into the engine's memory, but not with everything made from them.
+  // The vertices would fit twice into the engine's memory, but not with all their derived data.
   const fewer = { nodes: nodes.slice(0, 2000), scenes: [{ nodes: [...Array(2000).keys()] }] };
   await assert.rejects(open(files.glbFile({ positions, faces: [[0, 1, 3]] }, fewer)), {
     code: 'outOfMemory',

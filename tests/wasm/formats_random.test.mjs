@@ -1,5 +1,5 @@
-// Files of random bytes, and good files with changed bytes: each makes a mesh with finite places,
-// or is refused with a KarcherError, soon and with little memory.
+// Files of random bytes, and good files with changed bytes: each leads to a mesh with finite
+// places, or to a KarcherError, soon and with little memory.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import fc from 'fast-check';
@@ -30,7 +30,7 @@ const encode = (text) => new TextEncoder().encode(text);
 /** The largest memory of this process, for small files only. */
 const mostMemory = 1.5e9;
 
-/** Opens a file, or expects a refusal; true if it was opened. */
+/** Opens a file, or expects a refusal. Returns whether it opened. */
 async function opens(bytes, options) {
   watch(bytes);
   try {
@@ -58,7 +58,7 @@ const name = fc.constantFrom('x', 'x.obj', 'x.ply', 'x.stl', 'x.off', 'x.glb', '
 
 test('random bytes, alone and after the beginning of a format', async () => {
   // After the beginning of an OBJ file random bytes may be faces of its three vertices, so some
-  // files are read.
+  // files open.
   let refused = 0;
   const start = fc.constantFrom(
     ...['', 'ply\nformat ascii 1.0\n', 'ply\nformat binary_big_endian 1.0\nelement vertex 3\n'],
@@ -100,7 +100,7 @@ const goodFiles = [
   ...[stlFile(cutBox, { text: true, solids: 2 }), gltf({})],
 ];
 
-/** Bytes are set, inserted, removed, or repeated, at a fraction of the file. */
+/** A change of bytes, which sets, inserts, removes, or repeats some, at a fraction of the file. */
 const change = fc.record({
   at: fc.double({ min: 0, max: 1, noNaN: true }),
   kind: fc.constantFrom('set', 'set', 'set', 'set', 'put', 'take', 'repeat', 'end'),

@@ -77,7 +77,7 @@ test('an endless call is interrupted, and all objects are unchanged', minutes, a
     await assert.rejects(gone.points(), { code: 'disposed' });
     await gone.dispose();
   }
-  // They stay as they are: on a separate mesh the same edit makes the same curve.
+  // They stay as they are: on a separate mesh the same edit leads to the same curve.
   await first.movePoint(0, { vertex: 40 });
   const other = await karcher.meshFromObj(text);
   const anew = await other.curve(await first.value());
@@ -221,7 +221,7 @@ test(
       path: (await mesh.shortestPath({ vertex: 0 }, { vertex: 300 })).length,
     });
     const before = await all();
-    // There are so many points that the call takes longer than starting another worker.
+    // The points are so many that the call takes longer than the start of another worker.
     const many = Array.from({ length: 400 }, (_, i) => ({ vertex: 7 * i }));
     const weights = many.map(() => 1 / many.length);
     const calls = [

@@ -14,7 +14,7 @@ function isNear(actual, expected, part, what = '') {
   assert.ok(Math.abs(actual - expected) < part * expected, `${what} ${actual}, not ${expected}`);
 }
 
-/** A curve of four points; its last one was dragged so far round the tube that its leg is long. */
+/** A curve whose last point was dragged far round the tube: the leg to it is long. */
 function drawnOut(options) {
   const curve = torus.curve({ points: [...far, start, start], samples: 17, ...options });
   for (let step = 1; step <= 50; step++) curve.dragPoint(3, along(step * 0.05));
@@ -33,7 +33,7 @@ const sameAnew = (curve) =>
   isNear(torus.curve(curve.value()).length, curve.length, 2e-4, 'traced anew');
 
 test('a point inserted in a curve leaves its legs in place', () => {
-  // The tolerance of curves with levels: afterwards their points are averages of other averages.
+  // The tolerance is that of curves with levels, whose points become averages of other averages.
   for (const [options, part] of [
     [{ kind: 'polyline' }, 1e-4],
     [{ kind: 'bezier', levels: 3 }, 3e-3],
@@ -114,7 +114,7 @@ test('a leg belongs to its two points', () => {
   isAs(turned, there.toReversed());
   turned.reverse();
   isAs(turned, there);
-  // In a closed curve the leg to the first point is added and removed with it.
+  // In a closed curve the leg to the first point comes and goes with it.
   const ring = torus.curve({
     kind: 'polyline',
     closed: true,
@@ -143,7 +143,7 @@ test('a drawn leg is saved as it is, if few points do not suffice to find it', (
   }
   const again = mesh.curve(JSON.parse(JSON.stringify(line.value())));
   isNear(again.length, line.length, 2e-4);
-  // A link stores points in short: by two of their weights.
+  // A link stores two of a point's weights.
   const inShort = ({ face, bary: [, b, c] }) => ({ face, bary: [1 - b - c, b, c] });
   const value = line.value();
   const linked = mesh.curve({ ...value, legs: value.legs.map((leg) => leg.map(inShort)) });

@@ -59,7 +59,7 @@ test('automatic levels are at least as many as requested', () => {
   const curve = mesh.curve({ ...bezier, leastLevels: 2 });
   assert.equal(curve.levels, 2);
   assert.equal(curve.value().leastLevels, 2);
-  // The bound stays through every edit, until another value is set.
+  // The bound stays through every edit, until a caller sets another value.
   curve.movePoint(1, { face: 5, bary: [0.4, 0.3, 0.3] });
   assert.equal(curve.levels, 2);
   curve.set({ ...curve.value(), leastLevels: 0 });
@@ -171,7 +171,7 @@ test('several points dragged together keep their continued legs', () => {
   mesh.dispose();
 });
 
-/** A curve whose last point was dragged so far round the torus that its leg is not the shortest. */
+/** A curve whose last point was dragged far round the torus: the leg to it is not the shortest. */
 function drawnOut(mesh, options) {
   const start = mesh.surfacePoint(5, [0.2, 0.3, 0.5]);
   const far = [1, 2].map((i) => mesh.surfacePoint(5 + 40 * i, [0.2, 0.3, 0.5]));
@@ -207,7 +207,7 @@ test('legs are part of the value, as a few points', () => {
     const straight = mesh.curve({ ...again.value(), legs: undefined });
     assert.ok(straight.length < 0.95 * again.length);
     assert.equal(straight.value().legs, undefined);
-    // Reversing the curve keeps the legs.
+    // A reversal of the curve keeps the legs.
     again.reverse();
     assert.deepEqual(again.value().legs.slice(1), [null, null]);
     assert.ok(Math.abs(again.length - curve.length) < 1e-6 * curve.length);
@@ -225,7 +225,7 @@ test('invalid legs: a sentence, and the curve is unchanged', () => {
   for (const legs of [[null], [[place], null, null, null], 5, [5, null, null], [[5], null, null]]) {
     assert.throws(() => curve.set({ ...value, legs }), badArgument, JSON.stringify(legs));
   }
-  // The number of legs must match, whether or not some are to be continued.
+  // The number of legs must match, whether or not some are drawn.
   for (const count of [1, 2, 4, 5]) {
     const legs = Array(count).fill(null);
     const message = `the control polygon has 3 legs, not ${count}`;

@@ -27,9 +27,8 @@ const somewhere = (mesh, random) => {
 
 /**
  * The largest turn, by rounding, of the direction in which a path of the plane grid leaves a point.
- * The ends of its first piece are off by a few roundings of coordinates up to 12, and the piece may
- * be as short as the point's distance from an edge of its face, whose least height is the root of a
- * half.
+ * The ends of its first piece have a few roundings of coordinates up to 12. The piece may be as
+ * short as the point's distance from an edge of its face, whose least height is the root of a half.
  */
 const turnAt = ({ bary }) => (8 * Number.EPSILON * 12) / (Math.min(...bary) * Math.SQRT1_2);
 
@@ -88,8 +87,8 @@ test('on a tube the log map of all vertices has the directions of its unrolled s
     for (let i = -12; i <= 12; i++) {
       const up = (height * (there - row)) / rings;
       const [x, y, z] = vectors[there * sides + ((i + sides) % sides)];
-      // Across the edge at the source the plane of the vectors is that of one strip, or of the
-      // other unfolded.
+      // Across the edge at the source, the plane of the vectors is that of one strip or of the
+      // other, unfolded.
       const across = Math.sign(i) * Math.hypot(x, y);
       assert.ok(Math.hypot(z - up, across - side * i) < 1e-12, `${i}, ${there}`);
     }
@@ -188,7 +187,7 @@ for (const [shape, triangles] of [
         const isRestored = away < 1e-9 && turned < 1e-7;
         if (isRestored) restored++;
         if (norm(minus(wanted[j], found[j])) > 1e-9 * diagonal) continue;
-        // The same for the return: the first path found is the one that the return ends on.
+        // The return is the same: the first path found is the one on which the return ends.
         const again = mesh.expMap(p, mesh.logMap(p, [point]).vectors).points[0];
         if (norm(minus(mesh.position(again), mesh.position(point))) > 1e-10 * diagonal) continue;
         oneToOne++;

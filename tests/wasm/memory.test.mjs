@@ -91,7 +91,7 @@ test('memory is filled completely, and the program continues', async () => {
   ];
   const right = calls.map((call) => call());
   const held = [];
-  /** Meshes of a triangle and many unused vertices, until no further one fits. */
+  /** Fills the memory with meshes of a triangle and many unused vertices. */
   const fill = (vertices) => {
     const positions = new Float64Array(3 * vertices);
     positions.set([0, 0, 0, 1, 0, 0, 0, 1, 0]);
@@ -178,7 +178,7 @@ test('unreachable objects are freed, in any order', async () => {
       const mesh = karcher.meshFromObj(text);
       for (let k = 0; k < 3; k++) mesh.curve({ kind: 'bspline', points, samples: 8 });
       if (i % 3 === 0) mesh.dispose();
-      // Only the curve is freed, since its mesh stays.
+      // Only the curve becomes free, since its mesh stays.
       kept.curve({ kind: 'bspline', points, samples: 8 });
     }
   };

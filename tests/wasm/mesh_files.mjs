@@ -54,7 +54,7 @@ const setters = {
   double: 'setFloat64',
 };
 
-/** Additional properties stand beside those that readers use. */
+/** A PLY file. Additional properties stand beside those that readers use. */
 export function plyFile(
   mesh,
   { encoding = 'ascii', real = 'double', length = 'uchar', index = 'int', eol = '\n' } = {},
@@ -171,7 +171,7 @@ export function gltfParts({ positions, faces }, changes = {}) {
   return { json, buffer };
 }
 
-/** Chunks of a GLB file are padded to multiples of four bytes. */
+/** A GLB file. Its chunks have lengths of multiples of four bytes. */
 export function glbOf({ json, buffer }) {
   const text = encode(JSON.stringify(json));
   const fill = (length) => 4 * Math.ceil(length / 4);

@@ -12,8 +12,8 @@ export const tetrahedron =
   'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n';
 
 /**
- * A flat grid of `cells` by `cells` unit squares, each cut along the diagonal from its lower left:
- * vertex i + (cells + 1) j lies at (i, j, 0), triangles 2 k and 2 k + 1 make square k.
+ * A flat grid of `cells` by `cells` unit squares, each cut along the diagonal from its lower left.
+ * Vertex i + (cells + 1) j lies at (i, j, 0); triangles 2 k and 2 k + 1 form square k.
  */
 export function grid(cells) {
   const lines = [];
@@ -129,7 +129,7 @@ export function distance(a, b) {
 }
 
 /**
- * Draws on the mesh of a grid: the returned function makes the closed path through places (x, y).
+ * A function that draws on the mesh of a grid: it returns the closed path through places (x, y).
  */
 export function drawingOn(mesh, cells) {
   /** The point at (x, y); squares are cut from their lower left. */

@@ -81,7 +81,7 @@ test('at several distances the sides of a segment are the tangents of the disks 
     const arcs = (Math.PI + 2 * tilt) * end + (Math.PI - 2 * tilt) * start;
     near(around.length, 10 * Math.cos(tilt) + arcs, 5e-3);
   }
-  // Of a closed path the first distance follows the last: equal ones are one.
+  // On a closed path the first distance follows the last, so equal ones count as one.
   const [one] = mesh.offset([square], { distance: 0.6, side: 'right' });
   const [same] = mesh.offset([square], { distance: [0.6, 0.6, 0.6], side: 'right' });
   near(same.length, one.length, 1e-9);

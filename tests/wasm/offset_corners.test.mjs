@@ -40,7 +40,7 @@ const turns = (corners) => {
 };
 
 /**
- * The set within a distance of a closed polygon, with corners of a kind: polygons whose union it
+ * The set within a distance of a closed polygon, with corners of a kind, as polygons whose union it
  * is.
  */
 function strips(corners, distance, kind, limit) {
@@ -68,7 +68,7 @@ function strips(corners, distance, kind, limit) {
 
 /**
  * The area of a union of convex polygons. Between neighboring ends and crossings of sides it is
- * linear in x. A planar library fails for one in about a hundred of these.
+ * linear in x. (A planar library fails for one in about a hundred of these.)
  */
 function unionArea(polygons) {
   const sides = polygons.flatMap((ring) =>

@@ -8,14 +8,14 @@ import { gzipSync } from 'node:zlib';
 const dist = fileURLToPath(new URL('.', import.meta.resolve('karcher')));
 /**
  * The largest sizes, gzipped, of the module and of the JavaScript that `karcher` loads. A user of
- * `karcher` alone does not download other entries and the files that they load on demand, such as
- * readers of files and decoders. In the module 45,000 bytes are streams of C++, with which
- * tinyobjloader reads OBJ.
+ * `karcher` alone does not download other entries and their files on demand, such as readers of
+ * files and decoders. In the module 45,000 bytes are streams of C++, with which tinyobjloader reads
+ * OBJ.
  */
 const mostBytes = { wasm: 470_000, js: 30_000 };
 /**
- * The compiler version of CI. The bounds apply to its output: other versions differ in libraries
- * and code size.
+ * The compiler version of CI. The bounds are for its output: other versions differ in libraries and
+ * code size.
  */
 const boundCompiler = '3.1.6';
 

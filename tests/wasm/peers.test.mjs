@@ -106,7 +106,7 @@ describe('every method', () => {
     assert.equal(mesh.info.components, 2);
     const pair = [{ vertex: 30 }, { vertex: 107 }];
     for (const name of comparedMethods) {
-      if (name === 'weightedAverages') continue; // It embeds the whole mesh.
+      if (name === 'weightedAverages') continue; // This method embeds the whole mesh.
       const method = await prepared(name, mesh);
       const curve = method.curve(peers.plan(pair, 5));
       curve.finish();
@@ -165,8 +165,8 @@ describe('the paper’s authors', () => {
     for (let i = 0; i < 3 * one.count; i++) {
       assert.ok(Math.abs(one.position[i] - other.position[i]) < 1e-9);
     }
-    // The next search starts at a lost sample, so that no later one is found again from a control
-    // point.
+    // The next search starts at a lost sample, so that no search from a control point finds a later
+    // one.
     const torus = peers.karcher.shape('torus', 2000);
     const around = [565, 684, 85, 922].map((vertex) => ({ vertex }));
     const far = peers.plan(around, 33);

@@ -1,5 +1,5 @@
-// Random cuts of surfaces with and without rims, similar to those that `npm run study -- cuts`
-// makes of files.
+// Random cuts of surfaces with and without rims, similar to those of files by `npm run study --
+// cuts`.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from 'karcher';

@@ -114,8 +114,7 @@ describe('the log map of all vertices', () => {
       const positions = mesh.positions();
       const { vectors } = mesh.logMap(from);
       assert.equal(vectors.length, positions.length);
-      // At the boundary the tangent plane is rescaled: lengths and the order of directions are
-      // kept.
+      // At the boundary the tangent plane is rescaled: lengths and the order of directions stay.
       const isRescaled = where.startsWith('on the') || where.startsWith('at a corner');
       for (let v = 0; 3 * v < positions.length; v++) {
         const expected = difference(placeIn(positions, v), origin);
@@ -139,7 +138,7 @@ describe('the log map of all vertices', () => {
       const { vectors } = mesh.logMap(from);
       for (const [i, { vertex }] of near.entries()) {
         const away = Math.hypot(...difference(placeIn(vectors, vertex), placeIn(single, i)));
-        // Directions are interpolated, and at most half an edge apart.
+        // Directions are interpolated, between places at most half an edge apart.
         assert.ok(away < 0.25 * mesh.info.meanEdge, `${vertex}: ${away / mesh.info.meanEdge}`);
       }
     }

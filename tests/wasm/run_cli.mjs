@@ -49,13 +49,10 @@ export async function karcherProcess(args, begun = () => {}) {
   return { status, signal, ...said };
 }
 
-// The progress of a command after two seconds: on a slow machine other commands print it too.
+// The progress of a command after two seconds, which on a slow machine other commands print, too.
 const progress = /^karcher: \w+: [^\n]+, \d+ %\n/gm;
 
-/**
- * The JSON object that a command printed. Throws if it failed or printed anything besides its
- * progress.
- */
+/** The JSON output of a command. Throws if it failed or printed anything besides its progress. */
 export async function printed(...args) {
   const { status, stdout, stderr } = await karcher(...args);
   if (status !== 0 || stderr.replace(progress, '') !== '')

@@ -58,7 +58,7 @@ test(`edits through a worker leave no memory behind, and the curve equals that o
   };
   const bytes = [];
   for (let i = 0; i < edits; i++) {
-    // Every tenth edit is not awaited: several are under way.
+    // Nine of ten edits are under way at once: nobody awaits them.
     if (i % 10 === 9) await Promise.all([edit(), curve.view(), edit(), curve.polyline()]);
     else await edit();
     if (i % (edits / 10) === edits / 10 - 1) {
@@ -67,7 +67,7 @@ test(`edits through a worker leave no memory behind, and the curve equals that o
       bytes.push({ engine: await karcher.allocatedBytes(), held: await heldBytes() });
     }
   }
-  // Each measurement has the same curve; its spare fields are those of earlier edits, and differ:
+  // Each measurement has the same curve. Its spare fields are those of earlier edits, and differ by
   // up to 230 KB between any two, while a leak of a kilobyte an edit would be 1.5 MB.
   const most = (part) => Math.max(...part.map(({ engine }) => engine));
   const grown = most(bytes.slice(5)) - most(bytes.slice(0, 5));

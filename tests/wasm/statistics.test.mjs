@@ -48,7 +48,7 @@ for (const [where, loadEngine] of Object.entries({
       ];
       const { position, converged, value } = await median(mesh, await all(places));
       assert.ok(converged);
-      // Seen from it, the corners are 120 degrees apart.
+      // From the median, the corners are 120 degrees apart.
       const units = places.map(([x, y]) => {
         const [dx, dy] = [x - position[0], y - position[1]];
         return [dx / Math.hypot(dx, dy), dy / Math.hypot(dx, dy)];
@@ -89,7 +89,7 @@ for (const [where, loadEngine] of Object.entries({
         [0.9, 5],
         [9.4, 5],
       ]);
-      // x + (x - .5) = 1, from the first point.
+      // From the first point, x + (x - .5) = 1.
       const { position } = await huberMean(mesh, line, undefined, { threshold: 1 });
       near(position, [0.4 + 0.75, 5, 0], 1e-5);
       const places = [

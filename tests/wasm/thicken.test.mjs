@@ -1,4 +1,4 @@
-// Shells around parts of surfaces: closed, with the volumes known for a plane, a sphere and a
+// Shells around parts of surfaces: closed, with the known volumes for a plane, a sphere and a
 // torus, and no thicker than fits.
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';

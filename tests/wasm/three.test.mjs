@@ -56,7 +56,7 @@ function* hitsOf(object, random, least) {
   }
 }
 
-/** Changes of a geometry before or after a mesh is made of it. */
+/** Changes of a geometry before or after the creation of its mesh. */
 const trees = {
   'no tree': () => {},
   'a tree': (geometry) => {
@@ -264,7 +264,7 @@ describe('a surface', () => {
     assert.equal(vertexColors(surface.mesh.distance(center)).count, 81);
     const vertices = Array.from({ length: 81 }, (_, vertex) => ({ vertex }));
     const { vectors } = surface.mesh.logMap(center, vertices);
-    // On a plane the texture coordinates equal the plane's up to a motion: lengths are kept.
+    // On a plane the texture coordinates equal the plane's up to a motion: lengths stay.
     const uvs = logMapUvs(vectors, surface.frame(center), 1);
     assert.deepEqual([uvs.getX(40), uvs.getY(40)], [0.5, 0.5]);
     for (let v = 0; v < 81; v++) {
@@ -276,7 +276,7 @@ describe('a surface', () => {
   });
 
   test('makes decals, without triangles across the cut locus', () => {
-    // A cylinder with an odd number of sides: no vertex is opposite to another.
+    // The surface is a cylinder with an odd number of sides: no vertex is opposite to another.
     const [sides, rings] = [33, 9];
     const positions = [];
     const triangles = [];

@@ -99,24 +99,24 @@ for (const [name, [geometry, boundaryLoops, genus]] of Object.entries(geometries
 }
 
 test('paths across seams have the right length', () => {
-  // Two edges of a polygon of `sides` sides: beside the vertex between them a path may be shorter,
-  // but not than the chord.
+  // The polygon of `sides` sides has two edges between the ends: beside the vertex between them a
+  // path may be shorter, but not than the chord.
   const isOverTwoEdges = (length, radius, sides) => {
     const edges = 4 * radius * Math.sin(Math.PI / sides);
     const chord = 2 * radius * Math.sin((2 * Math.PI) / sides);
     assert.ok(length > chord && length < edges + 1e-6, `${chord} < ${length} < ${edges}`);
   };
-  // The outer equator of a torus, from one step before the seam to one after it. Vertex (j, i) is j
-  // (around the tube) * row + i (around the axis).
+  // The path is on the outer equator of a torus, from one step before the seam to one after it.
+  // Vertex (j, i) is j (around the tube) * row + i (around the axis).
   const mesh = meshOf(new THREE.TorusGeometry(1, 0.4, 16, 48));
   const row = 48 + 1;
   isOverTwoEdges(mesh.shortestPath({ vertex: 47 }, { vertex: 1 }).length, 1.4, 48);
-  // A path across the seam of its tube.
+  // This path crosses the seam of the tube.
   isOverTwoEdges(mesh.shortestPath({ vertex: 15 * row }, { vertex: row }).length, 0.4, 16);
-  // A path over the pole of a sphere, from one side of the ring around it to the other.
+  // This path leads over the pole of a sphere, from one side of the ring around it to the other.
   const sphere = meshOf(new THREE.SphereGeometry(1, 32, 16));
   isOverTwoEdges(sphere.shortestPath({ vertex: 33 }, { vertex: 33 + 16 }).length, 1, 32);
-  // A path from the center of a cylinder's cap down its side.
+  // This path leads from the center of a cylinder's cap down its side.
   const cylinder = meshOf(new THREE.CylinderGeometry(1, 1, 2, 24, 4));
   const places = cylinder.positions();
   const vertexAt = (...place) =>

@@ -33,7 +33,7 @@ test('isolines of a linear function on a plane are straight, from side to side',
     assert.deepEqual([others, none], [[], []]);
     assert.ok(line instanceof Path && !line.closed);
     const places = triples(line.polyline(double));
-    // Roundings of the values are divided by the slope.
+    // The slope divides roundings of the values.
     const slope = Math.hypot(a, b);
     for (const [x, y] of places) assert.ok(Math.abs(a * x + b * y - level) < 1e-13 + 1e-14 / slope);
     const ends = [places[0], places.at(-1)];

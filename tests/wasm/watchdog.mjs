@@ -1,4 +1,4 @@
-// Ends a process whose case hangs, and prints the case first: a worker watches, since no timer of
+// Ends a process whose case hangs, and prints the case first. A worker watches, since no timer of
 // the process could.
 import { writeSync } from 'node:fs';
 import { Worker, workerData } from 'node:worker_threads';

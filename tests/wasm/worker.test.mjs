@@ -90,7 +90,7 @@ test('a mesh and a curve in a worker have all members of those here', async () =
   const other = await loadInWorker();
   const sphere = await other.shape('sphere', 500);
   other[Symbol.dispose]();
-  // Objects that ended with their worker can be disposed of silently.
+  // The disposal of objects that ended with their worker is silent.
   sphere[Symbol.dispose]();
   await assert.rejects(sphere.positions(), gone);
 });
@@ -412,8 +412,8 @@ test('a step of a drag is one call into the module, even if calls can be interru
     const remoteMesh = await client.call('mesh', []);
     const value = { kind: 'bspline', points };
     const curve = await remoteMesh.curve(value);
-    // The steps of a drag have their legs in the value, so that the client needs no further call to
-    // make the curve again.
+    // The value has the legs of a drag's steps, so that the client needs no further call to create
+    // the curve again.
     let { drawnLegs: legs } = await curve.view();
     const { calls } = await noted(here, async () => {
       for (let vertex = 41; vertex < 75; vertex++) {

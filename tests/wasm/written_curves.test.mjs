@@ -1,4 +1,4 @@
-// Curves in written files: rows of CSV, lines and tubes beside the mesh, and what other programs read.
+// Curves in written files: rows of CSV, lines and tubes beside the mesh, as other programs read them.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -191,7 +191,7 @@ describe('a tube', () => {
       const volume = count * Math.sin(turn) * size * section;
       assert.ok(solid.closed && solid.oriented);
       assert.ok(Math.abs(solid.volume - volume) < 1e-12 * volume, `${solid.volume}, not ${volume}`);
-      // Its area is at most that of the torus, and nearly that where there are many sides.
+      // The area of the tube is at most that of the torus, and nearly that with many sides.
       const torus = 4 * Math.PI ** 2 * size * radius;
       assert.ok(solid.area < torus);
       if (count === 64) assert.ok(solid.area > 0.97 * torus);
@@ -287,7 +287,7 @@ describe('curves beside the mesh', () => {
       assert.deepEqual([...line.geometry.attributes.position.array], single(curves[i].path));
       assert.deepEqual(bytesOf(line.material.color), curves[i].color);
     });
-    // Our own reader has the mesh alone, and says so.
+    // Our own reader has the mesh alone, with a note.
     const { mesh: read, file } = await meshFromFile(engine, bytes);
     assert.equal(read.info.triangles, ball.geometry.index.count / 3);
     assert.match(file.notRead.join(), /line/);
@@ -331,7 +331,7 @@ describe('curves beside the mesh', () => {
     );
     const { mesh: read } = await meshFromFile(engine, bytes, { name: 'a.obj' });
     assert.equal(read.info.triangles, faces);
-    // Positions are to the last bit.
+    // Positions are right to the last bit.
     const own = new TextDecoder()
       .decode(bytes)
       .split('\n')

@@ -73,7 +73,7 @@ test('other programs read the same colors', async () => {
 });
 
 test('karcher convert keeps them, even of a repaired mesh', async () => {
-  // Each triangle has its own vertices, which are welded, and one face is repeated.
+  // Each triangle has its own vertices, which the reader welds, and one face occurs twice.
   const corners = [...triangles, ...triangles.slice(0, 3)];
   const loose = {
     positions: corners.flatMap((v) => positions[v]),

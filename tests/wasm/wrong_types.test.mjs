@@ -142,7 +142,7 @@ test('isolines at distance zero, of either type', () => {
   assert.throws(() => mesh.ellipse(center, three), { message: /two radii/ });
 });
 
-/** An array whose buffer was transferred: it looks empty. */
+/** An array after the transfer of its buffer: it looks empty. */
 function gone() {
   const array = new Float64Array(9);
   structuredClone(array, { transfer: [array.buffer] });
