@@ -93,6 +93,22 @@ describe('the view', () => {
     }
   }
 
+  test('turns about the middle of the whole where the pointer is beside it, which stays in view', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:5000');
+    const { x, y } = await tab.middle();
+    const { width, height } = await tab.page.locator('#stage').boundingBox();
+    const unit = Math.min(width, height) / 2;
+    const pixel = () =>
+      tab.page.evaluate(([h, v]) => window.karcherPage.under(h, v)?.pixel ?? 0, [x, y]);
+    const before = await pixel();
+    assert.ok(before > 0);
+    // Half a turn.
+    await drag(tab, { x: x - 0.9 * unit, y: y + 0.5 * unit }, [height / 2, 0], 'right');
+    const after = await pixel();
+    assert.ok(Math.abs(after / before - 1) < 0.02, `a pixel is ${after}, and was ${before}`);
+    await tab.close();
+  });
+
   for (const [how, hold, button] of [
     ['the middle button', null, 'middle'],
     ['the space bar', 'Space', 'left'],

@@ -6,6 +6,8 @@ import { views } from './views';
 
 const fieldOfView = 30;
 const halfSlope = Math.tan((fieldOfView * Math.PI) / 360);
+/** The radius of the ball around the scene's middle that holds the surface. */
+const ballRadius = 1;
 /** The part of its bounding sphere that a surface rarely leaves, with a margin. */
 const margin = 0.88;
 /** The part of the stage's width that a surface may take. */
@@ -224,7 +226,11 @@ export class OrbitView {
   #hold(event: PointerEvent): void {
     this.#flight = null;
     this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    const point = this.#turnTo(event.clientX, event.clientY);
+    const found = this.#turnTo(event.clientX, event.clientY);
+    const isBeside = !this.#at(event.clientX, event.clientY);
+    // Beside a surface in sight as a whole, the turn is about its middle: all of it stays in sight.
+    const isWhole = isBeside && this.camera.position.length() > ballRadius;
+    const point = isWhole ? new Vector3() : found;
     const { mouseButtons } = this.#controls;
     const moves =
       event.ctrlKey ||
