@@ -7,6 +7,7 @@ import {
   copyFileSync,
   existsSync,
   mkdirSync,
+  readdirSync,
   readFileSync,
   writeFileSync,
 } from 'node:fs';
@@ -68,7 +69,8 @@ async function minify(...names) {
 
 /**
  * Builds the facade and the command line program: wasm/*.ts to dist/*.js and .d.ts. Comments stay
- * only in the types, since a page need not load them.
+ * only in the types, since a page need not load them, and neither the facade's indentation. Texts of
+ * the facade have no line breaks, so that none is changed.
  */
 export async function buildFacade() {
   const typescript = 'typescript/bin/tsc';
@@ -76,6 +78,10 @@ export async function buildFacade() {
   await runNpmProgram(
     ...[typescript, '-p', 'wasm', '--declaration', 'false', '--removeComments', '--noCheck'],
   );
+  for (const name of readdirSync(inRoot('dist')).filter((file) => file.endsWith('.js'))) {
+    const file = inRoot(`dist/${name}`);
+    writeFileSync(file, readFileSync(file, 'utf8').replace(/^ +/gm, ''));
+  }
   // The declarations name types of the modules, but the compiler does not write the modules' own
   // declarations.
   const modules = ['karcher-engine', 'peers/karcher-peers'];

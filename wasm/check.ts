@@ -9,7 +9,8 @@ const largestInteger = 0x7fffffff;
 /** The most entries of 4 doubles each, such as points. More do not fit into 4 GB. */
 const mostEntries = 2 ** 27;
 
-const badArgument = (message: string) => new KarcherError('badArgument', message);
+/** The error for an argument that cannot be right. */
+export const badArgument = (message: string) => new KarcherError('badArgument', message);
 
 /** A value in the form of error messages, cut to a readable length. */
 export function shown(value: unknown): string {

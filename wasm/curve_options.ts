@@ -1,4 +1,5 @@
 import {
+  badArgument,
   checkArray,
   checkBoolean,
   checkFunction,
@@ -7,7 +8,6 @@ import {
   checkPositive,
   toFloat64,
 } from './check.js';
-import { KarcherError } from './errors.js';
 import type {
   EngineCurveParts,
   EngineCurveShape,
@@ -95,10 +95,7 @@ function engineSampling(options: CurveOptions): EngineSampling {
     };
   }
   if (samples !== 'adaptive' && samples !== undefined) {
-    throw new KarcherError(
-      'badArgument',
-      'a curve takes a number of samples or a tolerance, not both',
-    );
+    throw badArgument('a curve takes a number of samples or a tolerance, not both');
   }
   const part = checkPositive(tolerance ?? defaultTolerance, 'the tolerance');
   return { samples: defaultSamples, tolerance: part, exact, ...levels };
@@ -115,10 +112,7 @@ const ownOptions = [
 function checkOwnOptions(options: CurveOptions): void {
   for (const [name, kind] of ownOptions) {
     if (options[name] === undefined || options.kind === kind) continue;
-    throw new KarcherError(
-      'badArgument',
-      `a curve of the kind '${options.kind}' takes no ${name}; '${kind}' does`,
-    );
+    throw badArgument(`a curve of the kind '${options.kind}' takes no ${name}; '${kind}' does`);
   }
 }
 
@@ -181,7 +175,7 @@ function wireLeg(leg: LegPoints | DrawnLeg, i: number): Float64Array {
 export function givenNumbers(values: ArrayLike<number>, what: string): Float64Array {
   const array = toFloat64(values, what);
   if (array.length > 0) return array;
-  throw new KarcherError('badArgument', `${what} must not be an empty array`);
+  throw badArgument(`${what} must not be an empty array`);
 }
 
 /** The numbers of an option; empty if the caller omits it. */

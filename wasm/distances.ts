@@ -2,7 +2,14 @@
  * Distances on a mesh, and the lines at a distance: circles, ellipses, isolines, offsets. `Mesh`
  * documents them.
  */
-import { checkArray, checkNumber, checkOneOf, checkOptions, toVector } from './check.js';
+import {
+  badArgument,
+  checkArray,
+  checkNumber,
+  checkOneOf,
+  checkOptions,
+  toVector,
+} from './check.js';
 import type { MeshHandle } from './engine.js';
 import { KarcherError } from './errors.js';
 import type { EngineCircle } from './karcher-engine.mjs';
@@ -84,7 +91,7 @@ export function ellipse(mesh: MeshHandle, center: PointLike, options: EllipseOpt
   const radii = checkArray(options.radii, 'the radii').map((radius, i) =>
     checkNumber(radius, `radius ${i}`),
   );
-  if (radii.length !== 2) throw new KarcherError('badArgument', 'an ellipse takes two radii');
+  if (radii.length !== 2) throw badArgument('an ellipse takes two radii');
   const [along, across] = radii as [number, number];
   const direction = toVector(options.direction, 'the direction');
   const arcs = engineArcs(options);
@@ -101,8 +108,7 @@ export function isolines(mesh: MeshHandle, center: PointLike, options: IsolineOp
   const type = checkOneOf(options.type ?? 'exact', ['exact', 'linear'], 'the type of isolines');
   for (const name of ['solver', 'rings'] as const) {
     if (type === 'linear' || options[name] === undefined) continue;
-    throw new KarcherError(
-      'badArgument',
+    throw badArgument(
       `isolines of the type 'exact' take no ${name}; those of the type 'linear' do`,
     );
   }

@@ -6,6 +6,7 @@ export type { LogMap, MappedPoints } from './maps.js';
 export { Mesh } from './mesh.js';
 export { Path } from './path.js';
 export type * from './path_types.js';
+export type * from './path_values.js';
 export { Region } from './region.js';
 export type * from './types.js';
 export { CurveView } from './view.js';

@@ -1,4 +1,4 @@
-import { checkOptions, namesOf, shown } from './check.js';
+import { badArgument, checkOptions, namesOf, shown } from './check.js';
 import { KarcherError } from './errors.js';
 import type { EngineOptions } from './karcher-engine.mjs';
 import type { LoadOptions, WasmSource } from './types.js';
@@ -39,8 +39,7 @@ export async function compiled(source: WasmSource): Promise<WebAssembly.Module> 
   }
   const bytes = bytesOf(source);
   if (!bytes) {
-    throw new KarcherError(
-      'badArgument',
+    throw badArgument(
       `wasm must be an address, bytes, a Response or a WebAssembly.Module, not ${shown(source)}`,
     );
   }

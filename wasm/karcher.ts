@@ -1,6 +1,13 @@
-import { checkInteger, checkLength, checkOneOf, shown, toFloat64, toInt32 } from './check.js';
+import {
+  badArgument,
+  checkInteger,
+  checkLength,
+  checkOneOf,
+  shown,
+  toFloat64,
+  toInt32,
+} from './check.js';
 import type { Engine } from './engine.js';
-import { KarcherError } from './errors.js';
 import type { EngineMesh, EngineModule } from './karcher-engine.mjs';
 import { Mesh } from './mesh.js';
 import { engineMeshOptions } from './options.js';
@@ -8,6 +15,12 @@ import { checkFits, checkMeshFits } from './room.js';
 import type { MeshOptions, ObjOptions, Shape } from './types.js';
 
 const shapes: readonly Shape[] = ['sphere', 'torus', 'knot', 'genus3', 'openSheet'];
+
+function toCoordinates(positions: unknown): Float64Array {
+  const coordinates = toFloat64(positions, 'the positions');
+  checkLength(coordinates, 3, 'the positions');
+  return coordinates;
+}
 
 /** A loaded engine, which creates meshes. They live in its memory until `dispose`. */
 export class Karcher {
@@ -39,10 +52,7 @@ export class Karcher {
    */
   meshFromObj(textOrBytes: string | Uint8Array, options: ObjOptions = {}): Mesh {
     if (typeof textOrBytes !== 'string' && !(textOrBytes instanceof Uint8Array)) {
-      throw new KarcherError(
-        'badArgument',
-        `an OBJ file must be a string or a Uint8Array, not ${shown(textOrBytes)}`,
-      );
+      throw badArgument(`an OBJ file must be a string or a Uint8Array, not ${shown(textOrBytes)}`);
     }
     const { parts, ...meshOptions } = options;
     const { repair, weld } = engineMeshOptions(meshOptions);
@@ -64,8 +74,7 @@ export class Karcher {
     triangles: ArrayLike<number>,
     options: MeshOptions = {},
   ): Mesh {
-    const coordinates = toFloat64(positions, 'the positions');
-    checkLength(coordinates, 3, 'the positions');
+    const coordinates = toCoordinates(positions);
     const corners = toInt32(triangles, 'the triangles');
     checkLength(corners, 3, 'the triangles');
     const { repair, weld } = engineMeshOptions(options);
@@ -89,8 +98,7 @@ export class Karcher {
     sizes: ArrayLike<number>,
     options: MeshOptions = {},
   ): Mesh {
-    const coordinates = toFloat64(positions, 'the positions');
-    checkLength(coordinates, 3, 'the positions');
+    const coordinates = toCoordinates(positions);
     const vertices = toInt32(corners, 'the corners');
     const counts = toInt32(sizes, 'the sizes');
     const { repair, weld } = engineMeshOptions(options);

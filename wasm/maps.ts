@@ -1,11 +1,10 @@
-import { checkLength, checkNumber, toFloat64, toVector } from './check.js';
+import { badArgument, checkLength, checkNumber, toFloat64, toVector } from './check.js';
 import type { MeshHandle } from './engine.js';
-import { KarcherError } from './errors.js';
 import type { EngineMapped } from './karcher-engine.mjs';
 import { Path } from './path.js';
 import type { StraightestPath } from './path_types.js';
 import { toSurfacePoint, toSurfacePoints, wirePoint, wirePoints } from './points.js';
-import type { PointLike, SurfacePoint, VectorLike, VectorsLike } from './types.js';
+import type { Frame, PointLike, SurfacePoint, VectorLike, VectorsLike } from './types.js';
 
 /** Points seen from another one, in its tangent plane: x, y, z for each, in space. */
 export interface LogMap {
@@ -47,7 +46,7 @@ export function logMap(
   const wire = wirePoint(from);
   if (points === undefined) {
     if (directions !== undefined) {
-      throw new KarcherError('badArgument', 'the log map of all vertices takes no directions');
+      throw badArgument('the log map of all vertices takes no directions');
     }
     const vectors = mesh.call((target) => target.logMapOfVertices(wire));
     return { vectors, directions: new Float64Array() };
@@ -81,6 +80,23 @@ export function transport(
   return mesh.call((target) => target.transport(wireFrom, wireTo, ways));
 }
 
+export function frame(mesh: MeshHandle, point: PointLike): Frame {
+  const wire = wirePoint(point);
+  const [face] = mesh.call((target) => target.checkedPoint(wire)) as unknown as [number];
+  const ends = Float64Array.of(face, 1, 0, 0, face, 0, 1, 0);
+  const places = mesh.call((target) => target.positionsOf(ends));
+  const [x, y, z] = mesh.call((target) => target.normal(wire));
+  const edge = [0, 1, 2].map((k) => places[k + 3]! - places[k]!);
+  const [u, v, w] = edge.map((part) => part / Math.hypot(...edge)) as Triple;
+  return [
+    [u, v, w],
+    [y * w - z * v, z * u - x * w, x * v - y * u],
+    [x, y, z],
+  ];
+}
+
+type Triple = [number, number, number];
+
 export function mirror(
   mesh: MeshHandle,
   line: readonly PointLike[],
@@ -88,7 +104,7 @@ export function mirror(
   directions: VectorsLike | undefined,
 ): MappedPoints {
   const wireLine = wirePoints(line, 'the line');
-  if (line.length < 2) throw new KarcherError('badArgument', 'a line has at least two points');
+  if (line.length < 2) throw badArgument('a line has at least two points');
   const places = wirePoints(points);
   const ways = carriedVectors(directions, points.length);
   return toMapped(mesh.call((target) => target.mirror(wireLine, places, ways)));
@@ -104,8 +120,13 @@ function toVectors(value: unknown, what: string): Float64Array {
     return all;
   }
   if (isObject(value) && !('length' in value)) return toVector(value, what);
-  const numbers = toFloat64(value, what);
+  const numbers = toFiniteNumbers(value, what);
   checkLength(numbers, 3, what);
+  return numbers;
+}
+
+function toFiniteNumbers(value: unknown, what: string): Float64Array {
+  const numbers = toFloat64(value, what);
   numbers.forEach((number, i) => {
     checkNumber(number, `entry ${i} of ${what}`);
   });
@@ -119,10 +140,7 @@ function carriedVectors(directions: unknown, count: number): Float64Array {
   if (directions === undefined) return new Float64Array(3 * count);
   const numbers = toVectors(directions, 'the directions');
   if (numbers.length === 3 * count) return numbers;
-  throw new KarcherError(
-    'badArgument',
-    `there must be a direction a point: ${count}, not ${numbers.length / 3}`,
-  );
+  throw badArgument(`there must be a direction a point: ${count}, not ${numbers.length / 3}`);
 }
 
 function toMapped({ points, directions, remaining }: EngineMapped): MappedPoints {

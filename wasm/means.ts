@@ -1,5 +1,5 @@
 /** Centers of mass on a mesh, and weights for which a point is one. `Mesh` documents them. */
-import { checkArray, checkBoolean, checkOptions, toFloat64 } from './check.js';
+import { badArgument, checkArray, checkBoolean, checkOptions, toFloat64 } from './check.js';
 import { numbersOrNone } from './curve_options.js';
 import type { MeshHandle } from './engine.js';
 import { KarcherError } from './errors.js';
@@ -92,10 +92,7 @@ export function centerOfMassOfDistances(
     vertices,
     (i) => `array ${i} of the distances`,
     (i, count) =>
-      new KarcherError(
-        'badArgument',
-        `array ${i} must hold a distance a vertex: ${vertices}, not ${count}`,
-      ),
+      badArgument(`array ${i} must hold a distance a vertex: ${vertices}, not ${count}`),
   );
   const masses = toFloat64(weights, 'the weights');
   const start = wireStart(options);

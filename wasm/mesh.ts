@@ -1,31 +1,14 @@
 /// <reference lib="esnext.disposable" preserve="true" />
-import { checkInteger, toVector } from './check.js';
+import { checkInteger } from './check.js';
 import { Curve } from './curve.js';
-import {
-  circle,
-  distance,
-  distanceFromPaths,
-  ellipse,
-  isolines,
-  offset,
-  shortestPath,
-} from './distances.js';
-import { disposable, type Engine, Handle, type MeshHandle } from './engine.js';
-import type { EngineMesh } from './karcher-engine.mjs';
-import {
-  expMap,
-  type LogMap,
-  logMap,
-  type MappedPoints,
-  mirror,
-  straightest,
-  transport,
-} from './maps.js';
+import * as distances from './distances.js';
+import { disposable } from './engine.js';
+import type { LogMap, MappedPoints } from './maps.js';
+import * as maps from './maps.js';
 import { centerOfMass, centerOfMassOfDistances, centersOfMass, weightsOf } from './means.js';
-import { frozenInfo } from './mesh_info.js';
+import { MeshPlaces } from './mesh_places.js';
 import type { Path } from './path.js';
 import type { Circle, Ellipse, Outline, RegionShape, StraightestPath } from './path_types.js';
-import { toSurfacePoint, wirePoint, wirePointsOrArrays } from './points.js';
 import { prepareFields } from './prepare.js';
 import { type Region, regions, wireOutlines } from './region.js';
 import { checkMeshFits } from './room.js';
@@ -40,18 +23,14 @@ import type {
   DistanceOptions,
   EllipseOptions,
   FieldOptions,
-  FileMarks,
   IsolineOptions,
   LongWorkOptions,
   MeanWeights,
-  MeshInfo,
-  NearestPoint,
   OffsetOptions,
   PointArrays,
   PointLike,
   RegionOptions,
   StartOptions,
-  SurfacePoint,
   VectorLike,
   VectorsLike,
   WeightsOptions,
@@ -65,61 +44,13 @@ import type {
  * does not exist or a dropped vertex; badPoint for weights outside the face; notFinite for NaN or
  * infinity; badArgument for an unknown option and any other value out of range.
  */
-export class Mesh {
+export class Mesh extends MeshPlaces {
   static {
     disposable(Mesh.prototype);
   }
 
   /** Calls `dispose`, for `using`. */
   declare readonly [Symbol.dispose]: () => void;
-  readonly #handle: MeshHandle;
-
-  /** The numbers of the mesh's elements, and its repairs. */
-  readonly info: Readonly<MeshInfo>;
-
-  /** @internal `Karcher` creates meshes. */
-  constructor(engine: Engine, target: EngineMesh) {
-    this.#handle = new Handle(engine, 'the mesh', target);
-    this.info = frozenInfo(this.#handle.call((mesh) => mesh.info()));
-  }
-
-  /** @internal The mesh in that engine's memory. */
-  get handle(): MeshHandle {
-    return this.#handle;
-  }
-
-  /**
-   * x, y, z of each vertex, in the caller's order, as a new array. Welded vertices repeat their place;
-   * dropped ones keep theirs.
-   *
-   * @example
-   * ```ts
-   * const place = mesh.positions().subarray(3 * 12, 3 * 12 + 3); // of vertex 12
-   * ```
-   */
-  positions(): Float64Array {
-    return this.#handle.call((mesh) => mesh.positions());
-  }
-
-  /**
-   * The vertices of each triangle, in the caller's order and numbers, as a new array.
-   *
-   * @example
-   * ```ts
-   * const corners = mesh.triangles().subarray(3 * 7, 3 * 7 + 3); // of face 7
-   * ```
-   */
-  triangles(): Int32Array {
-    return this.#handle.call((mesh) => mesh.triangles());
-  }
-
-  /**
-   * The marks of the mesh's OBJ file, beside its surface. They are empty for other meshes;
-   * `meshFromFile` of `karcher/formats` returns the marks of other files.
-   */
-  fileMarks(): FileMarks {
-    return this.#handle.call((mesh) => mesh.marks());
-  }
 
   /**
    * The mesh refined by Loop subdivision: four triangles for each, `levels` times (1 to 6). The new
@@ -130,77 +61,12 @@ export class Mesh {
     checkInteger(levels, 'the number of levels');
     if (levels >= 1 && levels <= 6) {
       const what = `${levels} ${levels === 1 ? 'level' : 'levels'} of subdivision make`;
-      checkMeshFits(0, 4 ** levels * this.info.triangles, what, this.#handle.engine.allocatedBytes);
+      checkMeshFits(0, 4 ** levels * this.info.triangles, what, this.handle.engine.allocatedBytes);
     }
     return new Mesh(
-      this.#handle.engine,
-      this.#handle.call((mesh) => mesh.subdivided(levels)),
+      this.handle.engine,
+      this.handle.call((mesh) => mesh.subdivided(levels)),
     );
-  }
-
-  /**
-   * The point of a face with the given weights of its corners, checked and cleaned. If rounding
-   * leads the weights out of the face, by at most 1e-6, the point moves onto it. A raycast of
-   * three.js returns face and weights as `faceIndex` and `barycoord`.
-   *
-   * @example
-   * ```ts
-   * const middle = mesh.surfacePoint(17, [1 / 3, 1 / 3, 1 / 3]);
-   * ```
-   */
-  surfacePoint(face: number, bary: VectorLike): SurfacePoint {
-    const wire = wirePoint({ face, bary } as PointLike);
-    return toSurfacePoint(this.#handle.call((mesh) => mesh.checkedPoint(wire)));
-  }
-
-  /**
-   * The place of a point in space.
-   *
-   * @example
-   * ```ts
-   * const [x, y, z] = mesh.position({ vertex: 12 });
-   * ```
-   */
-  position(point: PointLike): [number, number, number] {
-    const wire = wirePoint(point);
-    return this.#handle.call((mesh) => mesh.position(wire));
-  }
-
-  /**
-   * The places of points, x, y, z for each. The points are a list, or flat arrays such as those of
-   * `CentersOfMass`.
-   */
-  positionsOf(points: readonly PointLike[] | PointArrays): Float64Array {
-    const wire = wirePointsOrArrays(points);
-    return this.#handle.call((mesh) => mesh.positionsOf(wire));
-  }
-
-  /**
-   * The unit normal of a point's face, on the side from which its corners appear counterclockwise.
-   *
-   * @example
-   * ```ts
-   * const [x, y, z] = mesh.normal({ vertex: 12 });
-   * ```
-   */
-  normal(point: PointLike): [number, number, number] {
-    const wire = wirePoint(point);
-    return this.#handle.call((mesh) => mesh.normal(wire));
-  }
-
-  /**
-   * The point of the surface that is nearest to a place in space; if several are, one of them.
-   *
-   * @example
-   * ```ts
-   * const { point, distance } = mesh.nearestPoint([0.1, 0.2, 0.3]);
-   * ```
-   */
-  nearestPoint(place: VectorLike): NearestPoint {
-    const vector = toVector(place, 'the place');
-    const { point, distance } = this.#handle.call((mesh) => mesh.nearestPoint(vector));
-    const position = this.#handle.call((mesh) => mesh.position(point));
-    return { point: toSurfacePoint(point), position, distance };
   }
 
   /**
@@ -210,7 +76,7 @@ export class Mesh {
    * latter comes as soon as it is clear that a graph cannot fit.
    */
   async prepare(options: FieldOptions = {}, work: LongWorkOptions = {}): Promise<void> {
-    return prepareFields(this.#handle, this.info.triangles, options, work);
+    return prepareFields(this.handle, this.info.triangles, options, work);
   }
 
   /**
@@ -232,7 +98,7 @@ export class Mesh {
     weights: ArrayLike<number>,
     options: CenterOptions = {},
   ): CenterOfMass {
-    return centerOfMass(this.#handle, points, weights, options);
+    return centerOfMass(this.handle, points, weights, options);
   }
 
   /**
@@ -247,7 +113,7 @@ export class Mesh {
     rows: ArrayLike<number> | readonly ArrayLike<number>[],
     options: CentersOptions = {},
   ): CentersOfMass {
-    return centersOfMass(this.#handle, points, rows, options);
+    return centersOfMass(this.handle, points, rows, options);
   }
 
   /**
@@ -265,7 +131,7 @@ export class Mesh {
     points: readonly PointLike[],
     options: WeightsOptions = {},
   ): MeanWeights {
-    return weightsOf(this.#handle, point, points, options);
+    return weightsOf(this.handle, point, points, options);
   }
 
   /**
@@ -281,7 +147,7 @@ export class Mesh {
     weights: ArrayLike<number>,
     options: StartOptions = {},
   ): CenterOfMass {
-    return centerOfMassOfDistances(this.#handle, distances, weights, options);
+    return centerOfMassOfDistances(this.handle, distances, weights, options);
   }
 
   /**
@@ -299,7 +165,7 @@ export class Mesh {
    * ```
    */
   curve(options: CurveOptions): Curve {
-    return new Curve(this.#handle, options);
+    return new Curve(this.handle, options);
   }
 
   /**
@@ -315,7 +181,7 @@ export class Mesh {
    * ```
    */
   circle(center: PointLike, options: CircleOptions): Circle {
-    return circle(this.#handle, center, options);
+    return distances.circle(this.handle, center, options);
   }
 
   /**
@@ -324,7 +190,7 @@ export class Mesh {
    * perpendicular to the center's face.
    */
   ellipse(center: PointLike, options: EllipseOptions): Ellipse {
-    return ellipse(this.#handle, center, options);
+    return distances.ellipse(this.handle, center, options);
   }
 
   /**
@@ -337,7 +203,7 @@ export class Mesh {
    * ```
    */
   isolines(center: PointLike, options: IsolineOptions): Path[] {
-    return isolines(this.#handle, center, options);
+    return distances.isolines(this.handle, center, options);
   }
 
   /**
@@ -354,7 +220,7 @@ export class Mesh {
    * ```
    */
   offset(paths: readonly Outline[], options: OffsetOptions): Path[] {
-    return offset(this.#handle, paths, options);
+    return distances.offset(this.handle, paths, options);
   }
 
   /**
@@ -372,7 +238,7 @@ export class Mesh {
     paths: readonly Outline[],
     points: readonly PointLike[] | PointArrays,
   ): Float64Array {
-    return distanceFromPaths(this.#handle, paths, points);
+    return distances.distanceFromPaths(this.handle, paths, points);
   }
 
   /**
@@ -387,7 +253,7 @@ export class Mesh {
    * common.
    */
   regions(shapes: readonly (Outline | RegionShape)[], options: RegionOptions = {}): Region[] {
-    return regions(this.#handle, shapes, options);
+    return regions(this.handle, shapes, options);
   }
 
   /**
@@ -399,7 +265,7 @@ export class Mesh {
    */
   cut(paths: readonly Outline[]): CutPart[] {
     const outlines = wireOutlines(paths);
-    return this.#handle.call((mesh) => mesh.cut(outlines));
+    return this.handle.call((mesh) => mesh.cut(outlines));
   }
 
   /**
@@ -411,7 +277,7 @@ export class Mesh {
    * badArgument. The solver `graph` has neither limit.
    */
   distance(from: PointLike | readonly PointLike[], options: DistanceOptions = {}): Float64Array {
-    return distance(this.#handle, this.info.vertices, from, options);
+    return distances.distance(this.handle, this.info.vertices, from, options);
   }
 
   /**
@@ -425,7 +291,7 @@ export class Mesh {
    * ```
    */
   shortestPath(from: PointLike, to: PointLike): Path {
-    return shortestPath(this.#handle, from, to);
+    return distances.shortestPath(this.handle, from, to);
   }
 
   /**
@@ -442,7 +308,7 @@ export class Mesh {
    * ```
    */
   straightest(from: PointLike, direction: VectorLike, length: number): StraightestPath {
-    return straightest(this.#handle, from, direction, length);
+    return maps.straightest(this.handle, from, direction, length);
   }
 
   /**
@@ -462,7 +328,7 @@ export class Mesh {
    * direction for each point.
    */
   logMap(from: PointLike, points?: readonly PointLike[], directions?: VectorsLike): LogMap {
-    return logMap(this.#handle, from, points, directions);
+    return maps.logMap(this.handle, from, points, directions);
   }
 
   /**
@@ -472,12 +338,12 @@ export class Mesh {
    * ends. Throws what `logMap` throws.
    */
   expMap(from: PointLike, vectors: VectorsLike, directions?: VectorsLike): MappedPoints {
-    return expMap(this.#handle, from, vectors, directions);
+    return maps.expMap(this.handle, from, vectors, directions);
   }
 
   /** Vectors of the tangent plane at `from`, transported along the log map's path to `to`: x, y, z for each. */
   transport(from: PointLike, to: PointLike, vectors: VectorsLike): Float64Array {
-    return transport(this.#handle, from, to, vectors);
+    return maps.transport(this.handle, from, to, vectors);
   }
 
   /**
@@ -492,7 +358,7 @@ export class Mesh {
     points: readonly PointLike[],
     directions?: VectorsLike,
   ): MappedPoints {
-    return mirror(this.#handle, line, points, directions);
+    return maps.mirror(this.handle, line, points, directions);
   }
 
   /**
@@ -500,6 +366,6 @@ export class Mesh {
    * `KarcherError` busy from within a basis.
    */
   dispose(): void {
-    this.#handle.dispose();
+    this.handle.dispose();
   }
 }

@@ -1,4 +1,5 @@
 import {
+  badArgument,
   checkFunction,
   checkInteger,
   checkNumber,
@@ -7,7 +8,6 @@ import {
   namesOf,
   shown,
 } from './check.js';
-import { KarcherError } from './errors.js';
 import type { EngineFieldOptions } from './karcher-engine.mjs';
 import type {
   ArcOptions,
@@ -111,7 +111,7 @@ export function engineFieldOptions(options: FieldOptions): EngineFieldOptions {
   const solver = checkOneOf(options.solver ?? byDefault, solvers, 'the solver');
   const rings = checkInteger(options.rings ?? defaultRings, 'the number of rings');
   if (options.rings !== undefined && solver !== 'graph') {
-    throw new KarcherError('badArgument', `the solver '${solver}' has no rings; 'graph' has`);
+    throw badArgument(`the solver '${solver}' has no rings; 'graph' has`);
   }
   const star = checkOneOf(options.star ?? stars[0]!, stars, 'the star');
   return { method, solver, rings, star };
@@ -127,10 +127,7 @@ export function engineLevels({ levels = 'auto' }: { levels?: CurveLevels | undef
   if (levels === 'auto' || levels === 'limit') return namedLevels[levels];
   const number = checkInteger(levels, "the levels, unless 'auto' or 'limit',");
   if (number >= 0 && number <= mostLevels) return number;
-  throw new KarcherError(
-    'badArgument',
-    `a curve takes 0 to ${mostLevels} levels, 'auto' or 'limit', not ${number}`,
-  );
+  throw badArgument(`a curve takes 0 to ${mostLevels} levels, 'auto' or 'limit', not ${number}`);
 }
 
 /** The arcs, samples, levels and field of a circle or an ellipse, in the engine's order. */
@@ -154,10 +151,7 @@ export function engineCurveLevels({ levels = 'auto', leastLevels = 0 }: CurveOpt
   const automatic = levels === 'auto' || tolerance !== undefined;
   checkInteger(leastLevels, 'the least number of levels');
   if (leastLevels !== 0 && !automatic) {
-    throw new KarcherError(
-      'badArgument',
-      `a least number of levels is for levels: 'auto', not ${levels}`,
-    );
+    throw badArgument(`a least number of levels is for levels: 'auto', not ${levels}`);
   }
   return {
     levels: automatic ? namedLevels.auto : engineLevels({ levels: levels as CurveLevels }),
@@ -178,13 +172,10 @@ export function engineMeshOptions(options: MeshOptions): { repair: boolean; weld
   if (options.weld === undefined) return { repair, weld: -1 };
   const weld = checkNumber(options.weld, 'the tolerance of welding');
   if (weld < 0) {
-    throw new KarcherError(
-      'badArgument',
-      `the tolerance of welding must be at least 0, not ${weld}`,
-    );
+    throw badArgument(`the tolerance of welding must be at least 0, not ${weld}`);
   }
   if (!repair) {
-    throw new KarcherError('badArgument', "a tolerance of welding has no use with repair: 'none'");
+    throw badArgument("a tolerance of welding has no use with repair: 'none'");
   }
   return { repair, weld };
 }
@@ -201,9 +192,6 @@ export function checkLongWork(work: LongWorkOptions): void {
   if (progress !== undefined) checkFunction(progress, 'progress');
   // An instanceof would reject a signal of another realm.
   if (signal !== undefined && typeof signal?.throwIfAborted !== 'function') {
-    throw new KarcherError(
-      'badArgument',
-      `the signal must be an AbortSignal, not ${shown(signal)}`,
-    );
+    throw badArgument(`the signal must be an AbortSignal, not ${shown(signal)}`);
   }
 }

@@ -1,6 +1,17 @@
+import { checkBoolean, checkNumber, toFloat64, toInt32 } from './check.js';
 import type { EnginePath } from './karcher-engine.mjs';
 import { inDouble } from './options.js';
+import type { PathValue } from './path_values.js';
 import type { PolylineOptions, SurfacePoint } from './types.js';
+
+/** A record with lists in place of its typed arrays, for JSON. */
+export const listed = <Listed>(data: object): Listed =>
+  Object.fromEntries(
+    Object.entries(data).map(([name, value]) => [
+      name,
+      ArrayBuffer.isView(value) ? [...(value as Float64Array)] : value,
+    ]),
+  ) as Listed;
 
 /**
  * A path on the surface: its points from the start to the end. Two neighbours share a face,
@@ -13,6 +24,27 @@ export class Path {
   /** @internal The mesh and its curves return paths. */
   constructor(data: EnginePath) {
     this.#data = data;
+  }
+
+  /**
+   * The path of a value that `toJSON` returned. The value is copied.
+   *
+   * @throws {KarcherError} badArgument for anything else.
+   * @example
+   * ```ts
+   * const again = Path.from(JSON.parse(JSON.stringify(path)));
+   * ```
+   */
+  static from(value: PathValue): Path {
+    const { closed, length, face, bary, position, lengths } = Object(value) as PathValue;
+    return new Path({
+      closed: checkBoolean(closed, 'closed'),
+      length: checkNumber(length, 'length'),
+      face: toInt32(face, 'face'),
+      bary: toFloat64(bary, 'bary'),
+      position: toFloat64(position, 'position'),
+      lengths: toFloat64(lengths, 'lengths'),
+    });
   }
 
   /** The length on the surface, in units of the mesh. */
@@ -51,6 +83,19 @@ export class Path {
   polyline(options: PolylineOptions = {}): Float32Array | Float64Array {
     const { position } = this.#data;
     return inDouble(options) ? position.slice() : new Float32Array(position);
+  }
+
+  /**
+   * The path as a value for JSON. Methods that take paths take it, too, and `Path.from` makes it a
+   * path again.
+   *
+   * @example
+   * ```ts
+   * mesh.offset([JSON.parse(JSON.stringify(path))], { distance: 0.02 });
+   * ```
+   */
+  toJSON(): PathValue {
+    return listed(this.#data);
   }
 
   /** @internal The path's data, which nobody may change. */

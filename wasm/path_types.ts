@@ -1,5 +1,6 @@
 /** The types of the API that hold paths. */
 import type { Path } from './path.js';
+import type { PathValue } from './path_values.js';
 import type { BridgedInterval, CurveSamples, PointLike, SurfacePoint } from './types.js';
 
 /** A leg of a curve's control polygon. */
@@ -11,10 +12,10 @@ export interface CurveLeg {
 }
 
 /**
- * A closed path, a path from boundary to boundary, or its points, of which consecutive ones share a
- * face. It is closed if it ends at its start.
+ * A closed path, a path from boundary to boundary, the value of one, or its points, of which
+ * consecutive ones share a face. It is closed if it ends at its start.
  */
-export type Outline = Path | readonly PointLike[];
+export type Outline = Path | PathValue | readonly PointLike[];
 
 /** The area that outlines enclose together. */
 export interface RegionShape {

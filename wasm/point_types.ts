@@ -135,3 +135,10 @@ export interface FieldOptions {
 
 /** The options for distances. */
 export type DistanceOptions = Pick<FieldOptions, 'solver' | 'rings'>;
+
+/** Unit vectors at a point: along the first edge of its face, across it in the face, and the normal. */
+export type Frame = [
+  along: [number, number, number],
+  across: [number, number, number],
+  normal: [number, number, number],
+];

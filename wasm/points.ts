@@ -1,5 +1,4 @@
-import { checkArray, checkPointLike, shown, toFloat64, toInt32 } from './check.js';
-import { KarcherError } from './errors.js';
+import { badArgument, checkArray, checkPointLike, shown, toFloat64, toInt32 } from './check.js';
 import type { PointArrays, PointLike, SurfacePoint } from './types.js';
 
 /**
@@ -23,8 +22,7 @@ export function wirePointArrays({ face, bary }: PointArrays): Float64Array {
   const faces = toInt32(face, 'the faces of the points');
   const weights = toFloat64(bary, 'the weights of the points');
   if (weights.length !== 3 * faces.length) {
-    throw new KarcherError(
-      'badArgument',
+    throw badArgument(
       `there must be three weights a point: ${3 * faces.length}, not ${weights.length}`,
     );
   }
@@ -41,7 +39,7 @@ export function wirePointsOrArrays(points: readonly PointLike[] | PointArrays): 
   if (Array.isArray(points)) return wirePoints(points);
   if (typeof points === 'object' && points !== null) return wirePointArrays(points as PointArrays);
   const sentence = `the points must be a list or {face, bary}, not ${shown(points)}`;
-  throw new KarcherError('badArgument', sentence);
+  throw badArgument(sentence);
 }
 
 /** Faces and weights of points as flat arrays. */

@@ -1,10 +1,23 @@
-import { checkArray, checkOneOf, checkOptions, checkPointLike, namesOf, shown } from './check.js';
+import {
+  badArgument,
+  checkArray,
+  checkBoolean,
+  checkNumber,
+  checkOneOf,
+  checkOptions,
+  checkPointLike,
+  namesOf,
+  shown,
+  toFloat64,
+  toInt32,
+} from './check.js';
 import type { MeshHandle } from './engine.js';
 import { KarcherError } from './errors.js';
 import type { EngineRegion } from './karcher-engine.mjs';
 import { regionOptionNames } from './options.js';
-import { Path } from './path.js';
+import { listed, Path } from './path.js';
 import type { Outline, RegionShape } from './path_types.js';
+import type { PathValue, RegionValue } from './path_values.js';
 import { wirePoint, wirePointArrays, wirePoints } from './points.js';
 import type { RegionOptions, SurfacePoint } from './types.js';
 
@@ -17,6 +30,30 @@ export class Region {
   /** @internal Meshes return regions. */
   constructor(data: EngineRegion) {
     this.#data = data;
+  }
+
+  /**
+   * The region of a value that `toJSON` returned. The value is copied.
+   *
+   * @throws {KarcherError} badArgument for anything else.
+   * @example
+   * ```ts
+   * const again = Region.from(JSON.parse(JSON.stringify(region)));
+   * ```
+   */
+  static from(value: RegionValue): Region {
+    const { area, perimeter, boundary, share, triangles, sides, isLeft } = Object(
+      value,
+    ) as RegionValue;
+    return new Region({
+      area: checkNumber(area, 'area'),
+      perimeter: checkNumber(perimeter, 'perimeter'),
+      boundary: checkArray(boundary, 'boundary').map((path) => Path.from(path as PathValue).data()),
+      share: Uint8Array.from(toInt32(share, 'share')),
+      triangles: toInt32(triangles, 'triangles'),
+      sides: toFloat64(sides, 'sides'),
+      ...(isLeft !== undefined && { isLeft: checkBoolean(isLeft, 'isLeft') }),
+    });
   }
 
   /** The area, in squared units of the mesh. */
@@ -44,11 +81,13 @@ export class Region {
     const whole = share[face!];
     if (Number.isNaN(face)) {
       const sentence = 'the point must have a face, as mesh.surfacePoint gives it, not a vertex';
-      throw new KarcherError('badArgument', sentence);
+      throw badArgument(sentence);
     }
     if (whole === undefined) {
-      const sentence = `there is no triangle ${shown(point.face)}: the mesh has ${share.length}`;
-      throw new KarcherError('badIndex', sentence);
+      throw new KarcherError(
+        'badIndex',
+        `there is no triangle ${shown(point.face)}: the mesh has ${share.length}`,
+      );
     }
     if (whole < 2) return whole === 1;
     let inside = false;
@@ -59,6 +98,21 @@ export class Region {
       if (ay + ((x! - ax) / (bx - ax)) * (by - ay) > y!) inside = !inside;
     }
     return inside;
+  }
+
+  /**
+   * The region as a value for JSON, which `Region.from` makes a region again.
+   *
+   * @example
+   * ```ts
+   * const text = JSON.stringify(region);
+   * ```
+   */
+  toJSON(): RegionValue {
+    return {
+      ...listed<RegionValue>(this.#data),
+      boundary: this.#data.boundary.map(listed<PathValue>),
+    };
   }
 
   /** @internal The region's data, which nobody may change. */
@@ -81,11 +135,14 @@ function firstOf(sorted: Int32Array, value: number): number {
   return low;
 }
 
+/** Whether a value is that of a path. */
+const isPath = (value: unknown): value is PathValue => Object(value).face !== undefined;
+
 const wireOutline = (outline: unknown, what: string): Float64Array => {
-  const points =
-    outline instanceof Path ? wirePointArrays(outline.data()) : wirePoints(outline, what);
+  const arrays = outline instanceof Path ? outline.data() : outline;
+  const points = isPath(arrays) ? wirePointArrays(arrays) : wirePoints(outline, what);
   if (points.length > 4) return points;
-  throw new KarcherError('badArgument', `${what} must have at least two points`);
+  throw badArgument(`${what} must have at least two points`);
 };
 
 /** Paths in the form for the engine. */
@@ -119,9 +176,9 @@ function wireShapes(shapes: unknown) {
   const counts: number[] = [];
   const insides: Float64Array[] = [];
   const all = checkArray(shapes, 'the shapes');
-  if (all.length === 0) throw new KarcherError('badArgument', 'there must be at least one shape');
+  if (all.length === 0) throw badArgument('there must be at least one shape');
   all.forEach((shape, i) => {
-    if (shape instanceof Path || Array.isArray(shape)) {
+    if (shape instanceof Path || Array.isArray(shape) || isPath(shape)) {
       outlines.push(wireOutline(shape, `shape ${i}`));
       counts.push(1);
       insides.push(new Float64Array(0));
@@ -131,7 +188,7 @@ function wireShapes(shapes: unknown) {
     const { outlines: own, inside } = shape as { outlines: unknown; inside?: unknown };
     const listed = checkArray(own, `the outlines of shape ${i}`);
     if (listed.length === 0) {
-      throw new KarcherError('badArgument', `shape ${i} must have at least one outline`);
+      throw badArgument(`shape ${i} must have at least one outline`);
     }
     listed.forEach((outline, k) => {
       outlines.push(wireOutline(outline, `outline ${k} of shape ${i}`));

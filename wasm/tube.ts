@@ -1,5 +1,4 @@
-import { checkInteger, checkPositive } from './check.js';
-import { KarcherError } from './errors.js';
+import { badArgument, checkInteger, checkPositive } from './check.js';
 
 /**
  * Tubes along polylines, as plain arrays. A ring of vertices stands at each point, across the mean
@@ -68,19 +67,10 @@ export function tubeAlong(
   checkPositive(radius, 'the radius');
   checkInteger(sides, 'the number of sides');
   if (sides < 3 || sides > 64) {
-    throw new KarcherError('badArgument', `a tube has 3 to 64 sides, not ${sides}`);
+    throw badArgument(`a tube has 3 to 64 sides, not ${sides}`);
   }
-  const kept = distinct(line, 1e-3 * radius);
-  const closed = line.closed && kept.length > 2;
-  const rings = kept.length > 1 ? kept.length : 0;
-  const places = kept.map((i) => at(line.places, i));
-  const tangents = tangentsOf(places, closed);
-  const across = line.normals
-    ? uprightFrames(
-        tangents,
-        kept.map((i) => at(line.normals!, i)),
-      )
-    : carriedFrames(tangents, closed);
+  const { places, tangents, across, closed } = framesAlong(line, 1e-3 * radius);
+  const rings = places.length > 1 ? places.length : 0;
   const positions = new Float64Array(3 * sides * rings);
   const normals = new Float64Array(3 * sides * rings);
   for (let i = 0; i < rings; i++) {
@@ -93,6 +83,60 @@ export function tubeAlong(
     }
   }
   return { positions, normals, triangles: trianglesOf(rings, sides, closed, caps) };
+}
+
+/** The places of a polyline that are apart, with unit vectors along and across it. */
+function framesAlong(line: TubeLine, apart: number) {
+  const kept = distinct(line, apart);
+  const closed = line.closed && kept.length > 2;
+  const places = kept.map((i) => at(line.places, i));
+  const tangents = tangentsOf(places, closed);
+  const across = line.normals
+    ? uprightFrames(
+        tangents,
+        kept.map((i) => at(line.normals!, i)),
+      )
+    : carriedFrames(tangents, closed);
+  return { places, tangents, across, closed };
+}
+
+/** A band along a polyline with two vertices at each place, across its normals. */
+export interface Ribbon extends Tube {
+  /**
+   * Two numbers for each vertex: the length from the start in widths of the ribbon, and 0 on its
+   * left and 1 on its right side.
+   */
+  uvs: Float64Array;
+}
+
+/**
+ * A flat band along a polyline. Points nearer than a thousandth of the width to the previous one
+ * are left out. On a closed polyline the last two vertices repeat the first.
+ */
+export function ribbonAlong(line: TubeLine, width: number): Ribbon {
+  checkPositive(width, 'the width');
+  const { places, tangents, across, closed } = framesAlong(line, 1e-3 * width);
+  const count = places.length > 1 ? places.length + +closed : 0;
+  const positions = new Float64Array(6 * count);
+  const normals = new Float64Array(6 * count);
+  const uvs = new Float64Array(4 * count);
+  const triangles = new Uint32Array(6 * Math.max(0, count - 1));
+  let length = 0;
+  for (let i = 0; i < count; i++) {
+    const k = i % places.length;
+    if (i > 0) length += Math.hypot(...minus(places[k]!, places[i - 1]!)) / width;
+    for (const side of [0, 1]) {
+      positions.set(plus(places[k]!, 1, across[k]!, (side - 0.5) * width), 6 * i + 3 * side);
+      normals.set(cross(across[k]!, tangents[k]!), 6 * i + 3 * side);
+      uvs.set([length, side], 4 * i + 2 * side);
+    }
+    if (i > 0)
+      triangles.set(
+        [-2, -1, 0, 0, -1, 1].map((from) => 2 * i + from),
+        6 * (i - 1),
+      );
+  }
+  return { positions, normals, triangles, uvs };
 }
 
 function trianglesOf(rings: number, sides: number, closed: boolean, caps: boolean): Uint32Array {

@@ -83,13 +83,7 @@ export class CurveView {
     this.length = length!;
     this.segmentCount = segments!;
     this.levels = levels!;
-    this.times = {
-      polygon: polygon!,
-      fields: fields!,
-      trace: trace!,
-      bridge: bridge!,
-      join: join!,
-    };
+    this.times = { polygon, fields, trace, bridge, join } as CurveTimes;
     this.samples = { count: count!, segment, t, face, bary, position, status };
     this.bridged = Array.from(bridgedSegments, (number, i) => ({
       segment: number,

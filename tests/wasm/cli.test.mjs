@@ -34,6 +34,7 @@ test('help, of the program and of each command', async () => {
     'exp',
     'transport',
     'mirror',
+    'nearest',
     'mean',
     'centroid',
     'voronoi',

@@ -384,3 +384,12 @@ test('a Voronoi diagram and centroids', async () => {
   const [inside] = (await printed('centroid', plane, ...triangle)).centroids;
   near(inside.position, [2, 2, 0], 1e-6);
 });
+
+test('the nearest point of a place, and its frame', async () => {
+  const { point, frame, ...found } = await printed('nearest', plane, '--place', '2.5,3.25,7');
+  near(found.position, [2.5, 3.25, 0]);
+  near([found.distance], [7]);
+  near(frame[2], [0, 0, 1]);
+  assert.ok(Number.isInteger(point.face));
+  await failure('nearest', plane, '--place', '1,2');
+});

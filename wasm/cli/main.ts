@@ -17,7 +17,7 @@ import { UsageError } from './errors.js';
 import { commandHelp, generalHelp } from './help.js';
 import { info } from './info.js';
 import { isolines } from './isolines.js';
-import { exp, log, mirror, straightest, transport } from './maps.js';
+import { exp, log, mirror, nearest, straightest, transport } from './maps.js';
 import { mean } from './mean.js';
 import { offset } from './offset.js';
 import { formatOption, meshOptions, outOption } from './options.js';
@@ -41,6 +41,7 @@ const commands: readonly Command[] = [
   exp,
   transport,
   mirror,
+  nearest,
   mean,
   centroid,
   voronoi,

@@ -88,6 +88,22 @@ export const transport: Command = {
   },
 };
 
+export const nearest: Command = {
+  name: 'nearest',
+  call: 'mesh.nearestPoint(place), mesh.frame(point)',
+  summary: 'the point of the surface nearest to a place in space, with its frame',
+  output:
+    '{point: {face, bary}, position, distance, frame: the unit vectors along the first edge, across it and of the normal}',
+  options: [{ name: 'place', value: 'X,Y,Z', help: 'the place in space', required: true }],
+  async run(args) {
+    const place = args.numbers('place');
+    if (place.length !== 3) throw new UsageError('--place takes three numbers');
+    const mesh = await args.mesh();
+    const found = mesh.nearestPoint(place);
+    return { json: { ...found, frame: mesh.frame(found.point) } };
+  },
+};
+
 export const straightest: Command = {
   name: 'straightest',
   call: 'mesh.straightest(from, direction, length)',

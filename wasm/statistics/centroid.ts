@@ -1,7 +1,8 @@
 import { checkNumber, checkOptions, namesOf, toFloat64 } from '../check.js';
 import { KarcherError } from '../errors.js';
 import type { EngineRegion } from '../karcher-engine.mjs';
-import type { Region } from '../region.js';
+import type { RegionValue } from '../path_values.js';
+import { Region } from '../region.js';
 import type { PointLike, SurfacePoint } from '../types.js';
 import type { AnyMesh } from './energy.js';
 
@@ -78,7 +79,7 @@ interface Patch {
  */
 export async function centroid(
   mesh: AnyMesh,
-  region: Region | 'all',
+  region: Region | RegionValue | 'all',
   given: CentroidOptions = {},
 ): Promise<Centroid> {
   checkOptions(given, names);
@@ -90,7 +91,10 @@ export async function centroid(
   const least = checkNumber(tolerance, 'the tolerance') * mesh.info.diagonal;
   const [positions, triangles] = [await mesh.positions(), await mesh.triangles()];
   const density = checkDensity(given.density, positions.length / 3);
-  const data = region === 'all' ? allOf(triangles) : region.data();
+  const data =
+    region === 'all'
+      ? allOf(triangles)
+      : (region instanceof Region ? region : Region.from(region)).data();
   const patches = grouped(patchesOf(data, positions, triangles, density), most);
   const mass = patches.reduce((sum, patch) => sum + patch.mass, 0);
   if (!(mass > 0)) {

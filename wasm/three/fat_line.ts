@@ -21,7 +21,10 @@ export interface LineLook {
  * The part of the distance to the camera by which a line appears nearer, so that its surface does
  * not cut it.
  */
-const nearer = 0.003;
+export const nearer = 0.003;
+
+/** The color of a line without another one. */
+export const lineColor = 0xd03a1e;
 
 /**
  * Brings a material's depth nearer to the camera by a part of the distance. `after` is the line of
@@ -41,7 +44,7 @@ export function liftMaterial(material: Material, after: string, part: number): v
  * A material for lines of this width in pixels, with the depth of a line slightly nearer to the
  * camera.
  */
-export function lineMaterial({ width = 3, color = 0xd03a1e }: LineLook): LineMaterial {
+export function lineMaterial({ width = 3, color = lineColor }: LineLook): LineMaterial {
   const material = new LineMaterial({ color, linewidth: width });
   liftMaterial(material, 'gl_Position = clip;', nearer);
   return material;

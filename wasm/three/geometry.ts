@@ -1,7 +1,8 @@
 import { BufferAttribute, BufferGeometry, Color, type Matrix4, Vector3 } from 'three';
 import { checkPositive } from '../check.js';
-import type { Path } from '../path.js';
-import { tubeAlong } from '../tube.js';
+import { Path } from '../path.js';
+import type { PathValue } from '../path_values.js';
+import { ribbonAlong, type Tube, type TubeLine, tubeAlong } from '../tube.js';
 import type { AnyMesh, Surface } from './surface.js';
 
 /** A range of a geometry's index that has its own material. */
@@ -39,9 +40,9 @@ export function geometryOf(
 /** The shape of a tube. */
 export interface TubeOptions {
   /** The radius; 0.004 of the surface's diagonal by default. */
-  radius?: number;
+  radius?: number | undefined;
   /** The number of sides of a cross section, 3 to 64; 8 by default. */
-  sides?: number;
+  sides?: number | undefined;
 }
 
 /**
@@ -51,24 +52,59 @@ export interface TubeOptions {
  */
 export function tubeGeometry(
   surface: Surface<AnyMesh>,
-  path: Path,
+  along: Path | PathValue,
   options: TubeOptions = {},
 ): BufferGeometry {
   const radius = checkPositive(options.radius ?? 0.004 * surface.diagonal, 'the radius');
-  const line = {
+  const { sides } = options;
+  return geometryOfBand(
+    tubeAlong(lineOf(surface, along), { radius, ...(sides !== undefined && { sides }) }),
+  );
+}
+
+/** The shape of a ribbon. */
+export interface RibbonOptions {
+  /** The width; 0.01 of the surface's diagonal by default. */
+  width?: number | undefined;
+}
+
+/**
+ * A flat ribbon along a path: at each of its points as wide as given, across the path in the plane
+ * of the surface there. Where the surface bends across the path, the sides of a wide ribbon leave
+ * it. Texture coordinates `uv` run along it, with 1 for each width, and from its left to its right
+ * side.
+ *
+ * @throws {KarcherError} badArgument for a width that is not positive.
+ * @example
+ * ```ts
+ * const ribbon = ribbonGeometry(surface, mesh.shortestPath(a, b), { width: 0.05 });
+ * ```
+ */
+export function ribbonGeometry(
+  surface: Surface<AnyMesh>,
+  along: Path | PathValue,
+  { width = 0.01 * surface.diagonal }: RibbonOptions = {},
+): BufferGeometry {
+  const ribbon = ribbonAlong(lineOf(surface, along), width);
+  const geometry = geometryOfBand(ribbon);
+  return geometry.setAttribute('uv', new BufferAttribute(Float32Array.from(ribbon.uvs), 2));
+}
+
+/** A path's places, with the surface's normals. */
+function lineOf(surface: Surface<AnyMesh>, along: Path | PathValue): TubeLine {
+  const path = along instanceof Path ? along : Path.from(along);
+  return {
     places: path.polyline({ bits: 64 }),
     normals: path.points().flatMap((point) => surface.normal(point).toArray()),
     closed: path.closed,
   };
-  const tube = tubeAlong(line, {
-    radius,
-    ...(options.sides !== undefined && { sides: options.sides }),
-  });
+}
+
+function geometryOfBand({ positions, normals, triangles }: Tube): BufferGeometry {
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(Float32Array.from(tube.positions), 3));
-  geometry.setAttribute('normal', new BufferAttribute(Float32Array.from(tube.normals), 3));
-  geometry.setIndex(new BufferAttribute(tube.triangles, 1));
-  return geometry;
+  geometry.setAttribute('position', new BufferAttribute(Float32Array.from(positions), 3));
+  geometry.setAttribute('normal', new BufferAttribute(Float32Array.from(normals), 3));
+  return geometry.setIndex(new BufferAttribute(triangles, 1));
 }
 
 /** The options for colors of numbers. */

@@ -9,10 +9,13 @@ export {
   type GeometryGroup,
   geometryOf,
   logMapUvs,
+  type RibbonOptions,
+  ribbonGeometry,
   type TubeOptions,
   tubeGeometry,
   vertexColors,
 } from './geometry.js';
+export { type Followed, RibbonOnSurface, TubeOnSurface } from './path_objects.js';
 export {
   type AnyMesh,
   Surface,

@@ -2,6 +2,7 @@ import { Object3D, type Object3DEventMap } from 'three';
 import type { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { KarcherError } from '../errors.js';
+import type { Path } from '../path.js';
 import type { CurveOptions, PointLike } from '../types.js';
 import type { CurveView } from '../view.js';
 import { drawLine, type LineLook, lineMaterial } from './fat_line.js';
@@ -11,6 +12,7 @@ import type { AnyMesh, Surface } from './surface.js';
 interface ShownCurve {
   set(value: CurveOptions): CurveView | Promise<CurveView>;
   view(): CurveView | Promise<CurveView>;
+  path(): Path | Promise<Path>;
   dispose(): unknown;
 }
 
@@ -78,6 +80,20 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
   /** The options of the newest curve, even if it is not drawn yet. */
   get value(): CurveOptions {
     return this.#value;
+  }
+
+  /**
+   * The path of the newest curve that is drawn, or about to be. Rejects as `ready` does, and with
+   * `KarcherError` disposed.
+   *
+   * @example
+   * ```ts
+   * const { length } = await curve.path();
+   * ```
+   */
+  async path(): Promise<Path> {
+    await this.ready;
+    return this.#curve!.path();
   }
 
   /** Moves a control point. The promise is that of `set`. */

@@ -12,6 +12,7 @@ export { KarcherError } from '../errors.js';
 export type { LogMap, MappedPoints } from '../maps.js';
 export { Path } from '../path.js';
 export type * from '../path_types.js';
+export type * from '../path_values.js';
 export { Region } from '../region.js';
 export type * from '../types.js';
 export { CurveView } from '../view.js';

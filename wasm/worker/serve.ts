@@ -42,11 +42,13 @@ export function serve(root: object | Promise<object>): void {
 
 const arraysOf = ({ face, bary, position, lengths }: EnginePath) => [face, bary, position, lengths];
 
-/** The names of what a class has for its users. */
+/** The names of what a class has for its users, with those of the class that it extends. */
 function namesIn(prototype: object, internal: string): ClassNames {
-  const own = Object.entries(Object.getOwnPropertyDescriptors(prototype)).filter(
-    ([name]) => name !== 'constructor' && name !== internal,
-  );
+  const base = Object.getPrototypeOf(prototype) as object;
+  const all = [...(base === Object.prototype ? [] : [base]), prototype];
+  const own = all
+    .flatMap((each) => Object.entries(Object.getOwnPropertyDescriptors(each)))
+    .filter(([name]) => name !== 'constructor' && name !== internal);
   const names = (ofMethods: boolean) =>
     own.filter(([, { get }]) => (get === undefined) === ofMethods).map(([name]) => name);
   return { methods: names(true), facts: names(false) };

@@ -1,0 +1,146 @@
+import { toVector } from './check.js';
+import { type Engine, Handle, type MeshHandle } from './engine.js';
+import type { EngineMesh } from './karcher-engine.mjs';
+import * as maps from './maps.js';
+import { frozenInfo } from './mesh_info.js';
+import { toSurfacePoint, wirePoint, wirePointsOrArrays } from './points.js';
+import type {
+  FileMarks,
+  Frame,
+  MeshInfo,
+  NearestPoint,
+  PointArrays,
+  PointLike,
+  SurfacePoint,
+  VectorLike,
+} from './types.js';
+
+/** The part of `Mesh` that is about its elements and places on it. */
+export class MeshPlaces {
+  readonly #handle: MeshHandle;
+
+  /** The numbers of the mesh's elements, and its repairs. */
+  readonly info: Readonly<MeshInfo>;
+
+  /** @internal `Karcher` creates meshes. */
+  constructor(engine: Engine, target: EngineMesh) {
+    this.#handle = new Handle(engine, 'the mesh', target);
+    this.info = frozenInfo(this.#handle.call((mesh) => mesh.info()));
+  }
+
+  /** @internal The mesh in that engine's memory. */
+  get handle(): MeshHandle {
+    return this.#handle;
+  }
+
+  /**
+   * x, y, z of each vertex, in the caller's order, as a new array. Welded vertices repeat their place;
+   * dropped ones keep theirs.
+   *
+   * @example
+   * ```ts
+   * const place = mesh.positions().subarray(3 * 12, 3 * 12 + 3); // of vertex 12
+   * ```
+   */
+  positions(): Float64Array {
+    return this.#handle.call((mesh) => mesh.positions());
+  }
+
+  /**
+   * The vertices of each triangle, in the caller's order and numbers, as a new array.
+   *
+   * @example
+   * ```ts
+   * const corners = mesh.triangles().subarray(3 * 7, 3 * 7 + 3); // of face 7
+   * ```
+   */
+  triangles(): Int32Array {
+    return this.#handle.call((mesh) => mesh.triangles());
+  }
+
+  /**
+   * The marks of the mesh's OBJ file, beside its surface. They are empty for other meshes;
+   * `meshFromFile` of `karcher/formats` returns the marks of other files.
+   */
+  fileMarks(): FileMarks {
+    return this.#handle.call((mesh) => mesh.marks());
+  }
+
+  /**
+   * The point of a face with the given weights of its corners, checked and cleaned. If rounding
+   * leads the weights out of the face, by at most 1e-6, the point moves onto it. A raycast of
+   * three.js returns face and weights as `faceIndex` and `barycoord`.
+   *
+   * @example
+   * ```ts
+   * const middle = mesh.surfacePoint(17, [1 / 3, 1 / 3, 1 / 3]);
+   * ```
+   */
+  surfacePoint(face: number, bary: VectorLike): SurfacePoint {
+    const wire = wirePoint({ face, bary } as PointLike);
+    return toSurfacePoint(this.#handle.call((mesh) => mesh.checkedPoint(wire)));
+  }
+
+  /**
+   * The place of a point in space.
+   *
+   * @example
+   * ```ts
+   * const [x, y, z] = mesh.position({ vertex: 12 });
+   * ```
+   */
+  position(point: PointLike): [number, number, number] {
+    const wire = wirePoint(point);
+    return this.#handle.call((mesh) => mesh.position(wire));
+  }
+
+  /**
+   * The places of points, x, y, z for each. The points are a list, or flat arrays such as those of
+   * `CentersOfMass`.
+   */
+  positionsOf(points: readonly PointLike[] | PointArrays): Float64Array {
+    const wire = wirePointsOrArrays(points);
+    return this.#handle.call((mesh) => mesh.positionsOf(wire));
+  }
+
+  /**
+   * The unit normal of a point's face, on the side from which its corners appear counterclockwise.
+   *
+   * @example
+   * ```ts
+   * const [x, y, z] = mesh.normal({ vertex: 12 });
+   * ```
+   */
+  normal(point: PointLike): [number, number, number] {
+    const wire = wirePoint(point);
+    return this.#handle.call((mesh) => mesh.normal(wire));
+  }
+
+  /**
+   * Three unit vectors at a point: along the first edge of its face, at right angles to it in the face, and
+   * the normal.
+   *
+   * @example
+   * ```ts
+   * const [along, across, normal] = mesh.frame({ vertex: 12 });
+   * ```
+   */
+  frame(point: PointLike): Frame {
+    return maps.frame(this.#handle, point);
+  }
+
+  /**
+   * The point of the surface that is nearest to a place in space; if several are, one of them.
+   *
+   * @example
+   * ```ts
+   * const { point, distance } = mesh.nearestPoint([0.1, 0.2, 0.3]);
+   * ```
+   */
+  nearestPoint(place: VectorLike): NearestPoint {
+    const vector = toVector(place, 'the place');
+    const { point, distance } = this.#handle.call((mesh) => mesh.nearestPoint(vector));
+    const position = this.#handle.call((mesh) => mesh.position(point));
+    return { point: toSurfacePoint(point), position, distance };
+  }
+}

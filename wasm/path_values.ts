@@ -1,0 +1,35 @@
+/** Paths and regions as values that survive JSON. */
+
+/** A path as a value that survives JSON. `Path.from` makes it a path again. */
+export interface PathValue {
+  /** Whether it ends where it starts. */
+  closed: boolean;
+  /** The length on the surface. */
+  length: number;
+  /** The face of each point. */
+  face: readonly number[];
+  /** Three barycentric weights for each point. */
+  bary: readonly number[];
+  /** The coordinates x, y, z of each point. */
+  position: readonly number[];
+  /** The length from the start to each point. */
+  lengths: readonly number[];
+}
+
+/** A region as a value that survives JSON. `Region.from` makes it a region again. */
+export interface RegionValue {
+  /** The area, in squared units of the mesh. */
+  area: number;
+  /** The length of its boundary. */
+  perimeter: number;
+  /** The closed paths that bound it. */
+  boundary: readonly PathValue[];
+  /** For each triangle, 0 if it lies outside the region, 1 if inside, 2 if partly inside. */
+  share: readonly number[];
+  /** The triangles of the sides of partial triangles, in order. */
+  triangles: readonly number[];
+  /** The second and third weight of both ends of each side. */
+  sides: readonly number[];
+  /** For a region of one shape, whether it lies left of its first outline. */
+  isLeft?: boolean | undefined;
+}
