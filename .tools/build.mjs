@@ -95,7 +95,7 @@ export async function buildFacade() {
 
 /**
  * Writes the decoders of compressed glTF files as modules without dependencies, for Node and
- * browsers. Draco's is a script for either: it gets the modules that it requires from Node, and its
+ * browsers. Draco's is a script for either: the module passes it Node's modules, and its
  * WebAssembly module as text.
  */
 function writeDecoders() {

@@ -1,7 +1,6 @@
 // `npm run check:packages`: packs the files for publishing, installs the package into fresh folders
-// as a new user would, tries it there and prints a table. With --short it makes only the trials
-// that need no other package, as `npm test` does; with words, only those whose names contain one of
-// them.
+// as a new user would, tries it there and prints a table. With --short it runs only the trials that
+// need no other package, as `npm test` does. With words it runs only those whose names contain one.
 //
 // tests/tools/cpp_users.test.mjs, which runs with these trials, tries CMake projects of users.
 import { mkdirSync, mkdtempSync, rmSync } from 'node:fs';

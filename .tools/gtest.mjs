@@ -36,8 +36,8 @@ async function runTests(program, tests, { report, env, minutes }) {
     problem = error;
     output = error.output ?? '';
   }
-  // After a good run only the tests' own output is printed; after a bad one also the name of the
-  // last test.
+  // After a good run only the tests' own output appears; after a bad one the name of the last test
+  // appears, too.
   const lines = output
     .split('\n')
     .filter(

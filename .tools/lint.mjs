@@ -50,9 +50,8 @@ async function checkFile(file, program, args, options = {}) {
 }
 
 /**
- * Compiles each file of the bindings separately, without precompiled headers, so that a missing
- * include is noticed. For `npm test`, clang compiles the engine's files in this way, with the
- * sanitizers.
+ * Compiles each file of the bindings separately, without precompiled headers, to detect missing
+ * includes. For `npm test`, clang compiles the engine's files in this way, with the sanitizers.
  */
 async function compileAlone() {
   const bindings = (await readCommands()).filter(({ file }) => file.startsWith(inRoot('wasm/')));
@@ -98,7 +97,7 @@ function batchesOf(commands) {
 
 /**
  * Runs clang-tidy on the files, a batch at a time, since most of its time goes into the headers
- * that all files include. If a batch fails, each of its files is checked separately, and counts.
+ * that all files include. If a batch fails, each of its files has a check of its own, which counts.
  */
 async function clangTidy() {
   const folder = inRoot('build/clang-tidy');

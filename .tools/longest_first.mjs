@@ -4,9 +4,9 @@ import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { countAll } from './shell.mjs';
 
 /**
- * Calls `runFile` with each name and returns the sums of what it resolves to, `{ passed, failed }`. How
- * long each took is saved at `timesPath` for the next run's order; names without a time there come first.
- * `atOnce` run at a time, by default as many as there are cores.
+ * Calls `runFile` with each name and returns the sums of its results, `{ passed, failed }`. Saves
+ * the duration of each at `timesPath` for the next run's order; names without a time there come
+ * first. `atOnce` run at a time, by default as many as there are cores.
  */
 export async function runLongestFirst(names, timesPath, runFile, atOnce) {
   const before = existsSync(timesPath) ? JSON.parse(readFileSync(timesPath, 'utf8')) : {};

@@ -1,4 +1,4 @@
-// Runs files of node:test, each in a process of its own, or several in one where they share modules that are slow to load.
+// Runs files of node:test, each in its own process, or together where they share slow modules.
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { runLongestFirst } from './longest_first.mjs';
@@ -11,7 +11,7 @@ function countsOf(report) {
   return { passed: count('pass'), failed: count('fail') + count('cancelled') };
 }
 
-/** Runs files in one process, prints what they say, and returns what their report counted. */
+/** Runs files in one process, prints their output, and returns the counts of their report. */
 async function runFiles(files, { report, env, minutes }) {
   const names = files.map((file) => basename(file)).join(', ');
   rmSync(report, { force: true });
@@ -44,8 +44,8 @@ async function runFiles(files, { report, env, minutes }) {
 }
 
 /**
- * Runs groups of files, each a name and files that share a process, and returns what they counted. `reports` is a
- * folder for what it writes; `atOnce` groups run at a time, by default as many as there are cores.
+ * Runs groups of files, each a name and files that share a process. Returns their counts. Reports
+ * go to the folder `reports`; `atOnce` groups run at a time, by default as many as there are cores.
  */
 export function runGroups(groups, { reports, env, minutes, atOnce }) {
   mkdirSync(reports, { recursive: true });

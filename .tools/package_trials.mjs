@@ -1,6 +1,6 @@
 // The trials of a new user with the packed file: in Node and other runtimes, with TypeScript,
-// bundlers and a plain page. Each trial has a separate folder with the packed file and the packages
-// that it names.
+// bundlers and a plain page. Each trial has a separate folder with the packed file and the trial's
+// packages.
 import { spawn, spawnSync } from 'node:child_process';
 import {
   copyFileSync,
@@ -111,8 +111,8 @@ function checkWasm(folder) {
 }
 
 /**
- * Checks that the title of a page at that address reports success. Otherwise throws what the page
- * reports.
+ * Checks that the title of a page at that address reports success. Otherwise throws the page's
+ * report.
  */
 async function checkPage(address) {
   const browser = await chromium.launch({
@@ -208,7 +208,7 @@ function runBundle(folder) {
 const dom = ['ES2022', 'DOM', 'DOM.Iterable'];
 
 /**
- * The trials, each with the packages that it needs beside Karcher. `npm test` makes those without
+ * The trials, each with the packages that it needs beside Karcher. `npm test` runs those without
  * packages.
  */
 export const trials = [
@@ -269,7 +269,7 @@ export const trials = [
       '@types/react',
       'react-dom',
       '@react-three/fiber',
-      '@react-three/drei', // most users have it, with its own peers
+      '@react-three/drei', // Most users have this package, with its own peers.
     ],
     try(folder) {
       try {
@@ -393,7 +393,7 @@ export default function Tried() {
   },
 ];
 
-/** Installs the packed file into a fresh folder, with what a trial needs, and tries it there. */
+/** Installs the packed file and a trial's packages into a fresh folder, and tries it there. */
 export async function attempt({ packages = [], try: attempted }, folder, tarball) {
   write(folder, {
     'package.json': '{ "name": "user", "private": true, "type": "module" }',

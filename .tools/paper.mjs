@@ -59,10 +59,10 @@ function numberOf(options, name, fits, what) {
   throw new Error(`--${name} must be ${what}, not '${options[name]}'.\n${usage}`);
 }
 
-/** The command line's options, checked before anything is built. */
+/** The command line's options, checked before any build. */
 function readOptions() {
   const options = parseArgs({ options: known }).values;
-  // A single figure is meant to be ready soon.
+  // A single figure should be ready soon.
   options.table ??= options.figure === undefined ? '20000' : '0';
   const count = (least) => (value) => Number.isInteger(value) && value >= least;
   return {
@@ -131,7 +131,7 @@ const tellBusy = (what) => {
   tell(what);
 };
 
-/** The digest is taken first, since the sources may be edited meanwhile. */
+/** The digest comes first, since the sources may change meanwhile. */
 const sources = sourcesDigest();
 
 const about = (seed) => aboutReport({ seed, sources, load: lookAtLoad().most });

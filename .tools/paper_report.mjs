@@ -46,7 +46,7 @@ export function keptJson(report) {
   return whole.replace('"numbers": 0', () => numbers);
 }
 
-/** The numbers by which the verdicts of a kept report are judged. */
+/** The numbers of a kept report that determine its verdicts. */
 export function measuredOf({
   panels = {},
   table,

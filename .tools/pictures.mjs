@@ -1,11 +1,12 @@
-// `npm run pictures`: replays the sittings of new users (tests/web/sittings.mjs, part_sittings.mjs) in every size of window, light and
-// dark, and writes a picture of each step to build/pictures/, for a person to look at.
+// `npm run pictures`: replays the sittings of new users (tests/web/sittings.mjs, part_sittings.mjs) in
+// every size of window, light and dark. It writes a picture of each step to build/pictures/, for a
+// person to look at.
 //
-//   npm run pictures -- [--size laptop|desk|phone] [--theme light|dark] [--sitting scan|seam|poster|trim|badge]
-//     [--save] [--built]
+//   npm run pictures -- [--size laptop|desk|phone] [--theme light|dark]
+//     [--sitting scan|seam|poster|trim|badge] [--save] [--built]
 //
-// --size, --theme and --sitting choose one of each. --save makes the README's picture, docs/drawing.jpg, in place of the
-// sittings. --built uses build/page without a build.
+// --size, --theme and --sitting choose one of each. --save writes only the README's picture,
+// docs/drawing.jpg. --built uses build/page without a build.
 import { mkdirSync, statSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { buildFacade, buildPage, buildWasm } from './build.mjs';

@@ -124,7 +124,7 @@ const leaps = () =>
     return onceNamed(name, table);
   });
 
-/** Of each mesh: how far its offsets are off, as parts of their distances. */
+/** The deviations of offsets for each mesh, as parts of their distances. */
 const offsets = () => {
   const rows = rowsOf(savedLines('offsets', ['of-files']));
   const names = [...new Set(rows.map(([name]) => name))];

@@ -1,10 +1,10 @@
 // Checks the includes of C++ and the imports of TypeScript against the tables of ARCHITECTURE.md.
 //
-// A table's first column names a room (a folder with what lies directly in it, or a file), its last
-// column what that room may use: rooms, packages, entries of packages such as `karcher/statistics`,
-// `folder/*` for every room below a folder, "all above" for the rooms of the rows above in the same
-// table, "but" before exceptions, and "(types)" behind a name of which only types may be imported. A
-// room may always use itself and the standard library.
+// A table's first column names a room: a file, or a folder with the files directly in it. The last
+// column names the uses that the room may have: rooms, packages, entries of packages such as
+// `karcher/statistics`, `folder/*` for every room below a folder, and "all above" for the rooms of the
+// rows above in the same table. "but" precedes exceptions, and "(types)" follows a name of which only
+// types may be imported. A room may always use itself and the standard library.
 import { readFileSync } from 'node:fs';
 import { posix } from 'node:path';
 import { filesBelow, inRoot, root } from './shell.mjs';
@@ -36,9 +36,9 @@ function tablesOf(markdown) {
 }
 
 /**
- * The rooms of a text with such tables: `{ name, paths, uses }`, where `uses` maps the names that
- * may be used to whether only their types may be. Throws an error for text that it cannot read, for
- * a room that occurs twice or not at all, and for rooms that use each other in a circle.
+ * The rooms of a text with such tables: `{ name, paths, uses }`. `uses` maps each permitted name to
+ * whether only its types are. Throws an error for text that it cannot read, for a room that occurs
+ * twice or not at all, and for rooms that use each other in a circle.
  */
 export function readRooms(markdown) {
   const rooms = [];
@@ -135,9 +135,9 @@ function packageOf(target, isCpp) {
 }
 
 /**
- * The faults of the files `{ path, text }` of a project with these rooms, a sentence each: uses
- * that no table allows, files in no room, rooms without a file, and files that include or import
- * each other in a circle, also by types. A worker is another program.
+ * The faults of the files `{ path, text }` of a project with these rooms, a sentence each:
+ * forbidden uses, files in no room, rooms without a file, and files that include or import each
+ * other in a circle, also by types. A worker is another program.
  */
 export function wrongUses(rooms, files) {
   const named = new Map(rooms.flatMap((room) => room.paths.map((path) => [path, room])));
@@ -202,7 +202,7 @@ export function wrongUses(rooms, files) {
   return wrong;
 }
 
-/** The files that a text names in backticks, by path or by name alone, and that are not among `paths`. */
+/** The files that a text names in backticks, by path or name alone, but that are not in `paths`. */
 export function namesOfNoFile(markdown, paths) {
   const named = [...markdown.matchAll(/`([\w./-]+\/)?([\w-]+\.(?:h|cpp|mjs|ts|cmake|html))`/g)];
   return named

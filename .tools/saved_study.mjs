@@ -14,8 +14,8 @@ const folder = 'docs/studies';
 const sourcesOf = () => sourcesDigest(['src', 'tests/bench', 'tests/generators', 'tests/measures']);
 
 /**
- * Whether an argument is the file of a mesh. Such meshes do not belong to the project, and their
- * names stand for them.
+ * Whether an argument is the file of a mesh. Such meshes do not belong to the project, so that
+ * their names stand for them.
  */
 export const isMeshFile = (argument) => /\.(obj|stl|ply|off|glb|gltf)$/i.test(argument);
 
@@ -64,7 +64,7 @@ export function found(args, folder) {
   return { args: args.map((one) => (isMeshFile(one) ? (files.get(one) ?? one) : one)), missing };
 }
 
-/** Runs a study that is built, with meshes of any format. */
+/** Runs a compiled study, with meshes of any format. */
 export async function runStudy(name, args, options = { minutes: Infinity }) {
   const read = [];
   for (const argument of args) read.push(isMeshFile(argument) ? await toObj(argument) : argument);

@@ -1,5 +1,7 @@
-// Finds and installs the packages that the machine lacks to build and test Karcher: system packages by
-// apt on Debian and Ubuntu, npm packages by `npm ci`. Elsewhere it says what is missing and how to get it. With KARCHER_NO_INSTALL=1, and where npm installs the package from git, it only prints the commands.
+// Finds and installs the packages that the machine lacks to build and test Karcher: system packages
+// by apt on Debian and Ubuntu, npm packages by `npm ci`. Elsewhere it prints the missing packages and
+// their installation. With KARCHER_NO_INSTALL=1, and where npm installs the package from git, it only
+// prints the commands.
 //
 //   node .tools/setup.mjs [build] [native] [test] [format] [lint]     (all without arguments)
 import { spawnSync } from 'node:child_process';
@@ -33,7 +35,7 @@ const clangHasFuzzer = () =>
 const includeFolders = ['/usr/include', '/usr/local/include', '/opt/homebrew/include'];
 const hasHeader = (name) => includeFolders.some((folder) => existsSync(`${folder}/${name}`));
 
-/** Chromium without windows, which opens pages with less work. */
+/** Chromium without windows, which takes less work to open pages. */
 const headless = 'chromium-headless-shell';
 
 /** The browser that the page's tests drive, or undefined. */
@@ -47,9 +49,9 @@ export function chromiumPath() {
   );
 }
 
-// The needs. `for` is their purpose: `native` stands for the native library, its benchmarks and
-// studies, `test` for all tests. `optional` describes the consequence of not installing them.
-// Ubuntu has Chromium only as a snap.
+// The required programs and libraries. `for` is their purpose: `native` stands for the native library,
+// its benchmarks and studies, `test` for all tests. `optional` describes the consequence of their
+// absence. Ubuntu has Chromium only as a snap.
 const needs = [
   {
     what: 'Emscripten (emcc)',
@@ -155,7 +157,7 @@ function aptSystem() {
 }
 
 /**
- * The prefix for running a command as root: empty for root, and a sudo that does not ask if nobody
+ * The prefix that runs a command as root: empty for root, and a sudo without a prompt if nobody
  * could answer.
  */
 function rootPrefix() {
@@ -272,13 +274,13 @@ function checkWritable() {
 }
 
 /**
- * Makes the machine ready for `purposes` ('build', 'native', 'test', 'fuzz', 'format', 'lint'), or
- * returns at once if it is. If it cannot, it prints the reason and ends the process.
+ * Prepares the machine for `purposes` ('build', 'native', 'test', 'fuzz', 'format', 'lint'), or
+ * returns at once if it is ready. After a failure it prints the reason and ends the process.
  */
 export async function setUp(...purposes) {
   checkWritable();
   const { KARCHER_NO_INSTALL, npm_lifecycle_event } = process.env;
-  // A user who installs a package has not asked for system packages.
+  // A user who installs a package did not request system packages.
   const installsPackage = npm_lifecycle_event === 'prepack';
   const noInstall = installsPackage || (!!KARCHER_NO_INSTALL && KARCHER_NO_INSTALL !== '0');
   let ready = true;
@@ -292,7 +294,7 @@ export async function setUp(...purposes) {
       console.error(error.message);
       ready = false;
     }
-    // If commands are only printed, all of them are printed.
+    // If setup only prints commands, it prints all of them.
     if (!ready && !noInstall) break;
   }
   if (!ready) process.exit(1);

@@ -45,9 +45,9 @@ export class CommandError extends Error {}
 /**
  * Runs a program in the project's folder, without standard input, and waits for it.
  *
- * Its output goes to ours, or with `quiet` into the resolved string; a line then appears now and
- * then while it runs. Throws a `CommandError` (with the collected `output`) when it cannot start,
- * fails, or takes longer than `minutes`; it and its children are then ended.
+ * Its output goes to ours. With `quiet` the output becomes the resolved string, and lines show the
+ * time now and then. Throws a `CommandError` (with the collected `output`) if the program cannot
+ * start, fails, or exceeds `minutes`, after which it and its children are ended.
  */
 export function run(program, args, { env = {}, quiet = false, minutes = 30 } = {}) {
   return new Promise((resolve, reject) => {
@@ -68,8 +68,8 @@ export function run(program, args, { env = {}, quiet = false, minutes = 30 } = {
         // The process has already ended.
       }
     };
-    // The child leads its own process group, so that the whole group can be ended. Therefore Ctrl-C
-    // has to be passed on here.
+    // The child leads its own process group, which can end as a whole. Therefore Ctrl-C has to be
+    // passed on here.
     const passOn = (signal) => {
       endGroup(signal);
       process.exit(1);
@@ -104,7 +104,7 @@ export function run(program, args, { env = {}, quiet = false, minutes = 30 } = {
   });
 }
 
-/** Calls `work` with each entry, `atOnce` at a time, and sums the checks that it counts. */
+/** Calls `work` with each entry, `atOnce` at a time, and sums its counts of checks. */
 export async function countAll(entries, work, atOnce = cores) {
   const counts = { passed: 0, failed: 0 };
   const waiting = [...entries];

@@ -37,10 +37,10 @@ const nodeFiles = (folder) => filesBelow(folder, /\.test\.m?js$/);
 /** Whether a file's tests drive the page by browser.mjs. */
 const drivesPage = (file) => readFileSync(file, 'utf8').includes("from './browser.mjs'");
 
-/** How many files share a process and its browsers: starting both takes as long as opening the page thrice. */
+/** The number of files that share a process and browsers: a start costs three page openings. */
 const sharing = 5;
 
-/** Runs files of node:test and returns what they counted. */
+/** Runs files of node:test and returns their counts. */
 function runNode(folder, env = {}, files = nodeFiles(folder)) {
   if (files.length === 0) throw new Error(`there are no tests in ${folder}`);
   const asWhole = files.filter((file) => whole.includes(file));
@@ -81,7 +81,7 @@ const packageBuilds = [
   build('the page', buildPage),
   build('the book', buildBook),
 ];
-/** This is too long for `npm test`, since the engine is compiled once more. */
+/** The tests of threads, too long for `npm test`: they compile the engine once more. */
 const threads = [
   build('the engine’s tests of threads, g++ with ThreadSanitizer', () =>
     buildNative('threads', 'karcher_thread_tests'),
@@ -104,7 +104,7 @@ const everything = [
   tests('the page', () => runNode('tests/web', { CHROMIUM_PATH: chromiumPath(), ...longCases })),
 ];
 
-/** Throws where a name is no file of tests/wasm, tests/paper or tests/web. */
+/** Throws if a name is no file of tests/wasm, tests/paper or tests/web. */
 function checkNames() {
   const known = ['tests/wasm', 'tests/paper', 'tests/web'].flatMap(nodeFiles);
   const unknown = named.find((file) => !known.includes(inRoot(file)));

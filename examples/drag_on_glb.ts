@@ -1,5 +1,4 @@
-// A curve that is dragged over your own GLB. The lines between the two marks are those that use
-// Karcher.
+// A curve to drag over your own GLB. The lines between the two marks use Karcher.
 import { load } from 'karcher';
 import { CurveDrag, SurfaceCurve, surfaceFromGeometry } from 'karcher/three';
 import {

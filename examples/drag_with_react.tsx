@@ -1,4 +1,4 @@
-// A curve that is dragged over your own GLB, with React and react-three-fiber.
+// A curve to drag over your own GLB, with React and react-three-fiber.
 import { Canvas, useLoader } from '@react-three/fiber';
 import { useCurveDrag, useSurface, useSurfaceCurve } from 'karcher/react';
 import { createRoot } from 'react-dom/client';

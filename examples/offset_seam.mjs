@@ -17,7 +17,7 @@ const outline = mesh.curve({ kind: 'catmullrom', points: corners, closed: true }
 const [panel] = mesh.regions([outline.path()]);
 console.log(`panel: area ${panel.area.toFixed(4)}, perimeter ${panel.perimeter.toFixed(4)}`);
 
-// The seam lies outside it, at a distance from the outline that is measured on the surface.
+// The seam lies outside the panel, at a geodesic distance from the outline.
 const distance = 0.05;
 const seam = mesh.offset(panel.boundary(), { distance, side: 'right' });
 const [withSeam] = mesh.regions(seam);

@@ -21,7 +21,7 @@ const mean = mesh.centerOfMass(points, equal);
 console.log(`mean ${mean.position.map((x) => x.toFixed(3))}`);
 console.log(`standard deviation ${Math.sqrt(mean.energy).toFixed(4)}`);
 
-// Each row of weights is a sample of the sample. Fields are computed once for all of them.
+// Each row of weights is a bootstrap sample. The engine computes the fields once for all rows.
 const rows = Array.from({ length: 2000 }, () => {
   const row = points.map(() => 0);
   for (let i = 0; i < points.length; i++) row[Math.floor(random() * points.length)] += 1;

@@ -1,5 +1,5 @@
-// A drawing transferred to another mesh of the same shape: control points go to the nearest points
-// there, and the curves are traced again on that mesh.
+// A drawing transferred to another mesh of the same shape: control points move to the nearest
+// points there, and the engine traces the curves again.
 import { load } from 'karcher';
 
 const karcher = await load();

@@ -179,7 +179,7 @@ export interface CurvePoint {
 export interface CurveTangent extends CurvePoint {
   /** The derivative as changes of the weights of the face's corners; they sum to 0. */
   inFace: [number, number, number];
-  /** The same as a vector in space: x, y, z. */
+  /** The derivative as a vector in space: x, y, z. */
   inSpace: [number, number, number];
 }
 

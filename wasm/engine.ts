@@ -100,8 +100,8 @@ export class Handle<Target extends { delete(): void }> {
   #most = leastMost;
 
   /**
-   * `what` names the object in the error of a use after `dispose`: "the mesh"; `from` is the object
-   * from which it was created, and which it reads.
+   * `what` names the object, such as "the mesh", in the error of a use after `dispose`. `from` is
+   * the object from which it was created, and which it reads.
    */
   constructor(engine: Engine, what: string, target: Target, from?: Handle<{ delete(): void }>) {
     this.engine = engine;

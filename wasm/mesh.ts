@@ -210,9 +210,9 @@ export class Mesh extends MeshPlaces {
    * The points at a distance from the nearest of paths (or lists of their points), without the
    * parts where an offset intersects itself. Lines on one side have the direction of the paths;
    * there may be no line, or several. The inside of a region lies left of its boundary. Places keep
-   * the distance to a thousandth of it; of several, to a thousandth of the least, or of a tenth of
-   * the greatest if that is more. Throws `KarcherError` badArgument for a distance out of range, a
-   * path without length, and consecutive points without a common face.
+   * the distance to a thousandth. With several distances the error is up to a thousandth of the
+   * least, or of a tenth of the greatest if that is more. Throws `KarcherError` badArgument for a
+   * distance out of range, a path without length, and consecutive points without a common face.
    *
    * @example
    * ```ts

@@ -32,7 +32,7 @@ export class Places {
   number(x: number, y: number, z: number): number {
     const { positions, words } = this.#chunkOf(this.count);
     const at = 3 * (this.count & chunkMask);
-    // This turns -0 into 0.
+    // The sums turn -0 into 0.
     positions[at] = x + 0;
     positions[at + 1] = y + 0;
     positions[at + 2] = z + 0;

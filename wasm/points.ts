@@ -17,7 +17,7 @@ export function wirePoints(points: unknown, what = 'the points'): Float64Array {
   return all;
 }
 
-/** The same for points as flat arrays. */
+/** Points of flat arrays one after the other, as four numbers each. */
 export function wirePointArrays({ face, bary }: PointArrays): Float64Array {
   const faces = toInt32(face, 'the faces of the points');
   const weights = toFloat64(bary, 'the weights of the points');
@@ -58,7 +58,7 @@ export function toSurfacePoints(wire: Float64Array): SurfacePoint[] {
   return Array.from({ length: wire.length / 4 }, (_, i) => toSurfacePoint(wire, 4 * i));
 }
 
-/** The same record, with the point as an object of face and weights. */
+/** A record with its point as an object of face and weights. */
 export const withPoint = <At extends { point: Float64Array }>(
   at: At,
 ): Omit<At, 'point'> & { point: SurfacePoint } => ({ ...at, point: toSurfacePoint(at.point) });

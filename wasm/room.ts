@@ -65,7 +65,7 @@ export function checkDistancesFit(vertices: number, inUse: () => number): void {
   checkFits(distanceBytes * vertices, what, inUse);
 }
 
-/** Throws what `checkFits` throws for a graph, by the least size that every graph has. */
+/** Throws what `checkFits` throws for a graph, by a lower bound on its size. */
 export function checkGraphFits(triangles: number, rings: number, inUse: () => number): void {
   checkFits(graphBytes * triangles, graphTakes(triangles, rings), inUse);
 }

@@ -212,10 +212,10 @@ export interface CutPart {
 /** The distance, the sides and the corners of an offset. */
 export interface OffsetOptions {
   /**
-   * The distance from the paths, above 0, in units of the mesh, or several at equal parts of each
-   * path's length, linear between, of which some may be 0. The offset is then the border of the
-   * disks round all places of a path, with the distances there as radii; corners are round. Two are
-   * for the start and the end of an open path; on a closed path the first follows the last.
+   * The distance from the paths, above 0, in units of the mesh; or several, at equal parts of each
+   * path's length and linear between. Some of these may be 0. The offset is then the border of the
+   * disks around all places of a path, with these radii and round corners. The first and the last
+   * are for the ends of an open path; on a closed one the first follows the last.
    */
   distance: number | readonly number[];
   /** The side; `both` by default, which also goes round the ends of open paths. */
@@ -250,9 +250,8 @@ export interface IsolineOptions extends DistanceOptions {
   radius: number;
   /**
    * The type of the lines. `exact` (the default): the circular arcs of the points at this distance
-   * in each triangle. `linear`: lines that are straight in each triangle, between the points of its
-   * edges where the distance, interpolated between the vertices' distances by the solver (`exact`),
-   * is the radius.
+   * in each triangle. `linear`: straight lines in each triangle, between the points of its edges at
+   * which the interpolated distance is the radius. The solver gives the vertices' distances.
    */
   type?: 'exact' | 'linear' | undefined;
 }

@@ -381,7 +381,7 @@ export async function start(): Promise<void> {
     derivedPanel.show(state);
     cutPanel.show(state, session.view);
     showCut();
-    // Its figures describe the selection.
+    // The numbers in the status describe the selection.
     if (state.none === before.none) status.showHint(state, session.view);
     else status.show(state, session.view, session.client?.info ?? null);
     showChosen(viewer, state);

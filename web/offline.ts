@@ -12,6 +12,6 @@ export function workOffline(): void {
   // In development the sources change while the page is open.
   if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return;
   const address = new URL('./service-worker.js', document.baseURI);
-  // Some browsers refuse it in private windows; the page then needs a network.
+  // Some browsers refuse service workers in private windows; the page then needs a network.
   navigator.serviceWorker.register(address, { updateViaCache: 'none' }).catch(() => {});
 }

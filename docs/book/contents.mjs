@@ -1,5 +1,5 @@
-// The book's pages, in their order, under the headings of its side bar: files as they are. The front page is
-// docs/index.md; docs/examples.md is written by book/live.mjs.
+// The book's pages in their order, by file, under the headings of its side bar. The front page is
+// docs/index.md; book/live.mjs writes docs/examples.md.
 export const contents = {
   Start: [
     ['docs/five-steps.md', 'Five steps'],
@@ -49,7 +49,7 @@ export const contents = {
   ],
 };
 
-/** What is drawn above pages (book/pictures.mjs), in words. */
+/** The pictures above pages (book/pictures.mjs), in words. */
 export const drawn = {
   'docs/algorithms/means.md': [
     'means',
@@ -76,7 +76,7 @@ export const drawn = {
   'docs/algorithms/editing.md': ['editing', 'A curve before and after one of its points moved'],
 };
 
-/** The example that runs below a page (docs/book/live.mjs), by its name in examples/. */
+/** The live example below a page (docs/book/live.mjs), by its name in examples/. */
 export const live = {
   'docs/algorithms/means.md': 'mean',
   'docs/algorithms/fields.md': 'decal',
@@ -87,7 +87,7 @@ export const live = {
   'docs/algorithms/editing.md': 'drag_on_glb',
 };
 
-/** The package's entries with types, by the names that they are imported by. */
+/** The package's entries with types, and the names of their imports. */
 export const entries = {
   'dist/index.d.ts': 'karcher',
   'dist/worker/index.d.ts': 'karcher/worker',

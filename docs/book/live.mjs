@@ -1,4 +1,4 @@
-// The examples, each in a page of its own that the book shows in a frame, with their sources beside.
+// The examples with their sources, each in a page of its own, which the book shows in a frame.
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { build } from 'vite';
 import { inRoot } from '../../.tools/shell.mjs';
@@ -21,7 +21,7 @@ const titleOf = (name) =>
     .replace('react', 'React');
 const languageOf = (file) => (file.endsWith('.mjs') ? 'js' : file.replace(/.*\./, ''));
 
-/** An example in a frame, under its words. */
+/** An example in a frame below its words. */
 const framed = ({ words, name }) =>
   `${words[0].toUpperCase()}${words.slice(1)}.\n\n` +
   `<iframe src="../live/${name}.html" title="${words.replaceAll('"', '')}" loading="lazy"></iframe>\n\n`;
@@ -71,13 +71,13 @@ canvas { display: block; touch-action: none; }
 pre { margin: 0; padding: 16px; white-space: pre-wrap; font: 14px/1.5 ui-monospace, monospace; }
 `;
 
-/** What an example for Node prints is shown. */
+/** The output of an example for Node, shown in a page. */
 const printed = `const shown = document.body.appendChild(document.createElement('pre'));
 const textOf = (value) => (typeof value === 'string' ? value : JSON.stringify(value));
 console.log = (...values) => shown.append(values.map(textOf).join(' ') + '\\n');
 `;
 
-/** A bunny to drag over, as a GLB, and a picture to lay on a surface. */
+/** Writes a bunny to drag over, as a GLB, and a picture to lay on a surface. */
 async function writeFiles() {
   const { default: bunny } = await import('bunny');
   const { load } = await import('../../dist/index.js');
@@ -98,7 +98,7 @@ async function writeFiles() {
   writeFileSync(`${source}/public/decal.png`, decal);
 }
 
-/** A GLB without a material is of metal, which is black where there is nothing round it. */
+/** Adds a material to a GLB. The default is metal, which is black in empty surroundings. */
 function withMaterial(glb) {
   const bytes = Buffer.from(glb);
   const length = bytes.readUInt32LE(12);
@@ -114,7 +114,7 @@ function withMaterial(glb) {
   return Buffer.concat([head, json, bytes.subarray(20 + length)]);
 }
 
-/** Two units high about the origin. */
+/** Positions scaled to a height of 2 and centered about the origin. */
 function centered(positions) {
   const ends = [0, 1, 2].map((axis) => {
     const values = positions.filter((_, at) => at % 3 === axis);
@@ -124,7 +124,7 @@ function centered(positions) {
   return positions.map((one, at) => scale * (one - (ends[at % 3][0] + ends[at % 3][1]) / 2));
 }
 
-/** The pages in `live` of the book's folder. */
+/** Builds the pages in `live` of the book's folder. */
 export async function buildLive(book) {
   rmSync(source, { recursive: true, force: true });
   mkdirSync(`${source}/public`, { recursive: true });

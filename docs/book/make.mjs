@@ -1,5 +1,5 @@
-// Makes the book in build/page/book: the pages of docs/ and the reference of the package's types, by TypeDoc.
-// Every address in it is relative, so that it works in any folder of any host, and it asks no other host.
+// Makes the book in build/page/book: the pages of docs/, and the reference of the package's types
+// by TypeDoc. All addresses in it are relative, so that it works in any folder of any host.
 import { createHash } from 'node:crypto';
 import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, relative, sep } from 'node:path';
@@ -13,10 +13,10 @@ import { addExamples, reportOf } from './reference.mjs';
 
 const source = inRoot('build/book/source');
 const made = inRoot('build/page/book');
-/** Stands for the page's folder in TypeDoc's links, which are the same at every depth. */
+/** The stand-in for the page's folder in TypeDoc's links, which are the same at every depth. */
 const pageFolder = 'https://page.invalid/';
 
-/** What may run in the book; examples that are tried in it have a page of their own each. */
+/** The permissions of the book's scripts; live examples have pages of their own. */
 const policy = [
   "default-src 'none'",
   "script-src 'self' 'wasm-unsafe-eval'",
@@ -29,7 +29,7 @@ const policy = [
   "form-action 'none'",
 ].join('; ');
 
-/** The pages with their titles in front, where their links to each other hold. */
+/** Writes the pages, with titles at their start, where their links to each other work. */
 async function writeSource() {
   rmSync(source, { recursive: true, force: true });
   mkdirSync(source, { recursive: true });
@@ -107,10 +107,10 @@ async function convert(pages) {
   return project;
 }
 
-/** A script in a page's text would need a policy that lets any in. */
+/** A script in the text of a page; a policy for it would permit any script. */
 const inlineScript = /<script>(document\.documentElement\.dataset\.theme[\s\S]*?)<\/script>/;
 
-/** Keeps the book for when there is no network. */
+/** Stores the book for use without a network. */
 const offline = `if (navigator.serviceWorker && location.protocol !== 'file:') {
   const address = new URL('../../service-worker.js', document.currentScript.src);
   navigator.serviceWorker.register(address, { updateViaCache: 'none' }).catch(() => {});
@@ -118,7 +118,7 @@ const offline = `if (navigator.serviceWorker && location.protocol !== 'file:') {
 }
 `;
 
-/** The side bar shows its pages at the first visit; what the reader folds stays folded. */
+/** Unfolds the side bar at the first visit; parts that the reader folds stay folded. */
 const opened = `try {
   for (const group of ${JSON.stringify(['Start', 'Guides', 'Algorithms'])}) localStorage['tsd-accordion-' + group] ??= 'true';
 } catch {}
@@ -138,7 +138,7 @@ function finish(path) {
       .replace('<head>', `<head><meta http-equiv="Content-Security-Policy" content="${policy}">`)
       .replaceAll(`${pageFolder}book/`, `${book}/`)
       .replaceAll(pageFolder, `${book}/../`)
-      // TypeDoc opens other hosts in a window of their own; the editor is none.
+      // TypeDoc opens other hosts in another window, but the editor is on the same host.
       .replaceAll(/(<a href="(?:\.\.?\/)+(?:index|paper)\.html"[^>]*?) target="_blank"/g, '$1'),
   );
 }

@@ -1,9 +1,9 @@
-// Draws a surface with lines and points on it as a PNG: an orthographic view, shaded, what is hidden left out.
+// A PNG of a surface with lines and points: an orthographic, shaded view without hidden parts.
 import { crc32, deflateSync } from 'node:zlib';
 
 const light = [-0.38, 0.62, 0.68];
 const grey = [0.83, 0.85, 0.89];
-/** Drawn so many times as large, and averaged. */
+/** The factor of the drawing's size before it is averaged. */
 const fine = 2;
 
 const rgbOf = (hex) => [1, 3, 5].map((at) => Number.parseInt(hex.slice(at, at + 2), 16) / 255);
@@ -19,7 +19,7 @@ export class Picture {
   #weights;
   #pixels;
 
-  /** `turn` in radians, about the vertical and then about the horizontal. */
+  /** `turn` has the angles about the vertical and then about the horizontal, in radians. */
   constructor(mesh, { width = 720, height = 480, turn = [0, 0] } = {}) {
     this.#width = fine * width;
     this.#height = fine * height;
@@ -98,11 +98,11 @@ export class Picture {
     }
   }
 
-  /** The surface's point that is seen there, as parts of the picture's width and height. */
+  /** The visible point of the surface at a place, in parts of the picture's width and height. */
   pick(x, y) {
     const at = Math.floor(y * this.#height) * this.#width + Math.floor(x * this.#width);
     const face = this.#face[at];
-    // Beside the surface the next place towards the picture's middle is taken.
+    // Beside the surface the search continues towards the picture's middle.
     if (face < 0) return this.pick(x + 0.02 * (0.5 - x), y + 0.02 * (0.5 - y));
     const [w1, w2] = this.#weights.subarray(2 * at, 2 * at + 2);
     return { face, bary: [1 - w1 - w2, w1, w2] };
@@ -175,7 +175,7 @@ export class Picture {
     }
   }
 
-  /** A line on the surface, by its coordinates one after the other. */
+  /** Draws a line on the surface, by its coordinates one after the other. */
   line(coordinates, color, width = 4) {
     const rgb = rgbOf(color);
     for (let k = 0; k + 5 < coordinates.length; k += 3) {

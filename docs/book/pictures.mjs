@@ -1,12 +1,12 @@
-// The pictures of the book's pages on algorithms, by the package as it was built.
+// The pictures of the book's pages on algorithms, by the built package.
 import { Picture } from './picture.mjs';
 
 const colors = { curve: '#2450d8', center: '#0a8f78', other: '#d9560b', point: '#191c22' };
 
-/** Blue near, yellow far. */
+/** The color of a distance: blue near, yellow far. */
 const heat = (part) => [0.25 + 0.7 * part, 0.35 + 0.5 * part, 0.85 - 0.6 * part];
 
-/** A picture each, by its page's name: `see` is its surface, drawn and to draw on. */
+/** Draws the picture of each page, by its name, on `see`, a picture of its surface. */
 const drawings = {
   means({ mesh, see }) {
     const points = [

@@ -1,4 +1,4 @@
-// What the reference says of each public name: whether it has a sentence, and whether an example.
+// The coverage of the reference: whether each public name has a sentence and an example.
 import { readFileSync } from 'node:fs';
 import { Comment, CommentTag, ReflectionKind } from 'typedoc';
 import { filesBelow, inRoot } from '../../.tools/shell.mjs';
@@ -34,14 +34,14 @@ const publicIn = (project, kinds) =>
   project
     .getReflectionsByKind(kinds)
     .filter((one) => !one.flags.isPrivate && !one.flags.isExternal && !one.flags.isInherited)
-    // Fields of objects that a type spells out are shown with it.
+    // The reference shows fields of object types with their type.
     .filter((one) => !one.parent?.kindOf(ReflectionKind.TypeLiteral));
 
-/** What users call; methods of interfaces are what they hand in, or what a class has that they call. */
+/** The names that users call, without methods of interfaces, which they pass or find in a class. */
 const calledIn = (project) =>
   publicIn(project, called).filter((one) => !one.parent?.kindOf(ReflectionKind.Interface));
 
-/** How many names there are, those without a sentence, and of those that are called those without an example. */
+/** The number of public names, those without a sentence, and calls without an example. */
 export function reportOf(project) {
   const names = publicIn(project, named);
   const listOf = (which) => which.map((one) => one.getFullName()).sort();
@@ -68,7 +68,7 @@ function triedLines() {
     .filter((line) => !/^\s*(import|\/\/|export)/.test(line));
 }
 
-/** What the tried programs name objects of a class, where others have methods of the same names. */
+/** The names of a class's objects in tried programs, if other classes have equal methods. */
 const receivers = {
   Curve: '(curve|parts\\[0\\])',
   CurveMeter: 'new CurveMeter\\(\\w+\\)',
@@ -83,7 +83,7 @@ const receivers = {
   WorkerClient: 'client',
 };
 
-/** What makes an object of a class that users do not construct. */
+/** Calls that create an object of a class that users do not construct. */
 const makers = {
   Curve: /mesh\.curve\(/,
   CurveView: /curve\.view\(/,
@@ -95,7 +95,7 @@ const makers = {
   Surface: /surfaceFromMesh\(/,
 };
 
-/** How a call of it looks. */
+/** The pattern of a call of a method or function. */
 function patternOf(one) {
   const { name } = one;
   if (one.kindOf(ReflectionKind.Function)) return new RegExp(`\\b${name}\\(`);
@@ -105,7 +105,7 @@ function patternOf(one) {
   return new RegExp(`\\b${receivers[one.parent?.name] ?? '\\w+'}\\.${name}\\(`);
 }
 
-/** Adds to each call without an example the first line of a tried program that makes it. */
+/** Adds an example to each call without one: the first line of a tried program that contains it. */
 export function addExamples(project) {
   const lines = triedLines();
   for (const one of calledIn(project)) {

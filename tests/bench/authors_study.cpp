@@ -4,8 +4,8 @@
 #include "bench_support.h"
 #include "curves/curve.h"
 
-/// The paper's method against curves that its authors' program traced: the distance between
-/// samples at the same parameter, in mean edges, where theirs does not repeat a position.
+/// The paper's method against curves that its authors' program traced: the distance in mean edges
+/// between samples at the same parameter, except where the authors' curves repeat a position.
 ///
 ///   authors_study MESH.obj POINTS.txt AUTHORS.json exact|graph
 namespace karcher {

@@ -8,14 +8,14 @@
 #include "generators/curve_shapes.h"
 #include "rcm/exact_minimum.h"
 
-/// The breaks of curves of level 0, by both solvers, and those at which the energy by exact
-/// distances breaks, too. Random cubic Bezier curves, 128 samples.
+/// The breaks of curves of level 0, by both solvers, and the breaks at which the energy by exact
+/// distances breaks, too. The curves are random cubic Bezier curves with 128 samples.
 ///
 ///   breaks_study [--polygons N] [--seed S] MESH.obj [MESH.obj ...]
 ///
 /// At the middle of a break the study looks for the energy's minimum from both of its ends, by
-/// exact distances. If the two ends of the searches lie apart, the mean has to jump whatever the
-/// solver; otherwise the break comes from the solver's fields.
+/// exact distances. If the two searches end apart, the mean has to jump whatever the solver.
+/// Otherwise the break comes from the solver's fields.
 namespace karcher {
 namespace {
 
@@ -36,7 +36,7 @@ struct Tally {
   int bridged = 0;
   int breaks = 0;
   int ofEnergy = 0;    ///< breaks with two minima by exact distances
-  double longest = 0;  // for the others, in mean edges
+  double longest = 0;  // the longest other break, in mean edges
 };
 
 Curve trace(Surface& surface, const Array<SurfacePoint>& points, Solver solver) {

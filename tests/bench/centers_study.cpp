@@ -12,25 +12,25 @@
 #include "rcm/mean.h"
 
 /// The worth of `converged` for a center of mass, on the gallery of meshes that try solvers
-/// (generators/gallery.h), or on meshes of files. Random points with random weights; every other
-/// case has points within a tenth of the diagonal, and two of four have points at vertices. For
-/// each mesh:
+/// (generators/gallery.h), or on meshes of files. Points and weights are random. In every other
+/// case the points lie within a tenth of the diagonal, and in two of four at vertices. For each
+/// mesh:
 ///
-/// - how the searches ended;
-/// - of those that converged, how many are no minimum: on a circle of .3 mean edges about the
-///   center, at 97 points, the energy by exact distances is lower by more than 1e-3 square mean
-///   edges; and by how much it is lower at most, in square mean edges; both without the check by
-///   exact distances (MeanOptions::isChecked) and with it;
-/// - how far rotations of the mesh about its middle and away from it, and scale by a power of two,
-///   move the centers, as a part of the diagonal: how many by more than 1e-9 where the two energies
-///   differ by 1e-6 of them or more, how many where they differ less (ties), and the farthest of
-///   the former; the same of another order of vertices and faces, on its own;
-/// - milliseconds a center, without and with what is kept.
+/// - the statuses of the searches;
+/// - the converged centers that are no minimum: at one of 97 points on a circle of .3 mean edges
+///   about the center, the energy by exact distances is lower by more than 1e-3 square mean edges.
+///   Also the greatest such difference. Both without the check by exact distances
+///   (MeanOptions::isChecked) and with it;
+/// - the centers that move by more than 1e-9 of the diagonal under rotations of the mesh, about its
+///   middle and away from it, and under scale by a power of two. Those whose two energies differ by
+///   less than 1e-6 are ties, which have their own count. Also the greatest distance without ties,
+///   and the same for another order of vertices and faces;
+/// - milliseconds a center, without and with kept fields.
 ///
 ///   centers_study [--cases N] [--solver exact] [--list] [PART_OF_A_NAME | MESH.obj ...]
 ///
-/// --list prints to the error output what was moved that is no tie: the case, what moved it, how
-/// far, both statuses, and by which part the energy is higher there.
+/// --list prints each moved center that is no tie to the error output: the case, the
+/// transformation, the distance, both statuses, and the relative difference of the energies.
 namespace karcher {
 namespace {
 
@@ -64,7 +64,7 @@ struct Lower {
 struct Moved {
   int count = 0;
   int ties = 0;
-  double farthest = 0;  ///< a part of the diagonal
+  double farthest = 0;  ///< the longest move, as a part of the diagonal
 
   void take(double distance, bool isTie) {
     if (distance <= kMoved) return;
@@ -102,7 +102,7 @@ TriangleMesh movedMesh(const TriangleMesh& mesh, const Vec3& by, double scale) {
   return buildMesh(positions, mesh.faces);
 }
 
-/// The same point, by the index of its vertex if it lies at one.
+/// The point, by the index of its vertex if it lies at one.
 SurfacePoint byNumber(const TriangleMesh& mesh, const SurfacePoint& point) {
   const PointLocation location = locate(mesh, point);
   return location.simplex == Simplex::kVertex ? vertexPoint(mesh, location.vertex) : point;

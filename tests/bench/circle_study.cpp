@@ -12,8 +12,8 @@
 #include "mesh/shapes.h"
 
 /// The deviation of circles from equidistance: the exact distance from the center to points all
-/// along each, less the radius. Circles of n rational arcs by each method, and the isolines of the
-/// exact distance, interpolated and exact, as in the paper's section 5.
+/// along each circle, less the radius. The circles are those of n rational arcs by each method, and
+/// the isolines of the exact distance, interpolated and exact, as in the paper's section 5.
 ///
 ///   circle_study [MESH.obj ...]
 namespace karcher {

@@ -15,15 +15,12 @@
 #include "rcm/exact_minimum.h"
 #include "rcm/mean.h"
 
-/// How fast centers of mass on meshes of a smooth surface come to the true ones as the meshes get
-/// finer: the root of the mean square distance over random cases, in mean edges, and the order in
-/// the mean edge from one size to the next. Beside the methods:
-///
-/// - what the mesh itself allows: the minimum, near the true center, of the energy by exact
-/// distances
-///   of the mesh, whose smallest features a quadratic fit over a disk of .3, 1 and 2 mean edges
-///   smooths away. No estimator that is given distances on the mesh can be expected to do better
-///   than the best of these.
+/// The convergence of centers of mass on meshes of a smooth surface to the true ones: the root of
+/// the mean square distance over random cases, in mean edges, and the order in the mean edge from
+/// one size to the next. Beside the methods stand bounds of the mesh itself: the minimum, near the
+/// true center, of the energy by exact distances of the mesh, smoothed by a quadratic fit over a
+/// disk of .3, 1 and 2 mean edges. No estimator from distances on the mesh is likely to be better
+/// than the best of these.
 ///
 ///   convergence_study [--cases N] [--sizes N,N,...] [PART_OF_A_NAME]
 namespace karcher {

@@ -5,9 +5,9 @@
 #include "curves/curve.h"
 #include "generators/curve_shapes.h"
 
-/// The crossings of edges of uniform cubic B-splines (128 samples a segment, the fast solver):
-/// their number, the number of geodesics in their place, the cost of a crossing, and the distance
-/// from the edge's point at which the fields of the two faces end, in mean edges.
+/// The crossings of edges of uniform cubic B-splines (128 samples a segment, the fast solver): the
+/// number of crossings, the number of geodesics in their place, the cost of a crossing, and the
+/// distance in mean edges from the edge's point to the ends of the fields of the two faces.
 ///
 ///   crossing_study MESH.obj POINTS.txt [MESH.obj POINTS.txt ...]
 namespace karcher {

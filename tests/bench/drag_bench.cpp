@@ -87,7 +87,7 @@ void runPlan(ImportedMesh imported, const std::string& planPath, int levels) {
   const auto dragThere = [&](const SurfacePoint& place) {
     steps.push_back(processorTimed([&] { curve.dragPoint(kDragged, place); }));
   };
-  // This drags there and back, until `ms` have passed; it returns the first steps.
+  // Drags there and back until `ms` have passed, and returns the first steps.
   const auto drag = [&](double ms) {
     steps.clear();
     const double start = processorMilliseconds();

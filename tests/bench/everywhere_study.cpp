@@ -11,9 +11,9 @@
 #include "measures/allocations.h"
 #include "steadiness.h"
 
-/// The speed and the smoothness of the default curve on every mesh: cubic Bezier curves of random
-/// polygons at .05 to .3 of the bounding box's diagonal, drawn and dragged, beside the limit of
-/// subdivision with a new search for every path. A row a mesh and spacing.
+/// The speed and the smoothness of the default curve on every mesh, beside those of the limit of
+/// subdivision with a new search for every path. The curves are cubic Bezier curves of random
+/// polygons at .05 to .3 of the bounding box's diagonal. Each mesh and spacing has a row.
 ///
 ///   everywhere_study [OPTIONS] MESH ...
 ///
@@ -21,10 +21,10 @@
 ///   --polygons 12     random control polygons a spacing, each dragged once
 ///   --steps 20        steps a drag, each a tenth of a mean edge
 ///   --spacing 0.1     this spacing alone
-///   --seconds 0       no further polygon or step of a spacing after so long; 0 for no end
+///   --seconds 0       time for the polygons and steps of a spacing; 0 for no end
 ///   --seed 1
-///   --exact 20000     beside curves of exact distances on meshes of so many triangles at most
-///   --memory          what a curve at .3 takes and holds, in place of the table
+///   --exact 20000     most triangles of meshes with curves of exact distances
+///   --memory          memory of a curve at .3, in place of the table
 namespace karcher {
 namespace {
 
@@ -71,7 +71,7 @@ void addTrace(KindFigures& figures, const TracedCurve& traced) {
 
 /// The time after which a spacing stops.
 struct Deadline {
-  double at = kInfinity;  ///< in milliseconds
+  double at = kInfinity;  ///< the time in milliseconds
   bool isOver() const { return milliseconds() > at; }
 };
 

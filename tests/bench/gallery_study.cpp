@@ -12,11 +12,11 @@
 /// The solvers on the gallery of meshes that try them (generators/gallery.h), or on meshes of
 /// files. From 16 sources, half of them vertices, to all vertices:
 ///
-/// - the fast solver's worst and mean relative error against exact distances (straight ones where
-///   the mesh is flat), pairs off by more than 2 %, pairs below the straight line, and the most
-///   that a rotation of the mesh changes a distance;
-/// - of exact distances: pairs that no path joins, how far the two ways differ, and what a rotation
-///   changes;
+/// - for the fast solver: the worst and the mean relative error against exact distances (straight
+///   ones where the mesh is flat), the pairs off by more than 2 %, the pairs below the straight
+///   line, and the greatest change of a distance under a rotation of the mesh;
+/// - for exact distances: the pairs that no path joins, the difference of both ways, and the change
+///   under a rotation;
 /// - microseconds a vertex of both solvers.
 ///
 /// Lengths are parts of the bounding box's diagonal.
@@ -24,8 +24,7 @@
 ///   gallery_study [PART_OF_A_NAME | MESH.obj ...]
 ///   gallery_study --random COUNT
 ///
-/// The second form tries so many random rough sheets, and prints the errors of the fast solver
-/// there.
+/// The second form prints the errors of the fast solver on random rough sheets.
 namespace karcher {
 namespace {
 

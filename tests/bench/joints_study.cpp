@@ -19,11 +19,11 @@
 /// Catmull-Rom and B-spline curves with legs of .1 and .3 of the diagonal. At each joint of two
 /// pieces the study takes the curve's first and second derivatives from both sides, by cubics
 /// through four samples, and compares them. For comparison it does the same in the middle of
-/// pieces, where the curve is one center of mass. Cubics are exact on the plane. Derivatives are
-/// projected to the tangent plane of the surface.
+/// pieces, where the curve is one center of mass. Cubics are exact on the plane. The study
+/// projects derivatives to the tangent plane of the surface.
 ///
-/// With --memory the study instead measures the memory of a Bezier curve with legs of .3: what it
-/// takes and what it holds, on a ring tube of --triangles triangles or on meshes from files.
+/// With --memory the study instead measures the memory that a Bezier curve with legs of .3 takes
+/// and holds, on a ring tube of --triangles triangles or on meshes from files.
 ///
 ///   joints_study [--polygons 8] [--triangles 80000] [--memory] [SHAPE | MESH.obj ...]
 namespace karcher {
@@ -197,7 +197,7 @@ void study(const Options& options) {
     print(meshName(name), surface);
   }
   if (options.memory && options.names.empty()) {
-    // This mesh has any size, unlike those of the generators of uneven triangles.
+    // A ring tube has any size, unlike the meshes of the generators of uneven triangles.
     const int around = static_cast<int>(std::lround(std::sqrt(options.triangles / 4.0)));
     Surface surface(importMesh(ringTube(0.4, around, 2 * around)).mesh);
     print("ring tube", surface);

@@ -8,9 +8,9 @@
 #include "distance/edge_dijkstra.h"
 #include "peers/timed_field.h"
 
-/// The timings of a mesh and a B-spline on it, as one JSON object: the native twin of
-/// `karcher bench MESH.obj --points FILE --samples N`, whose help says what each number is. Medians
-/// of several runs, but for the graph.
+/// The timings of a mesh and a B-spline on it, as one JSON object: the native twin of `karcher
+/// bench MESH.obj --points FILE --samples N`, whose help explains each number. They are medians of
+/// several runs, except for the graph.
 namespace karcher {
 namespace {
 

@@ -11,10 +11,10 @@
 #include "mesh/mesh_import.h"
 #include "peers/timed_field.h"
 
-/// The growth of an edit's cost with the mesh: B-splines at several places of a mesh after LEVELS
-/// steps of Loop subdivision and after two steps less. Their points lie 4 % of the diagonal apart
-/// on the large mesh, and on the small one so far that the fields hold as many vertices as there.
-/// Each time is a median over the places. One JSON object.
+/// The growth of an edit's cost with the mesh, as one JSON object. B-splines lie at several places
+/// of a mesh after LEVELS steps of Loop subdivision and after two steps less. Their points are 4 %
+/// of the diagonal apart on the large mesh. On the small one they are so far apart that the fields
+/// hold as many vertices as there. Each time is a median over the places.
 ///
 ///   large_bench MESH.obj [LEVELS]      4 by default
 namespace karcher {

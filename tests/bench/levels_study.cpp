@@ -11,10 +11,10 @@
 #include "smooth_shapes.h"
 #include "steadiness.h"
 
-/// Whether the levels that a curve takes by itself lead to the curve of level 0 (Mancinelli,
-/// Puppo, Eq. 4) where that is safe: cubic Bezier curves of random polygons at .05 to .3 of the
-/// bounding box's diagonal on meshes of smooth surfaces, beside level 0 and beside the true curve
-/// on the smooth surface. A row a surface, size and spacing.
+/// The distance of curves with automatic levels from the curve of level 0 (Mancinelli, Puppo, Eq.
+/// 4) where that is safe, and from the true curve on the smooth surface. The curves are cubic
+/// Bezier curves of random polygons at .05 to .3 of the bounding box's diagonal. Each surface, size
+/// and spacing has a row.
 ///
 ///   levels_study [--polygons 200] [--triangles 20000,80000] [PART_OF_A_NAME]
 namespace karcher {
@@ -27,8 +27,7 @@ constexpr int kSamples = 65;
 /// The factor of the indices of samples in the comparison with the truth, which takes long on some
 /// surfaces.
 constexpr int kTruthEvery = 16;
-/// The turn, in degrees, beyond the limit of a level 0 that still counts as whole, if it has no
-/// bridge.
+/// The excess of the turn of level 0, in degrees, that still counts as whole without a bridge.
 constexpr double kLittleTurning = 3;
 
 /// The curve's points at even parameters.

@@ -9,8 +9,8 @@
 #include "rcm/mean.h"
 
 /// The cost of a center of mass of random points, on meshes of files or on a torus of this many
-/// triangles. A row is for a number of points and a part of the diagonal within which they lie. It
-/// has the processor's milliseconds (median and most, with the fields), the steps of a search
+/// triangles. Each row is for a number of points within a part of the diagonal. It has the
+/// processor time in milliseconds (median and most, with the fields), the steps of a search
 /// (median), and the share that converged.
 ///
 ///   means_study [--points N]... [--within PART]... [--solver exact] [--cases N] [--list]

@@ -11,10 +11,10 @@
 #include "intrinsic/straightest.h"
 #include "mesh/error.h"
 
-/// The deviation of offsets from their distance: along each line, at its points and between them,
-/// the exact distance from the curve less the offset's, as a part of it. The distance is that of
-/// the field of the curve, and at some points, without that field, the shortest of exact paths to
-/// points all along the curve.
+/// The deviation of offsets from their distance, as a part of it: the exact distance from the curve
+/// less the offset's, at the points of each line and between them. The exact distance is that of
+/// the curve's field. At some points it is the shortest of exact paths to points all along the
+/// curve.
 ///
 ///   offsets_study [MESH.obj ...]
 namespace karcher {
@@ -45,7 +45,7 @@ struct Row {
   int points = 0;
   double largest = 0;
   double sum = 0;
-  double otherwise = 0;  ///< by shortest paths
+  double otherwise = 0;  ///< the largest deviation by shortest paths
   double milliseconds = 0;
 };
 

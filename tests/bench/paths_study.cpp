@@ -10,12 +10,12 @@
 #include "intrinsic/straightest.h"
 
 /// Fast paths against the shortest ones by exact windows, for random pairs of points, .05 to .3 of
-/// the diagonal apart. And the cost of a crossing of an edge when a tight path is straightened
+/// the diagonal apart. Also the cost of a crossing of an edge when a tight path is straightened
 /// again, and when its end moves by a tenth of a mean edge. Times are the least of three.
 ///
 ///   paths_study [--pairs N] [--rough] MESH.obj ...
 ///
-/// After --rough a mesh is split 1 to 16, with noise of a tenth of a mean edge.
+/// --rough splits each following mesh 1 to 16, with noise of a tenth of a mean edge.
 namespace karcher {
 namespace {
 

@@ -7,18 +7,18 @@
 #include "curves/spec/bases.h"
 #include "peers/compared_curve.h"
 
-/// How far the splines of the peers are from the spline of exact log vectors, in mean edges, and
-/// what they cost:
+/// The distance in mean edges of the splines of the peers from the spline of exact log vectors, and
+/// the cost of each:
 ///
 ///   peers_study MESH.obj POINTS.txt [MESH.obj POINTS.txt ...]
 ///
-/// Uniform cubic B-splines of 16 samples a segment. The points are taken as they are, and moved to
-/// the nearest vertices, since geometry-central takes averages of vertices; then the reference is
-/// the spline of the moved points, and once more that of the points as they are. Beside vector heat
-/// stands the range of the medians of geometry-central's own splines on spot, rocker-arm,
-/// stanford-bunny and armadillo; that ours are those of that library, where control points are the
-/// same, peers_vector_heat_test and peers_log_map_mean_test check. There, on the bunny of npm, its
-/// own spline lies 0.17 off that of exact log vectors, and at most 0.38.
+/// The splines are uniform cubic B-splines of 16 samples a segment. Their points are the given
+/// ones, and also the nearest vertices, since geometry-central averages vertices. The reference for
+/// moved points is their own spline, and in another row that of the given points. Beside vector
+/// heat stands the range of the medians of geometry-central's own splines on spot, rocker-arm,
+/// stanford-bunny and armadillo. With equal control points ours are those of that library, as
+/// peers_vector_heat_test and peers_log_map_mean_test check. On the bunny of npm its spline lies
+/// 0.17 off that of exact log vectors, and at most 0.38.
 namespace karcher {
 namespace {
 

@@ -6,15 +6,15 @@
 #include "bench_support.h"
 #include "fuzz/polygon_fuzz.h"
 
-/// Random control polygons over the meshes in turn, each as curves of all kinds: faults, and the
-/// share of marked intervals by the points' spacing.
+/// Random control polygons over the meshes in turn, each as curves of all kinds: their faults, and
+/// the share of marked intervals for each spacing of points.
 ///
 ///   polygon_fuzz_study [--count N] [--seed S] [--spacing K] [--levels 0]
 ///                      MESH.obj [MESH.obj ...]
 ///
-/// Levels are 0 to 8 or auto; with levels the kinds that take them alone.
-/// Spacings take turns, unless one is given by its place in kSpacings: with the seed that a fault
-/// names and a count of 1 it shows that fault again.
+/// Levels are 0 to 8 or auto. With --levels only the kinds that have levels run. Spacings take
+/// turns unless --spacing gives the index of one in kSpacings. The seed of a fault, its spacing and
+/// a count of 1 show the fault again.
 namespace karcher {
 namespace {
 

@@ -12,9 +12,9 @@
 #include "mesh/mesh_import.h"
 #include "mesh/shapes.h"
 
-/// How far curves of some levels lie from the one of level 0 on smooth surfaces, as their control
-/// polygon shrinks by halves: by the third power of its size, down to the mesh's own error. And how
-/// far they lie from the Euclidean curve on the plane: by rounding.
+/// The distance of curves of some levels from the one of level 0 on smooth surfaces, as their
+/// control polygon shrinks by halves: it falls by the third power of the size, down to the mesh's
+/// own error. Also their distance from the Euclidean curve on the plane, which is rounding.
 ///
 ///   refinement_study [TRIANGLES]
 namespace karcher {

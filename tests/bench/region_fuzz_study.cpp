@@ -11,7 +11,7 @@
 ///
 ///   region_fuzz_study [--count N] [--seed S]
 ///
-/// With the seed that a fault names, a count of 1 and the surface's place shows it again:
+/// The seed of a fault, the surface's place and a count of 1 show the fault again:
 ///
 ///   region_fuzz_study --seed S --count 1 --surface K
 namespace karcher {

@@ -11,9 +11,9 @@
 #include "regions/cut.h"
 #include "regions/region.h"
 
-/// The time of cells, regions and cuts along random closed polygons on spheres and tori of 70,000
-/// and a million triangles, beside its limit: the least processor time of five (two), so that other
-/// programs do not count.
+/// The processor time of cells, regions and cuts along random closed polygons on spheres and tori
+/// of 70,000 and a million triangles, beside its limit. It is the least of five or two runs, which
+/// other programs disturb little.
 namespace karcher {
 namespace {
 

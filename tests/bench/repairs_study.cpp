@@ -1,5 +1,5 @@
-// Defects of meshes, alone and in pairs, on each built-in shape: what mends them, how long that
-// takes, whether points keep their place and distances reach all of a component. Prints Markdown.
+// Defects of meshes, alone and in pairs, on each built-in shape: their repairs, the time for these,
+// and whether points keep their place and distances reach all of a component. Prints Markdown.
 //
 //   repairs_study [TRIANGLES]
 #include <algorithm>

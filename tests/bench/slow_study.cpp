@@ -14,10 +14,9 @@
 #include "mesh/shapes.h"
 #include "rcm/mean.h"
 
-/// The processor's time that single calls take which meshes of up to 20,000 triangles make slow: a
-/// B-spline and a center of mass round a vertex of many faces, of needles too, and among spikes,
-/// isolines on needles, welding where many corners lie at one place, and centers of mass of many
-/// points.
+/// The processor time of single calls that meshes of up to 20,000 triangles make slow: a B-spline
+/// and a center of mass round a vertex of many faces, of needles too, and among spikes, isolines on
+/// needles, welding where many corners lie at one place, and centers of mass of many points.
 ///
 ///   slow_study [PART_OF_A_NAME]
 namespace karcher {

@@ -74,13 +74,13 @@ struct HandFigures {
   Array<double> ms;           ///< milliseconds of each step
   Array<double> allocations;  ///< allocations of each step
   std::map<std::string, Array<double>> stageMs;
-  Array<std::string> stages;  // in order
-  Array<Leap> leaps;          // in descending order
+  Array<std::string> stages;  // in the order of their occurrence
+  Array<Leap> leaps;          // the largest first
   double bridged = 0;         ///< the sum over the steps
   int lost = 0;
   /// The distance by which release moves the curve, as a part of its length, for each drag.
   Array<double> released;
-  /// The same from a draft to the curve of automatic levels; empty if the variant has no drafts.
+  /// The distance from a draft to the curve of automatic levels; empty without drafts.
   Array<double> releasedToAutomatic;
 };
 

@@ -10,7 +10,7 @@
 #include "plot.h"
 #include "steadiness.h"
 
-/// The steadiness of cubic Bezier curves whose neighbouring control points lie .05 to .3 of the
+/// The steadiness of cubic Bezier curves whose neighboring control points lie .05 to .3 of the
 /// bounding box's diagonal apart: their turning, their gaps, their stillness in a drag of a control
 /// point, and the time of a step of the hand.
 ///
@@ -22,17 +22,14 @@
 ///   --steps 100          steps a drag, each a tenth of a mean edge
 ///   --spacing 0.1        this spacing alone
 ///   --levels 0,1,2,3,4,auto,averages,limit
-///                        what is compared: levels up to 8, levels that fit, or the curve of
-///                        subdivision by the engine and by itself (steady_variants.h); the last one
-///                        is what the others are measured beside
+///                        variants: levels up to 8, automatic levels, or the subdivision curve by
+///                        the engine and by itself (steady_variants.h); the last is the reference
 ///   --seed 1
-///   --worst 0            so many of the farthest leaps are listed, by the numbers of the drag and
-///   of
-///                        its step
+///   --worst 0            number of the farthest leaps to list, by the indices of drag and step
 ///   --rough 4            on the meshes with every face cut into 4^2, as noisy scans (rough.h)
-///   --plots FOLDER       for pictures of the tables
-///   --reference FOLDER   which holds reference/bsurf/MESH.json: curves of another program, and the
-///                        control points that it names, to compare with
+///   --plots FOLDER       pictures of the tables
+///   --reference FOLDER   folder with reference/bsurf/MESH.json: curves of another program for
+///                        comparison, and their control points
 namespace karcher {
 namespace {
 

@@ -85,7 +85,7 @@ SteadyVariant refined(const std::string& name, int levels) {
       const int64_t allocations = allocationsSoFar();
       const double ms = processorTimed([&] {
         if (levels == 0) {
-          // This variant does not use legs.
+          // Level 0 does not use legs.
           curve->movePoint(i, place);
           return;
         }

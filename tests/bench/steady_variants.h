@@ -24,12 +24,12 @@ struct TracedCurve {
   int levels = 0;
   double bridged = 0;  ///< the part of the parameter over which the curve is no center of mass
   // Parts of the pieces.
-  double piecesSubdivided = 0;  // those that are replaced by their subdivision
-  double piecesBridged = 0;     // those with a bridge among the others
-  int lost = 0;                 ///< samples that neither converged nor lie on one of these
+  double piecesSubdivided = 0;  // the part replaced by its subdivision
+  double piecesBridged = 0;     // the part with a bridge among the others
+  int lost = 0;                 ///< samples that neither converged nor lie on such pieces
   double ms = 0;                // processor time of the step
   Array<StageTime> stages;
-  int64_t allocations = 0;  // those of the step of the hand
+  int64_t allocations = 0;  // allocations of the step
 };
 
 /// A curve during a drag.
@@ -38,8 +38,8 @@ struct HeldCurve {
   std::function<TracedCurve(int point, const SurfacePoint& place)> drag;
   /// Ends the drag and returns the final curve.
   std::function<TracedCurve()> release;
-  /// The same for a draft: the curve of automatic levels with the present legs. Empty for curves of
-  /// other programs.
+  /// Ends the drag of a draft and returns the curve of automatic levels with the present legs.
+  /// Empty for curves of other programs.
   std::function<TracedCurve()> releaseToAutomatic;
 };
 
@@ -47,7 +47,7 @@ struct SteadyVariant {
   std::string name;
   /// The cubic Bezier curve of these points.
   std::function<TracedCurve(Surface&, const Array<SurfacePoint>&)> trace;
-  /// Its largest angle at a joint of two pieces, in degrees.
+  /// The curve's largest angle at a joint of two pieces, in degrees.
   std::function<double(Surface&, const Array<SurfacePoint>&)> corner;
   /// Begins a drag.
   std::function<HeldCurve(Surface&, const Array<SurfacePoint>&)> hold;

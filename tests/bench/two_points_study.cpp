@@ -8,9 +8,9 @@
 #include "mesh/shapes.h"
 
 /// The center of mass of two points with weights 1 - w and w against the point at the fraction w of
-/// their exact shortest path, in mean edges: 50 random pairs, 5 to 20 % of the diagonal apart, 101
-/// values of w. Errors across the path come from the fields' directions, along it from their
-/// lengths.
+/// their exact shortest path, in mean edges. It takes 50 random pairs, 5 to 20 % of the diagonal
+/// apart, and 101 values of w. Errors across the path come from the fields' directions, those along
+/// it from their lengths.
 ///
 ///   two_points_study [MESH.obj ...]
 namespace karcher {

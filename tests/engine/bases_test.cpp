@@ -116,7 +116,7 @@ TEST(Bases, CatmullRomPassesThroughTheMiddlePointsWithTheSameTangent) {
   const Array<double> knots{0, 1, 1.5, 3};
   EXPECT_NEAR(catmullRomWeights(knots, 1)[1], 1, 1e-15);
   EXPECT_NEAR(catmullRomWeights(knots, 1.5)[2], 1, 1e-15);
-  // It reproduces quadratics in the knots' parameter.
+  // The basis reproduces quadratics in the knots' parameter.
   Array<double> squares;
   for (const double k : knots) squares.push_back(k * k);
   for (const double t : parameters()) {

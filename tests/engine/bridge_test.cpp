@@ -186,7 +186,7 @@ TEST(Bridge, EveryGapIsMarked) {
       double t1 = static_cast<double>(i + 1) / kLooks;
       CurvePoint from = at(t0);
       CurvePoint to = at(t1);
-      // This bisects towards the larger half; a step that stays long is a gap.
+      // The loop bisects towards the larger half; a step that stays long is a gap.
       while (converged(from) && converged(to) && t1 - t0 > 1e-10) {
         const double t = (t0 + t1) / 2;
         const CurvePoint middle = at(t);

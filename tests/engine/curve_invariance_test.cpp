@@ -217,7 +217,7 @@ struct Comparison {
   int curves = 0;
   int refined = 0;       // curves with levels
   int bridged = 0;       // curves that may differ: rounding makes bridges appear and vanish
-  int bridgedMoved = 0;  // those of them that do differ
+  int bridgedMoved = 0;  // curves of these that do differ
   double largest = 0;    // the largest change of the others, as a part of the diagonal
 
   void add(const Traced& here, const Traced& there, double diagonal) {

@@ -151,7 +151,7 @@ TEST(FieldSet, ADestroyedCurveLeavesNoMoreSparesThanTheOthersHold) {
   stays.set(large);
   stays.set(small);
   expectFew();
-  // Its fields with other options are spare, too.
+  // After a change of options the old fields are spare, too.
   Curve other(sets, large);
   CurveValue exact = small;
   exact.options.field = kExact;

@@ -178,7 +178,7 @@ TEST(CountStep, DistinguishesShiversFromPassages) {
   EXPECT_NEAR(figures.largestPassing, 0.9, 1e-2);
   countStep(figures, lineAt(0), lineAt(0.9), 0.1, 0.8);
   EXPECT_EQ(figures.beyond, 1);
-  // This adds another cause of a leap in the same step.
+  // The function adds another cause of a leap in the same step.
   DragFigures both;
   countStep(both, lineAt(0), lineAt(0.9), 0.1, 0.8, [] { return 0.2; });
   EXPECT_EQ(both.beyond, 0);

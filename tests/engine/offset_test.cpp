@@ -162,7 +162,7 @@ TEST(Offset, OfARectangleOnThePlane) {
     ASSERT_EQ(left.count(), 1);
     ASSERT_EQ(right.count(), 1);
     ASSERT_EQ(both.count(), 2);
-    // On the inside its corners stay, on the outside they are round.
+    // On the inside the path's corners stay, on the outside they are round.
     EXPECT_NEAR(left[0].length, around - 8 * d, 4e-3 * d);
     EXPECT_NEAR(right[0].length, around + 2 * kPi * d, 4e-3 * d);
     EXPECT_NEAR(lengthOf(both), left[0].length + right[0].length, 1e-9);
@@ -261,7 +261,7 @@ TEST(Offset, KeepsItsDistanceOnRoughSurfaces) {
       const auto lines = offsetLines(surface.geometry, {&path, 1}, d, OffsetSide::kBoth);
       const PathDistance field(surface.geometry, {&path, 1}, kInfinity);
       SCOPED_TRACE(std::string(name) + ", " + std::to_string(part));
-      // A path may come so near to the whole surface that no point is at the distance.
+      // A path may come so near to the whole surface that no point is as far away as `d`.
       double farthest = 0;
       for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
         farthest = std::max(farthest, field.at(vertexPoint(surface.mesh, v)).value);

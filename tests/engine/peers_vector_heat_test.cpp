@@ -33,7 +33,7 @@ TEST(VectorHeat, LogMapsAgreeWithAnIndependentLibrary) {
     for (Vec2 log; words >> log[0] >> log[1];) expected.push_back(log);
     ASSERT_EQ(expected.count(), (mesh.vertexCount() + 2) / 3);
     const auto toComplex = [](const Vec2& v) { return Complex(v.x(), v.y()); };
-    // This is the library's frame at the source, as the best fitting rotation.
+    // The sum gives the library's frame at the source, as the best fitting rotation.
     Complex sum = 0;
     for (int i = 0; i < expected.count(); ++i) {
       sum += toComplex(expected[i]) * std::conj(toComplex(logs[3 * i]));

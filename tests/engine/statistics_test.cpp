@@ -165,7 +165,7 @@ TEST(Statistics, OnATorusTheCenterFollowsAPointThatMovesInItsFace) {
   const double step = 1e-4 * geometry.meanEdge;
   for (int i = 0; i < points.count(); ++i) {
     for (int axis = 0; axis < 2; ++axis) {
-      // Where the center follows, the gradient of the energy stays.
+      // The gradient of the energy stays the same as the center follows.
       const auto gradientAt = [&](double length) {
         Array<SurfacePoint> others = points;
         others[i] = moved(points[i], length * Vec2::Unit(axis));

@@ -173,8 +173,8 @@ TEST(VariableOffset, MayEndInAPoint) {
   const auto lines = offsetLines(sheet.geometry, {&path, 1}, distances, OffsetSide::kBoth);
   ASSERT_EQ(lines.count(), 1);
   EXPECT_TRUE(lines[0].closed);
-  // The test measures chords in their middle: one past a sharp tip may be off by twice as much
-  // elsewhere.
+  // The test measures chords in their middle. Elsewhere a chord past a sharp tip may be off by
+  // twice as much.
   expectOnTheBorder(
       sheet.mesh, lines,
       [&](const SurfacePoint& point) {
@@ -248,8 +248,8 @@ TEST(VariableOffset, OfAGreatCircleIsTheEnvelopeOfCaps) {
   const auto lines = offsetLines(sphere.geometry, {&path, 1}, distances, OffsetSide::kLeft);
   ASSERT_EQ(lines.count(), 1);
   EXPECT_TRUE(lines[0].closed);
-  // From the equator geodesics set out at one angle: of its sine, and of its cosine backwards, the
-  // distance grows by .7 in half a turn.
+  // Along half of the equator the distance grows by .7. Geodesics to the border leave it at a
+  // constant angle, whose cosine is the growth per length, backwards.
   const double growth = 0.7 / kPi;
   const double rise = std::sqrt(1 - growth * growth);
   for (const SurfacePoint& point : lines[0].points) {

@@ -25,7 +25,7 @@ void expectSoundMesh(const ImportedMesh& imported) {
   expect(mesh.faceCount() > 0, "a mesh without faces");
   for (const Vec3& p : mesh.positions) expect(p.allFinite(), "a position that is not finite");
   expect(std::isfinite(boundingBoxDiagonal(mesh)), "a diagonal that is not finite");
-  // This throws if the faces form no surface.
+  // `buildMesh` throws if the faces form no surface.
   const TriangleMesh again = buildMesh(mesh.positions, mesh.faces);
   expect(again.twin == mesh.twin && again.onBoundary == mesh.onBoundary,
          "adjacency that is not that of the faces");

@@ -23,7 +23,7 @@ void open(std::string_view text, bool repair) {
         expectOnSurface(imported.mesh, toEngine(imported.numbering, imported.mesh, t, bary));
       } catch (const Error& error) {
         expect(error.code() == ErrorCode::kBadIndex,
-               error.what());  // it lies apart from all others
+               error.what());  // the triangle is not part of the mesh
       }
     }
   } catch (const Error& error) {

@@ -90,7 +90,7 @@ Array<Seed> repairsSeeds() {
 }
 
 Array<Seed> curveSeeds() {
-  // Random numbers are points, kinds and edits as good as any: the meshes are what matters.
+  // Any random bytes serve as points, kinds and edits: only the meshes matter.
   Random random(1);
   Array<Seed> seeds;
   for (int i = 0; i < 48; ++i) {

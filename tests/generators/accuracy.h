@@ -43,7 +43,7 @@ struct Accuracy {
   double diagonal = 0;
 };
 
-/// The accuracy of the engine's curve with some levels; in place of lost samples, of its bridges.
+/// The accuracy of the engine's curve with some levels. Bridges stand in place of lost samples.
 Accuracy measureAccuracy(AccuracyCase& example, const FieldOptions& options, int levels = 0);
 
 /// The accuracy of a curve's samples, segment by segment; only converged ones count.

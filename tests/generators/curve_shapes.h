@@ -9,7 +9,7 @@ namespace karcher {
 /// Every kind, open and closed if possible, with uneven weights and betas for that many points.
 Array<CurveShape> everyShape(int points);
 
-/// Options that make each segment one center of mass, whether or not that is safe.
+/// Options that make each segment one center of mass, even where that is unsafe.
 CurveOptions ofLevelZero(const CurveShape& shape, int samples, const FieldOptions& field,
                          double tolerance = 0);
 

@@ -141,8 +141,8 @@ int DefectiveMesh::add(Defect defect, int count) {
   return added;
 }
 
-/*  The face f and the one across its first edge: that one is cut in the middle of the edge, at m,
-   and the triangle a, b, m fills the gap. */
+/// Cuts the face across the first edge of face f in the edge's middle m, and fills the gap by a
+/// triangle a, b, m.
 void DefectiveMesh::putOnALine(int f) {
   const int h = 3 * f;
   const int across = mesh_.twin[h];

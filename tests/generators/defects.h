@@ -18,7 +18,7 @@ enum class Defect {
   kFin,              ///< a third face on an edge
   kBowTie,           ///< a tetrahedron that touches the surface at a vertex
   kShortEdge,        ///< two vertices at 1e-16 of the diagonal, with an edge
-  kNotANumber,       ///< a vertex that is not finite, and that no face uses
+  kNotANumber,       ///< a vertex that is not finite, outside all faces
   kSeams,            // separate vertices for every triangle, moved by 1e-9 of the diagonal
 };
 
@@ -36,7 +36,7 @@ Repair::Kind repairOf(Defect defect);
 
 class DefectiveMesh {
  public:
-  /// A closed mesh without defects is the start.
+  /// Starts with a closed mesh without defects.
   DefectiveMesh(TriangleSoup sound, uint64_t seed);
 
   /// Inserts up to `count` defects of one kind, apart from all others, and returns their number,
@@ -47,7 +47,7 @@ class DefectiveMesh {
   const TriangleSoup& soup() const { return soup_; }
 
  private:
-  /// A vertex with untouched faces, which the call marks as touched; -1 if none remains.
+  /// A vertex with untouched faces, which this call marks as touched; -1 if none remains.
   int takeVertex();
   /// An untouched face with such a vertex, rotated so that the vertex comes first.
   int takeFace();

@@ -3,7 +3,7 @@
 #include "mesh/triangle_soup.h"
 
 /// Surfaces that unroll onto the plane: prisms and pyramids of many sides. Their side lines are
-/// edges of the mesh, so that the mesh itself is flat but for a cone's apex.
+/// edges of the mesh, so that the mesh itself is flat except at a cone's apex.
 namespace karcher {
 
 struct FlatCylinder {

@@ -13,7 +13,7 @@ namespace karcher {
 struct GalleryMesh {
   std::string name;
   TriangleSoup soup;
-  /// Whether it is a convex piece of a plane: distances are then straight.
+  /// Whether the mesh is a convex piece of a plane, where distances are straight.
   bool isFlat = false;
 };
 

@@ -92,7 +92,7 @@ TriangleSoup marchTetrahedra(const std::function<double(const Vec3&)>& function,
 
 TriangleSoup marchedSphere(int triangles) {
   constexpr double kRadius = 0.8;
-  constexpr double kTrianglesPerSquare = 17.9;  // of a side of the grid
+  constexpr double kTrianglesPerSquare = 17.9;  // for each side of the grid
   const int cubes = static_cast<int>(std::lround(std::sqrt(triangles / kTrianglesPerSquare))) - 1;
   TriangleSoup soup = marchTetrahedra([](const Vec3& x) { return x.norm() - kRadius; }, cubes);
   for (Vec3& p : soup.positions) p.normalize();

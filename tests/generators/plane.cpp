@@ -90,7 +90,7 @@ TriangleSoup tessellatedPlane(PlaneTessellation tessellation, int triangles, uin
       soup.triangles = gridTriangles(grid.columns, grid.rows, [](int, int) { return true; });
       break;
     case PlaneTessellation::kStretchedRandom:
-      // With a jitter under a quarter every cell stays convex.
+      // A jitter under a quarter keeps every cell convex.
       points = grid.vertices(0.2, random);
       soup.triangles =
           gridTriangles(grid.columns, grid.rows, [&](int, int) { return random.uniform() < 0.5; });

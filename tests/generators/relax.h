@@ -4,8 +4,8 @@
 
 namespace karcher {
 
-/// The area-weighted mean, for each vertex, of its triangles' centroids. A move there makes the
-/// tessellation more even (a step towards a centroidal one).
+/// The area-weighted mean, for each vertex, of its triangles' centroids. A move of the vertices
+/// there makes the tessellation more even (a step towards a centroidal one).
 inline Array<Vec3> meanCentroids(const TriangleSoup& soup) {
   Array<Vec3> sum(soup.positions.size(), Vec3::Zero());
   Array<double> area(soup.positions.size(), 0);

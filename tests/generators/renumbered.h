@@ -5,12 +5,12 @@
 
 namespace karcher {
 
-/// A mesh with vertices and faces in another order, and each face starting at another corner.
+/// A mesh with its vertices and faces in another order, and another first corner in each face.
 struct Renumbered {
   TriangleMesh mesh;
-  Array<int> newFace;    // by the face's old index
-  Array<int> oldFace;    // by its new index
-  Array<int> rotations;  // by its new index: the corner that comes first
+  Array<int> newFace;    // the new index for each old one
+  Array<int> oldFace;    // the old index for each new one
+  Array<int> rotations;  // the corner that comes first, for each new index
 
   /// Converts a point of the old mesh to this one.
   SurfacePoint at(const SurfacePoint& point) const;

@@ -8,7 +8,7 @@ namespace karcher {
 /// The convex hull of random points, uniform by area.
 TriangleSoup randomSphere(int triangles, uint64_t seed);
 
-/// The same after the points moved apart: isotropic and irregular.
+/// The same sphere after its points moved apart: isotropic and irregular.
 TriangleSoup relaxedSphere(int triangles, uint64_t seed);
 
 /// A jittered grid of longitudes and latitudes, cut by random diagonals, with a vertex at each

@@ -25,7 +25,7 @@ struct Rectangle {
 
 /// Points of the plane that represent points of the torus: the whole rectangle and a margin.
 struct Unrolled {
-  Array<Vec2> points;  ///< first those of the rectangle itself
+  Array<Vec2> points;  ///< the points of the rectangle itself come first
   Array<int> original;
 };
 
@@ -52,8 +52,8 @@ Unrolled unroll(const Rectangle& rectangle, const Array<Vec2>& points) {
   return result;
 }
 
-/// Of the copies of each triangle, the one whose corner with the smallest index lies in the
-/// rectangle itself; corners have their indices in `unrolled`.
+/// The copy of each triangle whose corner with the smallest index lies in the rectangle itself.
+/// Corners have their indices in `unrolled`.
 Array<Triangle> periodicDelaunay(const Unrolled& unrolled, int count) {
   Array<Triangle> result;
   for (const Triangle& t : delaunay(unrolled.points)) {

@@ -9,10 +9,10 @@ namespace karcher {
 /// The number of allocations of the program so far.
 int64_t allocationsSoFar();
 
-/// The number of bytes it has taken so far, including freed ones.
+/// The number of bytes that the program has taken so far, including freed ones.
 int64_t bytesTakenSoFar();
 
-/// The number of bytes it holds now.
+/// The number of bytes that the program holds now.
 int64_t bytesHeld();
 
 }  // namespace karcher

@@ -35,8 +35,8 @@ class BoxTree {
     double squaredDistance = kInfinity;
   };
 
-  /// The nearest item. `squaredDistance` returns the squared distance between an item, by its
-  /// index, and q. `best` is the result so far, and of the search if no item is nearer.
+  /// The nearest item, or `best`, the result so far, if no item is nearer. `squaredDistance`
+  /// returns the squared distance between an item, by its index, and q.
   template <class SquaredDistance>
   Nearest nearest(const Vec3& q, const SquaredDistance& squaredDistance, Nearest best) const {
     open(0, nodes_[0].box.squaredDistance(q), q, squaredDistance, best);

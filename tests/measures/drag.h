@@ -41,7 +41,7 @@ struct DragFigures {
   int passing = 0;
   /// The largest of their leaps, as a part of what the passages allow.
   double largestPassing = 0;
-  int beyond = 0;  // those among them that leapt farther
+  int beyond = 0;  // steps of these with a larger leap
 
   double shiverShare() const { return steps > 0 ? static_cast<double>(shivers) / steps : 0; }
   double beyondShare() const {

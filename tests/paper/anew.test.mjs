@@ -74,7 +74,7 @@ describe('saved numbers', { skip: !long }, () => {
     const where = `--save writes it anew: ${differing.length} differ`;
     assert.deepEqual(differing.slice(0, 10), [], where);
     for (const { id, verdict } of now.claims) {
-      // It needs a quiet machine, or meshes outside the project.
+      // The row needs a quiet machine, or meshes outside the project.
       if (['open', 'not measured here'].includes(verdict)) continue;
       const before = saved.claims.find((claim) => claim.id === id);
       if (before.verdict !== 'open') assert.equal(verdict, before.verdict, id);

@@ -1,5 +1,5 @@
-// Every number in a caption equals that of its figure, or comes from the saved report, and none is
-// left unchecked.
+// Every number in a caption equals that of its figure, or comes from the saved report; a number
+// without a check fails.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { before, test } from 'node:test';
@@ -16,7 +16,7 @@ before(async () => {
   lab = new Lab(await loadPeers());
 });
 
-/** Each line that is named after k has that k. */
+/** Each line with k in its name has that k. */
 function rings(figure, texts) {
   for (const [, k] of texts) {
     const named = figure.panels.flatMap(({ lines }) => lines.filter((id) => id.endsWith(k)));
@@ -87,7 +87,7 @@ const rules = [
     },
   },
   {
-    // The text gives both of the paper's values, and one is drawn.
+    // The text of the paper has two values, one of which the figure draws.
     text: /of β it says (\d+\.\d+) in its text and 1\/4 in its caption, here it is (\d+\.\d+)/g,
     check(figure, [[, paper, here]]) {
       assert.equal(here, paper);

@@ -47,7 +47,7 @@ describe('claims', () => {
     const report = JSON.parse(readFileSync(inRoot('docs/paper-report.json'), 'utf8'));
     assert.match(report.date, /^\d{4}-\d{2}-\d{2}$/);
     for (const key of ['machine', 'version']) assert.ok(report[key].length > 3, key);
-    // Times of a busy machine are marked.
+    // The report marks the times of a busy machine.
     assert.match(report.machine, /, load \d+\.\d$/);
     assert.ok(Number.isInteger(report.seed));
     const asNow = ({ id, where, claim, figure }) => ({ id, where, claim, figure });
@@ -97,7 +97,7 @@ describe('numbers older than the code that they judge', () => {
     const { isOlder } = await load('claims/saved.ts');
     const build = { version: '1.0.0 abc', sources: '12' };
     assert.equal(isOlder({ version: '1.0.0 abc', sources: '12' }, build), false);
-    // Commits that do not change the sources make nothing older.
+    // Commits that leave the sources unchanged make nothing older.
     assert.equal(isOlder({ version: '0.9.0 def', sources: '12' }, build), false);
     assert.equal(isOlder({ version: '1.0.0 abc', sources: '34' }, build), true);
     assert.equal(isOlder({ version: '1.0.0 abc' }, build), false);

@@ -32,7 +32,7 @@ async function computed(id) {
 
 /**
  * The lines of a panel as the page has them, {line id: result}, without measurements by exact
- * paths: these take longest, and are not needed here.
+ * paths, which take longest and are unnecessary here.
  */
 async function shown(panel, points, ids) {
   const lines = {};
@@ -65,16 +65,14 @@ function near(line, { median = Infinity, max = Infinity, lost = 0 }) {
   return line;
 }
 
-/**
- * Checks that a reference is near the centers of mass, and does not claim to be nearer than it is.
- */
+/** Checks that a reference is near the centers of mass, but not exactly there. */
 function honest(line) {
   const { residual, energy } = good(line).ruler;
   assert.ok(residual.median > 0 && residual.median < 0.05, `${residual.median}`);
   assert.equal(energy.excess, 0);
 }
 
-// Deviations are in mean edges; the bounds are about twice what the methods reach.
+// Deviations are in mean edges. The bounds are about twice the deviations of the methods.
 describe('figures', () => {
   test('means: all methods find about the same center, on the plane ours finds the average', async () => {
     const { torus, plane } = await computed('means');
@@ -222,7 +220,7 @@ describe('figures', () => {
         return Math.min(...distances);
       };
       const on = line === equal.karcher ? [points[0], points[3]] : points;
-      // The mesh deviates from the torus by this much.
+      // The mesh is this close to the torus.
       for (const place of on) assert.ok(away(place) < 0.01, `${line.id}: ${away(place)}`);
     }
     const places = ([line]) => line.slice(0, 3);
@@ -240,7 +238,7 @@ describe('figures', () => {
     // The linear one has a kink at every edge.
     assert.ok(isolineLinear.turningNoise > circle.circleArcs.turningNoise);
     assert.equal(isolineExact.turningNoise, 0);
-    // Each has one closed line.
+    // Each circle has one closed line.
     for (const { polylines } of [isolineLinear, isolineExact]) {
       assert.equal(polylines.length, 1);
       assert.deepEqual(polylines[0].slice(0, 3), polylines[0].slice(-3));
@@ -262,7 +260,7 @@ describe('figures', () => {
       for (const id of ['weightedAverages', 'bSurf', 'bridged', 'leveled']) {
         assert.equal(good(panel[id]).lost, 0, id);
       }
-      // The bridge takes the better one of the centers to which both ends lead, by exact paths,
+      // The bridge takes the better of the two centers to which its ends lead, by exact paths,
       // without a reference.
       const [bridged, own] = [panel.bridged, panel.karcher].map(({ ruler }) => ruler);
       assert.ok(bridged.energy.median <= own.energy.median, JSON.stringify([bridged, own]));
@@ -293,7 +291,7 @@ describe('figures', () => {
     const report = JSON.parse(readFileSync(inRoot('docs/paper-report.json'), 'utf8'));
     for (const [id, { sharpestTurn }] of Object.entries(now)) {
       const saved = report.panels['far/bezier'].find((line) => line.id === id).sharpestTurn;
-      // It is stored with four digits.
+      // The report stores it with four digits.
       assert.ok(Math.abs(saved.degrees - sharpestTurn.degrees) < 0.06, `${id}: ${saved.degrees}`);
       assert.ok(Math.abs(saved.t - sharpestTurn.t) < 6e-4, `${id}: ${saved.t}`);
     }

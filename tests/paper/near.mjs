@@ -1,13 +1,13 @@
-// Compares new measurements with saved ones.
+// Comparisons of new measurements with saved ones.
 
-/** Fields that depend on a clock or the machine, and words made of the numbers. */
+/** Fields that depend on a clock or the machine, and texts that contain the numbers. */
 const apart =
   /ms$|memory|^(date|machine|version|sources|load|seconds|measured|on|reason|most|renewed)$/i;
 
 /**
- * Whether two numbers agree. Other compilers round differently: searches that nearly fail may
- * succeed, and values near 0 change. So two per cent, three per cent of a count, and rounding are
- * no difference.
+ * Whether two numbers agree up to two per cent, or three per cent of a count, and rounding. Other
+ * compilers round differently, so that searches that nearly fail may succeed, and values near 0
+ * change.
  */
 export function isNear(a, b) {
   if (typeof a !== 'number' || typeof b !== 'number') return a === b;
@@ -17,8 +17,8 @@ export function isNear(a, b) {
 }
 
 /**
- * The paths at which two values of numbers, lists and objects differ; times and similar fields are
- * left out.
+ * The paths at which two values of numbers, lists and objects differ, except times and similar
+ * fields.
  */
 export function differences(now, saved, path = '') {
   if (now === null || saved === null || typeof now !== 'object' || typeof saved !== 'object') {

@@ -77,7 +77,7 @@ test('page, command line and brute force agree to 1e-9 h', async () => {
     }
     near(onPage.energy.excess, inCli.energy.excess, 'excess');
     assert.equal(compared.methods[method].lost, lost, method);
-    // Lost samples are not measured.
+    // The ruler does not measure lost samples.
     if (lost === 0) assert.equal(brute.residual.length, 33, method);
   }
   mesh.dispose();
@@ -158,12 +158,12 @@ test('compare reports the solver of distances, and what was left out', () => {
     if (name === 'descent') continue;
     assert.ok(deviation.samples <= all - lost, name);
     assert.ok(lostByOwnRule <= lost, name);
-    // A curve that lost half of its samples is not dragged.
+    // A curve that lost half of its samples has no drags.
     assert.equal(drag?.steps, lost > all / 2 ? undefined : 20, name);
     if (!drag) continue;
     assert.ok(drag.leaps <= drag.steps && (drag.most > 5 || drag.leaps === 0), name);
     assert.equal(logMaps !== null, /Heat/.test(name), name);
   }
-  // The method searches: it evaluates far more log maps than there are vertices on its way.
+  // A search evaluates far more log maps than it passes vertices.
   assert.ok(methods.vectorHeat.logMaps.asked > 2 * methods.vectorHeat.logMaps.made);
 });

@@ -1,4 +1,4 @@
-// The measurements of a figure do not depend on what else the figure shows.
+// The measurements of a figure do not depend on the figure's other lines.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { loadPeers } from 'karcher/peers';
@@ -36,7 +36,7 @@ test('every method has a mesh of its own, and was run before on a small one', as
     const [first] = prepared.filter((one) => one.key === key);
     assert.ok(first.triangles < 1_000, key);
   }
-  // Each method was prepared once.
+  // The scene has prepared each method once.
   const count = prepared.length;
   await scene.method(lineStyles.paper.options, {});
   assert.equal(prepared.length, count);

@@ -83,7 +83,7 @@ describe('the table on a page', () => {
     ({ TableClient } = await load('table/client.ts'));
   });
 
-  /** A table of two rows, the workers it started and the cells it has. */
+  /** A table of two rows, the workers that it started, and its cells. */
   function started(budgetMs) {
     const workers = [];
     const cells = [];
@@ -123,7 +123,7 @@ describe('the table on a page', () => {
     workers[1].tell({ result: undefined });
     await settled();
     assert.equal(workers[1].jobs[1].rows[0].id, second);
-    // The mesh is missing: no method can be measured.
+    // The mesh is missing, so that no method can run.
     workers[1].tell({ failure: { message: 'no such mesh', fatal: false } });
     await settled();
     assert.equal(ends(), 1);
@@ -263,12 +263,12 @@ test('the report names every figure and every line', async () => {
     assert.ok(text.includes(`## ${name}: ${title}`));
     for (const panel of panels) assert.ok(text.includes(`### ${panel.title}, `));
   }
-  // Five numbers, first those by exact paths, then the counts; the default stands beside level 0.
+  // Five numbers, with those by exact paths first, precede the counts, in a row beside level 0.
   const row = (name) =>
     new RegExp(`\\| ${name} \\| (?:[^|]+ \\| ){5}0 of 15 \\| 0 \\| 0 \\| [^|]+ \\| – \\|`);
   assert.match(text, /\| {2}\| residual h \| energy − reference’s h² \| median h \|/);
   for (const name of ['Karcher, level 0', 'Karcher, default']) assert.match(text, row(name));
-  // The measurements that the claims depend on.
+  // The claims depend on these measurements.
   const karcher = panels['plane/grid'].find(({ id }) => id === 'karcher');
   assert.ok(karcher.ruler.residual.median < 1e-9);
   assert.equal('polylines' in karcher, false);

@@ -17,7 +17,7 @@ test('on a flat star a vector is unchanged in space', () => {
   for (let t = 0; t < star.ring.length; t++) {
     const { rotation, defect } = transportInto(star, t);
     assert.ok(Math.abs(defect) < 1e-12);
-    // The frame of v begins at neighbour 0, that of the face at neighbour t.
+    // The frame of v begins at neighbor 0, that of the face at neighbor t.
     const [x, y] = star.ring[t];
     const angle = Math.atan2(y, x) - Math.atan2(star.ring[0][1], star.ring[0][0]);
     assert.ok(apart(rotation, -angle) < 1e-12, `face ${t}`);

@@ -1,4 +1,4 @@
-// Verdicts follow from the numbers: each rule is tested on invented lines.
+// Verdicts follow from the numbers: a test of each rule on invented lines.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { load } from './load.mjs';

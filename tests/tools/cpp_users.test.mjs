@@ -1,6 +1,6 @@
 // Karcher in the CMake projects of C++ users: as a folder, fetched and installed. The program is
-// that of docs/cpp.md. It is linked and run only with the installed library, whose engine is
-// compiled already.
+// that of docs/cpp.md. The test links and runs it only with the installed library, whose engine is
+// already compiled.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import {
@@ -82,7 +82,7 @@ describe('a C++ project', { concurrency: true }, () => {
     )?.command;
 
   /**
-   * Checks a project that compiles the engine: the flags, that it builds no other target, and that
+   * Checks a project that compiles the engine: the flags, the absence of other targets, and that
    * the program compiles.
    */
   const checkWithEngine = async (name) => {

@@ -1,4 +1,4 @@
-// The package and the page name the work of others with its terms.
+// The package and the page name the works of others, with their terms.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';

@@ -114,7 +114,7 @@ test('a part that touches itself at a point is read unchanged', async () => {
     const { parts } = await printed('cut', meshName, '--curve', file, '--out', out);
     assert.equal(parts.length, 3);
     const mesh = await fileRead(parts[0].file, 'safe');
-    // STL has no vertices.
+    // Corners of an STL file have no indices that would keep them apart.
     const expected = [format === 'stl' ? 'bowTie' : 'keptApart'];
     assert.deepEqual(
       mesh.info.repairs.map(({ kind }) => kind),

@@ -84,7 +84,7 @@ test('rows over several lines are read, and extra values in a row of one line ar
     longer.file.notRead[0],
     /^Numbers beyond those of the header were left out, in 2 rows\.$/,
   );
-  // Both values in one row: a number is missing.
+  // Both errors are in one row, where a number is missing.
   await assert.rejects(open(ply('0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n', ['x', 'y', 'z'])), {
     code: 'badFile',
     message: 'line 10 ends where there must be a coordinate',

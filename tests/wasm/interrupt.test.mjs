@@ -77,7 +77,7 @@ test('an endless call is interrupted, and all objects are unchanged', minutes, a
     await assert.rejects(gone.points(), { code: 'disposed' });
     await gone.dispose();
   }
-  // They stay as they are: on a separate mesh the same edit leads to the same curve.
+  // Objects are unchanged: on a separate mesh the same edit leads to the same curve.
   await first.movePoint(0, { vertex: 40 });
   const other = await karcher.meshFromObj(text);
   const anew = await other.curve(await first.value());

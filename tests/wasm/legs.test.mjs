@@ -21,7 +21,7 @@ function drawnOut(options) {
   return curve;
 }
 
-/** The same with two points; `length` exceeds one turn round the tube. */
+/** A polyline of two points after a drag by a length of more than one turn round the tube. */
 function around(length) {
   const line = torus.curve({ kind: 'polyline', points: [start, start], samples: 9 });
   for (let step = 1; step <= 50; step++) line.dragPoint(1, along((step * length) / 50));

@@ -108,7 +108,7 @@ test('memory is filled completely, and the program continues', async () => {
   for (const vertices of [4_000_000, 300_000, 20_000]) fill(vertices);
   const full = karcher.allocatedBytes();
   assert.ok(full > 4e9, `${full} bytes are in use`);
-  // Each call returns its usual result, or has no room; each round leaves it a little more.
+  // Each call returns its usual result or fails for lack of memory; each round leaves more.
   let refused = 0;
   for (let round = 0; round < 6; round++) {
     for (const [i, call] of calls.entries()) {

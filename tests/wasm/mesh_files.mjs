@@ -20,7 +20,7 @@ export const box = {
   ],
 };
 
-/** The same box of triangles. */
+/** The box with triangles. */
 export const cutBox = {
   positions: box.positions,
   faces: box.faces.flatMap(([a, b, c, d]) => [

@@ -40,8 +40,7 @@ const turns = (corners) => {
 };
 
 /**
- * The set within a distance of a closed polygon, with corners of a kind, as polygons whose union it
- * is.
+ * Polygons whose union is the set within a distance of a closed polygon, with a kind of corners.
  */
 function strips(corners, distance, kind, limit) {
   const count = corners.length;

@@ -184,7 +184,7 @@ describe('the paper’s authors', () => {
     const ring = await traced(mesh, plan, { ...authors, star: 'ring' });
     assert.deepEqual(wide, await traced(mesh, plan, authors));
     assert.notDeepEqual(wide.position, ring.position);
-    // On the plane's regular grid both are exact.
+    // On the plane's regular grid both stars are exact.
     const flat = await traced(plane, peers.plan(points, 5), { ...authors, star: 'ring' });
     const expected = await traced(plane, peers.plan(points, 5), { method: 'karcher' });
     for (let i = 0; i < 3 * flat.count; i++) {
@@ -279,7 +279,7 @@ test('a leap is counted, a bend is not', () => {
   assert.equal(breaks(row([0, 0.5, 1.5, 4, 9, 11.5, 12.5])), 0);
   const lost = ['converged', 'converged', 'noProgress', 'converged', 'converged', 'converged'];
   assert.equal(breaks(row([0, 0.1, 9, 0.3, 0.4, 0.5], lost)), 0);
-  // A step between lost samples has no neighbour to compare with, and one beside them only one.
+  // A step between two lost samples has no neighbor for a comparison; a step beside them has one.
   const around = lost.with(5, 'noProgress');
   assert.equal(breaks(row([0, 0.1, 9, 3, 8, 20], around)), 0);
   assert.equal(breaks(row([0, 0.1, 9, 3, 3.1, 8], lost)), 1);

@@ -71,7 +71,7 @@ for (const [name, [from, to, cost]] of Object.entries(changes)) {
     assert.ok(curve.fieldsComputed - made <= cost, `${curve.fieldsComputed - made} fields`);
     const anew = otherMesh.curve({ ...plain, ...to });
     assert.deepEqual(shown(curve), shown(anew));
-    // Its value leads to the same curve again.
+    // The curve's value leads to the same curve again.
     const again = otherMesh.curve(curve.value());
     assert.deepEqual(shown(again), shown(anew));
     const before = curve.fieldsComputed;

@@ -101,7 +101,7 @@ test('a killed worker rejects all calls, under way or later', {
   await assert.rejects(waiting, { code: 'internal' });
   await assert.rejects(mesh.positions(), { code: 'internal' });
   assert.equal(told.code, 'internal');
-  // Another worker replaces it.
+  // Another worker replaces the lost one.
   const next = await loadForTest(t);
   assert.equal((await next.shape('sphere', 1000)).info.genus, 0);
 });

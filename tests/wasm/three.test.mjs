@@ -359,7 +359,7 @@ for (const [where, loadEngine] of Object.entries(engines)) {
       ]);
       return [...array.slice(0, 3), ...ends.flat()];
     };
-    /** The same curve by the facade; with `moved` after a step of a drag to these points. */
+    /** The facade's curve of a value, with `moved` after a step of a drag to these points. */
     const expected = (value, moved) => {
       const { mesh } = surfaceFromGeometry(karcher, new THREE.TorusGeometry(1, 0.4, 16, 48));
       const curve = mesh.curve(value);

@@ -99,8 +99,8 @@ for (const [name, [geometry, boundaryLoops, genus]] of Object.entries(geometries
 }
 
 test('paths across seams have the right length', () => {
-  // The polygon of `sides` sides has two edges between the ends: beside the vertex between them a
-  // path may be shorter, but not than the chord.
+  // The ends are two edges of the polygon of `sides` sides apart. A path beside the vertex between
+  // may be shorter than these edges, but not than the chord.
   const isOverTwoEdges = (length, radius, sides) => {
     const edges = 4 * radius * Math.sin(Math.PI / sides);
     const chord = 2 * radius * Math.sin((2 * Math.PI) / sides);

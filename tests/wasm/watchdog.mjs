@@ -8,7 +8,7 @@ import { seed } from '../web/part.mjs';
 const longest = 60_000;
 const mostBytes = 2 ** 16;
 
-/** Returns a function to call with the bytes of a case that begins, or with null after one. */
+/** Returns a function that takes the bytes of each case before it, and null after it. */
 export function watchdog(test) {
   // The number of beginnings and ends, whether a case runs, and the length of its bytes.
   const state = new Int32Array(new SharedArrayBuffer(12));

@@ -64,7 +64,7 @@ test('other programs read the same colors', async () => {
   const { scene } = await new GLTFLoader().parseAsync(meshFile(marked, 'glb').buffer, '');
   assert.equal(scene.children.length, 2);
   const glb = scene.children[0].geometry.getAttribute('color');
-  // Both are in linear light; one of them has bytes.
+  // Both programs return linear light, one of them in bytes.
   for (let i = 0; i < glb.count; i++) {
     for (const axis of ['getX', 'getY', 'getZ']) {
       assert.ok(Math.abs(ply[axis](i) - glb[axis](i)) < 1 / 255, `${axis} of vertex ${i}`);

@@ -1,4 +1,4 @@
-// The context menu aligns objects and points on a geodesic; a click of the eyedropper takes a look.
+// Objects and points aligned by the context menu, and looks copied by the eyedropper.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -23,7 +23,7 @@ describe('aligning', () => {
   const lengthOf = (v) => Math.hypot(...v);
 
   /**
-   * The distance of a point from the line through two others, and its place along it, from 0 to 1.
+   * The distance of a point from the line through two others, and its parameter along that line.
    */
   function onLine(point, from, to) {
     const [way, off] = [minus(to, from), minus(point, from)];
@@ -49,7 +49,7 @@ describe('aligning', () => {
     await tab.page.getByRole('menuitem', { name, exact: true }).click();
   }
 
-  /** Waits until the drawing has changed and is shown. */
+  /** Waits until the drawing has changed and the page shows it. */
   async function changed(tab, before) {
     await tab.page.waitForFunction(
       (text) => JSON.stringify(window.karcherPage.state().drawing) !== text,
@@ -108,7 +108,7 @@ describe('aligning', () => {
     const tab = await Tab.open(browser, 'mesh=plane:fair:400&kind=polyline');
     await tab.click([-170, 60], [-60, -70], [50, 60], [160, -40]);
     await tab.page.keyboard.press('v');
-    // The last point is selected already.
+    // The user has selected the last point already.
     for (const index of [1, 2, 3]) {
       const { x, y } = await tab.handle(`Control point ${index} of 4`);
       await tab.page.keyboard.down('Shift');

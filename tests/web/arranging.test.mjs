@@ -73,8 +73,8 @@ describe('the order of objects, and the menu at a place', () => {
     await tab.settled();
     assert.deepEqual((await drawing()).objects, grouped.objects);
 
-    // The second is hidden, and moves with the others. The first is locked, and stays in place
-    // without a copy.
+    // The second object is hidden, and moves with the others. The first one is locked: it stays in
+    // place, without a copy.
     await rows.nth(2).locator('button').nth(1).click();
     await rows.nth(3).locator('button').nth(2).click();
     await names.nth(0).click();

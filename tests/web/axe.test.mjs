@@ -35,7 +35,7 @@ async function violations(page) {
   ]);
 }
 
-/** States that are similar in all sizes: a group, messages, and objects made of others. */
+/** States that are similar in all sizes: a group, messages, and derived objects. */
 async function lookFurther(browser, tab, look) {
   const { page } = tab;
   const { x, y } = await tab.middle();

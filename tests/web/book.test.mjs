@@ -58,7 +58,7 @@ async function count(page, hue) {
 
 const unescaped = (text) => text.replaceAll('&amp;', '&').replaceAll('&quot;', '"');
 
-/** The addresses in a page, and its anchors. */
+/** The addresses in a page, and the page's anchors. */
 function read(path) {
   const text = readFileSync(path, 'utf8');
   const all = (pattern) => [...text.matchAll(pattern)].map(([, found]) => unescaped(found));

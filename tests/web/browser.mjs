@@ -27,7 +27,7 @@ const flags = [
   '--disable-component-update',
   '--disable-sync',
   '--no-first-run',
-  // Without a graphics card the page is drawn faster without OpenGL.
+  // Without a graphics card the page draws faster if it does without OpenGL.
   '--disable-gpu-rasterization',
   '--disable-gpu-compositing',
   // Chromium uses the last of several such lists, so this one repeats Playwright's.
@@ -42,8 +42,8 @@ const flags = [
   ]}`,
 ];
 /**
- * The module's code is compiled once, without optimization. Tabs of a suite share a process, which has compiled the
- * page's scripts before.
+ * The engine compiles the module's code once, without optimization. Tabs of a suite share a
+ * process, which has compiled the page's scripts before.
  */
 const quickFlags = ['--js-flags=--liftoff-only', '--process-per-site'];
 export const launching = { executablePath: chromiumPath(), args: flags };
@@ -53,7 +53,7 @@ export const launching = { executablePath: chromiumPath(), args: flags };
  */
 const patience = 120_000;
 
-/** Polls a condition that the page cannot await; fails if it never holds. */
+/** Polls a condition that the page cannot await, and fails if it never holds. */
 export async function until(condition, what) {
   const end = performance.now() + patience;
   while (!(await condition())) {
@@ -76,12 +76,12 @@ function servePage() {
   return new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(server)));
 }
 
-/** The driver's message where a page may have no service worker. */
+/** The driver's message about a page that may have no service worker. */
 const blocked = 'Service Worker registration blocked by Playwright';
 
 /**
- * Whether a message is a complaint of the page. Two are not: the driver warns when a canvas is
- * read, and a service worker cannot be registered where the test blocks it.
+ * Whether a message is a complaint of the page. Two messages are not: the driver warns when a
+ * script reads a canvas, and a service worker cannot be registered where the test blocks it.
  */
 export function isComplaint(message) {
   if (!['error', 'warning'].includes(message.type())) return false;
@@ -89,11 +89,9 @@ export function isComplaint(message) {
   return !(/GL Driver Message .*GPU stall due to ReadPixels/.test(text) || text.includes(blocked));
 }
 
-/**
- * Runs in a page before its scripts: three.js clears a small picture and draws no triangle into it.
- */
+/** Makes three.js clear a small picture and draw no triangles. Runs before the page's scripts. */
 function drawNothing() {
-  // Only three.js reads it; the layout of the page does not change.
+  // Only three.js reads the ratio; the layout of the page does not change.
   Object.defineProperty(window, 'devicePixelRatio', { value: 0.25 });
   // Without a graphics card the processor must compile every shader and transform every triangle of
   // each frame.
@@ -106,7 +104,7 @@ function drawNothing() {
   }
 }
 
-/** Runs in a page before its scripts: opens the sections that are initially folded. */
+/** Opens the initially folded sections. Runs before the page's scripts. */
 function unfold() {
   try {
     for (const name of ['advanced', 'points']) localStorage[`karcher.${name}`] ??= 'open';
@@ -115,14 +113,14 @@ function unfold() {
   }
 }
 
-/** The browsers that run, one `asUsers` have it and one that draws nothing, with the number of their windows. */
+/** The browsers, one `asUsers` have it and one without drawing, and their numbers of windows. */
 const shared = new Map();
-/** A browser without a window waits that long for the next suite, in milliseconds. */
+/** The time in milliseconds for which a browser without a window waits for the next suite. */
 const lingering = 1000;
 
 const argsOf = (asUsers) => (asUsers ? flags : [...flags, ...quickFlags]);
 
-/** Starts a browser that suites share until it is closed, or has crashed. */
+/** Starts a browser that suites share until it closes or crashes. */
 function share(asUsers) {
   const launched = chromium.launch({ ...launching, args: argsOf(asUsers) });
   const entry = { launched, windows: 0, end: undefined };
@@ -165,12 +163,12 @@ async function openProfile(asUsers, settings) {
 }
 
 /**
- * Serves the page and opens a window with a storage of its own, in memory, or with `profile` on disk;
- * without a service worker, which would answer in place of what a test serves. Tests that look at the
- * picture, compute much or measure times ask for a browser `asUsers` have it. To others nothing is drawn and
- * no module's code is optimized: drawing without a graphics card and compiling took a fifth of the
- * processor's time. What is folded for a new user is open, but with `unfolded: false`. With `manyTabs` the
- * process of its tabs lives on between them, so that it is not started, and the scripts are not compiled, for each tab.
+ * Serves the page and opens a window with a storage of its own, in memory, or with `profile` on disk. The
+ * window has no service worker, which would answer in place of the test's server. Tests that look at the
+ * picture, compute much or measure times need a browser `asUsers` have it. Others draw nothing and do not
+ * optimize the module's code: drawing without a graphics card and compiling took a fifth of the processor
+ * time. With `unfolded`, sections that a new user finds folded are open. With `manyTabs` the process of the
+ * tabs lives on between them: no tab starts a process or compiles the scripts again.
  */
 export async function openBrowser({
   profile = false,
@@ -191,7 +189,7 @@ export async function openBrowser({
   return {
     context,
     address,
-    /** From then on the server does not answer. */
+    /** Makes the server silent from then on. */
     stopServing() {
       server.close();
       server.closeAllConnections();
@@ -215,13 +213,14 @@ export function browserOfSuite(options) {
   return browser;
 }
 
-/** A browser of a phone; `touchOf` sends it touches. */
+/** A browser of a phone, for the touches of `touchOf`. */
 export const openPhone = () =>
   openBrowser({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
 /**
- * Sends touches to a page: their type, and the places of the fingers, numbered from 0 unless they
- * have an `id`. `together` sends several without time between them, in which a finger would rest.
+ * Senders of touches to a page: their type, and the places of the fingers, numbered from 0 unless
+ * they have an `id`. `together` sends several without time between them, in which a finger would
+ * rest.
  */
 export async function touchOf(page) {
   const devtools = await page.context().newCDPSession(page);
@@ -270,7 +269,7 @@ export class Tab {
     return tab;
   }
 
-  /** Closes the tab; fails if the page complained. */
+  /** Closes the tab, and fails if the page complained. */
   async close() {
     assert.deepEqual(this.logged, []);
     await this.page.close();
@@ -306,10 +305,10 @@ export class Tab {
     await this.page.waitForFunction(() => window.karcherPage.still);
   }
 
-  /** The workers that run an engine: the page's, and the one that refines, once it exists. */
+  /** The workers that run an engine: that of the page, and the one that refines, once it exists. */
   engines = () => this.page.workers().filter((worker) => worker.url().includes('engine'));
 
-  /** Keeps the first engine busy forever with its next call, so that it receives nothing more. */
+  /** Keeps the first engine busy forever from its next call on: it receives nothing more. */
   holdEngine() {
     return this.engines()[0].evaluate(() => {
       const post = globalThis.postMessage;
@@ -320,7 +319,7 @@ export class Tab {
     });
   }
 
-  /** Waits longer than saving does, by the page's own clock, so that pending saves have run. */
+  /** Waits longer than the delay of saving, by the page's clock, so that pending saves have run. */
   async pastSaving() {
     await this.page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 500)));
   }
@@ -340,7 +339,7 @@ export class Tab {
 
   state = () => this.page.evaluate(() => window.karcherPage.state());
 
-  /** The view once the engine has answered the newest state: checked and read at once. */
+  /** The view, checked and read together once the engine has answered the newest state. */
   async view() {
     const view = await this.page.waitForFunction(() => {
       const page = window.karcherPage;
@@ -372,8 +371,8 @@ export class Tab {
   }
 
   /**
-   * Chooses the kind of the drawing as a user would: by the tool of its group, and in the group's
-   * menu.
+   * Chooses the kind of the drawing as a user would: by the tool of its group, and then in the
+   * group's menu.
    */
   async choose(kind) {
     const radio = this.page.locator(`#kind input[value="${kind}"]`).filter({ visible: true });
@@ -395,7 +394,7 @@ export class Tab {
 
   /**
    * A visible place of a curve in the window, at about that part of its vertices and away from
-   * handles: of the edited curve, or of another one by its index.
+   * handles. The curve is the edited one, or another one by its index.
    */
   async onCurve(part, other = null) {
     await this.settled();

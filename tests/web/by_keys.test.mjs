@@ -22,7 +22,7 @@ describe('without a mouse', () => {
     const figure = async () => (await tab.state()).figure;
     return { tab, page, keys, onStage, objects, figure };
   }
-  /** Presses Tab until an element has the focus; fails after 200 times. */
+  /** Presses Tab until an element has the focus, and fails after 200 times. */
   async function tabTo(page, selector) {
     for (let count = 0; count < 200; count++) {
       const isThere = await page.evaluate((one) => document.activeElement?.matches(one), selector);
@@ -57,7 +57,7 @@ describe('without a mouse', () => {
       assert.notEqual(JSON.stringify((await figure()).points[0]), before);
       await keys('Delete');
       assert.equal((await figure()).points.length, points - 1);
-      // Each arrow was a step, and the deletion was one.
+      // Each arrow key was a step, and so was the deletion.
       await keys('Control+z', 'Control+z', 'Control+z');
       assert.equal(JSON.stringify((await figure()).points[0]), before);
       await tab.close();
@@ -91,7 +91,7 @@ describe('without a mouse', () => {
     }
     assert.ok(seen.size >= 4, [...seen].join('\n'));
     assert.equal(JSON.stringify(await objects()), before);
-    // Arrows alone move the selection.
+    // Arrow keys alone move the selection.
     await keys('ArrowLeft');
     await tab.page.waitForFunction(
       (were) => JSON.stringify(window.karcherPage.state().drawing.objects) !== were,
@@ -170,7 +170,7 @@ describe('without a mouse', () => {
     const missed = await page.evaluate(() =>
       [...document.querySelectorAll('button, select, input, textarea, summary, a[href]')]
         .filter((one) => one.checkVisibility({ visibilityProperty: true }) && !one.disabled)
-        // Of a group of radio buttons only one takes Tab; the test of handles covers handles.
+        // Tab reaches only one radio button of a group, and the test of handles covers handles.
         .filter((one) => one.dataset.reached !== 'yes' && one.type !== 'radio')
         .filter((one) => !one.closest('[inert]'))
         .map((one) => one.id || one.className || one.outerHTML.slice(0, 80)),

@@ -18,8 +18,8 @@ describe('a center of mass', () => {
     assert.equal(middle.curve, null);
     assert.deepEqual([middle.center.status, middle.quality], ['converged', 'exact']);
     const [a, b] = middle.legs.map(lengthOf);
-    // Between vertices exact distances are interpolated by a quadratic, with errors of a few
-    // hundredths of an edge.
+    // A quadratic interpolates exact distances between vertices, with errors of a few hundredths of
+    // an edge.
     const { meanEdge } = (await tab.mesh()).info;
     assert.ok(Math.abs(a - b) <= 0.1 * meanEdge, `${a} ${b}`);
     const distance = a + b;
@@ -83,7 +83,7 @@ describe('a center of mass', () => {
   });
 
   test('that is one of several is reported as such', async () => {
-    // Points all around the sphere: the end of a search depends on its start.
+    // Points lie all around the sphere, so that the end of a search depends on its start.
     const tab = await Tab.open(browser, 'mesh=sphere:5000&kind=center');
     const { triangles } = (await tab.mesh()).info;
     const faces = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6].map((part) => Math.floor(part * triangles));
@@ -97,7 +97,7 @@ describe('a center of mass', () => {
     const hint = await tab.page.locator('#hint').textContent();
     assert.match(hint, /Not the only center: \d+ other minim(um|a), of energy [\d.]+/);
     assert.match(await tab.page.locator('#status-length').textContent(), /not the only center/);
-    // Each minimum is drawn, with its energy.
+    // The page draws each minimum with its energy.
     const tags = await tab.page
       .locator('.mass-center.other')
       .evaluateAll((all) => all.map(({ dataset }) => Number(dataset.tag)));

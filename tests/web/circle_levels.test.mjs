@@ -15,7 +15,7 @@ describe('the levels of a circle', () => {
     const { editor, session, settled } = await openPage(await arraysOfShape('torus', 20000));
     const rim = (radius) => ({ radius, direction: [0, 1, 0] });
     editor.setKind('circle');
-    // Arcs chosen by the tolerance are narrow and seldom take levels.
+    // Arcs of the tolerance's number are narrow and seldom take levels.
     editor.setCircleForm({ arcs: 7 });
     const placed = { center, rim: rim(near) };
     editor.run({ type: 'circle', from: null, to: placed });

@@ -1,4 +1,4 @@
-// What the tests of circles and of ellipses share.
+// Helpers for the tests of circles and of ellipses.
 
 /** A flat grid of squares with sides of 1, as OBJ text. */
 export function flatGrid(cells) {
@@ -19,7 +19,7 @@ export function flatGrid(cells) {
 export const linesOf = ({ isolines, polyline }) =>
   isolines ? isolines.lines.map((line) => Object.values(line.polyline)) : [polyline];
 
-/** Types a number into one of the fields, and returns the resulting view. */
+/** Types a number into a field, and returns the resulting view. */
 export async function typeRadius(tab, text, name = 'Radius') {
   const field = tab.page.getByRole('textbox', { name });
   await field.fill(text);

@@ -52,7 +52,7 @@ describe('circles', () => {
       const off = vertices(lines[0]).map((place) => Math.abs(far(place, center) - 4.5));
       deviations[type] = Math.max(...off);
     }
-    // The lines are in single precision; chords of arcs lie within a thousandth of an edge.
+    // The lines are in single precision, and chords of arcs lie within a thousandth of an edge.
     assert.ok(deviations.exact < 1e-5, `${deviations.exact}`);
     assert.ok(deviations.arcs < 2e-3, `${deviations.arcs}`);
     assert.ok(deviations.linear < 0.1 && deviations.linear > 1e-3, `${deviations.linear}`);
@@ -61,7 +61,7 @@ describe('circles', () => {
 
   inLongRun('are isolines with all their loops, on the surface and at the radius', async () => {
     const tab = await Tab.open(browser, 'mesh=torus:2000&kind=circle');
-    // Where the radius exceeds half the tube's circumference, the line has two loops.
+    // The radius exceeds half the tube's circumference, so that the line has two loops.
     await tab.click([0, 120]);
     const surface = await tab.mesh();
     const { diagonal } = surface.info;
@@ -87,7 +87,7 @@ describe('circles', () => {
     }
     const { meanEdge } = surface.info;
     for (const distance of await distancesAlong(linesOf(linear), center, surface, 9)) {
-      // Distances are interpolated in triangles.
+      // The engine interpolates distances in triangles.
       assert.ok(Math.abs(distance - 1.6) <= 0.25 * meanEdge, `${distance}`);
     }
     await tab.close();
@@ -174,7 +174,7 @@ describe('circles', () => {
     await field.fill('0.7');
     await tab.page.keyboard.press('Escape');
     assert.equal(await field.inputValue(), shown);
-    // Elsewhere digits choose kinds of curves.
+    // A digit outside fields chooses a kind of curve.
     await field.press('Control+a');
     await tab.page.keyboard.type('0,35');
     await field.press('Enter');

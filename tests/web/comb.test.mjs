@@ -31,7 +31,7 @@ describe('a curvature comb', () => {
     test(`of a circle of radius ${radius.toFixed(2)} on the unit sphere has the cotangent as its curvature`, () => {
       const line = circle(radius, 2000);
       const chord = 2 * Math.sin(radius) * Math.sin(Math.PI / 2000);
-      // The window consists of whole chords: three vertices lie on this very circle.
+      // The window consists of whole chords, whose three vertices lie on this very circle.
       const comb = model.combOf(line, unit, () => 100, 20 * chord);
       assert.equal(comb.closed, true);
       assert.equal(comb.corners, 0);

@@ -52,7 +52,7 @@ describe('the distance of two polylines', () => {
   test('includes the part of one line beyond the other, in either order', () => {
     const [short, long] = [line(5, (t) => [t, 0, 0]), line(5, (t) => [2 * t, 0, 0])];
     for (const { mean, largest } of [gapBetween(short, long), gapBetween(long, short)]) {
-      // It is 0 from the short one; from the long one it is 0 along its half, then rises to 1.
+      // The short line's distance is 0; the long line's is 0 along its half, then rises to 1.
       near(mean, 0.125, 1e-3);
       near(largest, 1, 1 / 256);
     }
@@ -94,7 +94,7 @@ describe('a comparison', () => {
     assert.equal(await said(tab, 'own'), 'Karcher');
     assert.equal(await said(tab, 'other'), 'Paper (exact)');
     assert.notDeepEqual(await page.locator('#stage').screenshot(), alone);
-    // The words of each row lie within it, and the rows below each other.
+    // The words of each row lie within the row, and the rows below each other.
     const edges = await page.locator('.comparison .compared').evaluateAll((rows) =>
       rows.flatMap((row) => {
         const { top, bottom } = row.getBoundingClientRect();
@@ -144,7 +144,7 @@ describe('a comparison', () => {
       assert.ok(largest <= 1e-4, `${largest}`);
       await page.locator('#method').selectOption('karcher-exact');
       await page.locator('#comparison').waitFor({ state: 'hidden' });
-      // An object without a curve says so.
+      // The page reports an object without a curve.
       await page.locator('#compare').selectOption('karcher');
       await page.keyboard.press('Escape');
       await page.locator('#clear').click();

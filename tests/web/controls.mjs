@@ -1,15 +1,15 @@
-// Finds the clickable controls of any page, and checks that clicks hit them.
+// A search for the clickable controls of any page, and a check that clicks hit them.
 import assert from 'node:assert/strict';
 
-/** Clickable elements, except the handles on the stage, which are dragged and may overlap. */
+/** Clickable elements except the handles on the stage, which users drag and which may overlap. */
 const controls = 'button, select, input, textarea, summary, a[href]';
 const apart = '.stage, .handle, noscript';
 
-/** Runs in a page: `window.reach` finds its controls, and where to click them. */
+/** Adds `window.reach` to a page, which finds the page's controls and where to click them. */
 function install([all, without]) {
   /**
-   * A name that does not change with the words, nor when a control is rendered again; the controls
-   * of a list share theirs.
+   * A name that is independent of the words, and of a new rendering of the control. The controls of
+   * a list share a name.
    */
   const nameOf = (element) => {
     if (element.id) return `#${element.id}`;
@@ -18,7 +18,7 @@ function install([all, without]) {
     return `${localName} '${which}' in #${element.parentElement.closest('[id]')?.id}`;
   };
 
-  /** An invisible input is clicked by its label. */
+  /** Users click the label of an invisible input. */
   const isUnseen = (element) => getComputedStyle(element).opacity === '0';
 
   const middle = ({ left, right, top, bottom }) => ({
@@ -26,7 +26,7 @@ function install([all, without]) {
     y: (top + bottom) / 2,
   });
 
-  /** The elements where a user would click it. */
+  /** The elements where a user would click a control. */
   const targetsOf = (element) => {
     const label = element.labels?.[0];
     const targets = label && element.localName === 'input' && isUnseen(element) ? [] : [element];
@@ -90,7 +90,7 @@ function install([all, without]) {
         .map(nameOf),
     panels: () =>
       [...document.querySelectorAll(panels)].map((panel) => panel.id || panel.className),
-    /** The visible controls, and for each one that a click misses the element that it hits. */
+    /** The visible controls, each with the element that a click hits instead, if it misses. */
     look: () =>
       visible().map((element) => {
         const covered = targetsOf(element).flatMap((target) => {
@@ -103,7 +103,7 @@ function install([all, without]) {
         });
         return { name: nameOf(element), panel: panelOf(element), covered };
       }),
-    /** The places in the window where a visible control is clicked. */
+    /** The places in the window where a user clicks a visible control. */
     placesOf(element) {
       if (!visible().includes(element)) throw new Error(`${nameOf(element)} is not seen`);
       return targetsOf(element).map((target) => {
@@ -112,8 +112,8 @@ function install([all, without]) {
       });
     },
     /**
-     * From here on clicks only report whether they hit the control of that name; returns the number
-     * of its places, or null if it no longer exists.
+     * From here on clicks only report whether they hit the control of that name. Returns the number
+     * of the control's places, or null if it no longer exists.
      */
     arm(name) {
       const element = visible().find((one) => nameOf(one) === name);
@@ -138,7 +138,7 @@ function install([all, without]) {
   };
 }
 
-/** The controls of one page, as they appear in its states. */
+/** The controls of a page, as they appear in its states. */
 export class Controls {
   /** The names of the controls that clicks have hit. */
   reached = new Set();
@@ -152,8 +152,8 @@ export class Controls {
   }
 
   /**
-   * Looks at all visible controls, and fails if a click misses one; new ones are clicked with the
-   * mouse, without effect. Returns their number.
+   * Looks at all visible controls, and fails if a click misses one. The mouse clicks new ones,
+   * without effect. Returns their number.
    */
   async look(state) {
     const seen = await this.page.evaluate(() => window.reach.look());
@@ -175,7 +175,7 @@ export class Controls {
     return seen.length;
   }
 
-  /** Null if it no longer exists. */
+  /** Whether clicks hit the control; null if it no longer exists. */
   async #isHit(name) {
     const { page } = this;
     const count = await page.evaluate((one) => window.reach.arm(one), name);
@@ -190,7 +190,7 @@ export class Controls {
     return hits.length === count && hits.every((hit) => hit);
   }
 
-  /** Clicks the middle of a control, as a user would; or its words, if it has a place for both. */
+  /** Clicks the middle of a control as a user would, or its words if it has a place for both. */
   async click(locator, { words } = { words: false }) {
     const places = await locator.evaluate((element) => window.reach.placesOf(element));
     const { x, y } = places.at(words ? -1 : 0);

@@ -1,4 +1,4 @@
-// No mesh and no file passes through the page's main thread, so that it is never blocked for long.
+// No mesh and no file passes through the page's main thread, so that nothing blocks it for long.
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -8,13 +8,13 @@ import { openBrowser, Tab } from './browser.mjs';
 import { gridStl } from './large_file.mjs';
 import { inLongRun } from './part.mjs';
 
-/** The limit in bytes: more than a drawing has, and far less than the mesh. */
+/** The limit in bytes: more than a drawing takes, and far less than the mesh. */
 const most = 1 << 16;
-/** The number of bytes that are read of a file at once, to identify it. */
+/** The number of bytes that the page reads of a file at once, to identify it. */
 const mostRead = 1 << 21;
 const triangles = 50_000;
 
-/** Runs in each page before its own code: records the bytes that are posted, stored and read. */
+/** Records the bytes that a page posts, stores and reads, before the page's own code runs. */
 function watch() {
   const bytesOf = (value, seen = new Set()) => {
     if (typeof value !== 'object' || value === null || seen.has(value)) return 0;
@@ -56,7 +56,7 @@ describe('the page’s main thread', () => {
     rmSync(folder, { recursive: true });
   });
 
-  /** Checks the bytes since the page was loaded, and those that were stored of files. */
+  /** Checks the bytes since the page's load, and those that it stored of files. */
   async function checked(tab, { reads }) {
     const { posted, kept, read, made } = await tab.page.evaluate(() => window.passed);
     const largest = (list) => Math.max(0, ...list);

@@ -1,4 +1,4 @@
-// The surface cut along curves by hand: parts are shown, hidden, deleted, thickened and saved.
+// The surface cut along curves by hand: the user shows, hides, deletes, thickens and saves parts.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
@@ -70,12 +70,12 @@ describe('cuts', () => {
       (await parts(tab)).map(({ state }) => state),
       ['deleted', 'hidden'],
     );
-    // Invisible parts cannot be clicked.
+    // A click does not reach invisible parts.
     await tab.page.keyboard.press('b');
     await tab.page.mouse.click(x, y);
     await tab.settled();
     assert.equal(await picked(tab), 0);
-    // Undoes the two choices, and the curve that was begun.
+    // Undoes the two choices and the unfinished curve.
     for (let step = 0; step < 3; step++) await tab.page.keyboard.press('Control+z');
     await tab.settled();
     assert.equal(JSON.stringify((await tab.state()).drawing), made);

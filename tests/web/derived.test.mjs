@@ -1,5 +1,4 @@
-// Objects that are made of others and follow them: offsets and booleans, created and changed by
-// hand.
+// Derived objects, which follow others: offsets and booleans, created and changed by hand.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -37,7 +36,7 @@ describe('objects made of others', () => {
     const { tab, radius } = await withCircle();
     await maker(tab, 'Offset').click();
     await tab.settled();
-    // The field of the distance is selected, so that typing replaces it.
+    // The user has selected the field of the distance, so that typing replaces its content.
     await tab.page.keyboard.type('0.1');
     await tab.page.keyboard.press('Enter');
     await tab.settled();
@@ -52,14 +51,14 @@ describe('objects made of others', () => {
     assert.equal(both.length, 2);
     near(both[0], around(radius - 0.1), 0.005, 'the inner one');
     near(both[1], around(radius + 0.1), 0.005, 'the outer one');
-    // With a fill it is a band, whose area is shown.
+    // With a fill the object is a band, whose area the page shows.
     await type(tab, '#fill', '50');
     const cap = (r) => 2 * Math.PI * (1 - Math.cos(r));
     const band = cap(radius + 0.1) - cap(radius - 0.1);
     assert.equal((await tab.view()).problem, null);
     assert.equal((await tab.view()).fill.problem, null);
     near((await tab.view()).fill.region.area, band, 0.01, 'the band');
-    // Its source is enlarged by hand; the offset follows during the drag.
+    // The user enlarges the source, and the offset follows during the drag.
     await tab.page.locator('#objects .object').last().click();
     await tab.settled();
     const rim = await tab.handle('Radius of the circle');
@@ -162,7 +161,7 @@ describe('objects made of others', () => {
     const wide = await length();
     assert.ok(wide > least + 0.05 && wide < around(radius + 0.3));
     assert.ok(await tab.page.locator('#offset-corners input[value=miter]').isDisabled());
-    // Inwards it is on the other side.
+    // The inward offset is on the other side.
     await side(tab, 'Inwards');
     await tab.settled();
     assert.ok((await length()) < around(radius - 0.1));
@@ -355,7 +354,7 @@ describe('objects made of others', () => {
       await tab.page.keyboard.press('Control+z');
       await tab.settled();
       assert.equal((await tab.view()).isolines.length, length);
-      // Its operand moves far away.
+      // The user moves the operand far away.
       await tab.page.locator('#objects [data-id="2"] .object').click();
       await tab.settled();
       const center = await tab.handle('Center of the circle');

@@ -45,8 +45,8 @@ describe('lines of equal value', () => {
     const center = mesh.position(from);
     const traced = tracedDistances(mesh, from, { solver: 'fast' });
     const room = Math.min(center[0], center[1], 1 - center[0], 1 - center[1]);
-    // The longest edge h, along which the distance is taken as linear: by Taylor, the error is h *
-    // h / 8r.
+    // The length h of the longest edge, along which distances are interpolated linearly: by Taylor,
+    // the error is h * h / 8r.
     let h = 0;
     for (let i = 0; i < triangles.length; i++) {
       const next = i % 3 === 2 ? i - 2 : i + 1;
@@ -129,7 +129,7 @@ describe('distances on the page', () => {
     const { most, step, lines } = (await traced(tab)).traced;
     const mesh = await tab.mesh();
     const radius = Math.hypot(...mesh.positions.slice(0, 3));
-    // The antipode is half a great circle away; vertices and the solver come near to it.
+    // The antipode is half a great circle away, and the solver's largest distance is near that.
     assert.ok(Math.abs(most / (Math.PI * radius) - 1) < 0.02, `${most}`);
     const legend = await page.locator('#distance-legend').innerText();
     assert.match(legend, /^From point 1 of B-spline 1/);

@@ -17,7 +17,7 @@ describe('a drawing', () => {
 
   const json = ({ state }) => JSON.stringify(state.drawing);
 
-  /** The page's own commands by their names; each may have nothing to do. */
+  /** The page's own commands by their names; each of them may have no effect. */
   function commandsOf(editor, random) {
     const below = (count) => Math.floor(random() * count);
     const one = (list) => list[below(list.length)];
@@ -204,7 +204,7 @@ describe('a drawing', () => {
     assert.equal(editor.state.drawing.active, first);
     assert.equal(editor.history.done.length, steps);
     assert.ok(editor.canRedo, 'selecting takes nothing from what can be done again');
-    // A reload restores this.
+    // A reload restores this text.
     const { mesh, method, drawing } = editor.state;
     const link = page.formatLink(mesh, method, drawing);
     const work = page.readWork(page.savedWork(link, drawing, editor.history), link);
@@ -234,7 +234,7 @@ describe('a drawing', () => {
     const { drawing } = editorOfMany(() => numbers.next().value).state;
     const text = JSON.stringify(page.savedDrawing(drawing));
     assert.equal(JSON.stringify(page.readDrawing(JSON.parse(text))), JSON.stringify(drawing));
-    // Each value in turn is replaced by another one.
+    // The test replaces each value in turn by another one.
     const wrong = [undefined, null, {}, [], 'text', -1, 1e300, true];
     const pathsOf = (value, path = []) =>
       value !== null && typeof value === 'object'
@@ -254,7 +254,7 @@ describe('a drawing', () => {
         refusedBySchema += isTaken ? 0 : 1;
         try {
           const read = page.readDrawing(path.length > 0 ? changed : value);
-          // An accepted value is a drawing, which is unchanged when read again.
+          // An accepted value is a drawing, which a second reading leaves unchanged.
           const again = JSON.parse(JSON.stringify(page.savedDrawing(read)));
           assert.deepEqual(page.readDrawing(again), read);
           assert.ok(isTaken, `${path.join('.')} of ${JSON.stringify(value)} is read`);
@@ -383,7 +383,7 @@ describe('a drawing', () => {
     const legLast = first({ weight: 2, ...point });
     assert.ok(page.sameDrawing(legFirst, legLast));
     assert.ok(!page.sameDrawing(legFirst, first({ ...point, weight: 3 })));
-    // A drawing that lies on its surface as a whole is unchanged, to the last byte.
+    // A drawing that lies on its surface as a whole stays the same, to the last byte.
     for (const whole of [legFirst, legLast]) {
       assert.equal(JSON.stringify(page.fitting(whole, triangles)), JSON.stringify(whole));
     }
@@ -416,7 +416,7 @@ describe('a drawing', () => {
     const { figure } = activeObject(emptyDrawing);
     const random = randoms(seed);
     const below = (count) => Math.floor(random.next().value * count);
-    /** The number of changes of group from object to object, without objects outside groups. */
+    /** The number of changes of group from object to object, without those outside groups. */
     const runs = ({ objects }) =>
       objects.filter(({ group }, i) => group !== null && group !== objects[i - 1]?.group).length;
     let moves = 0;
@@ -437,13 +437,13 @@ describe('a drawing', () => {
         if (command) drawing = apply(drawing, command);
         assert.ok(runs(drawing) <= before, drawing.objects.map(({ group }) => group).join());
       }
-      // Rows, some of them folded, are dragged to the places of others.
+      // The user drags rows, some of them folded, to the places of others.
       for (let step = 0; step < 20; step++) {
         const isFolded = new Set(['A', 'B', 'C'].filter(() => below(2) === 0));
         const rowsNow = () => page.rowsOf(drawing.objects.toReversed(), isFolded);
         const from = below(rowsNow().length);
-        // A group is dragged folded; one that an older drawing has in several places stays in
-        // place.
+        // The user drags a folded group. A group that an older drawing has in several places stays
+        // in place.
         const { group: carried } = rowsNow()[from];
         if (rowsNow().filter(({ group }) => carried && group === carried).length === 1) {
           isFolded.add(carried);

@@ -1,5 +1,5 @@
 // Drawing protects other work: the pen leaves other lines alone, all paths continue after undo and
-// close in the same way, and drags draw circles.
+// close in the same way, and a drag draws a circle.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { browserOfSuite, openPhone, Tab, touchOf } from './browser.mjs';
@@ -91,7 +91,7 @@ describe('drawing by hand', () => {
 
   test('a tool that was only tried leaves no object, and no selection', async () => {
     const tab = await Tab.open(browser);
-    // The curve has all the points that it needs: an unfinished one is removed when it is
+    // The curve has enough points to remain: the page removes an unfinished curve when it is
     // deselected.
     const whole = [...path, [-90, -40]];
     await tab.click(...whole);
@@ -105,7 +105,7 @@ describe('drawing by hand', () => {
     assert.equal(JSON.stringify(await objectsOf(tab)), before);
     assert.equal(await tab.page.locator('#objects [aria-current]').count(), 0);
     assert.equal(await tab.page.locator('.handle').count(), 0);
-    // The next drawing is another object, and undo removes that.
+    // The next drawing is another object, which undo removes.
     await tab.page.keyboard.press('p');
     await tab.click(...whole.map(([x, y]) => [x, y - 120]));
     assert.equal(await rows.count(), 2);

@@ -1,11 +1,10 @@
 // Drops of files for random walks over the page: surfaces, several at once, and other files. The
-// page reports its action for each, and a surface that comes back has the drawing that it had
-// before.
+// page reports its action for each. A surface that comes back has its earlier drawing.
 import assert from 'node:assert/strict';
 import fc from 'fast-check';
 import { box, cutBox, encode, objFile, plyFile } from '../wasm/mesh_files.mjs';
 
-/** The walk has few surfaces, so that it comes back to them. */
+/** The few surfaces of the walk, so that it comes back to them. */
 const surfaces = [
   ['box.obj', objFile(box)],
   ['cut box.obj', objFile(cutBox)],
@@ -28,7 +27,7 @@ export const dropStep = fc.record({
   during: fc.boolean(),
 });
 
-/** Runs in the page: keeps the texts of messages, since notes disappear by themselves. */
+/** Keeps the texts of the page's messages, since notes disappear by themselves. */
 const rememberMessages = () => {
   if (window.messagesSeen) return;
   window.messagesSeen = [];
@@ -41,17 +40,17 @@ const rememberMessages = () => {
   }).observe(document.body, { childList: true, subtree: true });
 };
 
-/** The walk's memory of its drops. */
+/** The walk's drops, and its memory of them. */
 export class Dropping {
   #count = 0;
-  /** For each surface, the drawing on it when another one was opened. */
+  /** The drawing on each surface at the time when another surface opened. */
   #left = new Map();
 
   constructor(tab) {
     this.tab = tab;
   }
 
-  /** Drops files, in the middle of a drag if the step says so, and waits for the page's report. */
+  /** Drops files, during a drag if the step requires it, and waits for the page's report. */
   async take({ what, which, during }) {
     const { tab } = this;
     const { page } = tab;
@@ -91,7 +90,7 @@ export class Dropping {
     await tab.dropFiles(files);
     await release();
     if (what === 'bad') await says(`${bad[0]} could not be opened`);
-    // A single file is tried as a surface.
+    // The page tries a single file as a surface.
     if (what === 'none') await says(`${none[0]} could not be opened`);
     if (what === 'mixed') await says(`${none[0]} is no surface or drawing`);
     if (what.startsWith('several')) {
@@ -107,7 +106,7 @@ export class Dropping {
       );
       await tab.settled();
       const now = await tab.state();
-      // A drag ends on either surface when its button is released.
+      // A drag ends on either surface, when its button comes up.
       this.#left.set(before.mesh, before.drawing);
       if (this.#left.has(now.mesh)) assert.deepEqual(now.drawing, this.#left.get(now.mesh), name);
     } else {

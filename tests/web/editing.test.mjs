@@ -11,7 +11,7 @@ const places = [
   [40, 50],
   [110, -10],
 ];
-/** Places are floats on a surface of about unit size, and edges are crossed in doubles. */
+/** The tolerance for places as floats, on a surface of about unit size. */
 const onSurface = 2e-6;
 
 describe('editing a curve', () => {

@@ -181,8 +181,8 @@ describe('ellipses', () => {
     };
     const typed = await typeRadius(tab, '0.1', 'Across');
     assert.deepEqual(radiiOf(await onFiner(20000)), radiiOf(typed), 'lengths stay');
-    // A drag of its handle makes it as long as the path to a point, which lies elsewhere in other
-    // triangles.
+    // A drag of its handle makes the axis as long as the path to a point, which lies elsewhere in
+    // other triangles.
     await tab.dragHandle(acrossHandle, 0, -14);
     const dragged = await tab.view();
     const { meanEdge } = (await tab.mesh()).info;

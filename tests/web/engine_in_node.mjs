@@ -1,4 +1,4 @@
-// The page's editor, session and engine without a browser: the worker's code runs in this thread.
+// The page's editor, session and engine without a browser: this thread runs the worker's code.
 import { load as loadEngine } from 'karcher';
 import { pageModule } from './page_module.mjs';
 
@@ -34,8 +34,8 @@ export async function arraysOfShape(name, triangles) {
 }
 
 /**
- * The page's modules on a sphere of this many triangles, or on the surface of arrays, with a method
- * that has no second engine.
+ * The page's modules, with a method that needs no second engine, on a sphere of this many triangles
+ * or on a surface given as arrays.
  */
 export async function openPage(surface) {
   globalThis.addEventListener = (_, hear) => {

@@ -76,7 +76,7 @@ describe('files of surfaces', () => {
       assert.equal((await tab.mesh()).info.triangles, 12, name);
     }
     assert.deepEqual(await tab.page.locator('.message').allTextContents(), []);
-    // The buffers are stored with it.
+    // The page stores the buffers with the file.
     await tab.dropFiles(gltf('three.gltf'));
     await opened(tab, 'three.gltf');
     await tab.page.keyboard.press('2');
@@ -85,7 +85,7 @@ describe('files of surfaces', () => {
     await tab.page.reload();
     await tab.settled();
     assert.match((await tab.state()).mesh, /three\.gltf$/);
-    // A surface and a drawing on it.
+    // The next drop is a surface and a drawing on it.
     const { drawing, mesh } = await tab.state();
     const { name, text } = await tab.save('JSON');
     await tab.dropFiles([
@@ -181,7 +181,7 @@ describe('files of surfaces', () => {
         await opened(tab, 'cut box.obj');
         await tab.settled();
       }
-      // The surfaces that were not chosen are named too, and both names can be read whole.
+      // The page also names the surfaces that were not chosen, and shows both names in full.
       const long = 'the relic as it was scanned, cleaned and decimated, version';
       const two = [1, 2].map((version) => [`${long} ${version}.obj`, objFile(cutBox)]);
       await tab.dropFiles([...two, notes]);
@@ -302,7 +302,7 @@ describe('files of surfaces', () => {
     assert.equal(await up.inputValue(), 'y');
     assert.equal((await tab.state()).figure.points.length, 5);
 
-    // A scan that lies on its head is turned over.
+    // The user turns over a scan that lies on its head.
     await up.selectOption('Z down');
     await opened(tab, '~-z:cone.ply');
     await tab.still();
@@ -431,7 +431,7 @@ describe('files of surfaces', () => {
     const found = tab.page.locator('#checkup-found');
     const show = found.getByRole('button', { name: 'Show 60 boundary edges' });
     await show.waitFor();
-    // The edges of the base, and those from it to the tip.
+    // The lengths of the base's edges, and of those from it to the tip.
     const [foot, side] = [2 * Math.sin(Math.PI / 60), Math.hypot(1, 3)];
     assert.match(
       await found.textContent(),

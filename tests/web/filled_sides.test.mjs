@@ -1,4 +1,4 @@
-// Regions as triangles: neighbors have whole edges in common, so that no pixel between them is missed.
+// Regions as triangles: neighbors share whole edges, so that no pixel between them stays empty.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { load as loadEngine } from 'karcher';
@@ -30,7 +30,7 @@ describe('parts of faces', () => {
     });
   const sidesOf = (loop) => loop.map((end, i) => [end, loop[(i + 1) % loop.length]]);
 
-  /** Whether sides that have no end in common have no point in common, and others only that end. */
+  /** Whether two sides share at most a common end. */
   function areApart(sides) {
     return sides.every(([a, b], i) =>
       sides.slice(i + 1).every(([p, q]) => {
@@ -91,7 +91,7 @@ describe('regions of surfaces', () => {
     karcher = await loadEngine();
   });
 
-  /** The length of the edges that only one triangle has, and the area of all. */
+  /** The length of the edges that belong to only one triangle, and the area of all triangles. */
   function measured(mesh, { whole, parts, corners }) {
     const [positions, triangles] = [mesh.positions(), mesh.triangles()];
     const uses = new Map();

@@ -1,4 +1,4 @@
-// The first minute of a new user: what the page shows and allows.
+// The first minute of a new user: the page's first display, and the first actions.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';

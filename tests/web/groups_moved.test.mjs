@@ -113,7 +113,7 @@ describe('objects that move together', () => {
 describe('a group of a heart and a ring on the bunny', () => {
   const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
-  /** The face whose middle is seen nearest to a place of the window. */
+  /** The face whose middle appears nearest to a place of the window. */
   const faceAt = (tab, { x, y }) =>
     tab.page.evaluate(
       async ([px, py]) => {
@@ -133,7 +133,7 @@ describe('a group of a heart and a ring on the bunny', () => {
       [x, y],
     );
 
-  /** The ends of geodesics of these lengths all round a face's middle. */
+  /** The ends of geodesics of these lengths in all directions from a face's middle. */
   function around(mesh, face, lengths) {
     const middle = { face, bary: [1 / 3, 1 / 3, 1 / 3] };
     const normal = new Vector3(...mesh.normal(middle));

@@ -1,4 +1,4 @@
-// A pointer or key holds something while another action happens: it is released, and the next drag
+// A pointer or key that holds something while another action happens releases it, and the next drag
 // works normally.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
@@ -25,7 +25,7 @@ describe('what is held', () => {
 
   let files = 0;
 
-  /** A corner and a smooth anchor, which is selected, on the left part. */
+  /** A corner and a selected smooth anchor on the left part. */
   async function drawn() {
     const tab = await Tab.open(browser);
     // Each test has a file name of its own: the browser restores drawings by file.
@@ -89,7 +89,7 @@ describe('what is held', () => {
         3,
         'what was undone can be done again',
       );
-      // A continued curve is one step with its first anchor.
+      // A continued curve and its first anchor are one step.
       for (let step = 0; step < 2; step++) await tab.page.keyboard.press('Escape');
       await tab.page.keyboard.press('p');
       await tab.drag({ x, y }, { x: x + 30, y });
@@ -132,7 +132,7 @@ describe('what is held', () => {
       };
       assert.equal(await undone(), start, 'it is one step');
       await page.keyboard.press('Control+Shift+z');
-      // The key is down during another action.
+      // The key stays down during another action.
       await focus();
       await page.keyboard.down('ArrowRight');
       await moves(nudged);
@@ -148,7 +148,7 @@ describe('what is held', () => {
       await moves(bent);
       await still(false);
       assert.equal((await tab.state()).figure.kind, 'bezier');
-      // The nudged object is deleted.
+      // The other action deletes the nudged object.
       await focus();
       await page.keyboard.down('ArrowUp');
       await still(true);
@@ -179,7 +179,7 @@ describe('what is held', () => {
     const nudged = await points();
     assert.notEqual(nudged, start);
     await page.keyboard.up('ArrowRight');
-    // The next step does not undo it.
+    // The next step does not undo the nudge.
     await page.keyboard.press('c');
     assert.equal(await points(), nudged);
     await page.keyboard.press('Control+z');
@@ -219,7 +219,7 @@ describe('what is held', () => {
     const { page } = tab;
     await tab.click([-110, 40], [-40, -10], [40, 50], [110, -10]);
     await page.keyboard.press('Enter');
-    // An unfinished curve would be removed with the choice of another object.
+    // The choice of another object would remove an unfinished curve.
     await tab.click([-80, 90], [-40, 110], [0, 100], [40, 110], [80, 90]);
     const name = page.locator('#object-name');
     await name.focus();

@@ -67,7 +67,7 @@ describe('no work is lost', () => {
       });
       const large = { format: 'karcher-drawing', version: 1, active: 1, objects };
       await tab.page.evaluate((test) => {
-        // As in a full store, shorter texts still find room.
+        // As in a full store, there is still room for shorter texts.
         const full = new Function(`return ${test}`)();
         const set = Storage.prototype.setItem;
         Storage.prototype.setItem = function (name, value) {
@@ -95,7 +95,7 @@ describe('no work is lost', () => {
     });
   }
 
-  /** The browser keeps a file after it is shown. */
+  /** Waits until the browser has stored the shown file. */
   const isKept = (tab, mesh) =>
     tab.page.waitForFunction(
       (key) =>
@@ -199,7 +199,7 @@ describe('no work is lost', () => {
     await until(async () => !(await picture()).equals(whole), 'the stage is empty');
     await lost.evaluate((switched) => switched.restoreContext());
     await until(async () => (await picture()).equals(whole), 'it is drawn again');
-    // The surface and the lines from before are disposed of, and others are drawn.
+    // The page disposes of the earlier surface and lines, and draws others.
     await tab.page.locator('#surface').selectOption('torus');
     await tab.page.waitForFunction(() => window.karcherPage.state().mesh.startsWith('torus:'));
     await tab.click([0, 100], [60, 100]);

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { pageModule } from './page_module.mjs';
 
-/** A storage with room for this many letters. */
+/** A store with room for this many letters. */
 class Store extends Map {
   constructor(room = Infinity) {
     super();
@@ -82,7 +82,7 @@ describe('what is kept', () => {
         const words = `${count} points, room for ${browser} and ${tab} letters`;
         const fits = count < 1000 || room === Infinity || (count < 2000 && room >= 50_000);
         if (fits) assert.ok(isKept, words);
-        // A short link is in the address itself.
+        // The address itself holds a short link.
         if (isKept && count > 1000) assert.equal(found(), count, words);
       }
     }

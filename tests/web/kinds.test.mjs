@@ -42,7 +42,7 @@ describe('kinds of curves', () => {
     await tab.click(...places);
     const surface = await tab.mesh();
     const { diagonal, meanEdge } = surface.info;
-    // Centers are read from fields at vertices: a curve meets its points to a fraction of an edge.
+    // A field at vertices gives each center, so that curves meet points to a fraction of an edge.
     const meets = 0.05 * meanEdge;
     for (const kind of splines) {
       await tab.choose(kind);
@@ -176,8 +176,8 @@ describe('kinds of curves', () => {
             0.05 * meanEdge,
         );
       } else {
-        // The curve is the same on a plane, and here up to the curvature; a fifth of it spans the
-        // sphere.
+        // On a plane the curve would be the same. Here it differs by the curvature: a fifth of it
+        // spans the sphere.
         assert.ok(Math.abs(after.curve.length - before.curve.length) < 0.05 * before.curve.length);
       }
       await tab.page.keyboard.press('Control+z');

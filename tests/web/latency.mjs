@@ -1,14 +1,14 @@
-// Prints how long it takes in Chromium, on the built page, from a pointer event until the page has
-// heard what the engine made of it, with 20 objects in the document; and the longest tasks of the main
-// thread then and while a large surface loads:
+// Prints the time from a pointer event until the engine's answer reaches the page, with 20 objects in
+// the document, in Chromium on the built page. Also prints the longest tasks of the main thread then
+// and while a large surface loads:
 //
 //   node tests/web/latency.mjs [SURFACE …]
 //
-// A surface is a mesh's file, a sphere's number of triangles, or a key such as `bunny:4`; `loading` is a
-// file of two million triangles that is only opened. Drawing is
-// left out: WebGL draws nothing, and what is called on a frame is called at once. Times are in
-// milliseconds: the least, which a busy machine disturbs little, the median and the 95 % quantile; and
-// the processor's time a step, of the main thread and the engine's, until all beside it is there too.
+// A surface is a mesh's file, a sphere's number of triangles, or a key such as `bunny:4`. The word
+// `loading` stands for a file of two million triangles that the page only opens. WebGL draws nothing,
+// and frames run at once. Times are in milliseconds: the least, which a busy machine disturbs little,
+// the median and the 95 % quantile; and the processor time per step of the main thread and of the
+// engine, until everything beside the curve has followed.
 import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
@@ -30,9 +30,7 @@ const told = (values) => ({
   steps: values.length,
 });
 
-/**
- * Runs in each page before its own code: nothing is drawn, and `heard` reports a worker's answers.
- */
+/** Makes WebGL draw nothing, and `heard` report a worker's answers. Runs before the page's code. */
 function watch() {
   for (const name of ['drawElements', 'drawArrays']) {
     for (const whole of [name, `${name}Instanced`]) {

@@ -163,8 +163,7 @@ f 1 2 3 4\nf 5 6 7 8\n`,
         });
         return [menu.offsetWidth, Math.max(...widths)];
       });
-      // The padding of the menu and of its items is 36 pixels; a short menu is as wide as a hand
-      // needs.
+      // The menu and its items have 36 pixels of padding; a short menu is as wide as a hand needs.
       assert.ok(width <= Math.max(words + 40, 170), `${id}: ${width} for ${words}`);
       await page.keyboard.press('Escape');
     }

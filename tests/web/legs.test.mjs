@@ -11,7 +11,7 @@ describe('legs of the control polygon', () => {
   const seen = (tab, angle) =>
     tab.page.evaluate((place) => window.karcherPage.seen(place), onRing(angle));
 
-  /** A polyline of two points, the second of which was dragged nearly all around the ring. */
+  /** A polyline of two points after a drag of the second one nearly all around the ring. */
   async function drawnAround() {
     const tab = await Tab.open(browser, 'mesh=torus:2000&kind=polyline');
     for (const angle of [0.2, 0.8]) {

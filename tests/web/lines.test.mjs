@@ -1,4 +1,4 @@
-// Lines respond: the target of a click is marked, the selection is visible beside any line, hidden
+// Lines respond: the target of a click has a mark, the selection is visible beside any line, hidden
 // parts are thin and can be switched off, dashes are as long as the line is wide, and the magnet
 // shows whether it is on.
 import assert from 'node:assert/strict';
@@ -19,7 +19,7 @@ describe('lines', () => {
   const browser = browserOfSuite({ viewport: { width: 1280, height: 800 }, asUsers: true });
 
   /**
-   * Colors of the stage, red, green and blue each, of a column of pixels through a place of the
+   * Colors, red, green and blue each, in a column of the stage's pixels through a place of the
    * window.
    */
   async function column(tab, { x, y }, reach = 16) {
@@ -69,7 +69,7 @@ describe('lines', () => {
     for (const width of ['1', '20']) {
       await tab.page.locator('#width').fill(width);
       await tab.page.keyboard.press('Enter');
-      // The line gets the color of the mark itself.
+      // The line takes the color of the mark itself.
       await tab.page.locator('#color').fill('#f2b705');
       await tab.page.locator('#color').blur();
       await tab.settled();
@@ -244,7 +244,7 @@ describe('lines', () => {
       await tab.page.mouse.move(to.x, to.y + 3);
       await tab.page.mouse.move(to.x, to.y, { steps: 3 });
     };
-    // The place of the next piece, high above the path from its anchor.
+    // The place of the next segment, high above the path from its anchor.
     await tab.page.mouse.click(to.x, to.y);
     // The band is dashed: some places lie between dashes.
     const places = [];

@@ -1,4 +1,4 @@
-// The text of links and what is read of them: these tests need no browser.
+// The text of links and the values read from it: these tests need no browser.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { circle, figure, load, point, settings } from './figures.mjs';

@@ -1,4 +1,4 @@
-// Links that are too long or invalid are refused or explained, and never break the page.
+// The page refuses or explains links that are too long or invalid, and never breaks.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import fc from 'fast-check';

@@ -37,7 +37,7 @@ describe('hollows', () => {
   }
   const middle = (cells) => (cells / 2) * (cells + 1) + cells / 2;
 
-  /** The hollow of a vertex, from the widest neighborhood to the narrowest, from -1 to 1. */
+  /** The hollow of a vertex, from the widest to the narrowest neighborhood, from -1 to 1. */
   const at = (hollows, vertex) =>
     [...hollows.slice(4 * vertex, 4 * vertex + 4)].map((v) => v / 127);
   const pit = (x, y) => -0.15 * Math.exp(-40 * (x * x + y * y));
@@ -55,7 +55,7 @@ describe('hollows', () => {
     const cells = 40;
     const deep = at(hollowsOf(...grid(cells, pit)), middle(cells));
     assert.ok(deep[0] > 0.7, `${deep}`);
-    // A neighborhood with the curvature of a ball of its size is dark, a narrower one less so.
+    // A neighborhood that bends like a ball of its own size is dark, a narrower one less so.
     for (let i = 1; i < 4; i++) assert.ok(deep[i] > 0 && deep[i] < deep[i - 1], `${deep}`);
     const hill = at(hollowsOf(...grid(cells, (x, y) => -pit(x, y))), middle(cells));
     for (const [i, value] of hill.entries()) assert.ok(Math.abs(value + deep[i]) < 0.01);
@@ -63,7 +63,7 @@ describe('hollows', () => {
 
   test('do not depend on the size of triangles', () => {
     const values = [20, 40, 80].map((cells) => at(hollowsOf(...grid(cells, pit)), middle(cells)));
-    // A grid with lines four times as dense on one side as on the other.
+    // The grid has lines four times as dense on one side as on the other.
     const graded = grid(80, pit);
     const cells = 80;
     const warp = (t) => t + 0.6 * (t * t - 0.25);
@@ -207,8 +207,8 @@ describe('looks', () => {
 
   test('the ground has a shadow if the user chooses it, even after a reload', async () => {
     const tab = await Tab.open(browser, 'mesh=sphere:1500&view=0,20,2,0,0,0');
-    // A unit of the scene is 200 pixels; the ground's middle lies below the ball, whose rim is 40
-    // pixels aside there.
+    // A unit of the scene is 200 pixels. The ground's middle lies below the ball, whose rim is 40
+    // pixels to the side there.
     const below = 108;
     const plain = await besides(tab, below);
     const above = await besides(tab, -below);
@@ -235,7 +235,7 @@ describe('looks', () => {
     });
     assert.deepEqual(await besides(tab, below), shaded);
     await tab.page.emulateMedia({ colorScheme: 'dark' });
-    // On a dark background the ground is lit, and the shadow is seen on it.
+    // On a dark background the ground has light, and the shadow is visible on it.
     const [dark, beyond] = [
       await brightness(
         tab,
@@ -262,7 +262,7 @@ describe('looks', () => {
     'the shadow lies below the surface in every position: on the ground of another upward axis',
     async () => {
       const tab = await Tab.open(browser, 'mesh=sphere:320');
-      // A board: it stands on its rim with y up, and lies flat with z up.
+      // A board that stands on its rim with y up, and lies flat with z up.
       const corners = [0, 1].flatMap((z) => [0, 1].flatMap((y) => [0, 1].map((x) => [x, y, z])));
       const quads = ['1 2 4 3', '5 7 8 6', '1 5 6 2', '3 4 8 7', '1 3 7 5', '2 6 8 4'];
       const board = [
@@ -304,7 +304,7 @@ describe('looks', () => {
       Array.from({ length: values.length / 3 }, (_, i) =>
         [letter, ...values.slice(3 * i, 3 * i + 3).map((value) => value + add)].join(' '),
       );
-    // One invisible triangle at the bottom is left out.
+    // The search leaves out one invisible triangle at the bottom.
     let lowest = 0;
     for (let i = 0; i < triangles.length; i += 3) {
       const height = (at) => positions[3 * triangles[at] + 1];

@@ -1,9 +1,9 @@
 // Traces the threads of a page for a while, as the browser records them.
 
-/** The page's main thread, and the workers', as the browser calls them. */
+/** The browser's names for the page's main thread and for the workers'. */
 const mainThread = 'CrRendererMain';
 const workerThread = 'DedicatedWorker thread';
-/** A task of a thread. */
+/** The browser's name for a task of a thread. */
 const task = 'ThreadControllerImpl::RunTask';
 
 /**

@@ -156,7 +156,7 @@ describe('a drawing of many objects', () => {
       () => page.locator('#lower').click(),
       (objects) => objects[2].name === 'Seam',
     );
-    // Selecting is no step of the history: it belongs to the next one.
+    // A selection is no step of the history: it belongs to the next one.
     await clickRow(tab, 3);
     await clickRow(tab, 2, { shift: true });
     await step(

@@ -23,7 +23,7 @@ export function farthestFromSurface(points, { positions, triangles }) {
   return farthest;
 }
 
-/** The face that a place on the surface is nearest to, and the weights of its corners there. */
+/** The face nearest to a place on the surface, and the weights of the face's corners there. */
 export function nearestOnSurface(place, { positions, triangles }) {
   let nearest = { distance: Number.POSITIVE_INFINITY };
   for (let face = 0; 3 * face < triangles.length; face++) {

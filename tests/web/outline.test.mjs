@@ -110,13 +110,13 @@ describe('the outline', () => {
     const { sight } = sightFrom(eye);
     const tree = treeOf(cube);
     const visible = creases.flatMap((line) => parts.visibleParts(line, tree, sight, 0));
-    // The three edges at the corner away from the eye are hidden, except for a grain at their ends.
+    // The three edges at the corner away from the eye are hidden, except for their very ends.
     assert.ok(Math.abs(total(visible) - 9) < 0.12, `${total(visible)}`);
     const away = [-0.5, -0.5, -0.5];
     for (const place of visible.flatMap((line) => placesOf(line))) {
       assert.ok(far(place, away) > 0.9, 'nothing near the hidden corner');
     }
-    // Seen from the front it is a square, which hides the depth behind it.
+    // From the front the cube is a square, which hides the depth behind it.
     const front = sightFrom([0, 0, 4]);
     const seen = parts.seenOutline(cube, tree, front.sight);
     const side = front.pixels / 3.5;
@@ -159,7 +159,7 @@ describe('a saved outline', () => {
     const svg = readFileSync(await download.path(), 'utf8');
     const { outline, others } = await page.evaluate((text) => {
       const root = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
-      // The points all along its curves.
+      // Points all along the curves of a path.
       const read = (path) => {
         const length = path.getTotalLength();
         return Array.from({ length: 200 }, (_, i) => {

@@ -2,7 +2,7 @@
 import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
 
-/** A module by its path from this folder, with its imports. */
+/** A module with its imports, by its path from this folder. */
 export async function pageModule(path) {
   const file = fileURLToPath(new URL(path, import.meta.url));
   const { module } = await runnerImport(file, { configFile: false, logLevel: 'error' });

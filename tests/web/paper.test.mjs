@@ -114,7 +114,7 @@ describe('the Paper page', () => {
       [id, index],
     );
 
-  // A center, and curves that are traced quickly.
+  // A center, and curves that take little time to trace.
   for (const id of long ? ids : ['means', 'graph']) {
     test(`has the figure '${id}' saved, moved and switched`, async () => {
       await open(id);
@@ -127,7 +127,7 @@ describe('the Paper page', () => {
         assert.deepEqual(before.metadata, before.json);
         const ours = numbersOf(before.json, oursIn(before.json.lines.map((one) => one.id)));
         assert.ok(ours.traceMs >= 0 && ours.deviation.median >= 0);
-        // A center of mass is one sample, and does not turn.
+        // A center of mass is one sample, which has no turning.
         if (before.json.curve.kind !== 'center') assert.ok(ours.turningNoise >= 0);
         assert.ok(before.json.info.triangles > 400);
 
@@ -295,7 +295,7 @@ describe('the Paper page', () => {
     assert.notDeepEqual(after.deviation, before.deviation);
   });
 
-  /** The curve that the editor shows for a panel's link, and the panel's own. */
+  /** The curve in the editor from a panel's link, and the panel's own curve. */
   async function openedInEditor(figure, index) {
     await open(figure);
     const href = await page
@@ -371,7 +371,7 @@ describe('the Paper page', () => {
     await section.scrollIntoViewIfNeeded();
     await section.getByLabel('Samples per segment').selectOption('128');
     const cells = () => page.evaluate(() => window.karcherPaper.table.cells);
-    /** Waits while cells follow one another. */
+    /** Waits while cells of the table are running. */
     const idle = async () => {
       const settled = () => page.evaluate(() => window.karcherPaper.table.settled);
       while (!(await settled())) {
@@ -427,7 +427,7 @@ describe('the Paper page', () => {
     await page.evaluate(() => {
       const { table } = window.karcherPaper;
       const row = table.rows.find(({ id }) => id === 'knot-500k');
-      // The tube degenerates: too many faces are folded in eight dimensions.
+      // The tube degenerates: too many faces fold over in eight dimensions.
       const of = { ...row.mesh, triangles: 20_000 };
       table.start([{ ...row, mesh: { kind: 'simplified', of, triangles: 90 } }]);
     });
@@ -449,7 +449,7 @@ describe('the Paper page', () => {
   test('Table 1 can be cancelled inside a long step, and run again', async () => {
     const section = page.locator('#table');
     const status = () => section.getByRole('status').textContent();
-    /** Starts a run; returns whether anything can be saved at once. */
+    /** Starts a run, and returns whether the page offers a file at once. */
     const start = (triangles) =>
       page.evaluate((count) => {
         const { table } = window.karcherPaper;

@@ -36,7 +36,7 @@ describe('the paper, judged', () => {
 
   const verdicts = ['holds', 'does not', 'depends', 'settled here', 'open', 'not measured here'];
   test('every claim has a row with a verdict, and leads to its figure', async () => {
-    // Figures judge the claims that need no report when they are measured.
+    // Figures judge the claims that need no report during their own measurement.
     await open('means');
     const four = page.locator('#claims tr[data-claim="four-points"]');
     assert.match(await four.locator('td').nth(1).textContent(), /center is [0-9.]+ h/);
@@ -174,7 +174,7 @@ describe('the paper, judged', () => {
         const { carried, points, source, target, reason } = window.karcherPaper.carried.shown;
         return { carried, points, reason, source: [...source[0]], target: [...target[0]] };
       });
-    // The page may not have received the pointer's event when `settled` is read.
+    // The page may not have received the pointer's event when the test reads `settled`.
     const moved = async (earlier) => {
       const at = String(earlier.target);
       await until(async () => String((await shown()).target) !== at, 'the target has moved');
@@ -248,7 +248,7 @@ describe('the paper, judged', () => {
       const { width, height } = document.querySelector('#plots .uplot canvas');
       const context = document.querySelector('#plots .uplot canvas').getContext('2d');
       const { data } = context.getImageData(0, 0, width, height);
-      // The lines are colored, axes and grid are not.
+      // Lines have colors; axes and grid are gray.
       const isColored = (k) => {
         const [r, g, b] = data.slice(k, k + 3);
         return data[k + 3] > 200 && Math.max(r, g, b) - Math.min(r, g, b) > 80;

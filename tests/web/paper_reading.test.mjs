@@ -107,7 +107,7 @@ describe('the Paper page for readers', () => {
       await status.textContent(),
       /^Measured on \d{4}-.* by version .*“Run” measures it/,
     );
-    // The machine of the numbers is named with them.
+    // The page names the machine with the numbers.
     assert.doesNotMatch(await page.evaluate(() => window.karcherPaper.table.csv()), /Mozilla/);
     await page.getByRole('button', { name: 'Run', exact: true }).click();
     assert.equal(await cell.textContent(), '');
@@ -161,7 +161,7 @@ describe('the Paper page for readers', () => {
       );
       return picture();
     };
-    // A canvas has this width until it is drawn.
+    // A canvas has this width until the page draws it.
     await page.waitForFunction(
       (canvas) => canvas.width !== 300,
       await loupe.locator('canvas').elementHandle(),

@@ -1,5 +1,5 @@
-// Chooses a part of many similar cases for a run: always the same part, so that a fault does not
-// first appear with somebody else's commit.
+// The choice of a part of many similar cases for a run. It is always the same part, so that a fault
+// does not first appear with somebody else's commit.
 import { test } from 'node:test';
 
 /** The seed of the random cases: always the same one, or KARCHER_SEED. */
@@ -17,7 +17,7 @@ export function* randoms(start) {
   }
 }
 
-/** The same as a function that returns the next number. */
+/** A function that returns the next number of `randoms`. */
 export function randomFrom(start) {
   const numbers = randoms(start);
   return () => numbers.next().value;
@@ -33,7 +33,7 @@ export function part(cases, count) {
   return Array.from({ length: count }, (_, i) => cases[Math.round(i * apart)]);
 }
 
-/** A test that runs only in a long run: it resembles others, or is a sitting of many steps. */
+/** A test that runs only in a long run, since it resembles others or takes many steps. */
 export function inLongRun(name, run) {
   test(name, { skip: !long && 'in a long run' }, run);
 }

@@ -1,6 +1,6 @@
-// Sessions of people who make parts of a surface: a technician's trim line, and a badge. Each step is taken with
-// the mouse and the keys; places are parts of the stage, whatever its size. `tell` is called after each step with its
-// name.
+// Sessions of people who make parts of a surface: a technician's trim line, and a badge. They take
+// each step with the mouse and the keys. Places are parts of the stage, whatever its size. A
+// session calls `tell` after each step with the step's name.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { clickAt, control, dragAt, placeOn } from './sittings.mjs';
@@ -61,7 +61,7 @@ export async function trimSitting(tab, tell = async () => {}) {
   await tab.still();
   await tell('limb');
 
-  // The line: three places in front, three behind.
+  // The line has three places in front and three behind.
   await click('#tool-curve');
   const line = () => clickAt(tab, [-0.15, 0.05], [0, 0.05], [0.15, 0.05]);
   await line();
@@ -133,8 +133,8 @@ const lattice = Array.from({ length: 200_000 }, (_, i) => {
 const areaWhere = (isInside) => (4 * Math.PI * lattice.filter(isInside).length) / lattice.length;
 
 /**
- * Circles are united, cut out of each other and trimmed, then filled, given a rim, cut out of the surface and saved.
- * The area is compared with a count of points of the sphere.
+ * Unites circles, cuts them out of each other and trims them, then fills the result, gives it a
+ * rim, cuts it out of the surface and saves it. A count of points of the sphere checks the area.
  */
 export async function badgeSitting(tab, tell = async () => {}) {
   const { page } = tab;
@@ -166,7 +166,7 @@ export async function badgeSitting(tab, tell = async () => {}) {
     const [a, b] = [point, center].map((v) => v.map((value) => value / Math.hypot(...v)));
     return Math.acos(Math.min(1, a[0] * b[0] + a[1] * b[1] + a[2] * b[2])) < radius;
   };
-  /** Selects objects by their places in the list, from the top: the newest first. */
+  /** Selects objects by their places in the list, from the topmost, which is the newest. */
   const choose = async (...places) => {
     await page.locator('#tool-select').click();
     for (const [i, place] of places.entries()) {

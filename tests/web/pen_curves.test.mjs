@@ -102,7 +102,7 @@ describe('curves of the pen', () => {
         bernstein(i / 199).reduce((sum, weight, k) => sum + weight * old[k][axis], 0),
       ),
     );
-    // The two halves run where the whole curve did.
+    // The two halves run where the whole curve ran.
     const line = after.curve.samples.position;
     for (const place of places) {
       let least = Infinity;
@@ -111,7 +111,7 @@ describe('curves of the pen', () => {
       }
       assert.ok(least < 3e-3, `${least}: samples are as far apart`);
     }
-    // The chords differ.
+    // The halves have other chords than the whole.
     assert.ok(Math.abs(after.curve.length / before.curve.length - 1) < 1e-4);
     plane.editor.undo();
     assert.deepEqual(plane.editor.state.figure.points, points);

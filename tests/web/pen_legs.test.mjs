@@ -64,7 +64,7 @@ describe('legs of the pen', () => {
   const places = (from, to) =>
     Array.from({ length: Math.round((to - from) / 0.05) }, (_, i) => from + 0.05 * (i + 1));
 
-  /** A corner and a smooth anchor that is dragged further around the tube. */
+  /** A corner and a smooth anchor after a further drag around the tube. */
   async function drawnOut(more = []) {
     await draw([along(0), smooth(0.3), ...more]);
     for (const at of places(0.3, 1.9)) {
@@ -81,7 +81,7 @@ describe('legs of the pen', () => {
     const [{ index, part }, ...others] = page.session.view.shorter;
     assert.deepEqual([index, others], [0, []]);
     assert.ok(part < 0.9, `${part}`);
-    // It is one step, including its legs.
+    // The drag is one step, including its legs.
     const drawn = figure();
     page.editor.undo();
     await page.settled();
@@ -112,7 +112,7 @@ describe('legs of the pen', () => {
     assert.ok(length() > whole, 'the segments go back over their anchor');
     assert.deepEqual(legs(), [true, true, false]);
     assert.equal(shorter.length, 2);
-    // The saved legs are drawn again.
+    // The page draws the saved legs again.
     const { drawing, method } = page.editor.state;
     const { drawing: read } = page.parseLink(page.formatLink('torus:2000', method, drawing));
     assert.deepEqual(read.objects[0].figure, figure());
@@ -164,7 +164,7 @@ describe('legs of the pen', () => {
       await page.settled();
     };
     await place(anchor);
-    // The handle before it continues around the tube.
+    // The leg before the anchor follows its opposite handle around the tube.
     for (const at of places(0, 0.8)) {
       await place({ ...anchor, tangents: { after: along(1.1 - at), before: { length: null } } });
       isNear(lengthOf(page.session.view.curve.legs[1]), 1.1 + at);
@@ -214,7 +214,7 @@ describe('legs of the pen', () => {
     await release();
     assert.deepEqual(legs(), [true, true, false]);
     const { points } = figure();
-    // Anchors are inserted and removed.
+    // The test inserts and removes anchors.
     const { samples } = page.session.view.curve;
     const before = length();
     for (const part of [0.06, 0.25, 0.44]) {
@@ -303,7 +303,7 @@ describe('legs of the pen', () => {
       [2, 3, 4],
       [5, 6, 7],
     ]);
-    // A handle may be removed if no leg ends at it.
+    // The page may remove a handle if no leg ends at it.
     const fits = (index, to) => {
       const command = { type: 'change', index, from: points[index], to };
       const { points: after } = fitted(page.applyToFigure(open, command), open, command);

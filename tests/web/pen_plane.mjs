@@ -1,8 +1,8 @@
 // A plane of irregular triangles, and curves of the pen on it, for tests of their shape.
 
 /**
- * A square of side 1 in irregular triangles: the vertices of a grid, displaced without folding a
- * triangle.
+ * A square of side 1 in irregular triangles, whose vertices are those of a grid, displaced without
+ * folding a triangle.
  */
 export function roughPlane(cells, random) {
   const positions = [];
@@ -51,7 +51,7 @@ export const vector = (x, y) => {
   return { direction: [x / length, y / length, 0], length };
 };
 
-/** Draws a curve of the pen as the only object. */
+/** Draws a pen curve as the only object. */
 export async function drawPen(page, points, settings = {}) {
   const { editor, emptyDrawing, activeObject } = page;
   const { figure } = activeObject(emptyDrawing);

@@ -1,4 +1,4 @@
-// Bending of the pen's curves, and insertion and removal of anchors: exact on a plane, approximate
+// Bending of pen curves, and insertion and removal of anchors: exact on a plane, approximate
 // elsewhere.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
@@ -136,7 +136,7 @@ describe('the shape of curves of the pen', () => {
       const whole = places(old[segment], 400).flat();
       for (const half of halves.slice(segment, segment + 2)) {
         for (const place of places(half, 20)) {
-          // The distance is that of the whole curve's chords.
+          // The distance is that from the chords of the whole curve.
           assert.ok(within(Float64Array.from(whole), place) < 1e-5);
         }
       }

@@ -44,7 +44,7 @@ describe('the panel of a new user', () => {
     await tab.settled();
     assert.deepEqual(await shown(tab, hidden), hidden);
     await tab.page.locator('#fine > summary').click();
-    // The plain controls are not part of it.
+    // The folded section does not contain the plain controls.
     await tab.page.keyboard.press('n');
     await tab.choose('circle');
     await tab.choose('ellipse');

@@ -13,8 +13,8 @@ const sizes = {
 
 const at = (faces) => faces.map((face) => `${face},0.3,0.3`).join(';');
 /**
- * A curve with parts that are no center of mass and a leg that is not the shortest, another curve
- * beside it, and a circle.
+ * A curve with parts that are no center of mass and a leg that is not the shortest, and beside it
+ * another curve and a circle.
  */
 const fragment = [
   'mesh=genus3:5000&method=karcher-fast&kind=bspline',
@@ -23,9 +23,9 @@ const fragment = [
   'circle=100,0.3,0.3;0.1,1,0,0',
 ].join('&');
 
-/** Kinds without a tool: they are made of other objects. */
+/** Derived kinds, which have no tool. */
 const made = ['union', 'intersection', 'difference', 'exclusion'];
-/** Two overlapping circles, of which other objects can be made. */
+/** Two overlapping circles, the sources of derived objects. */
 const twoCircles = [
   'mesh=sphere:6000&kind=circle&circle=100,0.3,0.3;0.5,1,0,0',
   `other=${encodeURIComponent('kind=circle&circle=110,0.3,0.3;0.5,1,0,0')}`,
@@ -45,7 +45,7 @@ describe('clicks hit every control', () => {
   const looked = [];
   const browser = browserOfSuite();
 
-  /** The controls of a page of some size, which count together with those of all pages. */
+  /** Looks at the controls of a page of some size. They count together with those of all pages. */
   async function look(page, viewport) {
     await page.setViewportSize(viewport);
     const controls = new Controls(page);
@@ -95,7 +95,7 @@ describe('clicks hit every control', () => {
       await controls.click(page.locator('#tool-select'));
       await controls.click(page.locator('#go-on'));
       const chosen = new Set();
-      // The choices of the present curve; another kind of tool begins another one.
+      // The choices belong to the present curve: another kind of tool begins another curve.
       await chooseAll(tab, controls, 'the curve', chosen);
       await page.locator('#compare').selectOption('paper-exact');
       await page.locator('#compare-off').waitFor();
@@ -219,7 +219,7 @@ describe('clicks hit every control', () => {
   });
 });
 
-/** Escape closes a menu, on a busy machine after a moment. */
+/** Closes a menu by Escape, which takes a moment on a busy machine. */
 async function closeByKey(page) {
   await page.keyboard.press('Escape');
   await page.waitForFunction(() => document.querySelector(':popover-open') === null);
@@ -238,7 +238,7 @@ async function holdEngine(page) {
   return open;
 }
 
-/** Opens folded sections, by clicks. */
+/** Opens folded sections by clicks. */
 async function unfold(controls) {
   const folded = '[aria-expanded="false"]:not([aria-haspopup]), details:not([open]) > summary';
   for (;;) {
@@ -255,7 +255,7 @@ async function unfold(controls) {
   }
 }
 
-/** Waits until an open check-up has its answer, since the answer moves the elements below. */
+/** Waits until an open check-up has its answer, which moves the elements below. */
 const checkedUp = (page) =>
   page.waitForFunction(() => {
     const [details, found] = ['checkup', 'checkup-found'].map((id) => document.getElementById(id));
@@ -265,7 +265,7 @@ const checkedUp = (page) =>
 const all = (controls, selector) =>
   controls.page.locator(selector).filter({ visible: true }).elementHandles();
 
-/** A click on a box, and one on its words, changes the curve and is kept. */
+/** A click on a box, or on its words, changes the curve, and the change stays. */
 async function checkBoxes(tab, controls, kind) {
   for (const box of await all(controls, 'input[type="checkbox"]')) {
     for (const words of [false, true]) {
@@ -280,7 +280,7 @@ async function checkBoxes(tab, controls, kind) {
   }
 }
 
-/** Tries every choice of settings that no earlier kind had; it may show others. */
+/** Tries every choice of settings that no earlier kind had; a choice may reveal others. */
 async function chooseAll(tab, controls, kind, chosen) {
   for (const select of await all(controls, '.settings select')) {
     const id = await select.getAttribute('id');
@@ -295,7 +295,7 @@ async function chooseAll(tab, controls, kind, chosen) {
       );
       assert.ok(offers, `#${id} offers ${value} no more`);
       await select.selectOption(value);
-      // The method is prepared first; only then does the comparison offer the others.
+      // The page prepares the method first; only then does the comparison offer the others.
       if (id === 'method') {
         await tab.page.waitForFunction(
           (method) => window.karcherPage.state().method === method,

@@ -49,7 +49,7 @@ function model() {
   return glbFile({ positions: Array.from(attributes.position.array), faces });
 }
 
-/** Runs in a page before its scripts: counts the drawn fat lines, whose segments are instances. */
+/** Counts the drawn fat lines, whose segments are instances. Runs before the page's scripts. */
 function countLines() {
   window.lines = 0;
   const { prototype } = WebGL2RenderingContext;
@@ -101,7 +101,7 @@ describe('hooks of react-three-fiber', () => {
       await page.mouse.move(x + 6, y + 4, { steps: 3 });
       await page.mouse.up();
       await until(async () => 'face' in (await pointsOf(page))[1], 'the point is moved');
-      // Equal options in a new object leave the curve as it was dragged.
+      // Equal options in a new object leave the curve as the drag left it.
       const dragged = await pointsOf(page);
       await page.evaluate((value) => window.page.show(value), { ...shown, worker });
       assert.deepEqual(await pointsOf(page), dragged);

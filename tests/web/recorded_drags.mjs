@@ -1,12 +1,12 @@
-// Records drags of the page, or compares them with recorded ones: what a change of how legs travel must
-// leave as it is. By the page's parts, in Node.
+// Records drags, or compares them with recorded ones, by the page's modules in Node. A change of the
+// code for moving legs must not change these drags.
 //
 //   node tests/web/recorded_drags.mjs FILE              (writes the file)
 //   node tests/web/recorded_drags.mjs FILE --against    (compares, and fails where they differ)
 //
-// 200 drags on five surfaces, of all kinds that have legs: each a walk of a control point over the
-// surface, some steps of which are not waited for. Of each answer it keeps the levels, the statuses and
-// the samples' places; of each drag that has ended the legs, too.
+// There are 200 drags on five surfaces, of all kinds that have legs. Each is a walk of a control point
+// over the surface, without a wait after some of the steps. The record has the levels, the statuses and
+// the samples' places of each answer, and the legs after each drag.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { load } from 'karcher';
 import { openPage } from './engine_in_node.mjs';
@@ -20,7 +20,7 @@ const steps = 12;
 /** The tolerance as a part of the diagonal. */
 const tolerance = 1e-9;
 
-// The time that steps take must not decide which levels are drawn.
+// The duration of steps must not decide the levels.
 performance.now = () => 0;
 
 const cases = [

@@ -82,7 +82,7 @@ describe('the exact curve after the draft', () => {
     const from = await tab.handle('Control point 2 of 4');
     await tab.drag(from, { x: from.x + 10, y: from.y });
 
-    // The refining engine is held until the drags are over.
+    // The test holds the refining engine until the drags are over.
     let release;
     const released = new Promise((resolve) => {
       release = resolve;
@@ -111,7 +111,7 @@ describe('the exact curve after the draft', () => {
       drafts.push(await samplesOf(tab));
       await tab.page.mouse.up();
       await answered();
-      // It is requested in a turn of its own, after the draft is shown.
+      // The page requests the exact curve in a turn of its own, after it has shown the draft.
       await tab.page.waitForFunction(() => {
         const { quality, refining } = window.karcherPage.view();
         return refining || quality !== 'draft';
@@ -170,7 +170,7 @@ describe('parts of a curve without a center', () => {
     await tab.page.mouse.down();
     await tab.page.mouse.move(from.x + 12, from.y - 9, { steps: 4 });
     await tab.settled();
-    // The levels are as many as before, or a draft of averages alone if they take too long.
+    // A drag keeps the levels, or at least two of them if they take too long.
     const held = (await tab.view()).curve;
     assert.ok(held.levels >= Math.min(curve.levels, 2), `${held.levels}`);
     assert.deepEqual(held.lost, []);
@@ -179,7 +179,7 @@ describe('parts of a curve without a center', () => {
     const { curve: released } = await tab.view();
     assert.deepEqual(released.lost, []);
     assert.ok(released.levels > 0);
-    // This choice of the panel breaks here: the mean of all points.
+    // The curve without levels breaks here: the mean of all points.
     await tab.page.locator('#levels').selectOption('0');
     await tab.settled();
     const { curve: mean } = await tab.view();
@@ -219,7 +219,7 @@ describe('parts of a curve without a center', () => {
     await rows.first().click();
     const beacon = tab.page.locator('.beacon');
     await beacon.waitFor();
-    // The view flies there: the mark comes to rest in the middle of the stage.
+    // The view flies there, until the mark rests in the middle of the stage.
     await tab.still();
     const box = await beacon.boundingBox();
     const middle = await tab.middle();

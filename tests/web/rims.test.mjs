@@ -6,9 +6,8 @@ import { linesOf } from './circle_views.mjs';
 import { far, vertices } from './polylines.mjs';
 
 /**
- * A square of 8 x 8 without its upper right quarter, as OBJ text. At its reentrant corner (4, 4) the
- * faces turn by 3 pi / 2, and each place of the sheet is seen from there, so that the plane says what
- * is right.
+ * A square of 8 x 8 without its upper right quarter, as OBJ text. At its reentrant corner (4, 4)
+ * the faces turn by 3 pi / 2. Straight lines lead from there to all of the sheet, as in the plane.
  */
 function sheetWithCorner() {
   const lines = [];
@@ -33,7 +32,7 @@ describe('from a vertex of the rim', () => {
 
   let sheets = 0;
 
-  /** The sheet as another file each time: the page keeps a drawing for each file. */
+  /** Drops the sheet as another file each time, since the page keeps a drawing for each file. */
   async function openSheet() {
     const tab = await Tab.open(browser);
     await tab.drop(`sheet-${++sheets}.obj`, sheetWithCorner());
@@ -85,7 +84,7 @@ describe('from a vertex of the rim', () => {
       assert.ok(far(await placeOf(points[0]), vertex) < 1e-12);
       const line = vertices(polyline);
       for (const [i, place] of line.entries()) {
-        // The nearest place of the cubic whose last two control points are the end.
+        // The nearest place of the cubic whose last two control points are its end.
         const off = Math.min(
           ...Array.from({ length: 1001 }, (_, k) => {
             const t = k / 1000;

@@ -1,5 +1,5 @@
-// Lengths: the surface's unit is guessed and can be chosen, and a ruler measures along the surface
-// and in a straight line.
+// Lengths: the page guesses the surface's unit, the user may choose another, and a ruler measures
+// along the surface and in a straight line.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { cutBox, stlFile } from '../wasm/mesh_files.mjs';
@@ -28,10 +28,10 @@ describe('lengths', () => {
     await tab.page.waitForFunction(() =>
       /Click where/.test(document.getElementById('hint').textContent),
     );
-    // It follows the pointer until the second click.
+    // The ruler follows the pointer until the second click.
     await tab.page.mouse.move(x - 20, y, { steps: 3 });
     const [short] = await told(tab);
-    // The click is one step: places on the way would be measured, too.
+    // The click is a single move, since the ruler would also measure places on the way.
     await tab.page.mouse.click(x + 130, y - 60);
     await tab.settled();
     await tab.page.waitForFunction(

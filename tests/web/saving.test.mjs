@@ -45,7 +45,7 @@ describe('saving', () => {
     await tab.click(...places);
     await tab.still();
     const stage = await tab.page.locator('#stage').boundingBox();
-    /** Its size, the transparent part of it, and whether it has the curve's color. */
+    /** The image's size, its transparent part, and whether it has the curve's color. */
     const look = async (format) => {
       const coming = tab.page.waitForEvent('download');
       await tab.page.locator('#save').click();
@@ -101,10 +101,10 @@ describe('saving', () => {
     }
     const [length, parameter] = rows.at(-1).slice(-2);
     assert.ok(Math.abs(length - curve.length) <= 1e-12 * length);
-    // Four points make a single segment.
+    // Four points form a single segment.
     assert.equal(parameter, 1);
 
-    // A second curve, in a color of its own, and the same with the surface.
+    // The page saves a second curve in a color of its own, also with the surface.
     await tab.page.keyboard.press('Control+d');
     await tab.settled();
     const saved = async (entry) => {
@@ -129,7 +129,7 @@ describe('saving', () => {
     const kinds = group.children.map(({ type }) => type);
     assert.deepEqual(kinds, ['Mesh', 'LineSegments', 'LineSegments']);
 
-    // Only the selection, which is one of both.
+    // The page saves only the selection, which is one of the two curves.
     await tab.page.locator('#save').click();
     await tab.page.locator('#only-selected').click();
     await tab.page.keyboard.press('Escape');
@@ -280,12 +280,12 @@ describe('saving', () => {
     for (const [i, name] of ['Wave & <rim>', 'B-spline 2'].entries()) {
       const { samples, commands } = groups.find((group) => group.name === name);
       for (const place of samples) assert.ok(off(place, lines[i]) < 0.25, `${name}: ${place}`);
-      // Each place of the line is as near to the curve; rounded digits and samples add two
-      // hundredths.
+      // Each place of the line is as near to the curve, up to two hundredths for rounded digits and
+      // samples.
       for (const place of lines[i]) assert.ok(off(place, samples) < 0.27, `${name}: ${place}`);
       assert.ok(commands < lines[i].length / 6, `${commands} for ${lines[i].length} vertices`);
     }
-    // Only the selection is saved: the second curve.
+    // The page saves only the selection, the second curve.
     const only = tab.page.locator('#only-selected');
     await tab.page.locator('#save').click();
     await only.click();

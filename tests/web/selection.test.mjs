@@ -1,5 +1,5 @@
-// One selection: the object that is edited, colored, named and deleted is the one that looks
-// selected.
+// One selection: the object that looks selected is the one that edits, colors, names and deletions
+// change.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -23,7 +23,7 @@ const two = [
 describe('the selection', () => {
   const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
-  /** Two curves, the second of which is edited, with the tool that selects. */
+  /** Two curves, of which the second is edited, with the tool that selects. */
   async function drawn() {
     const tab = await Tab.open(browser);
     await tab.click(...two[0]);
@@ -111,7 +111,7 @@ describe('the selection', () => {
       for (const key of ['Delete', 'c', 'Control+d']) await tab.page.keyboard.press(key);
       await tab.settled();
       assert.equal(JSON.stringify(await objectsOf(tab)), before);
-      // A click on it selects it again.
+      // A click on the curve selects it again.
       await tab.page.mouse.click(place.x, place.y);
       await tab.settled();
       assert.equal(await handles(tab), 4);
@@ -163,7 +163,7 @@ describe('the selection', () => {
       await tab.page.keyboard.press('Control+z');
       await tab.settled();
       assert.deepEqual(await pointsOf(tab), before, 'one step of the history');
-      // A box around the two on the right, and a click that removes one of them.
+      // A box surrounds the two on the right, and a click removes one of them.
       await tab.page.keyboard.down('Shift');
       const { x, y } = await tab.middle();
       await tab.drag({ x: x + 10, y: y + 130 }, { x: x + 180, y: y - 60 });
@@ -182,7 +182,7 @@ describe('the selection', () => {
       await tab.page.keyboard.press('Control+z');
       await tab.settled();
       assert.deepEqual(await pointsOf(tab), before);
-      // A click on one of several selects only that one. The handles are back after the next frame.
+      // A click on one of several selects only that one. The handles return in the next frame.
       await tab.still();
       const back = await tab.handle(`${name} 2 of 4`);
       assert.deepEqual(back, second);

@@ -12,8 +12,8 @@ const refusals =
   /can(not)? be joined|cannot be split at \d+, its end|has no end to join|at least \d control points|not at one|control point there|takes no more|has a knot there/;
 
 /**
- * The objects in a link, which numbers them anew; the first of three weights follows from the
- * others.
+ * The objects of a drawing as a link stores them: renumbered, with the first of three weights
+ * computed from the others.
  */
 const plain = ({ objects, active }) => ({
   active: objects.findIndex(({ id }) => id === active),
@@ -37,7 +37,7 @@ describe('sequences of edits', () => {
     page = await openPage(triangles);
   });
 
-  /** The page's own edits, by their names; each may have nothing to do. */
+  /** The page's own edits by their names; each of them may have no effect. */
   function editsOf(random) {
     const { editor, session, edits, othersOf } = page;
     const below = (count) => Math.floor(random() * count);
@@ -51,7 +51,7 @@ describe('sequences of edits', () => {
       const at = position && 3 * below(position.length / 3);
       return position && Array.from(position.subarray(at, at + 3));
     };
-    /** The distance from a click within which it means a knot: often it means one. */
+    /** The distance from a click within which it means a knot, often a large one. */
     const within = () => (random() < 0.3 ? 0.05 : 0);
     const change = (make) => {
       const { points } = editor.state.figure;

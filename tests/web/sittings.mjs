@@ -1,5 +1,5 @@
 // Sessions of people who use the page for the first time, each step with the mouse and the keys
-// that they would use. `tell` is called after each step with its name.
+// that they would use. A session calls `tell` after each step with the step's name.
 import assert from 'node:assert/strict';
 import bunny from 'bunny';
 import { openBrowser, Tab } from './browser.mjs';
@@ -81,7 +81,7 @@ export async function scanSitting(tab, tell = async () => {}) {
   );
   await tell('drawn');
 
-  // The curve is selected again, and compared with that of the paper's method.
+  // The user selects the curve again, and compares it with that of the paper's method.
   await page.locator('#tool-select').click();
   await (await control(tab, '#objects .object:last-child, #objects li:last-child .object')).click();
   await tab.settled();
@@ -153,8 +153,8 @@ export async function figureSitting(tab, tell = async () => {}) {
 }
 
 /**
- * Draws a closed seam with the pen, styles, duplicates and moves it, and checks that all of it is
- * kept.
+ * Draws a closed seam with the pen, styles, duplicates and moves it, and checks that the page keeps
+ * all of it.
  */
 export async function seamSitting(tab, tell = async () => {}) {
   const { page } = tab;
@@ -200,7 +200,7 @@ export async function seamSitting(tab, tell = async () => {}) {
   await tab.settled();
   await tell('moved');
 
-  // The same on the other side of a line of two clicks.
+  // The user mirrors a copy in a line of two clicks.
   const { drawing: unmirrored } = await tab.state();
   await (await control(tab, '#mirror')).click();
   await (await control(tab, '#mirror-copies')).check();
@@ -263,8 +263,7 @@ const placeOf = ({ face, bary }, { positions, triangles }) =>
   );
 
 /**
- * A poster: a heart in a ring of dots, evenly spaced around a vase, colored, and saved as SVG and
- * PNG.
+ * A poster: a colored heart in a ring of dots, evenly spaced around a vase, saved as SVG and PNG.
  */
 export async function posterSitting(tab, tell = async () => {}) {
   const { page } = tab;
@@ -277,7 +276,7 @@ export async function posterSitting(tab, tell = async () => {}) {
   await tab.still();
   await tell('vase');
 
-  // Half of a heart; the other half is its mirror image in the vase's symmetry.
+  // The user draws half of a heart; the other half is its mirror image in the vase's symmetry.
   await page.locator('#tool-pen').click();
   await clickAt(tab, [0, 0.34]);
   await dragAt(tab, [0.22, 0.06], [0.24, -0.06]);
@@ -314,7 +313,7 @@ export async function posterSitting(tab, tell = async () => {}) {
   await tab.settled();
   await tell('heart');
 
-  // Dots in a row below the lip, spaced evenly.
+  // The dots form a row below the lip, evenly spaced.
   await page.locator('#stage').focus();
   await page.keyboard.press('Escape');
   await page.keyboard.press('Escape');

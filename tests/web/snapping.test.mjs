@@ -77,7 +77,7 @@ describe('snapping', () => {
     const [first] = (await tab.state()).drawing.objects[0].figure.points;
     await tab.click([60, 60]);
     const { x, y } = await tab.middle();
-    // The pointer is over the other curve's end, which it would select if the magnet were off.
+    // The pointer is over the other curve's end, and without the magnet would select it.
     await page.keyboard.press('g');
     await page.mouse.move(x - 118, y + 41);
     await page.locator('.preview[data-tag="anchor"]').waitFor();

@@ -1,5 +1,4 @@
-// Thousands of edits by hand in one tab: the memory of the page and its engine does not grow with
-// them.
+// Thousands of edits by hand in one tab do not increase the memory of the page and its engine.
 import assert from 'node:assert/strict';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
@@ -89,7 +88,7 @@ test(`${edits} edits by hand leave no memory behind`, { timeout: 7_200_000 }, as
       await edit();
       await tab.settled();
       if ((i + 1) % (edits / measurements) > 0) continue;
-      // The edited object is still a curve, whatever the edits did to it.
+      // The edited object is still a curve after any edits.
       assert.ok((await tab.state()).figure.points.length >= 3);
       const [held, resident] = [await heldBytes(devtools), residentBytes()];
       curve.push({ held, resident });
@@ -99,7 +98,7 @@ test(`${edits} edits by hand leave no memory behind`, { timeout: 7_200_000 }, as
     }
     const last = curve.at(-1);
     const middle = curve[Math.floor(measurements / 2)];
-    // An edit may stay in the history, in a few hundred bytes.
+    // An edit may remain in the history, in a few hundred bytes.
     assert.ok(last.held - middle.held < 1e6 + 2000 * edits, JSON.stringify(curve));
     // The engine's memory only grows, and by steps.
     assert.ok(last.resident === null || last.resident < 1.5 * middle.resident);

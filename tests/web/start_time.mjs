@@ -4,7 +4,7 @@ import { openBrowser } from './browser.mjs';
 
 const repeats = 5;
 
-/** Milliseconds from the navigation until the first surface is drawn and takes clicks. */
+/** The milliseconds from the navigation until the page accepts clicks on its first surface. */
 async function startTime(context, address) {
   const page = await context.newPage();
   await page.addInitScript(() => {

@@ -1,4 +1,4 @@
-// Adverse conditions and the page's reaction: no network, no storage, two fingers.
+// The page's reaction to adverse conditions: no network, no storage, two fingers.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { dracoFile, meshoptFile } from '../wasm/compressed_files.mjs';
@@ -32,7 +32,7 @@ describe('the page survives', () => {
       await tab.settled();
       assert.equal((await tab.state()).figure.points.length, 4);
       await chip.waitFor();
-      // Files that were not requested yet are there, too: the decompression of files, the other
+      // Files without an earlier request are available, too: the decompression of files, the other
       // page, and its module.
       for (const [name, write] of [
         ['draco.glb', dracoFile],
@@ -79,7 +79,7 @@ describe('the page survives', () => {
         window.room = false;
         const set = Storage.prototype.setItem;
         Storage.prototype.setItem = function (...args) {
-          // A short text finds room where a long one finds none.
+          // A short text still fits where a long one does not.
           if (this === localStorage && !window.room && args[1].length > 40)
             throw new DOMException('full', 'QuotaExceededError');
           return set.apply(this, args);
@@ -92,7 +92,7 @@ describe('the page survives', () => {
       const chip = tab.page.getByText('not kept', { exact: true });
       await tab.click(...places);
       await chip.waitFor();
-      // There is room again, and the next change is kept.
+      // The store has room again, and keeps the next change.
       await tab.page.evaluate(() => {
         window.room = true;
       });
@@ -111,7 +111,7 @@ describe('the page survives', () => {
   });
 
   describe('two fingers on a phone', () => {
-    /** A phone's page with four points, and fingers as its browser reports them. */
+    /** A phone's page with four points, and touches by its browser. */
     async function phone(work) {
       const browser = await openPhone();
       try {

@@ -1,5 +1,5 @@
-// Mirroring in planes: the plane in which a surface is its own mirror image, found from its places,
-// or the plane of three clicks.
+// Mirroring in planes: the plane in which a surface is its own mirror image, computed from its
+// places, or the plane of three clicks.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { browserOfSuite, Tab } from './browser.mjs';
@@ -28,7 +28,7 @@ describe('the plane of symmetry', () => {
     symmetry = await pageModule('../../web/model/symmetry.ts');
   });
 
-  /** Evenly spread directions on a sphere, deformed, turned and shifted; with normals. */
+  /** Evenly spread directions on a sphere, deformed, turned and shifted, with normals. */
   function cloud(count, change = (place) => place) {
     const shift = [0.3, -0.2, 0.1];
     const at = (direction) =>
@@ -65,7 +65,7 @@ describe('the plane of symmetry', () => {
     let best = null;
     let least = Number.POSITIVE_INFINITY;
     for (const one of places) {
-      // The vector is written out, since there are hundreds of millions of places.
+      // The vector has its components written out, since there are hundreds of millions of places.
       const [x, y, z] = one.place;
       const square = (x - at[0]) ** 2 + (y - at[1]) ** 2 + (z - at[2]) ** 2;
       if (square < least) {
@@ -96,7 +96,7 @@ describe('the plane of symmetry', () => {
       places,
     );
     assert.ok(Math.abs(dot(plane.normal, normal)) > within(1), `${plane.normal}`);
-    // Neighbouring places of the cloud are 0.1 apart.
+    // Neighboring places of the cloud are 0.1 apart.
     assert.ok(apart < 0.08, `${apart}`);
     const through = dot(plane.normal, [0.3, -0.2, 0.1]) - plane.offset;
     assert.ok(Math.abs(through) < 0.02, `${through}`);
@@ -166,7 +166,7 @@ describe('mirroring in planes', () => {
     for (let i = 0; i < positions.length; i += 3) {
       places.push(...turned(lopsided(positions.slice(i, i + 3))));
     }
-    // Each test has a file of its own: its drawing would be restored with it.
+    // Each test has a file of its own, since the page would restore the file's drawing.
     await tab.drop(
       'body.obj',
       [`# ${opened++}`, ...rows(places, 'v', 0), ...rows(triangles, 'f', 1)].join('\n'),

@@ -1,5 +1,5 @@
-// A move that would tear a figure has no effect, and a stroke that leaves its part of the surface
-// says why it ends.
+// A move that would tear a figure has no effect, and the page explains why a stroke ends that
+// leaves its part of the surface.
 import assert from 'node:assert/strict';
 import { before, describe, test } from 'node:test';
 import { Vector3 } from 'three';
@@ -13,7 +13,7 @@ describe('a figure', () => {
   });
 
   /**
-   * Points of the unit circle; their face is the angle: there is a path around it, and short cuts
+   * Points of the unit circle, whose face is the angle: there is a path around it, and short cuts
    * in space.
    */
   const surface = {
@@ -33,11 +33,11 @@ describe('a figure', () => {
     assert.equal(await torn(figure([0, 0.2, 0.4]), figure([1, 1.2, 1.4])), false);
     assert.equal(await torn(figure([0, 0.2, 0.4]), figure([1, 1.2, 1.2 + Math.PI])), true);
     assert.equal(await torn(figure([0, 0.2]), figure([0, 0.7])), false, 'it is stretched');
-    // The places are near in space and far along the surface: no leg is longer than the path was.
+    // The places are near in space and far along the surface: no leg exceeds the earlier path.
     const near = 2 * Math.PI - 0.1;
     assert.equal(await torn(figure([0, near]), figure([0, Math.PI])), false);
     assert.equal(await torn(figure([0, 0.2, 0.4], true), figure([0, 0.2, 0.4], true)), false);
-    // The last leg of a closed figure, and a larger figure.
+    // The next cases are the last leg of a closed figure, and a larger figure.
     assert.equal(await torn(figure([0, 0.6, 0.1], true), figure([0, 1.6, 3], true)), true);
     assert.equal(await torn(figure([0, 0.2]), figure([0, 1]), 2), false, 'it is scaled');
     assert.equal(await torn(figure([0, 0.2], false, 'points'), figure([0, 3])), false);

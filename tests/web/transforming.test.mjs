@@ -39,7 +39,7 @@ function flatArrays(cells) {
   return { positions: Float64Array.from(positions), triangles: Int32Array.from(triangles) };
 }
 
-/** The parts of the viewer's surface that a move needs, on a plane seen from above. */
+/** The parts of the viewer's surface that a move needs, for a plane seen from above. */
 const flatSurface = {
   frame: { scale: 1 },
   position: (point, target) => target.fromArray(placesOf([point], flatArrays(16))[0]),

@@ -85,7 +85,7 @@ describe('links of the page', () => {
   after(() => browser.close());
 
   const link = 'mesh=torus:5000&kind=bspline&method=karcher-fast&points=10,0.3,0.3;900,0.2,0.3';
-  /** The places of some vertices in the window; null if they are hidden. */
+  /** The places of some vertices in the window; null for hidden ones. */
   const seen = async (tab) => {
     await tab.still();
     return tab.page.evaluate(async () => {

@@ -15,7 +15,7 @@ describe('while the page waits', () => {
   let browser;
   before(async () => {
     browser = await openBrowser();
-    // Requests to workers are held if their script's name contains the letters of `window.holds`.
+    // The page holds requests to workers whose script name contains `window.holds`.
     await browser.context.addInitScript(() => {
       window.holds = '';
       window.held = [];
@@ -65,7 +65,7 @@ describe('while the page waits', () => {
     await hold(tab, '');
     await tab.settled();
     assert.equal((await tab.state()).figure.points.length, 5);
-    // An earlier request has an answer by the time that a later one has.
+    // An earlier request has an answer once a later one has.
     await up.selectOption('Z up');
     await shown(tab, '~z:cone.ply');
     assert.equal((await tab.state()).figure.points.length, 5);
@@ -109,7 +109,7 @@ describe('while the page waits', () => {
     await tab.page.evaluate(() => {
       for (const send of window.held) send();
     });
-    // The engine answers in order: a later request has been answered after it.
+    // The engine answers in order: once a later request has an answer, so has this one.
     await tab.click([60, 40]);
     await tab.page.waitForFunction(() => document.getElementById('progress').hidden);
     assert.equal((await tab.state()).method, 'paper-exact');

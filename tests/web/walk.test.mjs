@@ -1,5 +1,5 @@
 // A random walk over the controls and gestures: after every step panel, handles, halo and status
-// agree on the selection, and undo works.
+// show the same selection, and undo works.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import fc from 'fast-check';
@@ -97,7 +97,7 @@ const walks = fc.sample(fc.array(step, { minLength: steps, maxLength: steps }), 
   seed,
   numRuns: long ? 20 : 1,
 });
-/** With this many objects the walk begins no more, which would only be slow. */
+/** The number of objects from which the walk begins no more, which would only be slow. */
 const mostObjects = 8;
 
 /** The selection according to every part of the page. */

@@ -14,7 +14,7 @@ describe('looks of lines', () => {
     await tab.settled();
   }
 
-  /** The colors of a column of the stage from its middle, up and down, `aside` from it. */
+  /** The colors in a column of the stage, up and down from its middle, at a distance `aside`. */
   async function column(tab, aside, half) {
     await tab.still();
     const { x, y } = await tab.middle();
@@ -104,7 +104,7 @@ describe('looks of lines', () => {
     const crossing = async () => (await column(tab, 0, 4))[4];
     const opaque = await crossing();
     await type(tab, '#opacity', '50');
-    // Escape removes its anchors and the legs between them.
+    // Escape removes the line's anchors and the legs between them.
     for (let times = 0; times < 2; times++) await tab.page.keyboard.press('Escape');
     await tab.settled();
     const crossed = await crossing();

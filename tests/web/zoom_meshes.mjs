@@ -1,5 +1,5 @@
-// node tests/web/zoom_meshes.mjs FILE|FOLDER …: zooms on meshes from the whole to a triangle and back, at several
-// places, by the wheel, two fingers and keys, and prints what fails. The page must be built.
+// node tests/web/zoom_meshes.mjs FILE|FOLDER …: zooms on meshes from the whole to a triangle and
+// back, at several places, by the wheel, two fingers and keys. The page must be built.
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { openBrowser, Tab } from './browser.mjs';

@@ -5,12 +5,12 @@ import { touchOf } from './browser.mjs';
 
 /** The most steps from the whole to a triangle. */
 const mostSteps = 160;
-/** Two fingers part from this many pixels to that many, in so many moves. */
+/** Two fingers part from `together` to `apart` pixels, in `movesOfPinch` moves. */
 const [together, apart, movesOfPinch] = [40, 150, 4];
 
 /**
- * The surface at a place of the window, or else at the nearest one of a grid around it: its face, the
- * longest edge of this in pixels, and how large a pixel is; null if none is seen.
+ * The surface at a place of the window, or else at the nearest place of a grid around it: its face,
+ * the longest edge of the face in pixels, and the size of a pixel; null if no surface is visible.
  */
 const sight = (tab, { x, y }) =>
   tab.page.evaluate(
@@ -88,10 +88,10 @@ export async function zoomThrough(tab, how, at) {
     assert.ok(now, told('no surface is in view'));
     const gap = now.shown ? Math.hypot(now.shown.x - at.x, now.shown.y - at.y) : Infinity;
     assert.ok(gap < Math.max(width, height), told('the surface is behind the camera'));
-    // Beside the surface the nearest place of it may change.
+    // Beside the surface its nearest place may change.
     if (now.isThere && last.isThere) {
       assert.ok(now.pixel < last.pixel, told(`it is stuck: a pixel is ${now.pixel}`));
-      // Through the surface, another sheet would be there.
+      // A zoom through the surface would reach another sheet.
       const moved = Math.hypot(...now.place.map((value, axis) => value - last.place[axis]));
       assert.ok(moved < 40 * last.pixel, told(`it moved by ${moved / last.pixel} pixels`));
     }

@@ -1,5 +1,5 @@
-// Zoom from the whole to a single triangle and back on shapes that were hard: a smooth one, a noisy scan with
-// slivers, a thin tube, and a hollow such as an eye.
+// Zoom from the whole to a single triangle and back on difficult shapes: a smooth one, a noisy scan
+// with slivers, a thin tube, and a hollow such as an eye.
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { stlFile } from '../wasm/mesh_files.mjs';
@@ -7,7 +7,7 @@ import { browserOfSuite, Tab } from './browser.mjs';
 import { part, randomFrom, seed } from './part.mjs';
 import { zoomThrough } from './zooming.mjs';
 
-/** A grid around an axis: `place` is called with the angle and the height, both from 0 to 1. */
+/** A grid around an axis, by a function `place` of the angle and the height, both from 0 to 1. */
 function gridOf(around, along, place) {
   const positions = [];
   const faces = [];
@@ -28,7 +28,7 @@ function gridOf(around, along, place) {
 function noisyScan() {
   const random = randomFrom(seed);
   return gridOf(90, 60, (u, v) => {
-    // Every third row is close to the next one.
+    // Every third row lies close to the next one.
     const row = Math.round(60 * v);
     const height = row % 3 === 1 ? v + 0.99 / 60 : v;
     const [angle, polar] = [2 * Math.PI * u, Math.PI * (0.01 + 0.98 * Math.min(1, height))];
@@ -75,7 +75,7 @@ const lines = ({ positions, faces }) =>
   ].join('\n');
 
 const encode = (text) => new TextEncoder().encode(text);
-/** The eye looks at the viewer, along z. */
+/** The surfaces by their names; the eye looks at the viewer, along z. */
 const surfaces = [
   ['smooth', { mesh: 'sphere:20000' }],
   ['noisy', { name: 'noisy.stl', bytes: () => stlFile(noisyScan()) }],

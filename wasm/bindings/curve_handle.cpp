@@ -60,7 +60,7 @@ void CurveHandle::setPoints(const val& points) {
 }
 
 void CurveHandle::setWeights(const val& weights) {
-  // This refuses kinds without weights.
+  // `withWeight` refuses kinds without weights.
   CurveValue value = withWeight(curve_.value(), 0, 1);
   value.options.shape.weights = fromJs<double>(weights);
   become(std::move(value));

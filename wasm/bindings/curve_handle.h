@@ -51,9 +51,9 @@ class CurveHandle {
 
   /// {parameter, point, position, status}
   val pointAt(double parameter);
-  /// The same, with the derivative as {inFace, inSpace}.
+  /// {parameter, point, position, status, inFace, inSpace}
   val tangentAt(double parameter);
-  /// The same as `pointAt`, with {distance}. `place` is a Float64Array of three numbers.
+  /// The result of `pointAt`, with {distance}. `place` is a Float64Array of three numbers.
   val nearest(const val& place);
   double lengthAt(double parameter);
   val pointAtLength(double length);

@@ -52,8 +52,7 @@ class MeshHandle {
   val straightest(const val& from, const val& direction, double length) const;
   val shortestPath(const val& from, const val& to) const;
 
-  // Vectors and directions are in space, three numbers each. A direction of length 0 stands for
-  // none.
+  // Vectors and directions are in space, three numbers each. Length 0 marks a missing direction.
   /// {vectors, directions}
   val logMap(const val& from, const val& points, const val& directions) const;
   /// The log vectors of all vertices of the caller; NaN for unreachable ones.
@@ -132,7 +131,7 @@ std::unique_ptr<MeshHandle> meshFromObj(const val& bytes, const val& parts, bool
 /// `positions` is a Float64Array, `triangles` an Int32Array, with three numbers for each item.
 std::unique_ptr<MeshHandle> meshFromArrays(const val& positions, const val& triangles, bool repair,
                                            double weld);
-/// The same for polygons. `corners` has the vertices of one polygon after the other, `sizes` their
+/// A mesh of polygons. `corners` has the vertices of one polygon after the other, `sizes` their
 /// numbers of corners.
 std::unique_ptr<MeshHandle> meshFromPolygons(const val& positions, const val& corners,
                                              const val& sizes, bool repair, double weld);

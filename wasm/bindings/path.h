@@ -23,7 +23,7 @@ Array<int> append(Path& path, const Numbering& numbering, const TriangleMesh& me
 /// {closed, length, face, bary, position, lengths}
 val toJs(const Path& path);
 
-/// The same for points without lengths.
+/// The path of points of the engine with this length, as `toJs` returns it.
 val pathToJs(const Numbering& numbering, const TriangleMesh& mesh,
              const Array<SurfacePoint>& points, double length, bool closed = false);
 

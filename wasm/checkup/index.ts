@@ -19,9 +19,9 @@ export interface CheckUp {
   smallestAngle: number;
   /** The largest angle of a triangle, in degrees. */
   largestAngle: number;
-  /** Numbers of triangles with an angle below 2 degrees, and none above 170. */
+  /** The indices of triangles with an angle below 2 degrees but without one above 170. */
   needles: Int32Array;
-  /** Numbers of triangles with an angle above 170 degrees. */
+  /** The indices of triangles with an angle above 170 degrees. */
   caps: Int32Array;
   /** Edges of one face only: x, y, z of both ends, six numbers for each edge. */
   boundary: Float64Array;

@@ -9,7 +9,7 @@ export interface NearBoundaries {
    * weld them.
    */
   places: Float64Array;
-  /** The tolerance, as `weld` of `MeshOptions`, that joins them. */
+  /** The tolerance that joins the boundaries, as `weld` of `MeshOptions`. */
   weld: number;
 }
 
@@ -35,8 +35,8 @@ interface Places {
 
 /**
  * Finds boundaries that lie on each other: a vertex of one is within 1e-4 of the diagonal of a
- * vertex of the other, and within a third of the shortest edge at either. If both are at the same
- * place, an edge of each must be, too, since the import does not weld vertices that only touch.
+ * vertex of the other, and within a third of the shortest edge at either. Vertices at one place
+ * need neighbors at one place, too: the import welds no vertices that only touch.
  */
 export async function nearBoundaries(
   { positions, boundary, shortest, diagonal }: Places,

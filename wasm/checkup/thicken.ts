@@ -223,7 +223,7 @@ function unfolded(
 function firstRoot(c: number, b: number, a: number): number {
   const under = b * b - 4 * a * c;
   if (c <= 0 || under < 0) return Infinity;
-  // This avoids the difference of two numbers of similar size.
+  // The form avoids the difference of two numbers of similar size.
   const half = -(b + Math.sign(b || 1) * Math.sqrt(under)) / 2;
   const roots = [half / a, c / half].filter((root) => root > 0);
   return Math.min(Infinity, ...roots);

@@ -38,7 +38,7 @@ export const bench: Command = {
     const { mesh } = await read(peers.karcher);
     const { vertices, triangles } = mesh.info;
     const points = given.map((point) => pointOfFace(mesh, point));
-    // This comes first, so that the command reports wrong points before the long work.
+    // The curve comes first, so that the command reports wrong points before the long work.
     const { sampleUs, ...karcherCurve } = timeCurve(mesh, points, samples, { method: 'karcher' });
     const steps = timeSteps(peers, mesh, points[0]!);
     const paperCurve = timeCurve(mesh, points, samples, {

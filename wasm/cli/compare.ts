@@ -86,7 +86,7 @@ export const compare: Command = {
     const peers = await loadPeers();
     const { mesh } = await read(peers.karcher);
     const plan = peers.plan(points, samples);
-    // This comes first, so that the command reports wrong points before the long work.
+    // The reference comes first, so that the command reports wrong points before the long work.
     const reference = await traceReference(peers, mesh, plan);
     const ruler = new Ruler(mesh, plan);
     await ruler.compareWith(reference.samples);

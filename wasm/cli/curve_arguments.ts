@@ -79,7 +79,7 @@ export async function readCurve(args: Arguments): Promise<CurveRecord> {
   );
 }
 
-/** The same, or all curves of the file if the arguments choose none. */
+/** The curves of the arguments, or all curves of the file if the arguments choose none. */
 export async function readCurves(args: Arguments): Promise<[CurveRecord, ...CurveRecord[]]> {
   if (args.given('curve')) {
     const names = partOptions.map(({ name }) => name);

@@ -18,7 +18,7 @@ export const cut: Command = {
       name: 'out',
       value: 'FILE',
       help: `the files for the parts: leg.stl gives leg_0.stl, leg_1.stl, …; ${writtenFormats.join(', ')}`,
-      // These words are for the help; no such value exists.
+      // The default is a description for the help; no such value exists.
       default: 'nowhere',
     },
     {

@@ -30,7 +30,7 @@ export const drawnOptions: readonly Option[] = [
     name: 'tube',
     value: 'RADIUS',
     help: 'with --format obj, ply, glb or stl: the curves as closed tubes; STL has no lines',
-    // These words are for the help; no such value exists.
+    // The default is a description for the help; no such value exists.
     default: 'lines',
   },
 ];
@@ -47,7 +47,7 @@ export const outOption: Option = {
   name: 'out',
   value: 'FILE',
   help: 'the file for the result',
-  // These words are for the help; no such value exists.
+  // The default is a description for the help; no such value exists.
   default: 'standard output',
 };
 
@@ -69,7 +69,7 @@ export const meshOptions: readonly Option[] = [
     name: 'weld',
     value: 'LENGTH',
     help: 'the distance up to which boundaries are welded; 0 for none',
-    // These words are for the help; no such value exists.
+    // The default is a description for the help; no such value exists.
     default: '1e-6 of the diagonal',
   },
 ];

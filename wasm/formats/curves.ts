@@ -4,11 +4,11 @@ import type { CurveSamples, SurfacePoint } from '../types.js';
 
 /** The properties of a path in files; a `Path` has them. */
 export interface FilePath {
-  /** Whether it ends where it starts. */
+  /** Whether the path ends where it starts. */
   readonly closed: boolean;
-  /** The number of its points. */
+  /** The number of points. */
   readonly count: number;
-  /** Its points. */
+  /** The path's points. */
   points(): readonly SurfacePoint[];
   /** x, y, z of each point. */
   polyline(options: { bits: 64 }): Float64Array;

@@ -53,7 +53,7 @@ const encodings = new Map<string, PlyHeader['encoding']>([
   ['binary_big_endian', 'big'],
 ]);
 
-/** The limit of a header's length, beyond which text is none. */
+/** The largest length of a header: a longer text is none. */
 const longestHeader = 1 << 16;
 
 /** Reads a PLY file's header. Throws `KarcherError` badFile with the line. */

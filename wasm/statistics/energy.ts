@@ -200,7 +200,7 @@ async function faceOf(mesh: AnyMesh, at: PointLike) {
   const along = unit(ab);
   const height = dot(ac, along);
   const across = unit(ac.map((x, k) => x - height * along[k]!) as Vector);
-  // These are the gradients of the weights of corners b and c with respect to places.
+  // The gradients of the weights of corners b and c with respect to places.
   const toC = 1 / dot(ac, across);
   const toB = 1 / dot(ab, along);
   const change = (axis: Vector, length: number): Vector => {

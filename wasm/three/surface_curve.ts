@@ -18,7 +18,7 @@ interface ShownCurve {
 
 interface Edit {
   value: CurveOptions;
-  /** Whether it follows a drag of points, so that the legs of the drawn curve continue. */
+  /** Whether the edit follows a drag of points, so that the legs of the drawn curve continue. */
   isDrag: boolean;
   tell(isShown: boolean): void;
   fail(error: unknown): void;
@@ -68,7 +68,7 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
     this.#drawn = this.#value;
     this.visible = false;
     this.ready = this.#make();
-    // Those who wait for it receive its failure; nobody has to wait.
+    // A caller that waits for `ready` receives the failure, but no caller has to wait.
     this.ready.catch(() => {});
   }
 

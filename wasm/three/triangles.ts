@@ -68,7 +68,7 @@ export class Triangles {
     return found;
   }
 
-  /** 3 for corners in this order, 1 for the opposite order, 0 for others. */
+  /** The rank of a face: 3 for corners in this order, 1 for the opposite order, 0 for others. */
   #order(face: number, a: number, b: number, c: number): number {
     const [u, v, w] = [0, 1, 2].map((k) => this.#first[this.corners[3 * face + k]!]!);
     const is = (x: number, y: number, z: number) => x === a && y === b && z === c;

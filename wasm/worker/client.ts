@@ -22,18 +22,18 @@ import { type RemoteCurve, type RemoteMesh, remoteCurve, remoteMesh } from './re
  * its original call, a curve from its mesh by its last value.
  */
 interface Origin {
-  /** Its number in its present or last worker. */
+  /** The object's number in its present or last worker. */
   target: number;
-  /** Its worker; null after its disposal. */
+  /** The object's worker; null after its disposal. */
   worker: WorkerLike | null;
-  /** The mesh or curve from which it was created, or null. */
+  /** The mesh or curve from which the object was created, or null. */
   readonly of: Origin | null;
   readonly call: string;
   /** The arguments of its call, which nobody else changes. */
   args: readonly unknown[];
   /** The duration of the call in milliseconds. */
   readonly took: number;
-  /** Whether it is disposed of, or is about to be. */
+  /** Whether the object is disposed of, or is about to be. */
   isDisposed: boolean;
 }
 

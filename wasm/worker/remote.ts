@@ -113,7 +113,7 @@ function calling(client: Caller, names: readonly string[], object?: object) {
   return Object.fromEntries(names.map((name): [string, Call] => [name, callOf(name)]));
 }
 
-/** The same call without a basis: it rejects a curve's value that has one. */
+/** A call that rejects a curve's value with a basis. */
 const withoutBasis =
   (call: Call): Call =>
   (...args) => {

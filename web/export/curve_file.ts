@@ -88,7 +88,7 @@ export function jsonOf(state: State, view: View, place: ViewPlace | null): strin
   })}\n`;
 }
 
-/** The same with the file of its surface, as the parts of a text. */
+/** A drawing's JSON with the file of its surface, as the parts of a text. */
 export async function partsWithFile(json: string, { name, bytes }: FileInside): Promise<string[]> {
   const parts = [
     `${json.slice(0, json.lastIndexOf('}'))},"file":{"name":${JSON.stringify(name)},"base64":"`,

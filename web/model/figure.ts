@@ -274,7 +274,7 @@ export function surfacePoint(face: number, u: number, v: number): SurfacePoint {
 /** The place of a point, without its other properties. */
 export const plain = ({ face, bary }: SurfacePoint): SurfacePoint => ({ face, bary });
 
-/** Whether the surface has no part of the figure's kind yet. */
+/** Whether the figure has no points, circle or sources yet, whichever its kind has. */
 export function isEmpty({ kind, points, circle, derived }: Figure): boolean {
   if (isDerived(kind)) return (derived?.sources.length ?? 0) === 0;
   return isRound(kind) ? circle === null : points.length === 0;

@@ -30,7 +30,7 @@ export function recordActivation({ activated }: History, command: Command): void
     activated.push(command);
     return;
   }
-  // This merges selections: from the first object to the last.
+  // Consecutive selections merge into one, from the first object to the last.
   activated.pop();
   if (last.from !== command.to) activated.push({ ...command, from: last.from });
 }

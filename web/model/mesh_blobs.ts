@@ -7,7 +7,7 @@ export interface MeshArrays {
 }
 
 /**
- * The same arrays as Blobs, which pass between threads without a copy: the page hands the arrays of
+ * A mesh's arrays as Blobs, which pass between threads without a copy. The page hands the arrays of
  * two million triangles from worker to worker, and never holds them itself.
  */
 export interface MeshBlobs {

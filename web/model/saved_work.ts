@@ -42,7 +42,7 @@ export function savedWork(link: string, drawing: Drawing, history: Readonly<Hist
   return `${head.slice(0, -1)},"done":[${done!.join(',')}],"undone":[${undone!.join(',')}],"activated":${JSON.stringify(history.activated)}}`;
 }
 
-/** The same without the history: it takes less room, and still has its link. */
+/** A drawing's link as text, which takes less room without the history. */
 export const savedLink = (link: string) => JSON.stringify({ link, version: drawingVersion });
 
 const canonical = (drawing: Drawing) =>

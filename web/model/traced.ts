@@ -50,9 +50,9 @@ export interface TracedCurve {
   marks: CurvePoints | null;
   /** The number of levels of the curve, or of the arcs of a circle. */
   levels: number;
-  /** The legs of its control polygon, if it uses them. */
+  /** The legs of the curve's control polygon, if it uses them. */
   legs: readonly Float32Array[];
-  /** The same legs in the form that the engine continues. */
+  /** The legs in the form that the engine continues. */
   drawnLegs: readonly DrawnLeg[];
   /** The parts where the curve is no center of mass: bridges by subdivision replace it there. */
   lost: LostInterval[];
@@ -64,7 +64,7 @@ export interface TracedCurve {
   milliseconds: number;
   /** The fill; null if it was not requested. */
   fill: Fill | null;
-  /** The outlines from which other objects are made; null if they were not requested. */
+  /** The outlines from which other objects derive; null if nobody requested them. */
   outlines: readonly Path[] | null;
 }
 
@@ -73,7 +73,7 @@ export interface ShorterLeg {
   /** The index of the control point. */
   index: number;
   polyline: Float32Array;
-  /** Its length as a part of the leg's length. */
+  /** The path's length as a part of the leg's. */
   part: number;
 }
 

@@ -23,7 +23,7 @@ export interface OrbitPlace {
 
 export type ViewPlace = ViewName | OrbitPlace;
 
-/** The ranges of its numbers. */
+/** The ranges of the view's numbers. */
 const ranges = [
   { least: -180, most: 180 },
   { least: -90, most: 90 },

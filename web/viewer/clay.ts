@@ -47,10 +47,10 @@ const light = {
 
 /**
  * The shift of the surface away from the camera for each unit of its slope, as a part of its
- * distance. A sloped surface rises beside a line and would hide half of the line's width. Steeper
- * slopes count as this one.
+ * distance. A sloped surface rises beside a line and would hide half of the line's width.
  */
 const sunk = { value: 0 };
+/** The slope as which steeper ones count. */
 const steepest = 4;
 
 /** The size of a CSS pixel at a distance of 1. */
@@ -179,7 +179,7 @@ export function clayMesh(geometry: BufferGeometry): Mesh {
   return new Mesh(geometry, materials);
 }
 
-/** The same clay in another color, over the surface that it lies on, or over its bars. */
+/** The clay in another color, over the surface that it lies on, or over its bars. */
 export function paint(color: Color, opacity: number, bars: Bars | null = null): ShaderMaterial {
   return new ShaderMaterial({
     ...clay,

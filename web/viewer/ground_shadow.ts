@@ -20,14 +20,14 @@ import type { ViewerColors } from './colors';
 import type { Surface } from './surface';
 
 /**
- * The heights above the ground, an octave apart, that have a shadow each, in the scene, where a
- * surface is 2 wide at most. Below the first height all shadows are as sharp as its own.
+ * The heights above the ground, an octave apart, of which each has a shadow. They are in the scene,
+ * where a surface is at most 2 wide. Below the first height all shadows are as sharp as its own.
  */
 const heights = [0.06, 0.12, 0.24, 0.48] as const;
 /**
- * The widths of the bells that shadows are. Under a wide sky, a unit of area at height h hides h² /
- * (π (h² + d²)²) from a place of the ground at distance d: half of its shadow lies within h. A bell
- * curve has half of its mass within 1.18 of its width.
+ * The widths of the bell curves that stand for shadows. Under a wide sky, a unit of area at height
+ * h hides h² / (π (h² + d²)²) from a place of the ground at distance d: half of its shadow lies
+ * within h. A bell curve has half of its mass within 1.18 of its width.
  */
 const bellWidths = heights.map((height) => height / Math.sqrt(2 * Math.log(2)));
 const widest = Math.max(...bellWidths);

@@ -57,7 +57,7 @@ export class Surface {
   readonly frame: Frame;
   /** The mesh in the surface's own coordinates. */
   readonly mesh: MeshBlobs;
-  /** Whether its file has colors. */
+  /** Whether the surface's file has colors. */
   readonly hasColors: boolean;
   readonly #geometry = new BufferGeometry();
   readonly #tree: MeshBVH;
@@ -318,8 +318,8 @@ export class Surface {
   }
 
   /**
-   * The distance in that direction from the scene's middle at which an upright camera sees the
-   * surface's whole width; `slope` is the tangent of half its horizontal field of view.
+   * The distance from the scene's middle, in a direction, at which an upright camera sees the
+   * surface's whole width. `slope` is the tangent of half the camera's horizontal field of view.
    */
   widthDistance(direction: Vector3, slope: number): number {
     const aside = new Vector3(0, 1, 0).cross(direction).normalize().divideScalar(slope);
@@ -327,7 +327,7 @@ export class Surface {
     return Math.max(0, ...sides.map((side) => this.#reach(side)));
   }
 
-  /** The height of its lowest place in the scene. */
+  /** The height of the surface's lowest place in the scene. */
   get lowest(): number {
     return -this.#reach(new Vector3(0, -1, 0));
   }

@@ -356,8 +356,8 @@ export class EngineClient {
   }
 
   /**
-   * The parts of the surface after a cut along outlines, the largest first; with thickness if that
-   * is positive.
+   * The parts of the surface after a cut along outlines, the largest first. A positive thickness
+   * turns them into shells.
    */
   async cut(outlines: readonly Path[], thickness: number): Promise<SurfacePart[]> {
     const progress = (done: number, stage: string) => this.onProgress(done, stage);

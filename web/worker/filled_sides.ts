@@ -1,6 +1,6 @@
 /**
- * Fills parts of faces, described by their sides. A sweep from left to right joins each vertex that
- * it meets to those that this vertex sees (S. Hertel, K. Mehlhorn, "Fast triangulation of simple
+ * Fills parts of faces, described by their sides. A sweep from left to right joins each vertex to
+ * those of the swept part that it sees (S. Hertel, K. Mehlhorn, "Fast triangulation of simple
  * polygons", 1983). Triangles have corners only at ends of sides. So neighbors have whole edges in
  * common, also across faces, and no pixel between them is missing.
  */
@@ -92,7 +92,7 @@ function fillFace(sides: Float64Array, add: Add): void {
     const before = (under && fronts.get(under)) ?? [];
     const rows = ended.map((side) => fronts.get(side) ?? []);
     for (const side of ended) fronts.delete(side);
-    // The filling between two ended sides ends here; below and above, others go on from here.
+    // The fronts between the ended sides end here; the fronts below and above go on from here.
     for (const [k, row] of rows.slice(0, -1).entries())
       if ((k % 2 === 1) === isFilled) close(row, place, add);
     let lower: Front = [];
@@ -125,7 +125,7 @@ function joinedAbove(front: Front, place: Place, add: Add): Front {
   return [...front.slice(0, count), place];
 }
 
-/** The same with the place at its lower end. */
+/** A front with a place at its lower end, joined to those that the place sees from there. */
 function joinedBelow(front: Front, place: Place, add: Add): Front {
   let first = 0;
   while (first < front.length - 1 && turn(front[first]!, place, front[first + 1]!) > 0) {

@@ -108,7 +108,7 @@ function endsOf(
 
 /** Two perpendicular directions in the plane with a unit normal. */
 function axesOf(normal: Vector): Float64Array {
-  // This is the coordinate axis farthest from the normal.
+  // The coordinate axis farthest from the normal gives the first direction.
   const sizes = normal.map(Math.abs);
   const farthest = sizes.indexOf(Math.min(...sizes));
   const aside = cross(normal, [+(farthest === 0), +(farthest === 1), +(farthest === 2)]);

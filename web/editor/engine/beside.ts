@@ -30,7 +30,7 @@ export interface Beside {
   points: readonly SurfacePoint[];
   /** A center of mass. */
   center: SurfacePoint | null;
-  /** The region that its lines enclose, if it has a fill. */
+  /** The region that the figure's lines enclose, if it has a fill. */
   region: Region | null;
   /** The parts into which a cut divides the surface. */
   cut: ShownCut | null;

@@ -6,8 +6,8 @@ import type { State } from '../state/state';
 import type { Shown } from './compute';
 
 /**
- * The time of a step, in milliseconds, above which drafts without fields follow: half of a frame's
- * 16, with the other half for the page.
+ * The time of a step in milliseconds above which drafts without fields follow. It is half of a
+ * frame; the page takes the other half.
  */
 const longestDraft = 8;
 /** The number of slow steps before drafts, since the first also computes what others reuse. */
@@ -57,10 +57,7 @@ export class HeldTracing {
    * a drag.
    */
   #levels: number | 'limit' = 0;
-  /**
-   * Whether a curve without levels has some in its drag, as a draft, because its own steps were
-   * slow.
-   */
+  /** Whether a curve without levels has draft levels in its drag, since its own steps were slow. */
   #draft = false;
   /** The number of consecutive slow steps of the drag. */
   #slow = 0;

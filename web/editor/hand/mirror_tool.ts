@@ -57,7 +57,7 @@ export class MirrorTool {
   #clicked: SurfacePoint[] = [];
   /** The surface's plane of symmetry; null if it has none, undefined while the search goes on. */
   #symmetry: Symmetry | null | undefined;
-  /** The surface of this symmetry. */
+  /** The surface to which `#symmetry` belongs. */
   #of: Surface | null = null;
   readonly #aimed = new Newest<SurfacePoint>((point) => this.#showLine(point));
 

@@ -65,7 +65,7 @@ export class StageKeys {
     if (event.target !== stage || event.altKey) return;
     const arrow = arrows[event.key];
     if (event.ctrlKey || event.metaKey) {
-      // These keys move the view, whatever the selection is.
+      // Arrow keys with Ctrl move the view, whatever the selection is.
       if (!arrow) return;
       if (event.shiftKey) viewer.pan(panPixels * arrow[0], panPixels * arrow[1]);
       else this.#turn(arrow);

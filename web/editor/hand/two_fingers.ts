@@ -7,9 +7,8 @@ export interface Held {
 }
 
 /**
- * Two fingers on the stage always move the view: if the first one drags a handle when the second
- * comes down, the drag is undone, and the view takes both. The returned function says whether
- * several fingers are down.
+ * Two fingers on the stage always move the view: a second finger undoes the drag of a handle by the
+ * first, and the view takes both. The returned function says whether several fingers are down.
  */
 export function twoFingersMeanTheView(stage: HTMLElement, held: Held): () => boolean {
   const fingers = new Map<number, PointerEvent>();

@@ -14,7 +14,7 @@ export interface State {
   readonly drawing: Drawing;
   /** The figure of the edited object. */
   readonly figure: Figure;
-  /** The same figure without the drag under way. */
+  /** The figure without the drag under way. */
   readonly base: Figure;
   /** Whether this surface stands in for one that did not open, and is still unedited. */
   readonly standIn: boolean;
@@ -25,8 +25,8 @@ export interface State {
   /** The ids of the selected objects. */
   readonly chosen: readonly number[];
   /**
-   * Whether the selection is empty and excludes even the edited object: it has no handles, and the
-   * next drawing is a new object.
+   * Whether the selection is empty and excludes even the edited object, which then has no handles.
+   * The next drawing is a new object.
    */
   readonly none: boolean;
   readonly method: MethodId;
