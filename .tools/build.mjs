@@ -68,9 +68,9 @@ async function minify(...names) {
 }
 
 /**
- * Builds the facade and the command line program: wasm/*.ts to dist/*.js and .d.ts. Comments stay
- * only in the types, since a page need not load them, and neither the facade's indentation. Texts of
- * the facade have no line breaks, so that none is changed.
+ * Builds the facade and the command line program: wasm/*.ts to dist/*.js and .d.ts. Only the types
+ * keep comments and indentation, since a page need not load them. No text of the facade has line
+ * breaks, so that none changes.
  */
 export async function buildFacade() {
   const typescript = 'typescript/bin/tsc';

@@ -12,8 +12,8 @@ export interface CurveLeg {
 }
 
 /**
- * A closed path, a path from boundary to boundary, the value of one, or its points, of which
- * consecutive ones share a face. It is closed if it ends at its start.
+ * A closed path, a path from boundary to boundary, the value of either, or a list of points. The
+ * list is closed if it ends at its start; consecutive points share a face.
  */
 export type Outline = Path | PathValue | readonly PointLike[];
 

@@ -2,7 +2,7 @@
 
 /** A path as a value that survives JSON. `Path.from` makes it a path again. */
 export interface PathValue {
-  /** Whether it ends where it starts. */
+  /** Whether the path ends where it starts. */
   closed: boolean;
   /** The length on the surface. */
   length: number;
@@ -20,16 +20,16 @@ export interface PathValue {
 export interface RegionValue {
   /** The area, in squared units of the mesh. */
   area: number;
-  /** The length of its boundary. */
+  /** The length of the region's boundary. */
   perimeter: number;
-  /** The closed paths that bound it. */
+  /** The closed paths that bound the region. */
   boundary: readonly PathValue[];
-  /** For each triangle, 0 if it lies outside the region, 1 if inside, 2 if partly inside. */
+  /** A number for each triangle: 0 outside the region, 1 inside, 2 if it is partly inside. */
   share: readonly number[];
   /** The triangles of the sides of partial triangles, in order. */
   triangles: readonly number[];
   /** The second and third weight of both ends of each side. */
   sides: readonly number[];
-  /** For a region of one shape, whether it lies left of its first outline. */
+  /** Whether the region lies left of its first outline, for a region of one shape. */
   isLeft?: boolean | undefined;
 }

@@ -136,7 +136,7 @@ export interface FieldOptions {
 /** The options for distances. */
 export type DistanceOptions = Pick<FieldOptions, 'solver' | 'rings'>;
 
-/** Unit vectors at a point: along the first edge of its face, across it in the face, and the normal. */
+/** Unit vectors at a point: the first edge of its face, the direction across it, and the normal. */
 export type Frame = [
   along: [number, number, number],
   across: [number, number, number],

@@ -1,4 +1,4 @@
-// The frames of points.
+// Frames at points of surfaces.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from 'karcher';
@@ -43,7 +43,7 @@ test('a frame has right angles, the first edge and the normal, as that of three.
     if (i === 0) continue;
     surface.frame(point).extractBasis(...axes);
     axes.forEach((axis, k) => {
-      // Those of three.js are of places in single precision, relative to edges of a 30th of them.
+      // The axes in three.js come from places in single precision and edges a 30th as long.
       assert.ok(norm(minus(frame[k], axis.toArray())) < 1e-5);
     });
     const [a, b] = [0, 1].map((k) => triple(positions, triangles[3 * point.face + k]));

@@ -121,7 +121,7 @@ for (const [where, loadEngine] of Object.entries(engines)) {
         await drawn();
         const first = object.geometry;
         await Promise.all([300, 301, 302].map((vertex) => curve.movePoint(1, { vertex })));
-        // What follows another object is drawn once that is; the promise is that of the last edit.
+        // The object follows the drawing of the curve; the promise is that of the last edit.
         await object.follow(curve);
         assert.notEqual(object.geometry, first);
         await drawn();

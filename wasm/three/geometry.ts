@@ -69,10 +69,9 @@ export interface RibbonOptions {
 }
 
 /**
- * A flat ribbon along a path: at each of its points as wide as given, across the path in the plane
- * of the surface there. Where the surface bends across the path, the sides of a wide ribbon leave
- * it. Texture coordinates `uv` run along it, with 1 for each width, and from its left to its right
- * side.
+ * A flat ribbon along a path. It lies across the path, in the plane of the surface at each point.
+ * Where the surface bends across the path, the sides of a wide ribbon leave it. Texture coordinates
+ * `uv` run along the ribbon, with 1 for each width, and from its left to its right side.
  *
  * @throws {KarcherError} badArgument for a width that is not positive.
  * @example

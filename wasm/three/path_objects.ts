@@ -17,9 +17,8 @@ import { SurfaceCurve } from './surface_curve.js';
 export type Followed = Path | PathValue | SurfaceCurve;
 
 /**
- * An object along a path. Make it a child of the object that draws the surface. Along a curve it is
- * drawn again after each of the curve's edits; of several edits during a drawing, only the newest
- * follows.
+ * An object along a path. Make it a child of the object that draws the surface. An object along a
+ * curve follows each of the curve's edits; of several edits during a drawing, only the newest.
  */
 class ObjectAlong extends Mesh<BufferGeometry, Material> {
   /** The surface on which the path lies. */
@@ -41,8 +40,8 @@ class ObjectAlong extends Mesh<BufferGeometry, Material> {
   }
 
   /**
-   * Follows another path or curve. The promise resolves when it is drawn: that of a path at once,
-   * that of a curve when the curve is.
+   * Follows another path or curve. The promise resolves when the object is drawn: along a path at
+   * once, along a curve when the curve is.
    *
    * @throws {KarcherError} badArgument for what is no path; rejects with the error of `Curve.path`.
    * @example
@@ -62,7 +61,7 @@ class ObjectAlong extends Mesh<BufferGeometry, Material> {
     return Promise.resolve();
   }
 
-  /** Frees the memory of the graphics card, but not that of the material, and follows no more. */
+  /** Stops following, and frees the memory of the graphics card except that of the material. */
   override dispose(): void {
     this.#curve?.removeEventListener('change', this.#onChange);
     this.#curve = undefined;
@@ -74,7 +73,7 @@ class ObjectAlong extends Mesh<BufferGeometry, Material> {
 
   readonly #onChange = () => {
     this.#update().catch(() => {
-      // A curve that has been disposed of leaves the object as it is.
+      // A disposed curve leaves the object as it is.
     });
   };
 
@@ -128,7 +127,7 @@ export class TubeOnSurface extends ObjectAlong {
       tubeGeometry(surface, path, shape),
     );
     this.ready = this.follow(along);
-    // Those who wait for it receive its failure; nobody has to wait.
+    // A caller that waits for `ready` receives the failure, but no caller has to wait.
     this.ready.catch(() => {});
   }
 }
