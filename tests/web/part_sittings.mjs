@@ -178,15 +178,15 @@ export async function badgeSitting(tab, tell = async () => {}) {
   };
   const filled = async () => (await tab.view()).fill.region.area;
 
-  const left = await drawCircle([-0.125, -0.05], 0.2);
-  const right = await drawCircle([0.125, -0.05], 0.2);
+  const left = await drawCircle([-0.2, -0.08], 0.32);
+  const right = await drawCircle([0.2, -0.08], 0.32);
   await choose(0, 1);
   await tell('circles');
   await make('Union');
-  const hole = await drawCircle([0, -0.05], 0.075);
+  const hole = await drawCircle([0, -0.08], 0.12);
   await choose(1, 0);
   await make('Difference');
-  const frame = await drawCircle([0, 0.075], 0.275);
+  const frame = await drawCircle([0, 0.1], 0.45);
   await choose(1, 0);
   await make('Intersection');
   await (await control(tab, '#fill')).fill('60');
