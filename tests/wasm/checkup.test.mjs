@@ -120,7 +120,7 @@ test('coinciding boundaries: the number of their vertices, and the weld that joi
   const joined = karcher.meshFromObj(text, { weld: nearBoundaries.weld });
   assert.equal(joined.info.components, 1);
   assert.equal((await checkUp(joined)).nearBoundaries, null);
-  // Farther apart they are two parts, each with its boundary.
+  // Farther apart the rows are two parts, each with its boundary.
   const far = karcher.meshFromObj(text.replaceAll(`.${'00033'}`, '.01'));
   assert.equal((await checkUp(far)).nearBoundaries, null);
 });

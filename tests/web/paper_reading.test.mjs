@@ -1,4 +1,4 @@
-// The Paper page as a reader meets it: what is visible, and what it shows before computing.
+// The Paper page as a reader meets it: its visible parts, and its state before computing.
 import assert from 'node:assert/strict';
 import { after, afterEach, before, describe, test } from 'node:test';
 import { openBrowser } from './browser.mjs';
