@@ -1,3 +1,4 @@
+import type { SurfacePoint } from 'karcher';
 import { type Alignment, align } from './editor/engine/aligning';
 import type { Beside } from './editor/engine/beside';
 import { Comparison } from './editor/engine/comparison';
@@ -39,6 +40,7 @@ import { FreehandSettings } from './panels/freehand_settings';
 import { LostPanel } from './panels/lost_panel';
 import { sentenceOf, showError, showNote } from './panels/messages';
 import { ObjectPanel } from './panels/object_panel';
+import { nameOf } from './panels/object_rows';
 import { SaveMenu } from './panels/save_menu';
 import { Sheet } from './panels/sheet';
 import { SnapToggle } from './panels/snap_toggle';
@@ -54,6 +56,7 @@ import { addressOf, linkOf, longestLink, saveChanges } from './saving';
 import { CombLayer } from './viewer/comb_layer';
 import { DistanceLayer } from './viewer/distance_layer';
 import type { ObjectDrawing } from './viewer/object_lines';
+import { holds } from './viewer/regions';
 import type { Surface } from './viewer/surface';
 import { Viewer } from './viewer/viewer';
 import { checkedUp } from './worker/checkup';
@@ -252,11 +255,15 @@ export async function start(): Promise<void> {
     status.showMeasured(measured, editor.state, session.view);
   };
   ruler.onChange = (ruled, begun) => status.showRuled(ruled, begun, editor.state, session.view);
-  const objectPanel = new ObjectPanel(editor, ({ figure }) => {
-    const [place] = placesOf(figure);
-    return viewer.surface && place ? viewer.reach(viewer.surface.position(place), 1) : 1;
-  });
-  const expansion = new Expansion(editor, session, () => viewer.surface);
+  const objectPanel = new ObjectPanel(
+    editor,
+    ({ figure }) => {
+      const [place] = placesOf(figure);
+      return viewer.surface && place ? viewer.reach(viewer.surface.position(place), 1) : 1;
+    },
+    (id) => session.centroidOf(id),
+  );
+  const expansion = new Expansion(editor, session, () => viewer.surface, nameOf);
   const derivedPanel = new DerivedPanel(
     editor,
     expansion,
@@ -264,8 +271,12 @@ export async function start(): Promise<void> {
   );
   const cutPanel = new CutPanel(
     editor,
-    (part, format) => session.client!.meshFile(part, format),
+    async (part, format, withCurves) => {
+      const curves = withCurves ? await saveMenu.drawnCurves(session.view.cut) : [];
+      return session.client!.partFile(part, format, curves);
+    },
     () => meshLabel(editor.state.mesh),
+    (part, name) => void opening.part(part, name, editor.state.drawing.active),
   );
   const units = new UnitChoice((unit) => {
     status.showUnit(unit, editor.state, session.view);
@@ -343,11 +354,27 @@ export async function start(): Promise<void> {
     );
   };
   const makers = () => derivedPanel.possible;
-  const ofSurface = (face: number | null) =>
-    partActions(editor.state.mesh, session.client?.file ?? null, face, (key) => {
+  const isFilledAt = (id: number, point: SurfacePoint) =>
+    session
+      .painted(editor.state)
+      .some(({ object, region }) => object.id === id && holds(region, point));
+  const ofSurface = (point: SurfacePoint | null) => [
+    ...cutPanel.actionsAt(point),
+    ...partActions(editor.state.mesh, session.client?.file ?? null, point?.face ?? null, (key) => {
       void opening.reread(key);
-    });
-  new ContextMenu(editor, viewer, stage, letGo, clipboard, alignChosen, makers, ofSurface);
+    }),
+  ];
+  new ContextMenu(
+    editor,
+    viewer,
+    stage,
+    letGo,
+    clipboard,
+    alignChosen,
+    makers,
+    ofSurface,
+    isFilledAt,
+  );
   const snap = new SnapToggle((on) => {
     gestures.snapping.on = on;
   });

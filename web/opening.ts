@@ -17,13 +17,17 @@ import {
   madeSource,
   meshLabel,
   parseKey,
+  readAs,
   readingOf,
   sameSurface,
   sampleSource,
 } from './model/meshes';
 import { methodOptions } from './model/methods';
+import { drawingOnPart, placesOfDrawing } from './model/part_drawing';
+import type { SurfacePart } from './model/parts';
 import { sameDrawing } from './model/saved_work';
 import { keepFile, keptFile, recall, remember } from './model/storage';
+import { guessUnit } from './model/units';
 import { formatBytes, formatCount, formatInteger } from './panels/elements';
 import { sentenceOf, showError, showNote } from './panels/messages';
 import { showProgress } from './panels/progress';
@@ -264,6 +268,45 @@ export class Opening {
     if (this.#running || this.editor.state.mesh !== '') return;
     const standIn = startingLink() !== null;
     await this.#open(defaultMesh, madeSource(defaultMesh)!, () => null, { standIn });
+  }
+
+  /**
+   * Makes a part of the cut surface the surface to work on, with the objects of the drawing that lie
+   * on it. The browser's way back leads to the whole surface with its drawing.
+   */
+  async part(part: SurfacePart, name: string, cut: number): Promise<void> {
+    const { client } = this.session;
+    const { mesh, drawing } = this.editor.state;
+    if (!client) return;
+    try {
+      // PLY has no parts.
+      const format = (client.file?.parts.length ?? 0) > 1 ? 'obj' : 'ply';
+      const places = placesOfDrawing(drawing);
+      const [bytes, points] = await Promise.all([
+        client.partFile({ ...part, thick: null }, format),
+        client.pointsOnPart(part, places),
+      ]);
+      const title = `${name} of ${meshLabel(mesh).replace(/\.\w+$/, '')}`;
+      const file = new File([bytes as BlobPart], `${title}.${format}`);
+      const key = await fileKey(file);
+      const turned = readAs(key, { up: readingOf(mesh)?.up ?? client.up });
+      const { came, all, ...own } = drawingOnPart(
+        drawing,
+        cut,
+        new Map(places.map((place, i) => [place, points[i] ?? null])),
+      );
+      if (client !== this.session.client || drawing !== this.editor.state.drawing) return;
+      remember(`unit.${turned}`, recall(`unit.${mesh}`) ?? guessUnit(meshLabel(mesh)));
+      const wanted = () => (came > 0 ? own.drawing : null);
+      if (!(await this.#open(turned, fileSource(turned, file), wanted))) return;
+      // What follows replaces this entry of the browser's history, and not that of the whole.
+      history.pushState(null, '', location.hash);
+      const along = all === 0 ? '' : ` ${came} of ${formatCount(all, 'object')} came along.`;
+      showNote(`You work on ${title}.${along} The browser’s Back leads to the whole.`);
+      await this.#keep(key, file);
+    } catch (error) {
+      showError(`${name} could not become the surface. ${sentenceOf(error)}`);
+    }
   }
 
   /** Prepares a method; returns false after a failure or a cancellation. */

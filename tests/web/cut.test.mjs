@@ -172,7 +172,7 @@ describe('cuts', () => {
       return { list: box('parts'), panel: box('cut-settings'), buttons: sizes };
     });
     assert.ok(list.right >= panel.right, `${list.right}, not ${panel.right}`);
-    assert.equal(buttons.length, 6);
+    assert.equal(buttons.length, 8);
     for (const { width, height } of buttons) assert.ok(width >= 44 && height >= 44);
     await tab.close();
   });

@@ -160,7 +160,18 @@ describe('objects made of others', () => {
     assert.equal((await tab.view()).problem, null);
     const wide = await length();
     assert.ok(wide > least + 0.05 && wide < around(radius + 0.3));
-    assert.ok(await tab.page.locator('#offset-corners input[value=miter]').isDisabled());
+    const mitred = tab.page.locator('#offset-corners label', { hasText: 'Mitred' });
+    assert.ok(await mitred.locator('input').isDisabled());
+    assert.equal(await mitred.getAttribute('title'), 'With two distances corners are round');
+    const faint = (name) =>
+      tab.page
+        .locator('#offset-corners label', { hasText: name })
+        .evaluate((label) => Number(getComputedStyle(label.querySelector('span')).opacity) < 1);
+    assert.deepEqual(await Promise.all(['Round', 'Mitred', 'Bevelled'].map(faint)), [
+      false,
+      true,
+      true,
+    ]);
     // The inward offset is on the other side.
     await side(tab, 'Inwards');
     await tab.settled();

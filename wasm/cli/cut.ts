@@ -1,6 +1,12 @@
 import { writeFile } from 'node:fs/promises';
 import { solidOf, thickened } from '../checkup/index.js';
-import { marksOfPart, meshFile, type WrittenFormat, writtenFormats } from '../formats/index.js';
+import {
+  curvesOnPart,
+  marksOfPart,
+  meshFile,
+  type WrittenFormat,
+  writtenFormats,
+} from '../formats/index.js';
 import type { Arguments } from './arguments.js';
 import type { Command } from './command.js';
 import { UsageError, writeError } from './errors.js';
@@ -22,6 +28,10 @@ export const cut: Command = {
       default: 'nowhere',
     },
     {
+      name: 'with-curves',
+      help: 'writes the pieces of the curves that border each part as lines of its file, except STL',
+    },
+    {
       name: 'thickness',
       value: 'T',
       help: 'makes each part a closed shell, outwards, or inwards with a negative thickness; allowed is the thickness that its shape allows, if that is less',
@@ -30,14 +40,21 @@ export const cut: Command = {
   async run(args) {
     const name = args.given('out') ? partNames(args) : null;
     const thickness = args.given('thickness') ? args.number('thickness') : null;
+    const lines = args.given('with-curves');
+    if (lines && (!name || name.format === 'stl')) {
+      throw new UsageError('--with-curves needs --out with a file of PLY, OBJ or GLB');
+    }
     const { mesh, file: marks, outlines } = await readOutlines(args);
+    const drawn = outlines.map((path, i) => ({ name: `curve ${i + 1}`, path }));
     const whole = { positions: mesh.positions(), triangles: mesh.triangles() };
     const parts = mesh
       .cut(outlines)
       .map((cut) => {
         const thick = thickness === null ? null : thickened(cut, thickness, whole);
         const sheets = thick ? 2 : 1;
-        const part = { ...(thick ?? cut), ...marksOfPart(cut, whole, marks, { sheets }) };
+        const curves = lines && { curves: curvesOnPart(cut, whole, drawn) };
+        const said = { ...marksOfPart(cut, whole, marks, { sheets }), ...curves };
+        const part = { ...(thick ?? cut), ...said };
         return { part, ...(thick?.most && { allowed: thick.most }), ...solidOf(part) };
       })
       .sort((a, b) => b.area - a.area);

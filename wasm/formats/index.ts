@@ -14,6 +14,7 @@ export { KarcherError } from '../errors.js';
 export { curvesCsv, type FileCurve, type FilePath, pathParameters } from './curves.js';
 export { fileEndings, formatOf } from './format.js';
 export { marksOfPart } from './part_marks.js';
+export { curvesOnPart, pointsOnPart } from './part_points.js';
 export type * from './types.js';
 export { guessUp } from './up.js';
 export { meshFile, type WrittenFormat, writtenFormats } from './write.js';

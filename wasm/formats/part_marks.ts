@@ -62,13 +62,14 @@ function colorsOfPart(
   return result;
 }
 
-type Place = readonly [number, number, number];
+/** The coordinates of a place. */
+export type Place = readonly [number, number, number];
 
 /**
  * The weights of a triangle's corners at a place in it; those of its first corner if it has no
  * area.
  */
-function weightsIn(corners: readonly Place[], place: Place): [number, number, number] {
+export function weightsIn(corners: readonly Place[], place: Place): [number, number, number] {
   const [a, b, c] = corners as [Place, Place, Place];
   const [u, v, d] = [b, c, place].map((to) => to.map((x, k) => x - a[k]!));
   const dot = (p: number[], q: number[]) => p[0]! * q[0]! + p[1]! * q[1]! + p[2]! * q[2]!;

@@ -4,7 +4,7 @@ import { pathData } from './beziers';
 
 export interface DrawnLine extends SeenLine {
   /** Consecutive lines of one object form a group with its name. */
-  object?: { id: number; name: string; opacity: number };
+  object?: { id: number; name: string; opacity: number; description?: string };
   color: string;
   width: number;
   /** The value of `stroke-dasharray`; a line without it is solid. */
@@ -68,7 +68,9 @@ export function* partsOfSvg({
       if (group) {
         // The opacity applies to the group, since its lines overlap.
         const opacity = group.opacity < 1 ? ` opacity="${short(group.opacity)}"` : '';
-        yield `<g id="object-${group.id}"${opacity}><title>${escaped(group.name)}</title>\n`;
+        const { name, description } = group;
+        const words = description ? `<desc>${escaped(description)}</desc>` : '';
+        yield `<g id="object-${group.id}"${opacity}><title>${escaped(name)}</title>${words}\n`;
       }
     }
     for (const path of pathsOf(line, outline ? 'left out' : 'faint')) yield `${path}\n`;

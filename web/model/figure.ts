@@ -5,6 +5,10 @@ import { type Derived, type DerivedKind, isDerived } from './derived';
 /** The side of a line that is its inside, as seen along the line. */
 export type Inside = 'left' | 'right';
 
+/** The rules by which lines that cross themselves enclose a region, as in SVG. */
+export const fillRules = ['evenOdd', 'nonZero'] as const;
+export type FillRule = (typeof fillRules)[number];
+
 /** A curve with control points. A basis of the user's own is for programs only. */
 export type SplineKind = Exclude<CurveKind, 'custom'>;
 /**
@@ -51,7 +55,19 @@ export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: n
   readonly leg?: readonly SurfacePoint[];
   /** The handles of an anchor of the pen. */
   readonly tangents?: Tangents;
+  /** The origin of the piece to the next point, of a curve that was made of other objects. */
+  readonly origin?: Origin;
 };
+
+/**
+ * The origin of a piece of a curve: the name that its object had, and the ends of the piece on that
+ * object's line, from 0 at its start to 1 at its end.
+ */
+export interface Origin {
+  readonly of: string;
+  readonly from: number;
+  readonly to: number;
+}
 
 /** The shape of a circle and of an ellipse. A circle keeps the fields of an ellipse, so that it can become one again. */
 export interface CircleShape {
@@ -131,6 +147,8 @@ export interface Figure {
   readonly circleForm: CircleForm;
   /** The side that the figure encloses. Until a choice or a drag it is the smaller one. */
   readonly inside?: Inside;
+  /** The rule by which the figure encloses a region; even-odd, the default, is not stored. */
+  readonly rule?: 'nonZero';
   /** The derivation; only derived figures use it. */
   readonly derived?: Derived;
   /** The figures of the sources, after `resolvedFigure` has added them; never in files. */
@@ -143,6 +161,18 @@ export function withInside(figure: Figure, side: Inside | undefined): Figure {
   const { inside: _, ...rest } = figure;
   return side ? { ...rest, inside: side } : rest;
 }
+
+export function withRule(figure: Figure, rule: FillRule): Figure {
+  const { rule: _, ...rest } = figure;
+  return rule === 'nonZero' ? { ...rest, rule } : rest;
+}
+
+/** What a figure's lines enclose: the side and the rule, without defaults. */
+export type Enclosing = Pick<Figure, 'inside' | 'rule'>;
+export const enclosingOf = ({ inside, rule }: Figure): Enclosing => ({
+  ...(inside && { inside }),
+  ...(rule && { rule }),
+});
 
 export const defaultSettings: CurveSettings = {
   closed: false,

@@ -8,10 +8,12 @@ import {
   type ControlPoint,
   type CurveSettings,
   type Figure,
+  type FillRule,
   type Inside,
   type Kind,
   withFittingKnots,
   withInside,
+  withRule,
 } from './figure';
 import { withFittingLegs } from './legs';
 
@@ -27,6 +29,7 @@ export type FigureCommand =
   | { type: 'circle'; from: CircleShape | null; to: CircleShape | null }
   | { type: 'circleForm'; from: CircleForm; to: CircleForm }
   | { type: 'inside'; from: Inside | undefined; to: Inside | undefined }
+  | { type: 'rule'; from: FillRule; to: FillRule }
   | { type: 'replace'; from: Figure; to: Figure };
 
 export function applyToFigure(figure: Figure, command: FigureCommand): Figure {
@@ -52,6 +55,8 @@ export function applyToFigure(figure: Figure, command: FigureCommand): Figure {
       return { ...figure, circleForm: command.to };
     case 'inside':
       return withInside(figure, command.to);
+    case 'rule':
+      return withRule(figure, command.to);
     case 'replace':
       return command.to;
   }

@@ -123,6 +123,7 @@ export const circleFields = {
 export const kindFields = {
   kind: oneOf(kinds, 'bspline' as const),
   inside: oneOf(['left', 'right'], null, 'the smaller side'),
+  rule: oneOf(['nonZero'], null, 'the even-odd rule'),
 };
 
 /**

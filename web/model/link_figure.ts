@@ -7,6 +7,7 @@ import {
   type ControlPoint,
   type Figure,
   mostLegPoints,
+  type Origin,
   type Rim,
   type Tangent,
   type Tangents,
@@ -18,6 +19,8 @@ import {
 import { derivedFields, parseDerived } from './link_derived';
 import { circleFields, kindFields, readFields, settingFields, writtenFields } from './link_fields';
 import { formatPoint, parseNumbers, parsePoint } from './link_numbers';
+import { longestName, shortened } from './names';
+import { withOrigin } from './origins';
 import { withTangents } from './pen';
 
 /**
@@ -25,19 +28,21 @@ import { withTangents } from './pen';
  * if it is gone.
  */
 export function figureFields(
-  { kind, points, settings, circle, circleForm, inside, derived }: Figure,
+  { kind, points, settings, circle, circleForm, inside, rule, derived }: Figure,
   numberOf: (id: number) => number,
 ): string[] {
   const parts = [`kind=${kind}`, `points=${points.map(formatControlPoint).join(';')}`];
   parts.push(
     ...legsFields(points),
     ...tangentsFields(points),
+    ...originsFields(points),
     ...writtenFields(settingFields, settings),
   );
   if (circle) parts.push(`circle=${formatCircle(circle)}`);
   const { type: circletype, arcs } = circleForm;
   parts.push(...writtenFields(circleFields, { circletype, arcs }));
   if (inside) parts.push(`inside=${inside}`);
+  if (rule) parts.push(`rule=${rule}`);
   if (isDerived(kind) && derived) parts.push(...derivedFields(derived, numberOf));
   return parts;
 }
@@ -77,6 +82,44 @@ function tangentsFields(points: readonly ControlPoint[]): string[] {
     tangents ? [`${i}:${formatTangent(tangents.before)}:${formatTangent(tangents.after)}`] : [],
   );
   return told.length > 0 ? [`tangents=${told.join(';')}`] : [];
+}
+
+/**
+ * The origins of pieces: the names of the objects, encoded once more, and for each piece the index
+ * of its point, that of the name, and its ends.
+ */
+function originsFields(points: readonly ControlPoint[]): string[] {
+  const names = [...new Set(points.flatMap(({ origin }) => (origin ? [origin.of] : [])))];
+  const told = points.flatMap(({ origin }, i) =>
+    origin ? [[i, names.indexOf(origin.of), origin.from, origin.to].join(',')] : [],
+  );
+  const encoded = names.map((name) => encodeURIComponent(encodeURIComponent(name)));
+  return told.length > 0 ? [`origins=${[encoded.join(','), ...told].join(';')}`] : [];
+}
+
+/** Origins by the indices of their points. */
+function parseOrigins(text: string): Map<number, Origin> {
+  const [names = '', ...told] = text.split(';');
+  const all = names.split(',').map((name) => shortened(decoded(name), longestName));
+  return new Map(
+    told.flatMap((one): [number, Origin][] => {
+      const [i, name, from, to] = parseNumbers(one, 4) ?? [];
+      const isPart = (value: number | undefined) => value !== undefined && value >= 0 && value <= 1;
+      const of = all[name ?? -1];
+      return of !== undefined && isPart(from) && isPart(to)
+        ? [[i!, { of, from: from!, to: to! }]]
+        : [];
+    }),
+  );
+}
+
+/** A decoded text; the text itself if it cannot be decoded. */
+function decoded(text: string): string {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
 }
 
 function formatTangent(tangent: Tangent | undefined): string {
@@ -121,13 +164,15 @@ export function parseFigure(fragment: string): Figure {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const legs = parseLegs(fields.get('legs') ?? '');
   const tangents = parseTangents(fields.get('tangents') ?? '');
+  const origins = parseOrigins(fields.get('origins') ?? '');
   const read = pointTexts(fragment).map(parseControlPoint);
   const points = read.map((point, i) => {
     const next = i + 1 < read.length ? read[i + 1] : read[0];
     const leg = next ? legs.get(i) : null;
-    return point && withTangents(withLeg(point, leg), tangents.get(`${i}`));
+    const own = point && withTangents(withLeg(point, leg), tangents.get(`${i}`));
+    return own && withOrigin(own, origins.get(i));
   });
-  const { kind, inside } = readFields(kindFields, fields);
+  const { kind, inside, rule } = readFields(kindFields, fields);
   const { circletype: type, arcs } = readFields(circleFields, fields);
   return withFittingKnots({
     kind,
@@ -136,6 +181,7 @@ export function parseFigure(fragment: string): Figure {
     circle: parseCircle(fields.get('circle') ?? ''),
     circleForm: { type, arcs },
     ...(inside && { inside }),
+    ...(rule && { rule }),
     ...(isDerived(kind) && { derived: parseDerived(kind, fields) }),
   });
 }

@@ -15,6 +15,7 @@ import {
   type Vector,
   withLeg,
 } from './figure';
+import { withOrigin } from './origins';
 import { type DrawnTangent, type DrawnTangents, penLegs, waysAlong } from './pen_legs';
 
 /** The relation between the handles of an anchor. */
@@ -199,6 +200,6 @@ export function withAnchorAt(
   const changed = points
     .with(segment, withLeg(shortened(segment, 'after', t), ways[0]))
     .with(next, shortened(next, 'before', 1 - t));
-  const anchor = withLeg(put, ways[1]);
+  const anchor = withOrigin(withLeg(put, ways[1]), points[segment]!.origin);
   return { points: changed.toSpliced(segment + 1, 0, anchor), index: segment + 1 };
 }

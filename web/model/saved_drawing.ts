@@ -43,6 +43,7 @@ import {
   mostArcs,
   mostLegPoints,
   mostLevels,
+  type Origin,
   type Rim,
   samplesRange,
   toleranceRange,
@@ -149,7 +150,7 @@ export const isColor = (value: unknown): value is string =>
   typeof value === 'string' && /^#[0-9a-f]{6}$/.test(value);
 
 function readFigure(value: unknown, what: string): Figure {
-  const { kind, settings, points, circle, circleForm, inside, derived } = record(
+  const { kind, settings, points, circle, circleForm, inside, rule, derived } = record(
     value,
     `the figure of ${what}`,
   );
@@ -164,6 +165,9 @@ function readFigure(value: unknown, what: string): Figure {
     circleForm: readCircleForm(circleForm, what),
     ...(inside !== undefined && {
       inside: oneOf(inside, ['left', 'right'], `what is inside ${what}`),
+    }),
+    ...(rule !== undefined && {
+      rule: oneOf(rule, ['nonZero'], `the rule by which ${what} encloses`),
     }),
     ...(isDerived(own) && { derived: readDerived(derived, own, what) }),
   };
@@ -235,7 +239,7 @@ function readSettings(value: unknown, of: string): CurveSettings {
 }
 
 function readControlPoint(value: unknown, what: string): ControlPoint {
-  const { weight, beta, leg, tangents } = record(value, what);
+  const { weight, beta, leg, tangents, origin } = record(value, what);
   const positive = (one: unknown, name: string) => number(one, 1e-12, 1e12, `${name} of ${what}`);
   const through = (leg === undefined ? [] : list(leg, `the leg of ${what}`, mostLegPoints)).map(
     (point) => readPoint(point, `a point of the leg of ${what}`),
@@ -247,6 +251,16 @@ function readControlPoint(value: unknown, what: string): ControlPoint {
     // A leg without points is the shortest one.
     ...(through.length > 0 && { leg: through }),
     ...(tangents !== undefined && { tangents: readTangents(tangents, what) }),
+    ...(origin !== undefined && { origin: readOrigin(origin, what) }),
+  };
+}
+
+function readOrigin(value: unknown, what: string): Origin {
+  const { of, from, to } = record(value, `the origin of ${what}`);
+  return {
+    of: text(of, `the name of the origin of ${what}`),
+    from: number(from, 0, 1, `the start of the origin of ${what}`),
+    to: number(to, 0, 1, `the end of the origin of ${what}`),
   };
 }
 

@@ -6,6 +6,7 @@
 import type { SurfacePoint } from 'karcher';
 import { cornersOf, fittedCubics, type Planar } from './cubic_fit';
 import type { ControlPoint, Tangent, Tangents, Vector } from './figure';
+import { type LinePieces, withOrigin } from './origins';
 import { withTangents } from './pen';
 import { cross, dot, minus } from './vectors';
 
@@ -87,15 +88,21 @@ function handleAt(
 }
 
 /**
- * The anchors of a curve near a stroke of at least two samples, with corners at its sharp turns;
- * the curve is closed if the last sample is the first one.
+ * The anchors of a curve near a stroke of at least two samples, with corners at its sharp turns and
+ * at `breaks`; the curve is closed if the last sample is the first one. The piece after an anchor
+ * has the origin of its samples, if `originOf` gives one.
  */
-export function anchorsOf(samples: readonly StrokeSample[], closed: boolean): ControlPoint[] {
+export function anchorsOf(
+  samples: readonly StrokeSample[],
+  closed: boolean,
+  { breaks, originOf }: LinePieces = { breaks: [], originOf: () => undefined },
+): ControlPoint[] {
   const { places, frames } = rolledOut(samples);
   const last = samples.length - 1;
   const pixel = samples.reduce((sum, one) => sum + one.pixel, 0) / samples.length;
   const reach = reachPixels * pixel;
-  const corners = cornersOf(places, { reach, angle: cornerAngle });
+  const turns = cornersOf(places, { reach, angle: cornerAngle });
+  const corners = [...new Set([...turns, ...breaks])].sort((a, b) => a - b);
   const tolerances = samples.map(({ tolerance }) => tolerance);
   const [first, end] = [frames[0]!, frames[last]!];
   // At the seam, a direction has another angle in the plane after one turn of the stroke.
@@ -117,6 +124,7 @@ export function anchorsOf(samples: readonly StrokeSample[], closed: boolean): Co
       ...(ahead && { after: ahead }),
       ...(opposite && { before: opposite }),
     };
-    return withTangents(samples[at]!.point, tangents);
+    const anchor = withTangents(samples[at]!.point, tangents);
+    return after ? withOrigin(anchor, originOf(after.from, after.to)) : anchor;
   });
 }

@@ -1,3 +1,4 @@
+import type { SurfacePoint } from 'karcher';
 import { type Alignment, alignedParts } from '../editor/engine/aligning';
 import { clickSlop } from '../editor/hand/stage_pointer';
 import { targetAt } from '../editor/hand/targets';
@@ -30,8 +31,10 @@ export class ContextMenu {
     private readonly clipboard: Clipboard,
     private readonly align: (how: Alignment) => void,
     private readonly makers: () => readonly Action[],
-    /** The actions on the surface, at one of its faces or at none. */
-    private readonly ofSurface: (face: number | null) => readonly Action[],
+    /** The actions on the surface, at one of its points or at none. */
+    private readonly ofSurface: (point: SurfacePoint | null) => readonly Action[],
+    /** Whether a point lies in the fill of an object. */
+    private readonly isFilledAt: (id: number, point: SurfacePoint) => boolean,
   ) {
     // The page closes the menu itself: the browser would close it at the release of the finger that
     // opened it.
@@ -112,12 +115,12 @@ export class ContextMenu {
       if (!isOfPoints) editor.activate(target.id);
     }
     const pick = target ? null : this.viewer.pick(place.x, place.y);
-    this.#show(place.x, place.y, pick && 'face' in pick.point ? pick.point.face : null);
+    this.#show(place.x, place.y, pick && 'face' in pick.point ? pick.point : null);
   }
 
-  #show(x: number, y: number, face: number | null): void {
+  #show(x: number, y: number, point: SurfacePoint | null): void {
     const { element } = this.#menu;
-    element.replaceChildren(...this.#actions(face).map((action) => this.#item(action)));
+    element.replaceChildren(...this.#actions(point).map((action) => this.#item(action)));
     element.showPopover();
     const { offsetWidth, offsetHeight } = element;
     element.style.left = `${Math.max(8, Math.min(x, innerWidth - offsetWidth - 8))}px`;
@@ -135,7 +138,7 @@ export class ContextMenu {
     return item;
   }
 
-  #actions(face: number | null): Action[] {
+  #actions(point: SurfacePoint | null): Action[] {
     const { editor } = this;
     const { state } = editor;
     const ids = targetsOf(state);
@@ -145,6 +148,7 @@ export class ContextMenu {
     const turnable = objects
       .filter((one) => ids.includes(one.id) && hasOtherSide(one))
       .map(({ id }) => id);
+    const isBeside = point !== null && !turnable.some((id) => this.isFilledAt(id, point));
     const [lone] = ids.length === 1 ? ids : [];
     const actions: [boolean, string, () => void][] = [
       [ids.length > 0, 'Cut', () => void this.clipboard.cut()],
@@ -154,7 +158,12 @@ export class ContextMenu {
       [ids.length > 1, 'Group', () => editor.objects.group(ids)],
       [grouped, 'Ungroup', () => editor.objects.ungroup(ids)],
       ...this.makers().map(([name, act]): [boolean, string, () => void] => [true, name, act]),
-      [turnable.length > 0, 'Fill the other side', () => editor.objects.turnInside(turnable)],
+      // A click beside what is filled chooses that side.
+      [
+        turnable.length > 0,
+        isBeside ? 'Fill this side' : 'Fill the other side',
+        () => editor.objects.turnInside(turnable),
+      ],
       [alignable, 'Align on a line', () => this.align('nearest')],
       [alignable, 'Space evenly on a line', () => this.align('even')],
       [lone !== undefined, 'Bring to front', () => editor.objects.raise(lone!, objects.length)],
@@ -163,7 +172,7 @@ export class ContextMenu {
       [ids.length > 0, 'Lock', () => editor.objects.setProperties(ids, { locked: true })],
       [ids.length > 0, 'Delete', () => editor.objects.delete(ids)],
       [true, 'Select all', () => editor.chooseAll()],
-      ...this.ofSurface(face).map(([name, act]): [boolean, string, () => void] => [
+      ...this.ofSurface(point).map(([name, act]): [boolean, string, () => void] => [
         true,
         name,
         act,

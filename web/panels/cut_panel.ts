@@ -1,10 +1,11 @@
+import type { SurfacePoint } from 'karcher';
 import type { WrittenFormat } from 'karcher/formats';
 import type { ShownPart } from '../editor/engine/cut';
 import type { View } from '../editor/engine/view';
 import type { Editor } from '../editor/state/editor';
 import type { State } from '../editor/state/state';
 import { remaking } from '../model/combining';
-import { withChoice } from '../model/parts';
+import { lies, withChoice } from '../model/parts';
 import { formatArea, formatLength, formatVolume, type Unit } from '../model/units';
 import { download } from './download';
 import { byId, formatCount, make, write } from './elements';
@@ -25,6 +26,9 @@ const bin =
 const save =
   '<svg viewBox="0 0 20 20" aria-hidden="true"><path d="M10 3v9M6.500 8.500 10 12l3.500-3.500M3.500 13v2.500a1.500 1.500 0 0 0 1.500 1.500h10a1.500 1.500 0 0 0 1.500-1.500V13" /></svg>';
 
+const pick =
+  '<svg viewBox="0 0 20 20" aria-hidden="true"><path d="M3 10h10M9.500 6l4 4-4 4M12 3h3.500A1.500 1.500 0 0 1 17 4.500v11a1.500 1.500 0 0 1-1.500 1.500H12" /></svg>';
+
 const types: Record<WrittenFormat, string> = {
   stl: 'model/stl',
   ply: 'application/octet-stream',
@@ -37,21 +41,32 @@ export class CutPanel {
   readonly #group = byId('cut-settings');
   readonly #list = byId('parts');
   readonly #format = byId<HTMLSelectElement>('part-format');
+  readonly #curves = byId<HTMLInputElement>('part-curves');
   readonly #thickness: NumberField;
   #parts: readonly ShownPart[] = [];
   #unit: Unit = '';
 
-  /** `fileOf` returns a part's file; `title` is the surface's name. */
+  /**
+   * `fileOf` returns a part's file, with the curves on it or without; `title` is the surface's name,
+   * and `workOn` makes a part the surface.
+   */
   constructor(
     private readonly editor: Editor,
-    private readonly fileOf: (part: ShownPart, format: WrittenFormat) => Promise<Uint8Array>,
+    private readonly fileOf: (
+      part: ShownPart,
+      format: WrittenFormat,
+      withCurves: boolean,
+    ) => Promise<Uint8Array>,
     private readonly title: () => string,
+    private readonly workOn: (part: ShownPart, name: string) => void,
   ) {
     this.#format.append(
       ...Object.keys(types).map((format) =>
         make('option', format.toUpperCase(), { value: format }),
       ),
     );
+    this.#format.addEventListener('change', () => this.#showCurves());
+    this.#showCurves();
     byId('save-parts').addEventListener('click', () => void this.#saveAll());
     this.#thickness = new NumberField(
       byId<HTMLInputElement>('thickness'),
@@ -82,6 +97,14 @@ export class CutPanel {
     if (same) return;
     this.#parts = parts;
     this.#showParts();
+  }
+
+  /** The actions on the kept part that has a point, while the parts are listed. */
+  actionsAt(point: SurfacePoint | null): readonly [name: string, act: () => void][] {
+    if (!point || this.#group.hidden) return [];
+    const i = this.#parts.findIndex((part) => part.state === 'kept' && lies(point, part));
+    const name = `Part ${i + 1}`;
+    return i < 0 ? [] : [[`Work on ${name}`, () => this.workOn(this.#parts[i]!, name)]];
   }
 
   #showParts(): void {
@@ -143,8 +166,17 @@ export class CutPanel {
       toggle('eye', 'Show or hide', eye, 'hidden'),
       toggle('part-bin', part.state === 'deleted' ? 'Bring back' : 'Delete', bin, 'deleted'),
       button('part-save', 'Save', save, () => void this.#save(part, name)),
+      button('part-work', 'Work on', pick, () => this.workOn(part, name)),
     );
     return row;
+  }
+
+  /** STL has no lines. */
+  #showCurves(): void {
+    const isStl = this.#format.value === 'stl';
+    this.#curves.disabled = isStl;
+    const why = isStl ? 'STL has no lines' : 'The curves that lie on each part';
+    this.#curves.closest('label')!.title = why;
   }
 
   #choose(part: ShownPart, state: ShownPart['state']): void {
@@ -173,7 +205,8 @@ export class CutPanel {
     const format = this.#format.value as WrittenFormat;
     const title = `${name} of ${this.title()}`;
     try {
-      const bytes = await this.fileOf(part, format);
+      const withCurves = this.#curves.checked && !this.#curves.disabled;
+      const bytes = await this.fileOf(part, format, withCurves);
       download(title, new Blob([bytes as BlobPart], { type: types[format] }), format);
     } catch (error) {
       showError(`${name} was not saved. ${sentenceOf(error)}`);

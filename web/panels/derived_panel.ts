@@ -23,6 +23,7 @@ import {
 } from '../model/derived';
 import { objectOf } from '../model/drawing';
 import { type Figure, isCurve, isRound } from '../model/figure';
+import { originsText, originText } from '../model/origins';
 import type { Unit } from '../model/units';
 import { byId, choices, make, write } from './elements';
 import { kindNames, kindNotes } from './kind_names';
@@ -131,6 +132,7 @@ export class DerivedPanel {
     }
     const { offset, sources } = (!none && figure.derived) || {};
     byId('derived-settings').hidden = !sources;
+    this.#showOrigins(state);
     byId('expand').hidden = figure.kind === 'cut';
     byId('offset-settings').hidden = !offset;
     this.#distance.show(offset?.distance ?? null);
@@ -139,6 +141,7 @@ export class DerivedPanel {
     for (const input of this.#corners) {
       input.checked = input.value === (offset?.corners ?? 'round');
       input.disabled = offset?.end !== undefined && input.value !== 'round';
+      input.parentElement!.title = input.disabled ? 'With two distances corners are round' : '';
     }
     const objects = sources?.flatMap((id) => objectOf(drawing, id) ?? []);
     const areLoops = objects?.every((object) => isLoop(object.figure));
@@ -146,6 +149,15 @@ export class DerivedPanel {
     const names = objects?.map(nameOf);
     const of = isBoolean(figure.kind) ? 'Of' : figure.kind === 'cut' ? 'Along' : 'From';
     write(byId('derived-sources'), `${of} ${names?.join(', ') || 'nothing any more'}`);
+  }
+
+  /** Shows where the selected piece comes from, or all pieces of the curve. */
+  #showOrigins({ figure, none, selection }: State): void {
+    const piece = typeof selection === 'number' ? figure.points[selection]?.origin : undefined;
+    const all = none ? '' : originsText(figure);
+    const words = all && piece ? `The piece after this anchor: ${originText(piece)}` : all;
+    byId('origins').hidden = words === '';
+    write(byId('origins'), words.replace(/^f/, 'F'));
   }
 
   #make<More extends unknown[]>(

@@ -1,3 +1,4 @@
+import type { SurfacePoint } from 'karcher';
 import type { Editor } from '../editor/state/editor';
 import { type State, selectedObjects } from '../editor/state/state';
 import { isDerived } from '../model/derived';
@@ -9,16 +10,18 @@ import {
   type FillStyle,
   type LineStyle,
   leastOpacity,
+  newObject,
   objectOf,
   type Properties,
   surfaceWidths,
   widthRange,
 } from '../model/drawing';
-import { isEmpty } from '../model/figure';
-import { longestName } from '../model/names';
+import { emptyFigure, type Figure, type FillRule, isEmpty } from '../model/figure';
+import { longestName, shortened } from '../model/names';
 import type { Unit } from '../model/units';
 import { EditedField } from './edited_field';
 import { byId, make, write } from './elements';
+import { sentenceOf, showNote } from './messages';
 import { NumberField, positiveNumber, wholeNumbers } from './number_field';
 import { nameOf, ObjectRows } from './object_rows';
 import { showShared } from './shared_settings';
@@ -100,6 +103,7 @@ export class ObjectPanel {
   readonly #pattern = byId<HTMLSelectElement>('pattern');
   readonly #spacing: NumberField;
   readonly #otherSide = byId<HTMLButtonElement>('other-side');
+  readonly #rule = byId<HTMLSelectElement>('fill-rule');
   readonly #actions: readonly [HTMLButtonElement, (state: State) => boolean][];
   /** The theme's color of lines, in the form that color fields need. */
   #themeColor = '#000000';
@@ -109,6 +113,8 @@ export class ObjectPanel {
     private readonly editor: Editor,
     /** The length of a pixel at an object, in the surface's unit. */
     reachOf: (object: DrawnObject) => number,
+    /** The centroid of an object's fill; null if it has none. */
+    centroidOf: (id: number) => Promise<SurfacePoint | null>,
   ) {
     byId('new-object').addEventListener('click', () => editor.begin());
     this.#rows = new ObjectRows(editor, () => this.#name.select());
@@ -165,6 +171,10 @@ export class ObjectPanel {
       },
     );
     this.#otherSide.addEventListener('click', () => editor.objects.turnInside(this.#targets));
+    this.#rule.addEventListener('change', () =>
+      editor.objects.setRule(this.#targets, this.#rule.value as FillRule),
+    );
+    byId('centroid').addEventListener('click', () => void this.#markCentroids(centroidOf));
     this.#width = new NumberField(
       byId<HTMLInputElement>('width'),
       (width) => set({ width, onSurface: this.#isOnSurface }),
@@ -272,6 +282,28 @@ export class ObjectPanel {
     return selectedObjects(this.editor.state);
   }
 
+  /** Adds a point at the centroid of each selected fill. */
+  async #markCentroids(centroidOf: (id: number) => Promise<SurfacePoint | null>): Promise<void> {
+    const { state } = this.editor;
+    const filled = state.drawing.objects.filter(
+      ({ id, fill }) => fill > 0 && this.#targets.includes(id),
+    );
+    try {
+      const made: DrawnObject[] = [];
+      for (const object of filled) {
+        const point = await centroidOf(object.id);
+        if (!point) continue;
+        const figure: Figure = { ...emptyFigure, kind: 'points', points: [point] };
+        const name = shortened(`Centroid of ${nameOf(object)}`, longestName);
+        made.push(newObject(0, figure, { name, color: object.color }));
+      }
+      if (this.editor.state.drawing !== state.drawing) return;
+      if (made.length > 0) this.editor.objects.add(made);
+    } catch (error) {
+      showNote(`The centroid was not found. ${sentenceOf(error)}`);
+    }
+  }
+
   /** Shows the properties that the selected objects share, and leaves others empty. */
   #showStyle(objects: readonly DrawnObject[], selected: number): void {
     const last = objects.at(-1)!;
@@ -301,6 +333,12 @@ export class ObjectPanel {
     byId('pattern-spacing').hidden = objects.some((object) => object.pattern === 'solid');
     showNumber(this.#spacing, common('spacing') ?? undefined);
     showShared(this.#dash, common('dash'));
+    // A cut has neither a line nor a fill.
+    const isCut = objects.every(({ figure }) => figure.kind === 'cut');
+    for (const id of ['line-style', 'line-opacity', 'fill-line', 'pattern-line']) {
+      byId(id).hidden = isCut;
+    }
+    this.#showRule(objects.filter((object) => object.fill > 0 && object.figure.kind !== 'cut'));
     const color = selected > 0 ? common('color') : undefined;
     for (const swatch of this.#swatches) {
       const isShown = color !== undefined && (swatch.dataset.color || null) === color;
@@ -317,6 +355,20 @@ export class ObjectPanel {
     const controls = [...this.#swatches, this.#custom, this.#look, ...lists, ...inputs];
     for (const control of controls) control.disabled = selected === 0;
     this.#otherSide.disabled = selected === 0 || !objects.some(hasOtherSide);
+  }
+
+  /** Shows the rule of filled objects; those that are made of others have that of their sources. */
+  #showRule(filled: readonly DrawnObject[]): void {
+    const own = filled.filter(({ figure }) => !isDerived(figure.kind));
+    const rules = new Set(own.map(({ figure }) => figure.rule ?? 'evenOdd'));
+    const [rule, ...others] = rules;
+    byId('rule-line').hidden = filled.length === 0;
+    showShared(this.#rule, others.length > 0 ? undefined : (rule ?? 'evenOdd'));
+    this.#rule.disabled = own.length === 0;
+    this.#rule.title =
+      own.length > 0
+        ? 'Even-odd: every second area from the outside; nonzero: every area that the line goes round'
+        : 'What it is made of has the rule';
   }
 
   #makeSwatch(color: string | null, title: string): HTMLButtonElement {

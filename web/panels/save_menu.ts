@@ -1,5 +1,6 @@
 import type { SurfacePoint } from 'karcher';
 import { polylinesOf } from '../editor/engine/compute';
+import type { ShownCut } from '../editor/engine/cut';
 import type { Session } from '../editor/engine/session';
 import type { View } from '../editor/engine/view';
 import type { Editor } from '../editor/state/editor';
@@ -16,6 +17,7 @@ import type { CurvesFormat, DrawnCurve } from '../model/drawn_curves';
 import { isEmpty, isRound } from '../model/figure';
 import { gathered } from '../model/gathered';
 import { madeSource, meshLabel } from '../model/meshes';
+import { originsText } from '../model/origins';
 import type { ViewerColors } from '../viewer/colors';
 import type { Vantage } from '../viewer/vantage';
 import type { Viewer } from '../viewer/viewer';
@@ -130,24 +132,31 @@ export class SaveMenu {
     if (!client) return;
     const title = this.#title;
     try {
-      const bytes = await client.curvesFile(await this.#drawnCurves(), format);
+      const bytes = await client.curvesFile(await this.drawnCurves(), format);
       download(title, new Blob([bytes as BlobPart], { type: curvesTypes[format] }), format);
     } catch (error) {
       showError(`The curves were not saved. ${sentenceOf(error)}`);
     }
   }
 
-  /** The curves with their looks in the present view, the edited one first. */
-  async #drawnCurves(): Promise<DrawnCurve[]> {
+  /**
+   * The visible curves with their looks in the present view, the edited one first: those to save, or
+   * for the parts of a cut all of them, with the lines that border these parts.
+   */
+  async drawnCurves(cut: ShownCut | null = null): Promise<DrawnCurve[]> {
     const { view } = this.session;
     const { active, objects } = this.editor.state.drawing;
     const others = view.others.filter(({ lines }) => lines.length > 0).map(({ id }) => id);
     const drawn = polylinesOf(view).length > 0 ? [active, ...others] : others;
-    const ids = drawn.filter((id) => this.#isMeant(id));
+    const ids = drawn.filter((id) => cut || this.#isMeant(id));
+    const found = await this.session.linesOf(ids);
     const vantage = this.viewer.vantage();
     const surface = this.viewer.surface!;
     const { curve: themed } = sceneColors();
-    return (await this.session.linesOf(ids)).flatMap(({ id, paths, samples }) => {
+    return found.flatMap(({ id, paths: own, samples: sampled }) => {
+      const along = cut?.along.filter((one) => one.id === id) ?? [];
+      const paths = along.length > 0 ? along.map(({ path }) => path) : own;
+      const samples = along.length > 0 ? null : sampled;
       const object = objects.find((one) => one.id === id)!;
       return paths.map((path, i) => {
         const line = path.polyline();
@@ -332,7 +341,10 @@ function bytesOfColor(color: string): [number, number, number] {
 }
 
 const named = (object: DrawnObject) => ({
-  object: { id: object.id, name: nameOf(object), opacity: object.opacity },
+  object: {
+    ...{ id: object.id, name: nameOf(object), opacity: object.opacity },
+    description: originsText(object.figure),
+  },
 });
 
 /** A line's style in an SVG, where dashes are in pixels. */

@@ -325,7 +325,11 @@ function measureOf({ curve, isolines, center, fill }: View, unit: Unit): string 
     return `energy ${formatLength(energy)}${exact}${only}`;
   }
   const drawn = curve ?? isolines;
-  const area = fill?.region ? ` · area ${formatArea(fill.region.area, unit)}` : '';
+  const { region } = fill ?? {};
+  const around = region?.boundary.reduce((sum, { length }) => sum + length, 0) ?? 0;
+  const area = region
+    ? ` · area ${formatArea(region.area, unit)} · perimeter ${formatLength(around, unit)}`
+    : '';
   return drawn ? `length ${formatLength(drawn.length, unit)}${area}` : '';
 }
 

@@ -12,13 +12,14 @@ import type {
   MeshInfo,
   Path,
   PointLike,
+  SurfacePoint,
 } from 'karcher';
 import type { FileInfo, WrittenFormat } from 'karcher/formats';
 import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-worker';
 import type { BooleanKind, Offset } from '../model/derived';
 import type { FillPattern } from '../model/drawing';
 import type { CurvesFormat, DrawnCurve } from '../model/drawn_curves';
-import type { Inside, Vector } from '../model/figure';
+import type { Enclosing, Vector } from '../model/figure';
 import { type ToldLegs, withDrawnLegs } from '../model/legs';
 import type { MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
@@ -76,13 +77,12 @@ interface Loaded {
 /** The places x, y, z of the corners. */
 type Corners = [Vector, Vector, Vector];
 
-/** Whether to compute the enclosed region: the smaller side, or a named one. */
-export type AskedFill = boolean | Inside;
+/** The side and the rule of the enclosed region to compute; null if it is not computed. */
+export type AskedFill = Enclosing | null;
 
-/** Lines, and the side of the first one that is inside; by default the smaller one. */
-export interface OutlinedShape {
+/** Lines, and what they enclose; by default the smaller side, by the even-odd rule. */
+export interface OutlinedShape extends Enclosing {
   outlines: readonly Path[];
-  inside?: Inside;
 }
 
 /** The parts of a curve's view to return besides its value. */
@@ -223,7 +223,7 @@ export class EngineClient {
   /** The view of the curve with a value. */
   async curve(
     value: CurveOptions,
-    { object, marks = 0, fill = false, outlines = false }: CurveRequest = {},
+    { object, marks = 0, fill = null, outlines = false }: CurveRequest = {},
   ): Promise<TracedCurve> {
     const before = object === undefined ? null : await this.#curves.get(object);
     const curve = before ?? (await this.#first(object, value));
@@ -308,7 +308,7 @@ export class EngineClient {
   async circle(
     center: PointLike,
     options: CircleOptions,
-    fill: AskedFill = false,
+    fill: AskedFill = null,
   ): Promise<TracedCurve> {
     return this.#timed(() => this.mesh.circle(center, options), fill);
   }
@@ -316,7 +316,7 @@ export class EngineClient {
   async ellipse(
     center: PointLike,
     options: EllipseOptions,
-    fill: AskedFill = false,
+    fill: AskedFill = null,
   ): Promise<TracedCurve> {
     return this.#timed(() => this.mesh.ellipse(center, options), fill);
   }
@@ -324,7 +324,7 @@ export class EngineClient {
   async isolines(
     center: PointLike,
     options: IsolineOptions,
-    fill: AskedFill = false,
+    fill: AskedFill = null,
   ): Promise<TracedIsolines> {
     const started = performance.now();
     const paths = await this.mesh.isolines(center, options);
@@ -336,7 +336,7 @@ export class EngineClient {
   /** Lines at a distance from outlines. */
   offset(
     outlines: readonly Path[],
-    options: Offset & { inside?: Inside | undefined },
+    options: Offset & Enclosing,
     fill = false,
   ): Promise<TracedIsolines> {
     const closed = outlines.every((path) => path.closed);
@@ -365,12 +365,27 @@ export class EngineClient {
     return (await this.#worker.call('cut', args)) as SurfacePart[];
   }
 
-  /** A part of the cut surface as a file, with the properties of the surface's own file. */
-  async meshFile(part: SurfacePart, format: WrittenFormat): Promise<Uint8Array> {
-    const { thick, positions, triangles, faces } = part;
-    const marks = this.file && { ...this.file, sheets: thick ? 2 : 1 };
-    const args = [this.mesh, { positions, triangles, faces }, thick, format, marks];
-    return (await this.#worker.call('meshFile', args)) as Uint8Array;
+  /**
+   * A part of the cut surface as a file, with the properties of the surface's own file and the
+   * pieces of curves that lie on it.
+   */
+  async partFile(
+    { thick, positions, triangles, faces }: Omit<SurfacePart, 'weights' | 'point'>,
+    format: WrittenFormat,
+    curves: readonly DrawnCurve[] = [],
+  ): Promise<Uint8Array> {
+    const more = { marks: this.file, sheets: thick ? 2 : 1, curves: curves.map(sentCurve) };
+    const args = [this.mesh, { positions, triangles, faces }, thick, format, more];
+    return (await this.#worker.call('partFile', args)) as Uint8Array;
+  }
+
+  /** Points of the surface as points of a part; null for those that lie elsewhere. */
+  async pointsOnPart(
+    { positions, triangles, faces }: SurfacePart,
+    points: readonly SurfacePoint[],
+  ): Promise<(SurfacePoint | null)[]> {
+    const args = [this.mesh, { positions, triangles, faces }, points];
+    return (await this.#worker.call('pointsOnPart', args)) as (SurfacePoint | null)[];
   }
 
   /** Curves on the surface as a file, with the surface and its own properties unless it is CSV. */
@@ -413,9 +428,14 @@ export class EngineClient {
     this.#worker.dispose();
   }
 
-  #fill(lines: RemoteCurve | Path[], fill: AskedFill): Promise<Fill> {
-    const inside = typeof fill === 'string' ? fill : null;
-    return this.#worker.call('fill', [this.mesh, lines, inside]) as Promise<Fill>;
+  #fill(lines: RemoteCurve | Path[], fill: Enclosing): Promise<Fill> {
+    return this.#worker.call('fill', [this.mesh, lines, fill]) as Promise<Fill>;
+  }
+
+  /** The centroid of a region. */
+  centroid({ whole, parts, corners, boundary }: Region): Promise<SurfacePoint> {
+    const args = [this.mesh, boundary, insideOf({ whole, parts, corners })];
+    return this.#worker.call('centroid', args) as Promise<SurfacePoint>;
   }
 
   /** The pattern of a region; null if it would have too many lines, or the region has no border. */
@@ -446,6 +466,21 @@ export class EngineClient {
       );
     return curve;
   }
+}
+
+/** A point inside a region: the middle of a whole face, or of its largest other triangle. */
+function insideOf({ whole, parts, corners }: Pick<Region, 'whole' | 'parts' | 'corners'>) {
+  if (whole.length > 0) return { face: whole[0]!, bary: [1 / 3, 1 / 3, 1 / 3] };
+  let [best, most] = [0, -1];
+  for (let i = 0; i < parts.length; i++) {
+    const [ax, ay, bx, by, cx, cy] = corners.subarray(6 * i, 6 * i + 6);
+    const area = Math.abs((bx! - ax!) * (cy! - ay!) - (by! - ay!) * (cx! - ax!));
+    if (area > most) [best, most] = [i, area];
+  }
+  const mean = (k: number) =>
+    [0, 2, 4].reduce((sum, at) => sum + corners[6 * best + at + k]! / 3, 0);
+  const [u, v] = [mean(0), mean(1)];
+  return { face: parts[best]!, bary: [1 - u - v, u, v] };
 }
 
 /** Both answers. If both fail, the second failure does not count as unhandled. */

@@ -1,6 +1,6 @@
 /** Curves as files, with the surface that they lie on. */
-import type { Mesh, SurfacePoint } from 'karcher';
-import type { FileMarks, FilePath } from 'karcher/formats';
+import type { CutPart, Mesh, SurfacePoint } from 'karcher';
+import type { FileCurve, FileMarks, FilePath, Triangles, WrittenFormat } from 'karcher/formats';
 import type { CurvesFormat, DrawnCurve } from '../model/drawn_curves';
 
 /** A curve in a message to the worker: with the arrays of its path, whose methods do not pass. */
@@ -48,12 +48,42 @@ export async function curvesFile(
     return new TextEncoder().encode(curvesCsv(rows, surface));
   }
   const { colors = null, parts, partOf = null } = marks ?? {};
-  const written = curves.map((curve) => ({
+  const written = writtenCurves(curves, format, colors !== null);
+  return meshFile({ ...surface, colors, parts, partOf, curves: written }, format);
+}
+
+/** A part of the cut surface, with its file's properties and the pieces of curves that lie on it. */
+export async function partFile(
+  mesh: Mesh,
+  part: CutPart,
+  thick: Triangles | null,
+  format: WrittenFormat,
+  {
+    marks,
+    sheets,
+    curves,
+  }: { marks: FileMarks | null; sheets: 1 | 2; curves: readonly SentCurve[] },
+): Promise<Uint8Array> {
+  const { curvesOnPart, marksOfPart, meshFile } = await import('karcher/formats');
+  const surface = { positions: mesh.positions(), triangles: mesh.triangles() };
+  const said = marks && marksOfPart(part, surface, marks, { sheets });
+  const written = writtenCurves(curves, format, Boolean(said?.colors));
+  return meshFile(
+    { ...(thick ?? part), ...said, curves: curvesOnPart(part, surface, written) },
+    format,
+  );
+}
+
+/** Curves as a file has them: tubes in GLB, and lines in the other formats. */
+const writtenCurves = (
+  curves: readonly SentCurve[],
+  format: WrittenFormat,
+  isColored: boolean,
+): FileCurve[] =>
+  curves.map((curve) => ({
     name: curve.name,
     path: pathOf(curve),
     ...(format === 'glb' && { radius: curve.radius }),
-    // In OBJ a colored curve would make the whole surface white.
-    ...((format === 'glb' || colors) && { color: curve.color }),
+    // In OBJ and PLY a colored curve would make the whole surface white.
+    ...((format === 'glb' || isColored) && { color: curve.color }),
   }));
-  return meshFile({ ...surface, colors, parts, partOf, curves: written }, format);
-}

@@ -1,9 +1,9 @@
 /** Lines derived from other lines: their offsets, and booleans of their regions. */
 import { KarcherError, type Mesh, type Path, type Region, type SurfacePoint } from 'karcher';
 import type { BooleanKind, Offset, OffsetSide } from '../model/derived';
-import type { Inside } from '../model/figure';
+import type { Enclosing } from '../model/figure';
 import type { Fill } from '../model/traced';
-import { painted } from './fills';
+import { painted, regionOf } from './fills';
 
 /** Paths arrive as their points. */
 type Outline = SurfacePoint[];
@@ -13,20 +13,20 @@ export interface DerivedLines {
   fill: Fill | null;
 }
 
-/** A shape. Its inside is a side of the first line, or the side with the middle of a line. */
+/** A region. Its inside is the smaller side, or the side with the middle of a line. */
 const outlined = (
   mesh: Mesh,
   outlines: (Outline | Path)[],
-  inside?: Outline | Inside | undefined,
+  inside?: Outline | undefined,
 ): Region => {
-  const told = typeof inside === 'string' ? inside : inside?.[inside.length >> 1];
+  const told = inside?.[inside.length >> 1];
   return mesh.regions([{ outlines, ...(told && { inside: told }) }])[0]!;
 };
 
 /** The region that lines enclose; null if they enclose none. */
-function enclosed(mesh: Mesh, outlines: Outline[], inside?: Inside | undefined): Region | null {
+function enclosed(mesh: Mesh, outlines: Outline[], enclosing: Enclosing): Region | null {
   try {
-    return outlined(mesh, outlines, inside);
+    return regionOf(mesh, { outlines, ...enclosing });
   } catch (error) {
     if (error instanceof KarcherError) return null;
     throw error;
@@ -43,15 +43,15 @@ export function offsetOf(
     side,
     corners = 'round',
     closed,
-    inside: sideInside,
-  }: Offset & { closed: boolean; inside?: Inside | undefined },
+    ...enclosing
+  }: Offset & Enclosing & { closed: boolean },
   fill: boolean,
 ): DerivedLines {
   const sides = { inwards: 'left', outwards: 'right', both: 'both' } as const;
   let from: (Outline | Path)[] = outlines;
   let which: (typeof sides)[OffsetSide] = sides[side];
   if (closed && side !== 'both') {
-    const region = enclosed(mesh, outlines, sideInside);
+    const region = enclosed(mesh, outlines, enclosing);
     // Two distances count from the start of the lines themselves.
     if (region && end === undefined) from = region.boundary();
     else if (region?.data().isLeft === false) which = side === 'inwards' ? 'right' : 'left';
@@ -68,10 +68,16 @@ export function offsetOf(
 
 export function combined(
   mesh: Mesh,
-  shapes: { outlines: Outline[]; inside?: Inside }[],
+  shapes: (Enclosing & { outlines: Outline[] })[],
   combine: BooleanKind,
   fill: boolean,
 ): DerivedLines {
-  const region = mesh.regions(shapes, { combine })[0]!;
+  // The region of a shape has the boundary of its other rule on its left.
+  const plain = shapes.map(({ rule, ...shape }) =>
+    rule
+      ? { outlines: regionOf(mesh, { ...shape, rule }).boundary(), inside: 'left' as const }
+      : shape,
+  );
+  const region = mesh.regions(plain, { combine })[0]!;
   return { paths: region.boundary(), fill: fill ? painted(mesh, () => region) : null };
 }

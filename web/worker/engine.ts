@@ -11,16 +11,17 @@ import {
   load,
   type Mesh,
   type PointLike,
+  type SurfacePoint,
 } from 'karcher';
-import type { FileInfo, FileMarks, Triangles, WrittenFormat } from 'karcher/formats';
+import type { FileInfo } from 'karcher/formats';
 import { serve } from 'karcher/own-worker';
 import { arraysOf, blobsOf, type MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
-import { curvesFile } from './curves_file';
+import { curvesFile, partFile } from './curves_file';
 import { cutParts } from './cut';
 import { combined, offsetOf } from './derived';
 import { tracedDistances } from './distances';
-import { fillOf } from './fills';
+import { centroidOf, fillOf } from './fills';
 import { framedAt, putDown } from './framed';
 import { patternOf } from './patterns';
 import { inPieces } from './pieces';
@@ -77,21 +78,16 @@ const calls = {
   distances: (mesh: Mesh, from: PointLike, options: DistanceOptions) =>
     tracedDistances(mesh, from, options),
   fill: fillOf,
+  centroid: centroidOf,
   pattern: patternOf,
   offset: offsetOf,
   combined,
   cut: cutParts,
   curvesFile,
-  async meshFile(
-    mesh: Mesh,
-    part: CutPart,
-    thick: Triangles | null,
-    format: WrittenFormat,
-    marks: (FileMarks & { sheets: 1 | 2 }) | null,
-  ) {
-    const { marksOfPart, meshFile } = await import('karcher/formats');
-    const said = marks && marksOfPart(part, takenFrom(mesh), marks, { sheets: marks.sheets });
-    return meshFile({ ...(thick ?? part), ...said }, format);
+  partFile,
+  async pointsOnPart(mesh: Mesh, part: CutPart, points: SurfacePoint[]) {
+    const { pointsOnPart } = await import('karcher/formats');
+    return pointsOnPart(part, takenFrom(mesh), points);
   },
   framedAt,
   putDown,

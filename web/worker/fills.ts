@@ -1,21 +1,42 @@
 /** The regions that lines enclose, as the triangles that the page paints. */
-import { type Curve, KarcherError, type Mesh, type Region, type SurfacePoint } from 'karcher';
-import type { Inside } from '../model/figure';
+import {
+  type Curve,
+  KarcherError,
+  type Mesh,
+  type Path,
+  type Region,
+  type SurfacePoint,
+} from 'karcher';
+import type { Enclosing } from '../model/figure';
 import type { Fill } from '../model/traced';
 import { filledSides } from './filled_sides';
 import { withTouched } from './touched_faces';
 
-/**
- * The region that a curve, or several paths together, enclose: the smaller side unless one is
- * named.
- */
+/** The region that a curve, or several paths together, enclose. */
 export function fillOf(
   mesh: Mesh,
   lines: Curve | readonly SurfacePoint[][],
-  inside: Inside | null,
+  enclosing: Enclosing,
 ): Fill {
   const outlines = Array.isArray(lines) ? lines : [(lines as Curve).path()];
-  return painted(mesh, () => mesh.regions([{ outlines, ...(inside && { inside }) }])[0]!);
+  return painted(mesh, () => regionOf(mesh, { outlines, ...enclosing }));
+}
+
+/** A shape's region. */
+export const regionOf = (
+  mesh: Mesh,
+  { rule, ...shape }: Enclosing & { outlines: readonly (Path | SurfacePoint[])[] },
+): Region => mesh.regions([shape], rule ? { rule } : {})[0]!;
+
+/** The centroid of the region with a boundary and a point inside. */
+export async function centroidOf(
+  mesh: Mesh,
+  outlines: readonly SurfacePoint[][],
+  inside: SurfacePoint,
+): Promise<SurfacePoint> {
+  const { centroid } = await import('karcher/statistics');
+  const [region] = mesh.regions([{ outlines, inside }]);
+  return (await centroid(mesh, region!)).point;
 }
 
 /** A region in its painted form, or the reason why it does not exist. */

@@ -2,6 +2,7 @@
 import type { FieldOptions, SurfacePoint } from 'karcher';
 import { acrossDirection, defaultAcross, reachAlong } from '../../model/circle';
 import type { Across, CircleForm, CircleShape, Vector } from '../../model/figure';
+import type { SourceLine } from '../../model/origins';
 import type { TracedCurve, TracedIsolines } from '../../model/traced';
 import type { AskedFill, EngineClient } from '../../worker/client';
 
@@ -25,6 +26,8 @@ const leastAcross = 1e-3;
 export interface ShownIsolines extends TracedIsolines {
   /** Whether the lines are exact, however good the method is. */
   exact: boolean;
+  /** The lines of a boolean's operands. */
+  from?: readonly SourceLine[];
 }
 
 /** The places of the handles of a circle or an ellipse, and the radii that follow from them. */
@@ -91,7 +94,7 @@ export async function drawCircle(
   {
     draft,
     leastLevels = 0,
-    fill = false,
+    fill = null,
   }: { draft: boolean; leastLevels?: number | undefined; fill?: AskedFill },
 ): Promise<{ curve: TracedCurve } | { isolines: ShownIsolines }> {
   const counted = arcs === 'auto' ? {} : { arcs };

@@ -1,6 +1,6 @@
 import type { CenterOfMass, CurveOptions, ErrorCode, FieldOptions, Path } from 'karcher';
 import { isDerived } from '../../model/derived';
-import { type Figure, isRound, pointsNeeded } from '../../model/figure';
+import { enclosingOf, type Figure, isRound, pointsNeeded } from '../../model/figure';
 import { type DrawnBefore, withDrawnLegs } from '../../model/legs';
 import { type MethodId, type Quality, qualityOf } from '../../model/methods';
 import { controlPointsOf, penOptions } from '../../model/pen';
@@ -105,13 +105,13 @@ function computeFigure(
   computation: Computation,
 ): Promise<Shown> {
   const { object, draft = false, before } = computation;
-  const fill = computation.fill ? (figure.inside ?? true) : false;
+  const fill = computation.fill ? enclosingOf(figure) : null;
   const { outlines = false, outlinesOf } = computation;
   if (figure.kind === 'cut') {
     return drawCut(client, figure, outlinesOf!).then((cut) => ({ ...nothing, cut }));
   }
   if (isDerived(figure.kind)) {
-    return drawDerived(client, figure, outlinesOf!, fill !== false).then((isolines) => ({
+    return drawDerived(client, figure, outlinesOf!, fill !== null).then((isolines) => ({
       ...nothing,
       isolines,
     }));

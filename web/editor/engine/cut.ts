@@ -14,6 +14,11 @@ export interface ShownPart extends SurfacePart {
 export interface ShownCut {
   /** The parts, the largest first. */
   parts: readonly ShownPart[];
+  /**
+   * The lines along which it is cut, by their objects. The view may have better ones of these, which
+   * do not run exactly along the parts.
+   */
+  along: readonly { id: number; path: Path }[];
 }
 
 interface Made {
@@ -32,8 +37,11 @@ export async function drawCut(
   outlinesOf: OutlinesOf,
 ): Promise<ShownCut> {
   const { thickness = 0, parts: choices = [] } = derived!;
-  const outlines: Path[] = [];
-  for (const operand of operands) outlines.push(...(await outlinesOf(operand)));
+  const along: { id: number; path: Path }[] = [];
+  for (const operand of operands) {
+    for (const path of await outlinesOf(operand)) along.push({ id: operand.id, path });
+  }
+  const outlines = along.map(({ path }) => path);
   if (outlines.length === 0) throw new Error('what the surface is cut along has no line');
   const last = lastOf.get(client);
   const same =
@@ -43,5 +51,5 @@ export async function drawCut(
   const parts = same ? last!.parts : await client.cut(outlines, thickness);
   lastOf.set(client, { outlines, thickness, parts });
   const states = choicesOf(parts, choices);
-  return { parts: parts.map((part, i) => ({ ...part, state: states[i]! })) };
+  return { parts: parts.map((part, i) => ({ ...part, state: states[i]! })), along };
 }

@@ -1,7 +1,7 @@
 /** The engine's results for derived figures. */
 import type { Path } from 'karcher';
 import { isBoolean } from '../../model/derived';
-import type { Figure, Operand } from '../../model/figure';
+import { enclosingOf, type Figure, type Operand } from '../../model/figure';
 import type { EngineClient, OutlinedShape } from '../../worker/client';
 import type { ShownIsolines } from './circle_drawing';
 
@@ -25,8 +25,7 @@ export async function drawDerived(
   const shapes: OutlinedShape[] = [];
   // Operands come one after the other: a worker traces one curve at a time.
   for (const operand of operands) {
-    const { inside } = operand.figure;
-    shapes.push({ outlines: await outlinesOf(operand), ...(inside && { inside }) });
+    shapes.push({ outlines: await outlinesOf(operand), ...enclosingOf(operand.figure) });
   }
   if (shapes.some(({ outlines }) => outlines.length === 0)) {
     throw new Error('something that it is made of has no line');
@@ -35,7 +34,7 @@ export async function drawDerived(
     ? await client.combined(shapes, kind, fill)
     : await client.offset(
         shapes.flatMap(({ outlines }) => outlines),
-        { ...derived!.offset!, inside: shapes.length === 1 ? shapes[0]!.inside : undefined },
+        { ...derived!.offset!, ...(operands.length === 1 && enclosingOf(operands[0]!.figure)) },
         fill,
       );
   if (lines.lines.length === 0) {
@@ -44,5 +43,8 @@ export async function drawDerived(
     const far = `nothing of the surface lies ${reach} away from it on that side`;
     throw new Error(kind === 'offset' ? far : (emptyResults[kind] ?? 'together they have no rim'));
   }
-  return { ...lines, exact: true };
+  const from = shapes.flatMap(({ outlines }, i) =>
+    outlines.map((path) => ({ id: operands[i]!.id, path })),
+  );
+  return { ...lines, exact: true, ...(isBoolean(kind) && { from }) };
 }

@@ -1,7 +1,10 @@
 import type { Path, SurfacePoint } from 'karcher';
 import { expanding } from '../../model/combining';
 import { isDerived } from '../../model/derived';
+import { type DrawnObject, objectOf } from '../../model/drawing';
 import { emptyFigure, type Figure, type Vector } from '../../model/figure';
+import { longestName, shortened } from '../../model/names';
+import { type LinePieces, piecesOf } from '../../model/origins';
 import { anchorsOf } from '../../model/stroke';
 import type { Surface } from '../../viewer/surface';
 import type { Editor } from '../state/editor';
@@ -16,6 +19,7 @@ export class Expansion {
     private readonly editor: Editor,
     private readonly session: Session,
     private readonly surface: () => Surface | null,
+    private readonly nameOf: (object: DrawnObject) => string,
   ) {}
 
   async expand(): Promise<void> {
@@ -26,19 +30,27 @@ export class Expansion {
     const paths = session.view.revision === state.revision && session.view.isolines?.outlines;
     const { client } = session;
     if (!paths || !surface || !client || !isDerived(state.figure.kind) || editor.refuses()) return;
-    const figures = paths.map((path) => curveAlong(path, surface, client.info.diagonal));
+    const { from } = session.view.isolines!;
+    const nameOf = (id: number) => {
+      const object = objectOf(state.drawing, id);
+      return object ? shortened(this.nameOf(object), longestName) : '';
+    };
+    const { diagonal } = client.info;
+    const figures = paths.map((path) =>
+      curveAlong(path, surface, diagonal, from && piecesOf(path, from, diagonal, nameOf)),
+    );
     editor.perform(expanding(state.drawing, figures), { selection: null, chosen: [], none: false });
   }
 }
 
-function curveAlong(path: Path, surface: Surface, diagonal: number): Figure {
+function curveAlong(path: Path, surface: Surface, diagonal: number, pieces?: LinePieces): Figure {
   const samples = path.points().map((point: SurfacePoint) => {
     const place = surface.fromScene(surface.position(point));
     const normal = surface.directionFromScene(surface.normal(point)) as Vector;
     const most = tolerance * diagonal;
     return { point, place, normal, tolerance: most, pixel: most };
   });
-  const points = anchorsOf(samples, path.closed);
+  const points = anchorsOf(samples, path.closed, pieces);
   return {
     ...emptyFigure,
     kind: 'pen',

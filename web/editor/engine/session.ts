@@ -1,4 +1,4 @@
-import type { DrawnLeg } from 'karcher';
+import type { DrawnLeg, SurfacePoint } from 'karcher';
 import { activeObject } from '../../model/drawing';
 import {
   type Figure,
@@ -438,6 +438,13 @@ export class Session {
       if (!region) return [];
       return [{ object, region, pattern: this.#patterns.of({ object, region }) }];
     });
+  }
+
+  /** The centroid of an object's fill; null if nothing of it is filled. */
+  async centroidOf(id: number): Promise<SurfacePoint | null> {
+    const [client, state] = [this.#client, this.#state];
+    const one = state && this.painted(state).find(({ object }) => object.id === id);
+    return client && one ? client.centroid(one.region) : null;
   }
 
   /** Computes a pattern. Fills are solid during a drag. */

@@ -9,8 +9,9 @@ import {
   restyling,
 } from '../../model/arranging';
 import { type Command, joined } from '../../model/commands';
+import { isDerived } from '../../model/derived';
 import { type DrawnObject, lookOf, objectOf, type Properties } from '../../model/drawing';
-import { type Figure, type Inside, isEmpty, opposite } from '../../model/figure';
+import { type Figure, type FillRule, type Inside, isEmpty, opposite } from '../../model/figure';
 import { type Selection, type State, selectedObjects } from './state';
 import type { CurveTool } from './tool';
 
@@ -133,6 +134,18 @@ export class ObjectEdits {
       const now = ids.includes(id) && !locked ? this.#editor.insideOf(figure) : null;
       if (!now) return [];
       return [{ type: 'figure', id, edit: { type: 'inside', from, to: opposite(now) } }];
+    });
+    if (steps.length > 0) this.#editor.perform(joined(steps));
+  }
+
+  /** Sets the rule by which lines of these objects that cross themselves enclose a region. */
+  setRule(ids: readonly number[], to: FillRule): void {
+    this.#editor.interrupt();
+    const { objects } = this.#editor.state.drawing;
+    const steps = objects.flatMap(({ id, figure, locked }): Command[] => {
+      const from = figure.rule ?? 'evenOdd';
+      const stays = !ids.includes(id) || locked || from === to || isDerived(figure.kind);
+      return stays ? [] : [{ type: 'figure', id, edit: { type: 'rule', from, to } }];
     });
     if (steps.length > 0) this.#editor.perform(joined(steps));
   }

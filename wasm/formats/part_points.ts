@@ -1,0 +1,199 @@
+import type { CutPart, SurfacePoint } from '../types.js';
+import type { FileCurve, FilePath } from './curves.js';
+import { type Place, weightsIn } from './part_marks.js';
+
+/** A part that was cut out of a surface. */
+type Part = Pick<CutPart, 'positions' | 'triangles' | 'faces'>;
+
+/** A surface in the arrays of its mesh. */
+interface Surface {
+  positions: ArrayLike<number>;
+  triangles: ArrayLike<number>;
+}
+
+/**
+ * The distance, as a part of an edge or of a face's height, below which the engine merges points. A
+ * point that near to a part is on its border.
+ */
+const together = 2 ** -32;
+
+/** Coordinates in a face: the second and third weight. */
+type Flat = readonly [x: number, y: number];
+
+/** A triangle of a part in its face. */
+interface Piece {
+  triangle: number;
+  corners: readonly [Flat, Flat, Flat];
+}
+
+/**
+ * Points of a surface as points of a part that was cut out of it; null for those that lie elsewhere.
+ * A point on the part's border lies on the part. `surface` has the positions and triangles of the
+ * mesh that was cut.
+ *
+ * @example
+ * const surface = { positions: mesh.positions(), triangles: mesh.triangles() };
+ * const [part] = mesh.cut([outline]);
+ * const [point] = pointsOnPart(part, surface, [{ face: 12, bary: [0.2, 0.3, 0.5] }]);
+ */
+export function pointsOnPart(
+  part: Part,
+  surface: Surface,
+  points: readonly SurfacePoint[],
+): (SurfacePoint | null)[] {
+  const cornersOf = (face: number) => [0, 1, 2].map((k) => surface.triangles[3 * face + k]!);
+  const trianglesOf = new Map<number, number[]>();
+  part.faces.forEach((face, i) => {
+    addTo(trianglesOf, face, i);
+  });
+  const neighbors = facesAround([...trianglesOf.keys()], cornersOf);
+  const piecesOf = new Map<number, Piece[]>();
+  const piecesIn = (face: number): Piece[] => {
+    const known = piecesOf.get(face);
+    if (known) return known;
+    const places = cornersOf(face).map((vertex) => at(surface.positions, vertex));
+    const pieces = (trianglesOf.get(face) ?? []).map((triangle): Piece => {
+      const corners = [0, 1, 2].map((k): Flat => {
+        const place = at(part.positions, part.triangles[3 * triangle + k]!);
+        const [, x, y] = weightsIn(places, place);
+        return [x, y];
+      });
+      return { triangle, corners: corners as [Flat, Flat, Flat] };
+    });
+    piecesOf.set(face, pieces);
+    return pieces;
+  };
+  const found = (point: SurfacePoint, face: number): Found | null => {
+    const corners = cornersOf(point.face);
+    const weights = cornersOf(face).map((corner) => point.bary[corners.indexOf(corner)] ?? 0);
+    let best: Found | null = null;
+    for (const piece of piecesIn(face)) {
+      const candidate = inPiece(piece, [weights[1]!, weights[2]!]);
+      if (!best || candidate.outside < best.outside) best = candidate;
+    }
+    return best;
+  };
+  return points.map((point) => {
+    const faces = [point.face, ...neighbors(point)];
+    for (const face of faces) {
+      const one = found(point, face);
+      if (one && one.outside <= together) return one.point;
+    }
+    return null;
+  });
+}
+
+/** Returns for a point on an edge or at a vertex the other ones of these faces that have it. */
+function facesAround(faces: readonly number[], cornersOf: (face: number) => number[]) {
+  let facesOf: Map<number, number[]> | null = null;
+  return ({ face, bary }: SurfacePoint): number[] => {
+    const corners = cornersOf(face).filter((_, k) => bary[k]! > together);
+    if (corners.length === 3) return [];
+    if (!facesOf) {
+      facesOf = new Map();
+      for (const one of faces) for (const corner of cornersOf(one)) addTo(facesOf, corner, one);
+    }
+    const [first, ...more] = corners.map((corner) => facesOf!.get(corner) ?? []);
+    return first!.filter((one) => one !== face && more.every((others) => others.includes(one)));
+  };
+}
+
+function addTo(lists: Map<number, number[]>, key: number, value: number): void {
+  const list = lists.get(key);
+  if (list) list.push(value);
+  else lists.set(key, [value]);
+}
+
+interface Found {
+  point: SurfacePoint;
+  /** The distance from the triangle in the face's coordinates; 0 inside it. */
+  outside: number;
+}
+
+/** The place of a triangle that is nearest to a place, up to rounding if it lies in the triangle. */
+function inPiece({ triangle: face, corners: [a, b, c] }: Piece, place: Flat): Found {
+  const across = (p: Flat, q: Flat, r: Flat) =>
+    (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+  const whole = across(a, b, c);
+  const sides = [
+    [b, c],
+    [c, a],
+    [a, b],
+  ] as const;
+  const areas = sides.map(([p, q]) => across(p, q, place));
+  const outside = sides.map(([p, q], k) => {
+    const length = Math.hypot(q[0] - p[0], q[1] - p[1]);
+    return length > 0 ? (-areas[k]! * Math.sign(whole)) / length : Infinity;
+  });
+  const weights = areas.map((area) => Math.max(0, area * Math.sign(whole)));
+  const sum = weights.reduce((total, weight) => total + weight, 0);
+  const bary = weights.map((weight) => weight / sum) as [number, number, number];
+  return { point: { face, bary }, outside: sum > 0 ? Math.max(0, ...outside) : Infinity };
+}
+
+const at = (of: ArrayLike<number>, vertex: number): Place => [
+  of[3 * vertex]!,
+  of[3 * vertex + 1]!,
+  of[3 * vertex + 2]!,
+];
+
+/**
+ * The pieces of curves that lie on a part that was cut out of their surface, for `meshFile`. A curve
+ * that leaves the part and comes back has several pieces; each has the name and look of its curve.
+ *
+ * @example
+ * const surface = { positions: mesh.positions(), triangles: mesh.triangles() };
+ * for (const part of mesh.cut(paths)) {
+ *   const curves = curvesOnPart(part, surface, [{ name: 'seam', path: curve.path() }]);
+ *   const bytes = meshFile({ ...part, curves }, 'obj');
+ * }
+ */
+export function curvesOnPart(
+  part: Part,
+  surface: Surface,
+  curves: readonly FileCurve[],
+): FileCurve[] {
+  return curves.flatMap((curve) => {
+    const { path, parameters } = curve;
+    const points = pointsOnPart(part, surface, path.points());
+    return runsOf(points).map(([first, end]): FileCurve => {
+      const cut = <Values extends ArrayLike<number>>(values: Values) =>
+        Array.from(values).slice(first, end);
+      return {
+        ...curve,
+        path: pieceOf(path, points as SurfacePoint[], first, end),
+        ...(parameters && { parameters: cut(parameters) }),
+      };
+    });
+  });
+}
+
+/** The runs of at least two points that are not null: the first index, and the one after the last. */
+function runsOf(points: readonly (SurfacePoint | null)[]): [first: number, end: number][] {
+  const runs: [number, number][] = [];
+  for (let first = 0; first < points.length; first++) {
+    let end = first;
+    while (end < points.length && points[end]) end++;
+    if (end > first + 1) runs.push([first, end]);
+    first = Math.max(first, end);
+  }
+  return runs;
+}
+
+function pieceOf(
+  path: FilePath,
+  points: readonly SurfacePoint[],
+  first: number,
+  end: number,
+): FilePath {
+  return {
+    closed: path.closed && first === 0 && end === points.length,
+    count: end - first,
+    points: () => points.slice(first, end),
+    polyline: (options) => path.polyline(options).slice(3 * first, 3 * end),
+    lengths: () => {
+      const lengths = path.lengths().slice(first, end);
+      return lengths.map((length) => length - lengths[0]!);
+    },
+  };
+}

@@ -1,0 +1,62 @@
+/** The part of a drawing that lies on a part of its surface. */
+import type { SurfacePoint } from 'karcher';
+import { isDerived } from './derived';
+import { type Drawing, type DrawnObject, emptyDrawing } from './drawing';
+import { isEmpty, withPlaces } from './figure';
+import { placesOf } from './moving';
+
+/** All places of a drawing, those of choices for the parts of cuts included. */
+export const placesOfDrawing = ({ objects }: Drawing): SurfacePoint[] =>
+  objects.flatMap(({ figure }) => [
+    ...placesOf(figure),
+    ...(figure.derived?.parts ?? []).map(({ point }) => point),
+  ]);
+
+export interface PartDrawing {
+  drawing: Drawing;
+  /** The number of objects that came along, and of all that could. */
+  came: number;
+  all: number;
+}
+
+/**
+ * The objects whose every place has a point in `onPart`, and those that are made of such objects;
+ * but not the cut that made the part.
+ */
+export function drawingOnPart(
+  { objects, active }: Drawing,
+  cut: number,
+  onPart: ReadonlyMap<SurfacePoint, SurfacePoint | null>,
+): PartDrawing {
+  const drawn = objects.filter(({ id, figure }) => id !== cut && !isEmpty(figure));
+  const stays = new Set(objects.map(({ id }) => id));
+  const comes = ({ figure }: DrawnObject) =>
+    isDerived(figure.kind)
+      ? figure.derived!.sources.every((id) => !stays.has(id))
+      : placesOf(figure).every((place) => onPart.get(place));
+  // Each round finds the objects that are made of those of the rounds before.
+  for (let before = -1; before !== stays.size; ) {
+    before = stays.size;
+    for (const object of drawn) if (comes(object)) stays.delete(object.id);
+  }
+  const came = drawn.filter(({ id }) => !stays.has(id)).map((object) => moved(object, onPart));
+  const all = drawn.length;
+  if (came.length === 0) return { drawing: emptyDrawing, came: 0, all };
+  const open = came.find(({ id }) => id === active) ?? came.at(-1)!;
+  return { drawing: { objects: came, active: open.id }, came: came.length, all };
+}
+
+function moved(
+  object: DrawnObject,
+  onPart: ReadonlyMap<SurfacePoint, SurfacePoint | null>,
+): DrawnObject {
+  const figure = withPlaces(object.figure, (place) => onPart.get(place)!);
+  const parts = figure.derived?.parts?.flatMap((part) => {
+    const point = onPart.get(part.point);
+    return point ? [{ ...part, point }] : [];
+  });
+  return {
+    ...object,
+    figure: parts ? { ...figure, derived: { ...figure.derived!, parts } } : figure,
+  };
+}
