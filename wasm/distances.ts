@@ -14,6 +14,7 @@ import type { MeshHandle } from './engine.js';
 import { KarcherError } from './errors.js';
 import type { EngineCircle } from './karcher-engine.mjs';
 import {
+  checkRadius,
   circleOptionNames,
   cornerShapes,
   distanceOptionNames,
@@ -37,6 +38,7 @@ import type {
   OffsetOptions,
   PointArrays,
   PointLike,
+  RadiusOptions,
 } from './types.js';
 import { CurveView } from './view.js';
 
@@ -45,16 +47,17 @@ export function distance(
   mesh: MeshHandle,
   vertices: number,
   from: PointLike | readonly PointLike[],
-  options: DistanceOptions,
+  options: DistanceOptions & RadiusOptions,
 ): Float64Array {
   checkOptions(options, distanceOptionNames);
+  const radius = checkRadius(options);
   const wire = Array.isArray(from) ? wirePoints(from) : wirePoint(from as PointLike);
   if (wire.length === 0) {
     throw new KarcherError('tooFewPoints', 'distances are from at least one point');
   }
   const field = engineFieldOptions({ ...options, solver: options.solver ?? 'exact' });
   checkDistancesFit(vertices, mesh.engine.allocatedBytes);
-  return mesh.call((target) => target.distance(wire, field));
+  return mesh.call((target) => target.distance(wire, field, radius));
 }
 
 export function distanceFromPaths(

@@ -91,17 +91,27 @@ export interface EngineMesh {
   positionsOf(points: Float64Array): Float64Array;
   normal(point: Float64Array): [number, number, number];
   nearestPoint(place: Float64Array): { point: Float64Array; distance: number };
-  distance(from: Float64Array, field: EngineFieldOptions): Float64Array;
+  /** Vertices beyond the radius are NaN. */
+  distance(from: Float64Array, field: EngineFieldOptions, radius: number): Float64Array;
   shortestPath(from: Float64Array, to: Float64Array): EnginePath;
   logMap(
     from: Float64Array,
     points: Float64Array,
     directions: Float64Array,
   ): { vectors: Float64Array; directions: Float64Array };
-  logMapOfVertices(from: Float64Array): Float64Array;
+  logMapOfVertices(from: Float64Array, radius: number): Float64Array;
   expMap(from: Float64Array, vectors: Float64Array, directions: Float64Array): EngineMapped;
   mirror(line: Float64Array, points: Float64Array, directions: Float64Array): EngineMapped;
   transport(from: Float64Array, to: Float64Array, vectors: Float64Array): Float64Array;
+  transportAlong(line: Float64Array, vectors: Float64Array): Float64Array;
+  /** The points at lengths from the start, and `count` even ones. A length of 0 stands for that of the chords. */
+  pointsAlong(
+    line: Float64Array,
+    lengths: Float64Array,
+    length: number,
+    count: number,
+  ): { points: Float64Array; lengths: Float64Array };
+  carried(points: Float64Array, levels: number): Float64Array;
   straightest(
     from: Float64Array,
     direction: Float64Array,

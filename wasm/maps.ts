@@ -1,10 +1,28 @@
-import { badArgument, checkLength, checkNumber, toFloat64, toVector } from './check.js';
+import {
+  badArgument,
+  checkInteger,
+  checkLength,
+  checkNumber,
+  checkOptions,
+  checkPositive,
+  toFloat64,
+  toVector,
+} from './check.js';
 import type { MeshHandle } from './engine.js';
 import type { EngineMapped } from './karcher-engine.mjs';
+import { checkRadius, radiusOptionNames } from './options.js';
 import { Path } from './path.js';
-import type { StraightestPath } from './path_types.js';
-import { toSurfacePoint, toSurfacePoints, wirePoint, wirePoints } from './points.js';
-import type { Frame, PointLike, SurfacePoint, VectorLike, VectorsLike } from './types.js';
+import type { Outline, PathPoints, StraightestPath } from './path_types.js';
+import { toPointArrays, toSurfacePoint, toSurfacePoints, wirePoint, wirePoints } from './points.js';
+import { wireOutline } from './region.js';
+import type {
+  Frame,
+  PointLike,
+  RadiusOptions,
+  SurfacePoint,
+  VectorLike,
+  VectorsLike,
+} from './types.js';
 
 /** Points seen from another one, in its tangent plane: x, y, z for each, in space. */
 export interface LogMap {
@@ -40,15 +58,17 @@ export function straightest(
 export function logMap(
   mesh: MeshHandle,
   from: PointLike,
-  points: readonly PointLike[] | undefined,
+  points: readonly PointLike[] | RadiusOptions = {},
   directions: VectorsLike | undefined,
 ): LogMap {
   const wire = wirePoint(from);
-  if (points === undefined) {
+  if (!Array.isArray(points)) {
     if (directions !== undefined) {
       throw badArgument('the log map of all vertices takes no directions');
     }
-    const vectors = mesh.call((target) => target.logMapOfVertices(wire));
+    checkOptions(points, radiusOptionNames);
+    const radius = checkRadius(points as RadiusOptions);
+    const vectors = mesh.call((target) => target.logMapOfVertices(wire, radius));
     return { vectors, directions: new Float64Array() };
   }
   const places = wirePoints(points);
@@ -78,6 +98,45 @@ export function transport(
   const wireTo = wirePoint(to, 'the second point');
   const ways = toVectors(vectors, 'the vectors');
   return mesh.call((target) => target.transport(wireFrom, wireTo, ways));
+}
+
+export function transportAlong(
+  mesh: MeshHandle,
+  path: Outline,
+  vectors: VectorsLike,
+): Float64Array {
+  const line = wireOutline(path, 'the path');
+  const ways = toVectors(vectors, 'the vectors');
+  return mesh.call((target) => target.transportAlong(line, ways));
+}
+
+export function equallySpaced(mesh: MeshHandle, path: Outline, count: number): PathPoints {
+  const what = 'the number of points';
+  return pointsAlong(mesh, path, [], checkPositive(checkInteger(count, what), what));
+}
+
+export function pointsAlong(
+  mesh: MeshHandle,
+  path: Outline,
+  lengths: ArrayLike<number>,
+  count = 0,
+): PathPoints {
+  const line = wireOutline(path, 'the path');
+  const places = toFiniteNumbers(lengths, 'the lengths');
+  const whole = Array.isArray(path) ? 0 : checkNumber((path as Path).length, 'the length');
+  const found = mesh.call((target) => target.pointsAlong(line, places, whole, count));
+  const position = mesh.call((target) => target.positionsOf(found.points));
+  return { ...toPointArrays(found.points), position, lengths: found.lengths };
+}
+
+export function carried(
+  mesh: MeshHandle,
+  points: readonly PointLike[],
+  levels: number,
+): SurfacePoint[] {
+  const wire = wirePoints(points);
+  checkInteger(levels, 'the number of levels');
+  return toSurfacePoints(mesh.call((target) => target.carried(wire, levels)));
 }
 
 export function frame(mesh: MeshHandle, point: PointLike): Frame {

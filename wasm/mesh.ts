@@ -29,8 +29,10 @@ import type {
   OffsetOptions,
   PointArrays,
   PointLike,
+  RadiusOptions,
   RegionOptions,
   StartOptions,
+  SurfacePoint,
   VectorLike,
   VectorsLike,
   WeightsOptions,
@@ -67,6 +69,19 @@ export class Mesh extends MeshPlaces {
       this.handle.engine,
       this.handle.call((mesh) => mesh.subdivided(levels)),
     );
+  }
+
+  /**
+   * Points of this mesh on the one that `subdivide(levels)` returns: the same weights of the same corners.
+   *
+   * @throws {KarcherError} badArgument for another number of levels than 1 to 6.
+   * @example
+   * ```ts
+   * const [onFine] = mesh.carried([{ face: 17, bary: [0.2, 0.3, 0.5] }], 2);
+   * ```
+   */
+  carried(points: readonly PointLike[], levels = 1): SurfacePoint[] {
+    return maps.carried(this.handle, points, levels);
   }
 
   /**
@@ -274,9 +289,13 @@ export class Mesh extends MeshPlaces {
    *
    * Exact distances have two limits: the longest edge is at most 1e12 times the shortest, and a field takes
    * at most 10,000 windows for each face, where 10 to 100 are usual. Beyond them it throws `KarcherError`
-   * badArgument. The solver `graph` has neither limit.
+   * badArgument. The solver `graph` has neither limit. With a `radius` vertices beyond it are NaN, and the
+   * time is that of the disk.
    */
-  distance(from: PointLike | readonly PointLike[], options: DistanceOptions = {}): Float64Array {
+  distance(
+    from: PointLike | readonly PointLike[],
+    options: RadiusOptions & DistanceOptions = {},
+  ): Float64Array {
     return distances.distance(this.handle, this.info.vertices, from, options);
   }
 
@@ -319,15 +338,20 @@ export class Mesh extends MeshPlaces {
    * none.
    *
    * Without points the vectors are those of all vertices, in the caller's order, at about the cost
-   * of one field of distances. Their paths are those of the solver `fast`, with directions
-   * interpolated between those of neighbours. These are exact on surfaces that unroll. Elsewhere
-   * they differ from those of the paths by some thousandths of a radian. Vectors are NaN at dropped
-   * and unreachable vertices.
+   * of one field of distances; with `{ radius }` in place of points, those of the vertices within
+   * it. Their paths are those of the solver `fast`, with directions interpolated between those of
+   * neighbours. These are exact on surfaces that unroll. Elsewhere they differ from those of the
+   * paths by some thousandths of a radian. Vectors are NaN at dropped and unreachable vertices, and
+   * beyond the radius.
    *
    * Throws `KarcherError` unreachable if no path exists, and badArgument unless there is one
    * direction for each point.
    */
-  logMap(from: PointLike, points?: readonly PointLike[], directions?: VectorsLike): LogMap {
+  logMap(
+    from: PointLike,
+    points?: readonly PointLike[] | RadiusOptions,
+    directions?: VectorsLike,
+  ): LogMap {
     return maps.logMap(this.handle, from, points, directions);
   }
 
@@ -344,6 +368,20 @@ export class Mesh extends MeshPlaces {
   /** Vectors of the tangent plane at `from`, transported along the log map's path to `to`: x, y, z for each. */
   transport(from: PointLike, to: PointLike, vectors: VectorsLike): Float64Array {
     return maps.transport(this.handle, from, to, vectors);
+  }
+
+  /**
+   * Vectors of the tangent plane at the start of a path, transported along it to its end: x, y, z for each.
+   * The path may turn, such as that of a curve.
+   *
+   * @throws {KarcherError} badArgument for consecutive points without a face in common.
+   * @example
+   * ```ts
+   * const carried = mesh.transportAlong(curve.path(), [1, 0, 0]);
+   * ```
+   */
+  transportAlong(path: Outline, vectors: VectorsLike): Float64Array {
+    return maps.transportAlong(this.handle, path, vectors);
   }
 
   /**

@@ -3,6 +3,7 @@ import { type Engine, Handle, type MeshHandle } from './engine.js';
 import type { EngineMesh } from './karcher-engine.mjs';
 import * as maps from './maps.js';
 import { frozenInfo } from './mesh_info.js';
+import type { Outline, PathPoints } from './path_types.js';
 import { toSurfacePoint, wirePoint, wirePointsOrArrays } from './points.js';
 import type {
   FileMarks,
@@ -15,7 +16,7 @@ import type {
   VectorLike,
 } from './types.js';
 
-/** The part of `Mesh` that is about its elements and places on it. */
+/** The part of `Mesh` that is about its elements, and places on it and on its paths. */
 export class MeshPlaces {
   readonly #handle: MeshHandle;
 
@@ -142,5 +143,32 @@ export class MeshPlaces {
     const { point, distance } = this.#handle.call((mesh) => mesh.nearestPoint(vector));
     const position = this.#handle.call((mesh) => mesh.position(point));
     return { point: toSurfacePoint(point), position, distance };
+  }
+
+  /**
+   * `count` points with equal lengths of a path between them, as `Curve.equallySpaced` gives those of a
+   * curve. They include both ends of an open path, and begin at the start of a closed one.
+   *
+   * @throws {KarcherError} as `transportAlong` does, and badArgument for a count below 1.
+   * @example
+   * ```ts
+   * const { face, bary } = mesh.equallySpaced(mesh.shortestPath(a, b), 10);
+   * ```
+   */
+  equallySpaced(path: Outline, count: number): PathPoints {
+    return maps.equallySpaced(this.#handle, path, count);
+  }
+
+  /**
+   * The points at lengths from the start of a path; beyond its ends they are the ends.
+   *
+   * @throws {KarcherError} as `transportAlong` does.
+   * @example
+   * ```ts
+   * const { position } = mesh.pointsAtLengths(path, [path.length / 2]);
+   * ```
+   */
+  pointsAtLengths(path: Outline, lengths: ArrayLike<number>): PathPoints {
+    return maps.pointsAlong(this.#handle, path, lengths);
   }
 }

@@ -5,6 +5,7 @@ import {
   checkNumber,
   checkOneOf,
   checkOptions,
+  checkPositive,
   namesOf,
   shown,
 } from './check.js';
@@ -26,6 +27,7 @@ import type {
   Method,
   OffsetOptions,
   PolylineOptions,
+  RadiusOptions,
   RegionOptions,
   Solver,
   Star,
@@ -35,7 +37,13 @@ import type {
 
 const field = { method: true, solver: true, rings: true, star: true } as const;
 export const fieldOptionNames = namesOf<FieldOptions>(field);
-export const distanceOptionNames = namesOf<DistanceOptions>({ solver: true, rings: true });
+const radius = { radius: true } as const;
+export const radiusOptionNames = namesOf<RadiusOptions>(radius);
+export const distanceOptionNames = namesOf<DistanceOptions & RadiusOptions>({
+  ...radius,
+  solver: true,
+  rings: true,
+});
 const polylineOptionNames = namesOf<PolylineOptions>({ bits: true });
 const longWorkOptionNames = namesOf<LongWorkOptions>({ progress: true, signal: true });
 const meshOptionNames = namesOf<MeshOptions>({ repair: true, weld: true });
@@ -116,6 +124,10 @@ export function engineFieldOptions(options: FieldOptions): EngineFieldOptions {
   const star = checkOneOf(options.star ?? stars[0]!, stars, 'the star');
   return { method, solver, rings, star };
 }
+
+/** The radius up to which something is computed; by default all of it. */
+export const checkRadius = ({ radius = Infinity }: RadiusOptions): number =>
+  radius === Infinity ? radius : checkPositive(radius, 'the radius');
 
 /** The engine's numbers for `auto` and `limit`. */
 const namedLevels = { auto: -1, limit: -2 } as const;

@@ -11,6 +11,18 @@ export interface CurveLeg {
   shorter?: Path;
 }
 
+/** Places on a path, as flat arrays. */
+export interface PathPoints {
+  /** The face of each point. */
+  face: Int32Array;
+  /** Three barycentric weights for each point. */
+  bary: Float64Array;
+  /** The coordinates x, y, z of each point. */
+  position: Float64Array;
+  /** The length from the start to each point. */
+  lengths: Float64Array;
+}
+
 /**
  * A closed path, a path from boundary to boundary, the value of either, or a list of points. The
  * list is closed if it ends at its start; consecutive points share a face.

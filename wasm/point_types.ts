@@ -136,6 +136,12 @@ export interface FieldOptions {
 /** The options for distances. */
 export type DistanceOptions = Pick<FieldOptions, 'solver' | 'rings'>;
 
+/** The part of a surface for which something is computed. */
+export interface RadiusOptions {
+  /** The greatest distance, in units of the mesh; by default none. */
+  radius?: number | undefined;
+}
+
 /** Unit vectors at a point: the first edge of its face, the direction across it, and the normal. */
 export type Frame = [
   along: [number, number, number],

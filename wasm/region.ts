@@ -138,7 +138,7 @@ function firstOf(sorted: Int32Array, value: number): number {
 /** Whether a value is that of a path. */
 const isPath = (value: unknown): value is PathValue => Object(value).face !== undefined;
 
-const wireOutline = (outline: unknown, what: string): Float64Array => {
+export const wireOutline = (outline: unknown, what: string): Float64Array => {
   const arrays = outline instanceof Path ? outline.data() : outline;
   const points = isPath(arrays) ? wirePointArrays(arrays) : wirePoints(outline, what);
   if (points.length > 4) return points;

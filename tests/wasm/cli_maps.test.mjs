@@ -385,7 +385,25 @@ test('a Voronoi diagram and centroids', async () => {
   near(inside.position, [2, 2, 0], 1e-6);
 });
 
-test('the nearest point of a place, and its frame', async () => {
+test('even points of a path, transport along it, radii and the nearest point', async () => {
+  const ends = ['--from', at(1, 1), '--to', at(5, 4)];
+  const even = await printed('path', plane, ...ends, '--equally-spaced', '6');
+  even.equallySpaced.forEach(({ length, position }, i) => {
+    near([length], [i]);
+    near(position, [1 + 0.8 * i, 1 + 0.6 * i, 0]);
+  });
+  const line = folder.write('line.json', JSON.stringify(even));
+  const vectors = ['--vectors', folder.write('way.txt', '1 2 0\n')];
+  const { vectors: carried } = await printed('transport', plane, '--along', line, ...vectors);
+  near(carried[0], [1, 2, 0]);
+  await failure('transport', plane, '--along', line, ...ends, ...vectors);
+  await failure('transport', plane, ...vectors);
+  const radius = ['--from', at(4, 4), '--radius', '1'];
+  const { distance } = await printed('distance', plane, ...radius);
+  assert.equal(distance.filter((far) => far !== null).length, 5);
+  const log = await printed('log', plane, ...radius);
+  assert.equal(log.vectors.filter((vector) => vector !== null).length, 5);
+  await failure('log', plane, ...radius, '--points', line);
   const { point, frame, ...found } = await printed('nearest', plane, '--place', '2.5,3.25,7');
   near(found.position, [2.5, 3.25, 0]);
   near([found.distance], [7]);

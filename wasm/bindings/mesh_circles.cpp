@@ -49,7 +49,7 @@ val MeshHandle::isolines(const val& center, double radius, bool exact, const val
   const SurfacePoint source = pointFromJs(numbering_, mesh(), center);
   const Array<Isoline> lines =
       exact ? exactIsolines(surface_.geometry(), source, radius)
-            : linearIsolines(mesh(), distancesFromPoint(source, field), radius);
+            : linearIsolines(mesh(), distancesFromPoints({source}, field, kInfinity), radius);
   val list = val::array();
   for (int i = 0; i < lines.count(); ++i) {
     const Isoline& line = lines[i];

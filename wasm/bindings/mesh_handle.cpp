@@ -18,6 +18,16 @@
 #include "rcm/mean_weights.h"
 
 namespace karcher::bindings {
+namespace {
+
+void checkLevels(int levels) {
+  constexpr int kMostLevels = 6;
+  if (levels >= 1 && levels <= kMostLevels) return;
+  throw Error(ErrorCode::kBadArgument, "a mesh can be refined 1 to " + std::to_string(kMostLevels) +
+                                           " times at once, not " + std::to_string(levels));
+}
+
+}  // namespace
 
 MeshHandle::MeshHandle(ImportedMesh imported)
     : numbering_(std::move(imported.numbering)),
@@ -91,17 +101,36 @@ val MeshHandle::marks() const {
 }
 
 std::unique_ptr<MeshHandle> MeshHandle::subdivided(int levels) const {
-  constexpr int kMostLevels = 6;
-  if (levels < 1 || levels > kMostLevels) {
-    throw Error(ErrorCode::kBadArgument, "a mesh can be refined 1 to " +
-                                             std::to_string(kMostLevels) + " times at once, not " +
-                                             std::to_string(levels));
-  }
+  checkLevels(levels);
   TriangleSoup soup = loopSubdivision(mesh());
   for (int level = 1; level < levels; ++level) {
     soup = loopSubdivision(buildMesh(std::move(soup.positions), std::move(soup.triangles)));
   }
   return std::make_unique<MeshHandle>(importMesh(std::move(soup)));
+}
+
+val MeshHandle::carried(const val& points, int levels) const {
+  checkLevels(levels);
+  Array<double> wire;
+  for (SurfacePoint point : pointsFromJs(numbering_, mesh(), points)) {
+    // Face f becomes 4 f + k at its corner k, and 4 f + 3 between the middles of its edges
+    // (loop_subdivision.cpp). Doubling and subtracting from 1 round nothing away.
+    for (int level = 0; level < levels; ++level) {
+      const Vec3 bary = point.bary;
+      int corner = 0;
+      const double most = bary.maxCoeff(&corner);
+      const int next = (corner + 1) % 3;
+      const int last = (corner + 2) % 3;
+      if (most >= 0.5) {
+        point = {4 * point.face + corner, {2 * most - 1, 2 * bary[next], 2 * bary[last]}};
+      } else {
+        point = {4 * point.face + 3, {1 - 2 * bary[2], 1 - 2 * bary[0], 1 - 2 * bary[1]}};
+      }
+    }
+    wire.push_back(point.face);
+    append(wire, point.bary);
+  }
+  return toJs(wire);
 }
 
 val MeshHandle::checkedPoint(const val& point) const {
@@ -173,22 +202,30 @@ val MeshHandle::shortestPath(const val& from, const val& to) const {
   return pathToJs(numbering_, mesh(), path.points, path.length());
 }
 
-Array<double> MeshHandle::distancesFromPoint(const SurfacePoint& source, const val& field) {
-  return distancesFrom(*makeDistanceSolver(surface_, fieldOptionsFromJs(field)), source,
-                       mesh().vertexCount());
+Array<double> MeshHandle::distancesFromPoints(const Array<SurfacePoint>& sources, const val& field,
+                                              double radius) {
+  Array<double> distances(static_cast<size_t>(mesh().vertexCount()), kInfinity);
+  const auto solver = makeDistanceSolver(surface_, fieldOptionsFromJs(field));
+  for (const SurfacePoint& source : sources) {
+    solver->setSource(source);
+    solver->grow(radius);
+    for (int v = 0; v < distances.count(); ++v) {
+      distances[v] = std::min(distances[v], solver->distance(v));
+    }
+  }
+  return distances;
 }
 
-val MeshHandle::distance(const val& from, const val& field) {
-  Array<double> distances(static_cast<size_t>(mesh().vertexCount()), kInfinity);
-  for (const SurfacePoint& source : pointsFromJs(numbering_, mesh(), from)) {
-    const Array<double> ofSource = distancesFromPoint(source, field);
-    for (int v = 0; v < distances.count(); ++v) distances[v] = std::min(distances[v], ofSource[v]);
-  }
+val MeshHandle::distance(const val& from, const val& field, double radius) {
+  const Array<double> distances =
+      distancesFromPoints(pointsFromJs(numbering_, mesh(), from), field, radius);
   Array<double> result;
   result.reserve(numbering_.engineVertex.size());
   for (const int v : numbering_.engineVertex) {
     const double distance = v < 0 ? kInfinity : distances[v];
-    result.push_back(distance == kInfinity ? std::nan("") : distance);
+    // Distances beyond the radius may not be final.
+    const bool isKnown = distance < kInfinity && distance <= radius;
+    result.push_back(isKnown ? distance : std::nan(""));
   }
   return toJs(result);
 }

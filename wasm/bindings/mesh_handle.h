@@ -39,6 +39,8 @@ class MeshHandle {
   val triangles() const;
   /// The mesh refined by `levels` steps of Loop subdivision.
   std::unique_ptr<MeshHandle> subdivided(int levels) const;
+  /// Points of this mesh on the refined one: at the same weights of the same corners.
+  val carried(const val& points, int levels) const;
 
   val checkedPoint(const val& point) const;
   val position(const val& point) const;
@@ -55,17 +57,23 @@ class MeshHandle {
   // Vectors and directions are in space, three numbers each. Length 0 marks a missing direction.
   /// {vectors, directions}
   val logMap(const val& from, const val& points, const val& directions) const;
-  /// The log vectors of all vertices of the caller; NaN for unreachable ones.
-  val logMapOfVertices(const val& from);
+  /// The log vectors of all vertices of the caller; NaN for unreachable ones and beyond the radius.
+  val logMapOfVertices(const val& from, double radius);
   /// {points, directions, remaining}
   val expMap(const val& from, const val& vectors, const val& directions) const;
   val mirror(const val& line, const val& points, const val& directions) const;
   /// The vectors transported to the end of the log map's path.
   val transport(const val& from, const val& to, const val& vectors) const;
+  /// The vectors transported from the first of a line's points to the last.
+  val transportAlong(const val& line, const val& vectors) const;
+  /// {points, lengths}: the points of a line at lengths from its start, and `count` evenly spaced
+  /// ones. `length` is the line's length; 0 stands for that of its chords.
+  val pointsAlong(const val& line, const val& lengths, double length, int count) const;
 
   // `field` is {method, solver, rings}.
-  /// The distances to the nearest of the points in `from`, which follow one another.
-  val distance(const val& from, const val& field);
+  /// The distances to the nearest of the points in `from`, which follow one another. Vertices
+  /// beyond the radius are NaN.
+  val distance(const val& from, const val& field, double radius);
   bool hasRingGraph(int rings) const { return surface_.hasRingGraph(rings); }
   /// Builds the data that fields share, including the graph unless slices of work built it.
   void prepareFields(const val& field);
@@ -106,8 +114,10 @@ class MeshHandle {
 
  private:
   Vec2 directionInFace(int face, const val& direction) const;
-  /// The distance for each vertex of the engine; kInfinity for unreachable ones.
-  Array<double> distancesFromPoint(const SurfacePoint& source, const val& field);
+  /// The distance for each vertex of the engine, final up to the radius; kInfinity for unreachable
+  /// ones.
+  Array<double> distancesFromPoints(const Array<SurfacePoint>& sources, const val& field,
+                                    double radius);
   MeanOptions meanOptions(const val& start, bool normalize) const;
   val meanToJs(const Mean& mean) const;
   Array<double> engineDistances(const Array<double>& distances, size_t field) const;

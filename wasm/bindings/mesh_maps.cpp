@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -11,6 +12,19 @@ namespace {
 
 Vec3 vectorAt(const Array<double>& numbers, int i) {
   return {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+}
+
+/// The path through a caller's points, of which neighbours must share a face.
+SurfacePath pathFromJs(const MeshHandle& handle, const val& line) {
+  const TriangleMesh& mesh = handle.mesh();
+  const SurfacePath path = pathThrough(mesh, pointsFromJs(handle.numbering(), mesh, line));
+  for (int i = 1; i < path.points.count(); ++i) {
+    if (commonFace(mesh, path.points[i - 1], path.points[i]) >= 0) continue;
+    throw Error(ErrorCode::kBadArgument, "the points " + std::to_string(i - 1) + " and " +
+                                             std::to_string(i) +
+                                             " of the line have no face in common");
+  }
+  return path;
 }
 
 /// The end points of the exp map, for JavaScript.
@@ -58,20 +72,28 @@ val MeshHandle::logMap(const val& from, const val& points, const val& directions
   return result;
 }
 
-val MeshHandle::logMapOfVertices(const val& from) {
+val MeshHandle::logMapOfVertices(const val& from, double radius) {
   const SurfacePoint start = pointFromJs(numbering_, mesh(), from);
   const Geometry& geometry = surface_.geometry();
   const auto solver = makeDistanceSolver(surface_, {});
   solver->setSource(start);
-  solver->grow(kInfinity);
+  solver->grow(radius);
   SourceVectors ofVertices(geometry);
   ofVertices.setSource(start);
+  // The map of the tangent plane to space is linear.
+  const Vec3 along = tangentToSpace(geometry, start, Vec2::UnitX());
+  const Vec3 across = tangentToSpace(geometry, start, Vec2::UnitY());
   Array<double> vectors;
   vectors.reserve(3 * numbering_.engineVertex.size());
   for (const int v : numbering_.engineVertex) {
-    const bool isReached = v >= 0 && solver->distance(v) != kInfinity;
-    append(vectors, isReached ? tangentToSpace(geometry, start, ofVertices.at(*solver, v))
-                              : Vec3(Vec3::Constant(std::nan(""))));
+    const double distance = v < 0 ? kInfinity : solver->distance(v);
+    const bool isReached = distance < kInfinity && distance <= radius;
+    Vec3 vector = Vec3::Constant(std::nan(""));
+    if (isReached) {
+      const Vec2& flat = ofVertices.at(*solver, v);
+      vector = flat.x() * along + flat.y() * across;
+    }
+    append(vectors, vector);
   }
   return toJs(vectors);
 }
@@ -93,13 +115,7 @@ val MeshHandle::expMap(const val& from, const val& vectors, const val& direction
 
 val MeshHandle::mirror(const val& line, const val& points, const val& directions) const {
   const Geometry& geometry = surface_.geometry();
-  const SurfacePath path = pathThrough(mesh(), pointsFromJs(numbering_, mesh(), line));
-  for (int i = 1; i < path.points.count(); ++i) {
-    if (commonFace(mesh(), path.points[i - 1], path.points[i]) >= 0) continue;
-    throw Error(ErrorCode::kBadArgument, "the points " + std::to_string(i - 1) + " and " +
-                                             std::to_string(i) +
-                                             " of the line have no face in common");
-  }
+  const SurfacePath path = pathFromJs(*this, line);
   const Array<SurfacePoint> places = pointsFromJs(numbering_, mesh(), points);
   const Array<double> ways = fromJs<double>(directions);
   FindPathWorkspace workspace;
@@ -121,7 +137,45 @@ val MeshHandle::transport(const val& from, const val& to, const val& vectors) co
   Array<double> carried;
   for (int i = 0; i < ways.count() / 3; ++i) {
     const Vec2 way = tangentFromSpace(geometry, start, vectorAt(ways, i));
-    append(carried, tangentToSpace(geometry, end, transportAlong(geometry, path, way)));
+    append(carried, tangentToSpace(geometry, end, karcher::transportAlong(geometry, path, way)));
+  }
+  return toJs(carried);
+}
+
+val MeshHandle::pointsAlong(const val& line, const val& lengths, double length, int count) const {
+  const SurfacePath path = pathFromJs(*this, line);
+  Array<double> places = fromJs<double>(lengths);
+  const double whole = length > 0 ? length : path.length();
+  const bool isClosed = samePlace(mesh(), path.start(), path.end());
+  for (int i = 0; i < count; ++i) {
+    places.push_back(whole * i / std::max(1, isClosed ? count : count - 1));
+  }
+  const double scale = whole > 0 ? path.length() / whole : 0;
+  Array<SurfacePoint> points;
+  for (double& place : places) {
+    place = std::clamp(place, 0.0, whole);
+    points.push_back(pointAlong(mesh(), path, scale * place));
+  }
+  val result = val::object();
+  result.set("points", toJs(numbering_, points));
+  result.set("lengths", toJs(places));
+  return result;
+}
+
+val MeshHandle::transportAlong(const val& line, const val& vectors) const {
+  const Geometry& geometry = surface_.geometry();
+  const SurfacePath path = pathFromJs(*this, line);
+  const Array<double> ways = fromJs<double>(vectors);
+  Array<double> carried;
+  for (int i = 0; i < ways.count() / 3; ++i) {
+    Vec2 way = tangentFromSpace(geometry, path.start(), vectorAt(ways, i));
+    // The path may turn at every point. Its pieces are straight.
+    for (int k = 1; k < path.points.count(); ++k) {
+      const SurfacePath piece{{path.points[k - 1], path.points[k]},
+                              {0, path.lengths[k] - path.lengths[k - 1]}};
+      way = karcher::transportAlong(geometry, piece, way);
+    }
+    append(carried, tangentToSpace(geometry, path.end(), way));
   }
   return toJs(carried);
 }

@@ -1,6 +1,6 @@
 import type { Command } from './command.js';
 import { UsageError } from './errors.js';
-import { drawnOptions, type Option, pointsOption } from './options.js';
+import { drawnOptions, type Option, pointsOption, radiusOption } from './options.js';
 import { pathRecord, triples } from './output.js';
 
 /** Log maps, exp maps and parallel transport of vectors and points. */
@@ -29,7 +29,7 @@ export const log: Command = {
   call: 'mesh.logMap(from, points)',
   summary: 'the log map: vectors to points, or to all vertices, in the tangent plane at a point',
   output:
-    "{vectors: [[x, y, z], …]}, or of all vertices in the file's order: null for a vertex without a face or a path",
+    "{vectors: [[x, y, z], …]}, or of all vertices in the file's order: null for a vertex without a face or a path, and beyond the radius",
   options: [
     fromOption,
     {
@@ -38,10 +38,14 @@ export const log: Command = {
       default: 'all vertices',
       help: `points: ${pointsOption.help}`,
     },
+    radiusOption,
   ],
   async run(args) {
     const from = args.point('from');
-    const points = args.given('points') ? await args.points() : undefined;
+    if (args.given('points')) args.refuse(['radius'], 'with --points');
+    const points = args.given('points')
+      ? await args.points()
+      : args.whereGiven(['radius'], (name) => args.number(name));
     const mesh = await args.mesh();
     return { json: { vectors: vectorRecords(mesh.logMap(from, points).vectors) } };
   },
@@ -71,18 +75,33 @@ export const exp: Command = {
 
 export const transport: Command = {
   name: 'transport',
-  call: 'mesh.transport(from, to, vectors)',
-  summary: 'vectors of a tangent plane, carried along the shortest path to another point',
+  call: 'mesh.transport(from, to, vectors), mesh.transportAlong(path, vectors)',
+  summary:
+    'vectors of a tangent plane, carried along the shortest path to another point, or a path',
   output: '{vectors: [[x, y, z], …]}',
   options: [
-    fromOption,
-    { name: 'to', value: 'POINT', help: 'the point where they are carried', required: true },
+    { ...fromOption, required: false },
+    { name: 'to', value: 'POINT', help: 'the point where they are carried' },
+    {
+      name: 'along',
+      value: 'FILE',
+      help: "in place of --from and --to: a path's points, as 'karcher path' and 'karcher straightest' print them",
+    },
     vectorsOption,
   ],
   async run(args) {
+    const vectors = await args.vectors();
+    if (args.given('along')) {
+      args.refuse(['from', 'to'], 'with --along');
+      const line = await args.points('along');
+      const mesh = await args.mesh();
+      return { json: { vectors: vectorRecords(mesh.transportAlong(line, vectors)) } };
+    }
+    for (const name of ['from', 'to']) {
+      if (!args.given(name)) throw new UsageError(`transport needs --${name}, or --along FILE`);
+    }
     const from = args.point('from');
     const to = args.point('to');
-    const vectors = await args.vectors();
     const mesh = await args.mesh();
     return { json: { vectors: vectorRecords(mesh.transport(from, to, vectors)) } };
   },

@@ -42,6 +42,15 @@ export const pointsOption: Option = {
   required: true,
 };
 
+/** The radius up to which vertices get a value. */
+export const radiusOption: Option = {
+  name: 'radius',
+  value: 'R',
+  help: 'the greatest distance: vertices beyond it are null, and take no time',
+  // These are words for the help; no such value is passed.
+  default: 'the whole surface',
+};
+
 /** The destination of the result, for every command without its own `out`. */
 export const outOption: Option = {
   name: 'out',

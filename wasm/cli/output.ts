@@ -1,6 +1,7 @@
 import type { Writable } from 'node:stream';
 import type { Mesh } from '../mesh.js';
 import type { Path } from '../path.js';
+import type { PathPoints } from '../path_types.js';
 import type { Region } from '../region.js';
 import type { CurvePoints, CurveSamples, Status } from '../types.js';
 import type { Result } from './command.js';
@@ -51,6 +52,17 @@ export const triple = (flat: Float64Array, i: number): [number, number, number] 
   flat[3 * i + 1]!,
   flat[3 * i + 2]!,
 ];
+
+/** Points of a path as objects, one after the other. */
+export function* spacedRecords({ lengths, face, bary, position }: PathPoints) {
+  for (let i = 0; i < lengths.length; i++) {
+    yield {
+      length: lengths[i]!,
+      point: { face: face[i]!, bary: triple(bary, i) },
+      position: triple(position, i),
+    };
+  }
+}
 
 /** Points of a curve as objects, one after the other. */
 export function* pointRecords({ parameter, face, bary, position }: CurvePoints) {
