@@ -36,8 +36,11 @@ CurveOptions randomOptions(Random& random) {
 
 class RandomCurve {
  public:
-  RandomCurve(Surface& surface, Random& random)
-      : surface_(surface), random_(random), near_(kSame * surface.geometry().diagonal) {}
+  RandomCurve(Surface& surface, Random& random, Checks& checks)
+      : surface_(surface),
+        random_(random),
+        checks_(checks),
+        near_(kSame * surface.geometry().diagonal) {}
 
   void run(int edits) {
     Array<SurfacePoint> points;
@@ -70,7 +73,7 @@ class RandomCurve {
   }
 
   /// Checks that the mean is a control point with all the weight, whatever its field estimates.
-  void expectEnds(Curve& curve) const {
+  void expectEnds(Curve& curve) {
     const CurveShape& shape = curve.shape();
     const bool endsAtPoints =
         shape.kind != CurveKind::kBSpline || shape.knotRule == KnotRule::kClamped;
@@ -78,6 +81,7 @@ class RandomCurve {
     const SurfacePoint* points[] = {&curve.point(0), &curve.point(curve.pointCount() - 1)};
     for (int end = 0; end < 2; ++end) {
       const CurvePoint at = pointAt(curve, end * curve.segmentCount());
+      ++checks_.count;
       EXPECT_LE(apart(at.point, *points[end]), near_)
           << curveKindName(shape.kind) << ", end " << end << " of " << curve.pointCount()
           << " points";
@@ -85,7 +89,7 @@ class RandomCurve {
     }
   }
 
-  void expectAsAnew(const Curve& curve) const {
+  void expectAsAnew(const Curve& curve) {
     CurveValue value = curve.value();
     // A curve keeps numbers that only another kind uses, but a caller cannot set them.
     CurveShape& shape = value.options.shape;
@@ -99,6 +103,7 @@ class RandomCurve {
       const Array<CurveSample>& made = anew.samples(j);
       ASSERT_EQ(edited.count(), made.count());
       for (int i = 0; i < edited.count(); ++i) {
+        ++checks_.count;
         EXPECT_LE(apart(edited[i].point, made[i].point), near_)
             << curveKindName(shape.kind) << ", sample " << i << " of segment " << j;
       }
@@ -131,17 +136,19 @@ class RandomCurve {
 
   Surface& surface_;
   Random& random_;
+  Checks& checks_;
   double near_;
 };
 
 TEST(RandomCurves, AfterEditsEqualNewCurvesAndEndAtTheirPoints) {
+  Checks checks;
   const int count = longRun() ? 2200 : 40;
   for (int i = 0; i < count; ++i) {
     const uint64_t seed = seedOf(9000, i);
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Surface surface(importMesh(randomSurface(random)).mesh);
-    for (int k = 0; k < 2; ++k) RandomCurve(surface, random).run(3);
+    for (int k = 0; k < 2; ++k) RandomCurve(surface, random, checks).run(3);
   }
 }
 

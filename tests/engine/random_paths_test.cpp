@@ -33,6 +33,7 @@ double distanceByWindows(const Geometry& geometry, const SurfacePoint& from, int
 }
 
 TEST(RandomPaths, HaveOneLengthBothWaysScaledAndTurned) {
+  Checks checks;
   const int count = longRun() ? 3000 : 60;
   for (int i = 0; i < count; ++i) {
     const uint64_t seed = seedOf(7000, i);
@@ -54,6 +55,7 @@ TEST(RandomPaths, HaveOneLengthBothWaysScaledAndTurned) {
       EXPECT_NEAR(shortestPath(moved.geometry, from, to).length() / scale, path.length(),
                   tolerance);
       const SurfacePoint other = randomPlace(surface.mesh, random);
+      checks.count += 5;
       EXPECT_LE(path.length(), shortestPath(surface.geometry, from, other).length() +
                                    shortestPath(surface.geometry, other, to).length() + tolerance);
     }
@@ -82,6 +84,7 @@ Array<double> distancesAlongEdges(const Geometry& geometry, int from) {
 }
 
 TEST(RandomPaths, LieBetweenTheChordAndTheEdgesHoweverTheMeshIsNumbered) {
+  Checks checks;
   const int count = longRun() ? 3000 : 60;
   for (int i = 0; i < count; ++i) {
     const uint64_t seed = seedOf(8000, i);
@@ -101,6 +104,7 @@ TEST(RandomPaths, LieBetweenTheChordAndTheEdgesHoweverTheMeshIsNumbered) {
       const double chord = (position(surface.mesh, from) - position(surface.mesh, to)).norm();
       EXPECT_GE(length, chord - tolerance);
       EXPECT_LE(length, alongEdges[vertex] + tolerance);
+      checks.count += 3;
       const SurfacePoint place = randomPlace(surface.mesh, random);
       const double toPlace = shortestPath(surface.geometry, from, place).length();
       EXPECT_NEAR(shortestPath(numberedAnew.geometry, other.at(from), other.at(place)).length(),
@@ -110,6 +114,7 @@ TEST(RandomPaths, LieBetweenTheChordAndTheEdgesHoweverTheMeshIsNumbered) {
 }
 
 TEST(RandomPaths, TransportKeepsLengthsAndAnglesAndIsUndoneOnTheWayBack) {
+  Checks checks;
   const int count = longRun() ? 3000 : 60;
   for (int i = 0; i < count; ++i) {
     const uint64_t seed = seedOf(6000, i);
@@ -127,6 +132,7 @@ TEST(RandomPaths, TransportKeepsLengthsAndAnglesAndIsUndoneOnTheWayBack) {
       const Vec2 beside = transportAlong(surface.geometry, path, v);
       EXPECT_NEAR(there.norm(), u.norm(), 1e-12);
       EXPECT_NEAR(there.dot(beside), u.dot(v), 1e-12);
+      checks.count += 3;
       std::reverse(path.points.begin(), path.points.end());
       measure(surface.mesh, path);
       EXPECT_LT((transportAlong(surface.geometry, path, there) - u).norm(), 1e-9);
@@ -135,6 +141,7 @@ TEST(RandomPaths, TransportKeepsLengthsAndAnglesAndIsUndoneOnTheWayBack) {
 }
 
 TEST(RandomPaths, AtAVertexOfTenThousandFacesAreTheSameBothWays) {
+  Checks checks;
   constexpr uint64_t kSeed = 5000;
   SCOPED_TRACE("seed " + std::to_string(kSeed));
   Random random(kSeed);
@@ -144,6 +151,7 @@ TEST(RandomPaths, AtAVertexOfTenThousandFacesAreTheSameBothWays) {
     const SurfacePoint to = randomPlace(surface.mesh, random);
     const SurfacePath path = shortestPath(surface.geometry, from, to);
     const double chord = (position(surface.mesh, from) - position(surface.mesh, to)).norm();
+    checks.count += 3;
     EXPECT_GE(path.length(), chord - 1e-9);
     EXPECT_NEAR(lengthOfPoints(surface.mesh, path), path.length(), 1e-9);
     EXPECT_NEAR(shortestPath(surface.geometry, to, from).length(), path.length(), 1e-9);
@@ -151,6 +159,7 @@ TEST(RandomPaths, AtAVertexOfTenThousandFacesAreTheSameBothWays) {
 }
 
 TEST(RandomPaths, ExpAlongAnEdgeOfSliversIsItsOtherEnd) {
+  Checks checks;
   const int count = longRun() ? 3000 : 100;
   for (int i = 0; i < count; ++i) {
     const uint64_t seed = seedOf(4000, i);
@@ -164,6 +173,7 @@ TEST(RandomPaths, ExpAlongAnEdgeOfSliversIsItsOtherEnd) {
           surface.geometry.totalAngle[mesh.tail(h)] > 2 * kPi - 1e-6) {
         continue;
       }
+      ++checks.count;
       SurfacePath edge;
       edge.points = {edgePoint(h, 0), edgePoint(h, 1)};
       measure(mesh, edge);
@@ -191,7 +201,7 @@ bool passesVertex(const TriangleMesh& mesh, const SurfacePath& path) {
 
 TEST(RandomPaths, ExpOfLogIsThePointAlsoOnRims) {
   const int count = longRun() ? 3000 : 60;
-  int checked = 0;
+  Checks checks;
   for (int i = 0; i < count; ++i) {
     const uint64_t seed = seedOf(9000, i);
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -216,14 +226,14 @@ TEST(RandomPaths, ExpOfLogIsThePointAlsoOnRims) {
           surface.geometry.totalAngle[at.vertex] > 2 * kPi - 1e-6) {
         continue;
       }
-      ++checked;
+      ++checks.count;
       const SurfacePoint end =
           expAlong(surface.geometry, from, logAlong(surface.geometry, path)).end();
       EXPECT_LT((position(mesh, end) - position(mesh, to)).norm(),
                 1e-8 * (path.length() + surface.geometry.meanEdge));
     }
   }
-  EXPECT_GT(checked, 5 * count);
+  EXPECT_GT(checks.count, 5 * count);
 }
 
 }  // namespace

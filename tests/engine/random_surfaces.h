@@ -20,4 +20,14 @@ TriangleSoup randomSurface(Random& random);
 /// The soup rotated, scaled and moved.
 TriangleSoup carried(TriangleSoup soup, double scale, Random& random);
 
+/// The number of a test's checks of random cases. It is printed at the end of the test, with the
+/// sum of all tests in the process so far.
+struct Checks {
+  Checks() = default;
+  Checks(const Checks&) = delete;
+  Checks& operator=(const Checks&) = delete;
+  ~Checks();
+  int count = 0;
+};
+
 }  // namespace karcher
