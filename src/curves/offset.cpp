@@ -367,7 +367,7 @@ class OffsetTracer {
     double reach = std::min(1.0, edge);
     double atPart = atMiddle;
     // The tip of a gap may lie farther away than the chord is long. So the step doubles as long as
-    // it comes nearer to the line. The line may also run along an edge, where the steps end.
+    // it comes nearer to the line, and ends at the edge of the face, along which the line may run.
     while (true) {
       const double atReach = value(reach);
       if (isNearer(atReach) != isNearer(atPart)) {

@@ -18,13 +18,6 @@ constexpr double kAboveKink = 0.25;
 /// straight.
 constexpr double kFarthestSource = 1000;
 
-/// The widest gap, as a part of the edge, that a join of windows may open.
-constexpr double kWidestGap = 0.1;
-
-/// The largest difference between the distances of a vertex and of its own front, as a part of the
-/// tolerance.
-constexpr double kSameFront = 0.25;
-
 /// The slope of distances along the edge at x, which turns as the ray through x does.
 double slopeAt(const Window& w, double x) {
   return (x - w.sourceX) / std::sqrt(squaredLegTo(w, x));
@@ -110,14 +103,14 @@ bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& o
   return true;
 }
 
-/// Whether a window that lies in a wider one gives no shorter distances, up to the tolerance, and
-/// reaches no farther behind an end of both.
-bool isCovered(const Window& window, const Window& wider, const JoinedEdge& edge) {
+/// By how much a wider window lengthens the distances of one that lies in it; kInfinity if it
+/// reaches less far behind an end of both.
+double excessOf(const Window& wider, const Window& window, const JoinedEdge& edge) {
   const auto longer = [&](double x) { return distanceAt(wider, x) - distanceAt(window, x); };
   const auto steeper = [&](double x) { return slopeAt(wider, x) - slopeAt(window, x); };
-  return longer(window.begin) <= edge.tolerance && longer(window.end) <= edge.tolerance &&
-         (window.begin > wider.begin || steeper(window.begin) <= edge.turn) &&
-         (window.end < wider.end || steeper(window.end) >= -edge.turn);
+  const bool reaches = (window.begin > wider.begin || steeper(window.begin) <= edge.turn) &&
+                       (window.end < wider.end || steeper(window.end) >= -edge.turn);
+  return reaches ? std::max({longer(window.begin), longer(window.end), 0.0}) : kInfinity;
 }
 
 bool isBefore(const Window& a, const Window& b) {
@@ -144,7 +137,6 @@ void sortByPlace(Array<Window>& windows) {
 }  // namespace
 
 void joinWindows(const JoinedEdge& edge, Array<Window>& windows) {
-  const double length = edge.length;
   sortByPlace(windows);
   int last = 0;
   Origin origin;
@@ -152,11 +144,17 @@ void joinWindows(const JoinedEdge& edge, Array<Window>& windows) {
     Window& before = windows[last];
     const Window& window = windows[i];
     if (window.end <= before.end) {
-      if (isCovered(window, before, edge)) continue;
+      const double change = std::max(origin.change, excessOf(before, window, edge));
+      if (change <= edge.tolerance) {
+        if (origin.change == 0) origin.beginSlope = slopeAt(before, before.begin);
+        origin.change = change;
+        continue;
+      }
     } else if (window.begin <= before.begin) {
-      if (isCovered(before, window, edge)) {
+      const double change = origin.change + excessOf(window, before, edge);
+      if (change <= edge.tolerance) {
         before = window;
-        origin = {};
+        origin = {change, slopeAt(window, window.begin)};
         continue;
       }
     } else if (join(before, window, edge, origin)) {
@@ -166,24 +164,6 @@ void joinWindows(const JoinedEdge& edge, Array<Window>& windows) {
     origin = {};
   }
   windows.resize(static_cast<size_t>(last + 1));
-
-  // The rays at the ends of joint windows differ from those of the original windows, and leave a
-  // gap at an end of the edge. If the vertex there belongs to the same front, this closes the gap.
-  const double sameFront = kSameFront * edge.tolerance;
-  const double gap = kWidestGap * length;
-  Window& first = windows[0];
-  if (first.begin > 0 && first.begin <= gap &&
-      std::abs(distanceAt(first, 0) - edge.tailDistance) <= sameFront) {
-    first.begin = 0;
-  }
-  Window* farthest = &first;
-  for (Window& window : windows) {
-    if (window.end > farthest->end) farthest = &window;
-  }
-  if (farthest->end < length && length - farthest->end <= gap &&
-      std::abs(distanceAt(*farthest, length) - edge.headDistance) <= sameFront) {
-    farthest->end = length;
-  }
 }
 
 }  // namespace karcher

@@ -5,14 +5,11 @@
 /// Joining of windows that wait at an edge and belong to one front: see window_distance.h.
 namespace karcher {
 
-/// A half-edge at which windows join, with its tolerance and the known distances.
+/// A half-edge at which windows join, with its tolerance.
 struct JoinedEdge {
-  double length = 0;
   double tolerance = 0;  ///< the largest permitted change of distances along the edge
   double turn =
       0;  ///< the change of slope by which the rays at the ends of windows may turn inwards
-  double tailDistance = 0;  ///< the distances of the ends, or upper bounds on them
-  double headDistance = 0;
 };
 
 /// Joins windows, at least one, and removes those that lie in others.

@@ -50,16 +50,21 @@ class PagedArray {
   }
 
   /// The bytes of all pages.
-  int64_t bytesHeld() const { return static_cast<int64_t>(used_.size() * kBytes); }
+  int64_t bytesHeld() const { return static_cast<int64_t>(held_ * kBytes); }
 
   /// Removes every element, in time linear in the number of touched pages. The pool keeps the
   /// memory.
   [[gnu::noinline]] void clear() {
-    for (const int page : used_) {
-      pool_->give(pageOf_[page], kBytes);
-      pageOf_[page] = nullptr;
-    }
+    for (const int page : used_) drop(page << kPageBits);
     used_.clear();
+  }
+
+  /// Removes the elements of a page, given by one of them, if there are any.
+  void drop(int i) {
+    void* const page = std::exchange(pageOf_[i >> kPageBits], nullptr);
+    if (page == nullptr) return;
+    pool_->give(page, kBytes);
+    --held_;
   }
 
  private:
@@ -71,12 +76,14 @@ class PagedArray {
   [[gnu::noinline]] T* addPage(int index) {
     T* const page = static_cast<T*>(pool_->take(kBytes, index, used_));
     std::uninitialized_fill(page, page + kMask + 1, T{});
+    ++held_;
     return pageOf_[index] = page;
   }
 
   int count_;
   Array<T*> pageOf_;
-  Array<int> used_;
+  Array<int> used_;  ///< the numbers of pages; those that were dropped may come again
+  size_t held_ = 0;
   std::shared_ptr<PagePool> pool_;
 };
 

@@ -5,7 +5,6 @@
 #include <tuple>
 #include <utility>
 
-#include "distance/joined_windows.h"
 #include "intrinsic/angles.h"
 #include "mesh/error.h"
 #include "mesh/rounding.h"
@@ -50,6 +49,13 @@ constexpr double kThin = 1e3;
 /// turns as far if a parabola changes it, zero at both ends and as high as the tolerance permits,
 /// over a window as wide as the face is high.
 constexpr double kTurn = 4;
+
+/// The widest gap, as a part of the edge, that a join of windows may open.
+constexpr double kWidestGap = 0.1;
+
+/// The largest difference between the distances of a vertex and of its own front, as a part of the
+/// tolerance.
+constexpr double kSameFront = 0.25;
 
 /// The two sides of a face above half-edge h, as vectors from its tail and from its head. Each is
 /// as exact as its own length allows.
@@ -111,7 +117,7 @@ WindowDistance::WindowDistance(const Geometry& geometry, double tolerance,
       mesh_(*geometry.mesh),
       tolerance_(tolerance),
       vertices_(mesh_.vertexCount(), pages),
-      faces_(mesh_.faceCount(), pages),
+      waiting_(mesh_.faceCount(), pages),
       isWide_(geometry.longestEdge > kWide * geometry.shortestEdge),
       isThin_(geometry.longestEdge > kThin * geometry.shortestEdge),
       // Between the ends of very short edges even windows just above rounding matter.
@@ -131,11 +137,10 @@ WindowDistance::WindowDistance(const Geometry& geometry, double tolerance,
 
 void WindowDistance::setSource(const SurfacePoint& source) {
   vertices_.clear();
-  faces_.clear();
+  waiting_.clear();
   widest_.clear();
   midpoints_.clear();
   queue_.clear();
-  pool_.clear();
   windowsLeft_ = static_cast<int64_t>(kMostWindowsPerFace) * mesh_.faceCount();
   target_.clear();
   images_.clear();
@@ -160,7 +165,7 @@ void WindowDistance::grow(double radius) {
   int item = 0;
   while (queue_.pop(radius, item)) {
     if (item >= 0) {
-      if (waitingAt(item).bucket == queue_.current()) carryAcross(item);
+      if (waiting_.isDue(item, queue_.current())) carryAcross(item);
       continue;
     }
     VertexRecord& record = vertices_.touch(~item);
@@ -222,25 +227,31 @@ void WindowDistance::leaveVertex(int vertex) {
   const double back = isSource ? 0 : direction(vertex);
   const double ahead = back + kPi - kChainRounding;
   const double width = total - 2 * kPi + 2 * kChainRounding;
+  const bool isBehindStart = ahead > total + kChainRounding;
   for (const int h : outgoingHalfedges(mesh_, vertex)) {
     const double right = geometry_.cumulatedAngle[h];
+    const auto leave = [&](double from, double to) {
+      if (to >= 0 && from <= geometry_.cornerAngle[h]) leaveThroughCorner(vertex, h, from, to);
+    };
     if (isSource) {
-      leaveThroughCorner(vertex, h, 0, geometry_.cornerAngle[h]);
+      leave(0, geometry_.cornerAngle[h]);
     } else if (mesh_.onBoundary[vertex]) {
-      leaveThroughCorner(vertex, h, ahead - right, kInfinity);
-      leaveThroughCorner(vertex, h, -kInfinity, back - kPi + kChainRounding - right);
+      leave(ahead - right, kInfinity);
+      leave(-kInfinity, back - kPi + kChainRounding - right);
     } else {
-      leaveThroughCorner(vertex, h, ahead - right, ahead + width - right);
-      leaveThroughCorner(vertex, h, ahead - right - total, ahead + width - right - total);
+      const double end = ahead + width - right;
+      // Half-edges follow by angle: the wedge ends before this one.
+      if (end < 0 || (isBehindStart && end < total)) break;
+      leave(ahead - right, end);
+      leave(ahead - right - total, end - total);
     }
   }
 }
 
-/// Sends out the part of a vertex's wedge that lies in the corner of half-edge h. Angles count from
-/// h.
+/// Sends out the part of a vertex's wedge that lies in the corner of half-edge h, where they meet.
+/// Angles count from h.
 void WindowDistance::leaveThroughCorner(int vertex, int h, double from, double to) {
   const double angle = geometry_.cornerAngle[h];
-  if (!(from <= angle && to >= 0)) return;
   const double distance = vertices_.touch(vertex).arrival.distance;
   if (images_.areKept()) images_.addCorner(h, distance, from, to);
   const auto arriveAlong = [&](int neighbour, double edge, int via, double crossing) {
@@ -284,20 +295,6 @@ void WindowDistance::leaveThroughCorner(int vertex, int h, double from, double t
   }
 }
 
-/// Moves the windows that wait at half-edge h to the batch.
-void WindowDistance::takeWaiting(int h) {
-  WaitingWindows& waiting = waitingAt(h);
-  batch_.clear();
-  for (int index = waiting.first; index >= 0;) {
-    const WindowBlock& block = pool_[index];
-    batch_.insert(batch_.end(), block.windows, block.windows + block.count);
-    const int after = block.next;
-    pool_.release(index);
-    index = after;
-  }
-  waiting = {};
-}
-
 /// Leads the windows that wait at half-edge h across its face: first to the apex, whose best
 /// distance then trims them all, then to the edges on its sides.
 void WindowDistance::carryAcross(int h) {
@@ -318,13 +315,14 @@ void WindowDistance::carryAcross(int h) {
   const double head = vertices_.touch(mesh_.head(h)).arrival.distance;
   VertexRecord& top = vertices_.touch(apexVertex);
 
-  takeWaiting(h);
+  waiting_.take(h, batch_);
   // Distances of joint windows, and of vertices that they reached, are right up to the tolerance.
   double slack = 0;
   if (tolerance_ > 0) {
     const double least = length * apex.y() / std::max({length, leftLength, rightLength});
-    const JoinedEdge edge{length, tolerance_ * least, kTurn * tolerance_, tail, head};
+    const JoinedEdge edge{tolerance_ * least, kTurn * tolerance_};
     joinWindows(edge, batch_);
+    closeGaps(h, edge);
     slack = edge.tolerance;
   }
   windowsLeft_ -= batch_.count();
@@ -398,6 +396,33 @@ void WindowDistance::carryAcross(int h) {
   }
 }
 
+/// Closes gaps between the windows of the batch and the ends of half-edge h, where joints turned
+/// the rays. A gap is closed if the vertex there lies on the same front: its distance and the
+/// direction of its path are the window's. (Two fronts that cross there have one distance.)
+void WindowDistance::closeGaps(int h, const JoinedEdge& edge) {
+  const double length = geometry_.edgeLength[h];
+  const auto isOnFront = [&](int vertex, const Window& window, double x, double angle) {
+    const double apart = std::abs(distanceAt(window, x) - distance(vertex));
+    if (!(apart <= kSameFront * edge.tolerance)) return false;
+    const double round = mesh_.onBoundary[vertex] ? kInfinity : geometry_.totalAngle[vertex];
+    return std::abs(std::remainder(angle - direction(vertex), round)) <= edge.turn;
+  };
+  Window& first = batch_[0];
+  if (first.begin > 0 && first.begin <= kWidestGap * length) {
+    const Vec2 toSource(first.sourceX, -first.depth);
+    if (isOnFront(mesh_.tail(h), first, 0, geometry_.cumulatedAngle[h] + angleOf(toSource))) {
+      first.begin = 0;
+    }
+  }
+  Window& last = *std::max_element(batch_.begin(), batch_.end(),
+                                   [](const auto& a, const auto& b) { return a.end < b.end; });
+  if (last.end < length && length - last.end <= kWidestGap * length) {
+    const double toTail = geometry_.cumulatedAngle[next(h)] + geometry_.cornerAngle[next(h)];
+    const Vec2 toSource(length - last.sourceX, last.depth);
+    if (isOnFront(mesh_.head(h), last, length, toTail + angleOf(toSource))) last.end = length;
+  }
+}
+
 /// Takes the path to the apex that bends slightly at the end of a window that does not see it. Its
 /// length is an upper bound. If rounding left a gap between two windows, it is exact.
 void WindowDistance::arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex,
@@ -468,13 +493,8 @@ void WindowDistance::addWindow(int h, const Window& window) {
   if (aim_ && leadsAway(h, window)) return;
   if (isThin_ && isBehindAnother(h, window)) return;
   if (keepsMidpoints_) midpoints_.take(h, window, queue_.leastKey());
-  WaitingWindows& waiting = waitingAt(h);
   const int bucket = queue_.bucketOf(leastDistance(window));
-  waiting.first = pool_.add(waiting.first, window);
-  if (bucket < waiting.bucket) {
-    waiting.bucket = bucket;
-    queue_.push(h, bucket);
-  }
+  if (waiting_.add(h, window, bucket)) queue_.push(h, bucket);
 }
 
 }  // namespace karcher

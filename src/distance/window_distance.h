@@ -7,10 +7,11 @@
 #include "distance/bucket_queue.h"
 #include "distance/distance_solver.h"
 #include "distance/edge_midpoints.h"
+#include "distance/joined_windows.h"
 #include "distance/paged_array.h"
 #include "distance/source_images.h"
+#include "distance/waiting_windows.h"
 #include "distance/watched_target.h"
-#include "distance/window.h"
 #include "intrinsic/geometry.h"
 
 /// Geodesic distances from a point of the surface, by windows: exact, or with a tolerance.
@@ -116,9 +117,7 @@ class WindowDistance final : public DistanceSolver {
   void keepImagesIn(Array<int> faces) { images_.keepIn(std::move(faces)); }
   const Array<SourceImage>& images() const { return images_.all(); }
 
-  int64_t bytesHeld() const override {
-    return vertices_.bytesHeld() + faces_.bytesHeld() + pool_.bytesHeld();
-  }
+  int64_t bytesHeld() const override { return vertices_.bytesHeld() + waiting_.bytesHeld(); }
 
   void aimAt(const std::optional<PathAim>& aim) override { aim_ = aim; }
 
@@ -133,22 +132,12 @@ class WindowDistance final : public DistanceSolver {
     int via = -1;
     int bucket = kNotQueued;  ///< the bucket in which the vertex waits to send out its own windows
   };
-  /// The windows that wait at a half-edge to cross its face.
-  struct WaitingWindows {
-    int first = -1;
-    int bucket = kNotQueued;
-  };
-  struct FaceRecord {
-    WaitingWindows waiting[3];
-  };
-
-  WaitingWindows& waitingAt(int h) { return faces_.touch(faceOf(h)).waiting[cornerOf(h)]; }
 
   void leaveSourceFace(int face, const SurfacePoint& source, int ownEdge);
   void leaveVertex(int vertex);
   void leaveThroughCorner(int vertex, int h, double from, double to);
-  void takeWaiting(int h);
   void carryAcross(int h);
+  void closeGaps(int h, const JoinedEdge& edge);
   void arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex, const Window& window,
                   double crossing);
   void arrive(int vertex, VertexRecord& record, const Arrival& arrival, int via, double crossing);
@@ -162,7 +151,7 @@ class WindowDistance final : public DistanceSolver {
   double tolerance_;
   SurfacePoint source_;
   PagedArray<VertexRecord, 7> vertices_;
-  PagedArray<FaceRecord, 7> faces_;
+  WaitingWindows waiting_;
   bool isWide_;       ///< whether edges of very different lengths meet
   bool isThin_;       ///< whether paths may wind round a tip
   double narrowest_;  ///< the least width of a window, as a part of its edge
@@ -171,7 +160,6 @@ class WindowDistance final : public DistanceSolver {
   bool keepsMidpoints_ = false;
   EdgeMidpoints midpoints_;
   BucketQueue queue_;
-  WindowPool pool_;
   int64_t windowsLeft_ = 0;
   int reachedCount_ = 0;  ///< the number of vertices reached
   Array<Window> batch_;

@@ -58,11 +58,11 @@ struct MeanOptions {
   bool isChecked = true;
 };
 
-/// The point that all points of nonzero weight equal, if they do: it is their mean. Weights up to
-/// 1e-9 come from rounding.
+/// The point that all points equal whose weights exceed 1e-9 of the sum, if they do: it is their
+/// mean. Smaller weights come from rounding.
 std::optional<SurfacePoint> onlyPoint(const Array<SurfacePoint>& points, Weights weights);
 
-/// If all points of nonzero weight are equal, the mean is that point, with energy 0. Throws Error:
+/// If `onlyPoint` finds one, the mean is that point, with energy 0. Throws Error:
 /// kBadWeights (not one for each point, not summing to 1 within 1e-9, or normalised with a sum that
 /// is not positive), kNotFinite, kTooFewPoints (none), kUnreachable (several components).
 Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
