@@ -76,7 +76,10 @@ describe('lengths', () => {
     await tab.page.locator('#fill').fill('50');
     await tab.page.keyboard.press('Enter');
     await tab.settled();
-    assert.match(await length.textContent(), /^length [\d.]+ in · area [\d.]+ in² · perimeter [\d.]+ in$/);
+    assert.match(
+      await length.textContent(),
+      /^length [\d.]+ in · area [\d.]+ in² · perimeter [\d.]+ in$/,
+    );
     await tab.pastSaving();
     await tab.page.reload();
     await tab.settled();
