@@ -271,15 +271,14 @@ void PathDistance::leaveCorner(int face, const Vec2& middle, double from, double
       const Vec2 edge = halfedgeInFace(geometry_, h) / length;
       const double width = angleFromTo(toTail, toTail + length * edge);
       const double near = (begin + end) / 2;
-      const double tailAngle = near + std::remainder(angleOf(toTail) - near, 2 * kPi);
+      const double tailAngle = near + withoutTurns(angleOf(toTail) - near);
       if (tailAngle >= begin - kChainRounding && tailAngle <= end + kChainRounding) {
         arrive(mesh_.tail(h), offset + toTail.norm(), directionAtTail(geometry_, h, -toTail), side);
       }
       const double height = cross(toTail, edge);
       const int t = mesh_.twin[h];
       if (t < 0 || !(height > kLocalRounding * doubleArea(geometry_, face) / length)) continue;
-      const double start =
-          near + std::remainder(angleOf(toTail) + width / 2 - near, 2 * kPi) - width / 2;
+      const double start = near + withoutTurns(angleOf(toTail) + width / 2 - near) - width / 2;
       const double foot = -toTail.dot(edge);
       // the angle from the tail to the foot of the height
       const double down = std::atan2(foot, height);

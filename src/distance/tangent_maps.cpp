@@ -74,11 +74,10 @@ LinePoint footOn(const Geometry& geometry, const SurfacePath& line, const Surfac
     if (std::abs(other.slope) * far > kLocalRounding * (whole + far)) throwNoFoot();
     return other;
   }
-  const double low = isAhead ? best.length : other.length;
-  const double high = isAhead ? other.length : best.length;
-  const double lowSlope = isAhead ? best.slope : other.slope;
-  const double highSlope = isAhead ? other.slope : best.slope;
-  signChange(low, high, lowSlope, highSlope, kStepRounding * whole, [&](double length) {
+  const LinePoint& low = isAhead ? best : other;
+  const LinePoint& high = isAhead ? other : best;
+  const double rounding = kStepRounding * whole;
+  signChange(low.length, high.length, low.slope, high.slope, rounding, [&](double length) {
     LinePoint candidate = at(length);
     const double slope = candidate.slope;
     // Near the foot, lengths differ only by rounding.

@@ -401,25 +401,29 @@ void WindowDistance::carryAcross(int h) {
 /// direction of its path are the window's. (Two fronts that cross there have one distance.)
 void WindowDistance::closeGaps(int h, const JoinedEdge& edge) {
   const double length = geometry_.edgeLength[h];
-  const auto isOnFront = [&](int vertex, const Window& window, double x, double angle) {
+  // `along` is 1 at the tail and -1 at the head, and `edgeAngle` that of the edge seen from there.
+  const auto isOnFront = [&](int vertex, const Window& window, double x, int along,
+                             double edgeAngle) {
     const double apart = std::abs(distanceAt(window, x) - distance(vertex));
     if (!(apart <= kSameFront * edge.tolerance)) return false;
-    const double round = mesh_.onBoundary[vertex] ? kInfinity : geometry_.totalAngle[vertex];
-    return std::abs(std::remainder(angle - direction(vertex), round)) <= edge.turn;
+    const Vec2 toSource = along * Vec2(window.sourceX - x, -window.depth);
+    double turned = edgeAngle + angleOf(toSource) - direction(vertex);
+    if (!mesh_.onBoundary[vertex]) turned = withoutTurns(turned, geometry_.totalAngle[vertex]);
+    return std::abs(turned) <= edge.turn;
   };
   Window& first = batch_[0];
-  if (first.begin > 0 && first.begin <= kWidestGap * length) {
-    const Vec2 toSource(first.sourceX, -first.depth);
-    if (isOnFront(mesh_.tail(h), first, 0, geometry_.cumulatedAngle[h] + angleOf(toSource))) {
-      first.begin = 0;
-    }
+  if (first.begin > 0 && first.begin <= kWidestGap * length &&
+      isOnFront(mesh_.tail(h), first, 0, 1, geometry_.cumulatedAngle[h])) {
+    first.begin = 0;
   }
-  Window& last = *std::max_element(batch_.begin(), batch_.end(),
-                                   [](const auto& a, const auto& b) { return a.end < b.end; });
-  if (last.end < length && length - last.end <= kWidestGap * length) {
-    const double toTail = geometry_.cumulatedAngle[next(h)] + geometry_.cornerAngle[next(h)];
-    const Vec2 toSource(length - last.sourceX, last.depth);
-    if (isOnFront(mesh_.head(h), last, length, toTail + angleOf(toSource))) last.end = length;
+  Window* last = &first;
+  for (Window& window : batch_) {
+    if (window.end > last->end) last = &window;
+  }
+  const double atHead = geometry_.cumulatedAngle[next(h)] + geometry_.cornerAngle[next(h)];
+  if (last->end < length && length - last->end <= kWidestGap * length &&
+      isOnFront(mesh_.head(h), *last, length, -1, atHead)) {
+    last->end = length;
   }
 }
 

@@ -14,4 +14,9 @@ inline double angleBetween(const Vec2& a, const Vec2& b) {
   return std::atan2(std::abs(cross(a, b)), a.dot(b));
 }
 
+/// An angle without its full turns: in [-turn / 2, turn / 2].
+inline double withoutTurns(double angle, double turn = 2 * kPi) {
+  return angle - turn * std::rint(angle / turn);
+}
+
 }  // namespace karcher

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "intrinsic/angles.h"
 #include "intrinsic/strip_path.h"
 #include "mesh/error.h"
 
@@ -42,7 +43,7 @@ double angleTowards(const Geometry& geometry, const PointFan& fan, const Surface
     if (corner.face != face) continue;
     const Vec2 way = pointInFace(geometry, inFace(mesh, towards, face)) - corner.middle;
     const double width = corner.end - corner.begin;
-    double angle = std::remainder(angleOf(way) - corner.inFrame - width / 2, 2 * kPi);
+    double angle = withoutTurns(angleOf(way) - corner.inFrame - width / 2);
     angle += width / 2;
     return corner.begin + angle;
   }

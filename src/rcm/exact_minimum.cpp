@@ -129,7 +129,8 @@ StraightestPath circleRadius(const Geometry& geometry, const SurfacePoint& cente
   const double start =
       isVertex ? longestEdge(geometry, location.vertex) : farthestCorner(geometry, center);
   const double all = isVertex ? geometry.totalAngle[location.vertex] : 2 * kPi;
-  const double direction = std::fmod(start + all * part, all);
+  double direction = start + all * part;
+  if (direction >= all) direction -= all;
   return isVertex ? traceFromVertex(geometry, location.vertex, direction, radius, options)
                   : traceStraightest(geometry, center, radius * unitVector(direction), options);
 }
