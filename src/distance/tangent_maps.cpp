@@ -64,8 +64,8 @@ LinePoint footOn(const Geometry& geometry, const SurfacePath& line, const Surfac
   // The slope changes its sign between the best point and another one, unless that is an end beyond
   // which the foot lies.
   const bool isAhead = best.slope < 0;
-  const LinePoint other = at(isAhead ? std::min(whole, best.length + whole / kParts)
-                                     : std::max(0.0, best.length - whole / kParts));
+  LinePoint other = at(isAhead ? std::min(whole, best.length + whole / kParts)
+                               : std::max(0.0, best.length - whole / kParts));
   const bool isEnd =
       isAhead ? other.length == whole && other.slope < 0 : other.length == 0 && other.slope >= 0;
   if (isEnd) {
