@@ -97,6 +97,8 @@ export class TransformGestures {
   #keys: Promise<void> = Promise.resolve();
   #shift = false;
 
+  /** Settles when the frame is made. */
+  #making: Promise<void> | null = null;
   /** The extents inside the frame, and their drawing. */
   #around: { of: string; drawing: Drawing; extents: Promise<Extent[]> } | null = null;
 
@@ -156,11 +158,13 @@ export class TransformGestures {
     const same = made?.drawing === drawing && made.chosen === `${chosen}` && made.client === client;
     if (same || dragging) return;
     this.#made = { drawing, chosen: `${chosen}`, client };
-    void this.#makeFrame();
+    this.#making = this.#makeFrame();
   }
 
   /** Places the selection by numbers, as one step. Resolves when it is done. */
   async place({ x = 0, y = 0, angle = 0, ...numbers }: Numbers): Promise<void> {
+    // Numbers may come before the lines are measured.
+    await this.#making;
     const frame = this.#frame;
     const { width, height } = numbers;
     const scale =
