@@ -103,6 +103,17 @@ Vec3 barycentric(const Geometry& geometry, int f, const Vec2& x) {
   return {1 - b1 - b2, b1, b2};
 }
 
+Vec2 stepInFace(const Geometry& geometry, int f, const SurfacePoint& from, const SurfacePoint& to) {
+  const Vec3 change = inFace(*geometry.mesh, to, f).bary - inFace(*geometry.mesh, from, f).bary;
+  // Sides of the face from a corner whose weight changes: where another weight stays, only one side
+  // counts.
+  int corner = 0;
+  change.cwiseAbs().maxCoeff(&corner);
+  const int h = 3 * f + corner;
+  return change[cornerOf(next(h))] * halfedgeInFace(geometry, h) -
+         change[cornerOf(previous(h))] * halfedgeInFace(geometry, previous(h));
+}
+
 Vec2 acrossEdge(const Geometry& geometry, int h, const Vec2& vector) {
   const Vec2 here = halfedgeInFace(geometry, h) / geometry.edgeLength[h];
   const int t = geometry.mesh->twin[h];

@@ -52,6 +52,10 @@ inline Vec2 pointInFace(const Geometry& geometry, const SurfacePoint& p) {
           p.bary[2] * geometry.apex[p.face].y()};
 }
 
+/// The vector from one point of face f to another, in the frame of the face. It comes from
+/// differences of weights: between points of one edge it is along the edge, however large the face.
+Vec2 stepInFace(const Geometry& geometry, int f, const SurfacePoint& from, const SurfacePoint& to);
+
 /// Half-edge h as a vector in the frame of its face.
 inline Vec2 halfedgeInFace(const Geometry& geometry, int h) {
   return cornerInFace(geometry, faceOf(h), cornerOf(next(h))) -

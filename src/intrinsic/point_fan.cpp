@@ -41,7 +41,7 @@ double angleTowards(const Geometry& geometry, const PointFan& fan, const Surface
   const int face = commonFace(mesh, point, towards);
   for (const PointFan::Corner& corner : fan.corners) {
     if (corner.face != face) continue;
-    const Vec2 way = pointInFace(geometry, inFace(mesh, towards, face)) - corner.middle;
+    const Vec2 way = stepInFace(geometry, face, point, towards);
     const double width = corner.end - corner.begin;
     double angle = withoutTurns(angleOf(way) - corner.inFrame - width / 2);
     angle += width / 2;

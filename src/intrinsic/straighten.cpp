@@ -90,9 +90,7 @@ class ChainStrip {
   /// The unscaled direction at a vertex towards a point, both in the face.
   double direction(int vertex, int face, const SurfacePoint& point) const {
     const int h = leaving(mesh_, face, vertex);
-    return directionAtTail(geometry_, h,
-                           pointInFace(geometry_, inFace(mesh_, point, face)) -
-                               cornerInFace(geometry_, face, cornerOf(h)));
+    return directionAtTail(geometry_, h, stepInFace(geometry_, face, edgePoint(h, 0), point));
   }
 
   /// Whether the strip turns counterclockwise around a vertex from the last face to `target`. It

@@ -23,8 +23,7 @@ Vec2 logAtEnd(const Geometry& geometry, const SurfacePath& path, int from, int s
     if (path.lengths[i] == path.lengths[from]) continue;
     const int face = commonFace(mesh, start, path.points[i]);
     if (face < 0) break;
-    const Vec2 step = pointInFace(geometry, inFace(mesh, path.points[i], face)) -
-                      pointInFace(geometry, inFace(mesh, start, face));
+    const Vec2 step = stepInFace(geometry, face, start, path.points[i]);
     Vec2 vector = path.length() * step.normalized();
     const PointLocation at = locate(mesh, start);
     if (at.simplex == Simplex::kVertex) {

@@ -212,9 +212,7 @@ void Tightening::pullBetween(int before, int after) {
     (a ? bend.after : bend.before) = angleBetween(leg, across - at);
     (a ? lastLeg_ : bend.leg) = leg.norm();
   } else {
-    lastLeg_ = (pointInFace(geometry_, inFace(mesh_, to_, strip_.face)) -
-                pointInFace(geometry_, inFace(mesh_, from_, strip_.face)))
-                   .norm();
+    lastLeg_ = stepInFace(geometry_, strip_.face, from_, to_).norm();
   }
   if (a) updateOutside(*a);
   if (b) updateOutside(*b);

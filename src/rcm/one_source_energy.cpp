@@ -165,7 +165,7 @@ Vec2 ExactOneSourceEnergy::directionBefore(const StraightestPath& back) const {
   // Rounding may take the path past the source.
   for (int i = points.count() - 2; i > 0; --i) {
     if (points[i].face != face || points[i - 1].face != face) continue;
-    return (pointInFace(geometry_, points[i - 1]) - pointInFace(geometry_, points[i])).normalized();
+    return stepInFace(geometry_, face, points[i], points[i - 1]).normalized();
   }
   return Vec2::Zero();
 }

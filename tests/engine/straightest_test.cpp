@@ -9,6 +9,7 @@
 #include "distance_meshes.h"
 #include "generators/gallery.h"
 #include "generators/random.h"
+#include "intrinsic/tangent.h"
 #include "mesh/error.h"
 #include "support.h"
 
@@ -164,6 +165,27 @@ TEST(Straightest, GoesAlongAStraightRimFromEveryVertexAndFace) {
           EXPECT_LT((position(mesh, exp.point) - mesh.positions[b]).norm(), 1e-12);
         }
       }
+    }
+  }
+}
+
+TEST(Straightest, GoesAlongShortRimsOfLongNeedles) {
+  // Coordinates of the far corner's size round more than the rim's steps.
+  const uint64_t seed = 20261127;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (int turn = 0; turn < 3; ++turn) {
+    const TriangleMesh mesh =
+        buildMesh({{1e4, 0, 0}, {0, 0.05, 0}, {0, 0, 0}}, {{turn, (turn + 1) % 3, (turn + 2) % 3}});
+    const Geometry geometry = buildGeometry(mesh);
+    int rim = 0;  // the half-edge between the two near corners
+    while (mesh.tail(rim) != 1) ++rim;
+    for (int i = 0; i < 100; ++i) {
+      SurfacePath path;
+      path.points = {edgePoint(rim, random.uniform(0, 1)), edgePoint(rim, random.uniform(0, 1))};
+      measure(mesh, path);
+      const SurfacePoint end = expAlong(geometry, path.start(), logAlong(geometry, path)).end();
+      EXPECT_LT((position(mesh, end) - position(mesh, path.end())).norm(), 1e-8 * path.length());
     }
   }
 }

@@ -88,8 +88,7 @@ SurfacePoint averageAlongGeodesic(const Geometry& geometry, const SurfacePoint& 
     if (line.lengths[i] == line.length()) continue;
     const int face = commonFace(mesh, line.points[i], b);
     const SurfacePoint end = inFace(mesh, b, face);
-    const Vec2 piece =
-        pointInFace(geometry, end) - pointInFace(geometry, inFace(mesh, line.points[i], face));
+    const Vec2 piece = stepInFace(geometry, face, line.points[i], end);
     const Vec2 vector = (s - 1) * line.length() * piece.normalized();
     traceStraightest(geometry, end, vector, workspace.beyond);
     return workspace.beyond.path.end();

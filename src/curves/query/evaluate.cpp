@@ -119,8 +119,7 @@ CurveTangent tangentOfPath(Curve& curve, const CurvePoint& at, const PathPiece& 
   if (face < 0 || !(length > 0)) return tangent;
   tangent.at.point = pointAlong(*geometry.mesh, path, piece.s * path.length());
   tangent.at.point = inFace(*geometry.mesh, tangent.at.point, face);
-  const Vec2 along = pointInFace(geometry, inFace(*geometry.mesh, to, face)) -
-                     pointInFace(geometry, inFace(*geometry.mesh, from, face));
+  const Vec2 along = stepInFace(geometry, face, from, to);
   tangent.inFace = curve.piecesPerSegment() * path.length() / piece.duration / length * along;
   tangent.inSpace = toSpace(geometry, face, tangent.inFace);
   return tangent;
