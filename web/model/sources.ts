@@ -1,7 +1,7 @@
 /** The sources of objects: other objects of their drawing, by their ids. */
-import { isDerived } from './derived';
+import { isBoolean, isDerived } from './derived';
 import { type Drawing, type DrawnObject, objectOf } from './drawing';
-import type { Figure, Operand } from './figure';
+import { type Figure, isCurve, isRound, type Operand } from './figure';
 
 const sourcesOf = ({ figure }: DrawnObject) =>
   isDerived(figure.kind) ? (figure.derived?.sources ?? []) : [];
@@ -41,6 +41,15 @@ export function resolvedFigure(drawing: Drawing, object: DrawnObject): Figure {
   };
   return resolve(object);
 }
+
+/** Whether all lines of a figure have no ends; `operands` resolved. */
+export function isLoop({ kind, settings, derived, operands = [] }: Figure): boolean {
+  if (kind === 'offset') return derived?.offset?.side === 'both' || areLoops(operands);
+  return isRound(kind) || isBoolean(kind) || (isCurve(kind) && settings.closed);
+}
+
+export const areLoops = (operands: readonly Operand[]): boolean =>
+  operands.every(({ figure }) => isLoop(figure));
 
 /** The ids together with those of all sources of these objects. */
 export function withSources(drawing: Drawing, ids: readonly number[]): number[] {

@@ -21,9 +21,9 @@ import {
   offsetSides,
   plainOffset,
 } from '../model/derived';
-import { objectOf } from '../model/drawing';
-import { type Figure, isCurve, isRound } from '../model/figure';
+import { activeObject, objectOf } from '../model/drawing';
 import { originsText, originText } from '../model/origins';
+import { areLoops, resolvedFigure } from '../model/sources';
 import type { Unit } from '../model/units';
 import { byId, choices, make, write } from './elements';
 import { kindNames, kindNotes } from './kind_names';
@@ -49,10 +49,6 @@ const atLeastZero = {
   read: (text: string) => (Number(text.trim() || NaN) === 0 ? 0 : positiveNumber(text)),
   write: (value: number) => `${Number(value.toPrecision(4))}`,
 };
-
-/** Whether lines have no ends, so that the other distance of their offset is halfway round. */
-const isLoop = ({ kind, settings }: Figure) =>
-  isRound(kind) || isBoolean(kind) || (isCurve(kind) && settings.closed);
 
 /** The buttons that derive objects from others, and the settings of derived ones. */
 export class DerivedPanel {
@@ -144,8 +140,8 @@ export class DerivedPanel {
       input.parentElement!.title = input.disabled ? 'With two distances corners are round' : '';
     }
     const objects = sources?.flatMap((id) => objectOf(drawing, id) ?? []);
-    const areLoops = objects?.every((object) => isLoop(object.figure));
-    write(byId('offset-end-name'), areLoops ? 'Halfway' : 'At the end');
+    const { operands = [] } = resolvedFigure(drawing, activeObject(drawing));
+    write(byId('offset-end-name'), areLoops(operands) ? 'Halfway' : 'At the end');
     const names = objects?.map(nameOf);
     const of = isBoolean(figure.kind) ? 'Of' : figure.kind === 'cut' ? 'Along' : 'From';
     write(byId('derived-sources'), `${of} ${names?.join(', ') || 'nothing any more'}`);

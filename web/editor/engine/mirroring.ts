@@ -1,8 +1,9 @@
 /** Mirror images of objects in the geodesic through two points. */
 import type { SurfacePoint } from 'karcher';
-import type { DrawnObject } from '../../model/drawing';
+import type { Drawing, DrawnObject } from '../../model/drawing';
 import { type Figure, isRound, opposite, plain, type Vector, withInside } from '../../model/figure';
 import { carriedOf, movedFigures } from '../../model/moving';
+import { areLoops, resolvedFigure } from '../../model/sources';
 import { type EngineClient, KarcherError } from '../../worker/client';
 import { directionOf } from './circle_drawing';
 import { directionsOf } from './moving';
@@ -86,6 +87,17 @@ export function mirroredInside(figure: Figure): Figure {
   // Circles and ellipses keep their inside: their mirror images run the same way around their
   // centers.
   return inside && !isRound(kind) ? withInside(figure, opposite(inside)) : figure;
+}
+
+/** A mirrored derived object: the offset of an open line is on the line's other side. */
+export function mirroredDerived(drawing: Drawing, object: DrawnObject): Figure {
+  const { figure } = object;
+  const { derived } = figure;
+  const { offset } = derived ?? {};
+  const { operands = [] } = resolvedFigure(drawing, object);
+  if (!derived || !offset || offset.side === 'both' || areLoops(operands)) return figure;
+  const side = offset.side === 'inwards' ? 'outwards' : 'inwards';
+  return { ...figure, derived: { ...derived, offset: { ...offset, side } } };
 }
 
 function reversed(polyline: Float64Array): Float64Array {

@@ -59,6 +59,17 @@ export function movableObjects(drawing: Drawing, ids: readonly number[]): DrawnO
   );
 }
 
+/** The objects that copies of these need: those that a move may change, and unlocked derived ones. */
+export function copiedObjects(drawing: Drawing, ids: readonly number[]): DrawnObject[] {
+  const moved = movableObjects(drawing, ids);
+  const all = new Set(withSources(drawing, ids));
+  return drawing.objects.filter(
+    (object) =>
+      moved.includes(object) ||
+      (all.has(object.id) && !object.locked && isDerived(object.figure.kind)),
+  );
+}
+
 /** The figures of objects, with the sides that they enclose in the view. */
 export const keptFigures = (
   session: Pick<Session, 'insideOf'>,

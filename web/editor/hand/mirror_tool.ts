@@ -6,8 +6,8 @@ import { dotAt } from '../../viewer/object_lines';
 import { sectionOf } from '../../viewer/section';
 import type { Surface } from '../../viewer/surface';
 import type { Viewer } from '../../viewer/viewer';
-import { copiesOf, mirroredAcross, mirrorLine } from '../engine/mirroring';
-import { keptFigures, movableObjects, replacing } from '../engine/moving';
+import { copiesOf, mirroredAcross, mirroredDerived, mirrorLine } from '../engine/mirroring';
+import { copiedObjects, keptFigures, movableObjects, replacing } from '../engine/moving';
 import { Newest } from '../engine/newest';
 import { figuresInPlane, planeOfSymmetry } from '../engine/plane_mirror';
 import type { Session } from '../engine/session';
@@ -144,7 +144,8 @@ export class MirrorTool {
     const { editor, session } = this;
     const { client } = session;
     const { drawing, chosen } = editor.state;
-    const objects = movableObjects(drawing, chosen.length > 0 ? chosen : [drawing.active]);
+    const ids = chosen.length > 0 ? chosen : [drawing.active];
+    const objects = movableObjects(drawing, ids);
     const kept = copiesOf(objects, keptFigures(session, objects));
     if (!client || objects.length === 0) return;
     try {
@@ -154,10 +155,15 @@ export class MirrorTool {
       if (!figures) this.problem('The mirror image would leave the surface.');
       else if (surface && (await isTorn(client, surface, objects, figures))) this.problem(torn);
       else if (editor.state.drawing !== drawing) return;
-      else if (this.copies) {
-        const copied = objects.map(({ id }) => id);
-        editor.objects.add(copiesOf(objects, figures), copied);
-      } else editor.perform(replacing(objects, figures));
+      else {
+        const all = copiedObjects(drawing, ids);
+        const images = all.map(
+          (object) => figures[objects.indexOf(object)] ?? mirroredDerived(drawing, object),
+        );
+        const own = all.map(({ id }) => id);
+        if (this.copies) editor.objects.add(copiesOf(all, images), own);
+        else editor.perform(replacing(all, images));
+      }
     } catch (error) {
       this.problem(`There is no mirror image: ${error instanceof Error ? error.message : error}.`);
     }

@@ -1,11 +1,8 @@
 import { leavingCopies } from '../../model/arranging';
 import type { Command } from '../../model/commands';
-import { isDerived } from '../../model/derived';
-import { objectOf } from '../../model/drawing';
 import { placesOf } from '../../model/moving';
-import { withSources } from '../../model/sources';
 import type { Viewer } from '../../viewer/viewer';
-import { leaves, Move, movableObjects } from '../engine/moving';
+import { copiedObjects, leaves, Move, movableObjects } from '../engine/moving';
 import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
 import type { Editor } from '../state/editor';
@@ -180,12 +177,7 @@ export class MoveGestures {
   #leaving(command: Command): Command {
     const { drawing, chosen } = this.editor.state;
     const ids = chosen.length > 0 ? chosen : [drawing.active];
-    const moved = new Set(movableObjects(drawing, ids).map(({ id }) => id));
-    // Copies of derived objects need copies of their sources; unmoved objects need no copy.
-    const copied = withSources(drawing, ids).filter((id) => {
-      const { figure, locked } = objectOf(drawing, id)!;
-      return moved.has(id) || (isDerived(figure.kind) && !locked);
-    });
+    const copied = copiedObjects(drawing, ids).map(({ id }) => id);
     const copies = leavingCopies(this.editor.baseDrawing, copied);
     return copies ? { type: 'steps', steps: [copies, command] } : command;
   }
