@@ -19,7 +19,7 @@ import { type RemoteCurve, type RemoteMesh, WorkerClient } from 'karcher/own-wor
 import type { BooleanKind, Offset } from '../model/derived';
 import type { FillPattern } from '../model/drawing';
 import type { CurvesFormat, DrawnCurve } from '../model/drawn_curves';
-import type { Enclosing, Vector } from '../model/figure';
+import { type Enclosing, plain, type Vector } from '../model/figure';
 import { type ToldLegs, withDrawnLegs } from '../model/legs';
 import type { MeshBlobs } from '../model/mesh_blobs';
 import type { MeshSource, UpAxis } from '../model/meshes';
@@ -38,6 +38,7 @@ import type {
 import { sentCurve } from './curves_file';
 import type { DerivedLines } from './derived';
 import { type Edit, type Edited, edited } from './edits';
+import type { Box, Extent } from './extent';
 import type { DirectedPlaces, Framed, Step } from './framed';
 import { tracedCircle, tracedCurve, tracedLines } from './traced';
 
@@ -418,6 +419,16 @@ export class EngineClient {
   /** The results of a step of a move on the surface, all in one call, for a drag. */
   putDown(step: Step): Promise<MappedPoints> {
     return this.#worker.call('putDown', [this.mesh, step]) as Promise<MappedPoints>;
+  }
+
+  /** The rectangle along two axes around the log vectors of places. Rejects if no path leads to one of them. */
+  boxAround(
+    at: SurfacePoint,
+    around: readonly Extent[],
+    axes: readonly [Vector, Vector],
+  ): Promise<Box> {
+    const plainly = around.map(({ place, radius }) => ({ place: plain(place), radius }));
+    return this.#worker.call('boxAround', [this.mesh, plain(at), plainly, axes]) as Promise<Box>;
   }
 
   get closed(): boolean {

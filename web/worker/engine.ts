@@ -21,6 +21,7 @@ import { curvesFile, partFile } from './curves_file';
 import { cutParts } from './cut';
 import { combined, offsetOf } from './derived';
 import { tracedDistances } from './distances';
+import { boxAround } from './extent';
 import { centroidOf, fillOf } from './fills';
 import { framedAt, putDown } from './framed';
 import { patternOf } from './patterns';
@@ -91,6 +92,7 @@ const calls = {
   },
   framedAt,
   putDown,
+  boxAround,
 };
 
 serve(calls);

@@ -9,6 +9,7 @@ import { isRound, plain, type Vector } from '../../model/figure';
 import { type Carried, type CarriedTo, placesOf } from '../../model/moving';
 import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
+import type { Box, Extent } from '../../worker/extent';
 import type { ObjectLines } from '../engine/lines';
 import { faceNormal } from '../engine/moving';
 
@@ -20,7 +21,7 @@ export interface TransformFrame {
    * The sides of the frame, in coordinates from the pivot: along the axis, and across it to the
    * left.
    */
-  box: { left: number; right: number; bottom: number; top: number };
+  box: Box;
   /** The size of the contents, without the frame's margin. */
   size: Size;
 }
@@ -29,12 +30,6 @@ export interface TransformFrame {
 export interface Size {
   width: number;
   height: number;
-}
-
-/** A place that the frame encloses, with a radius. */
-export interface Extent {
-  place: SurfacePoint;
-  radius: number;
 }
 
 export type FrameHandle = 'turn' | 'move' | 'pivot' | 'scale-1' | 'scale-2' | 'scale-3' | 'scale-4';
@@ -94,18 +89,7 @@ export async function frameOf(
   const boxAt = async (at: SurfacePoint) => {
     const axis = await inPlane(client, surface, at, right);
     const across = await acrossFrame(client, surface, { pivot: at, right: axis });
-    const places = around.map(({ place }) => plain(place));
-    const { vectors } = await client.mesh.logMap(plain(at), places);
-    const box = { left: 0, right: 0, bottom: 0, top: 0 };
-    for (const [i, { radius }] of around.entries()) {
-      const vector = vectors.subarray(3 * i, 3 * i + 3);
-      const [x, y] = [dot(vector, axis), dot(vector, across)];
-      const first = i === 0;
-      box.left = Math.min(first ? x - radius : box.left, x - radius);
-      box.right = Math.max(first ? x + radius : box.right, x + radius);
-      box.bottom = Math.min(first ? y - radius : box.bottom, y - radius);
-      box.top = Math.max(first ? y + radius : box.top, y + radius);
-    }
+    const box = await client.boxAround(at, around, [axis, across]);
     return { axis, across, box };
   };
   let at = pivot;
@@ -230,6 +214,3 @@ export async function shownFrame(
   ];
   return { lines, handles };
 }
-
-const dot = (a: ArrayLike<number>, b: ArrayLike<number>) =>
-  a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;

@@ -5,6 +5,7 @@ import type { Vector } from '../../model/figure';
 import { Handles } from '../../viewer/handles';
 import type { Viewer } from '../../viewer/viewer';
 import type { EngineClient } from '../../worker/client';
+import type { Extent } from '../../worker/extent';
 import { faceNormal, leaves, Move, movableObjects, type Placement } from '../engine/moving';
 import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
@@ -12,7 +13,6 @@ import type { Editor } from '../state/editor';
 import {
   acrossFrame,
   carriedFrame,
-  type Extent,
   extentsOf,
   type FrameHandle,
   frameAt,
