@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <istream>
-#include <streambuf>
 #include <string>
 #include <unordered_map>
 #include <utility>
 
 #include "mesh/error.h"
 #include "mesh/obj_lines.h"
+#include "mesh/plain_streams.h"
 #include "mesh/polygon_soup.h"
 #include "mesh/positions.h"
 
@@ -18,7 +17,10 @@
 #define tinyobj karcherTinyobj
 #define TINYOBJLOADER_USE_DOUBLE
 #define TINYOBJLOADER_IMPLEMENTATION
+// Its streams are those of plain_streams.h, which includes all that it includes.
+#define std karcher::plain
 #include <tiny_obj_loader.h>
+#undef std
 
 namespace karcher {
 namespace {
@@ -27,7 +29,7 @@ namespace {
 /// line's end nor a comment after a number. It has only the lines that matter, each on one line,
 /// with the vertex alone of each corner. A vertex's color takes the place of a normal: in the
 /// versions of Debian 12 and 13, callbacks do not receive colors.
-class PlainLines : public std::streambuf {
+class PlainLines : public plain::streambuf {
  public:
   explicit PlainLines(std::string_view text) : text_(text) {}
 
@@ -120,8 +122,8 @@ class Reading {
       of(self).beginGroup(names, count);
     };
     callbacks.usemtl_cb = [](void* self, const char* name, int) { of(self).takeMaterial(name); };
-    PlainLines plain(text);
-    std::istream stream(&plain);
+    PlainLines lines(text);
+    plain::istream stream(&lines);
     tinyobj::LoadObjWithCallback(stream, callbacks, this);
     for (const NotFinite& bad : lines_.notFinite) {
       faces.positions[bad.vertex].setConstant(std::nan(""));
