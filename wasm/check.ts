@@ -1,8 +1,10 @@
 import { KarcherError } from './errors.js';
+import type { MeshInfo } from './types.js';
 
 /**
  * Checks of arguments that only JavaScript can get wrong: types, lengths, numbers that are not
- * integers. The engine checks what depends on the mesh.
+ * integers. The engine checks what depends on the mesh. Results are frozen, so that they need no
+ * check when they come back.
  */
 
 const largestInteger = 0x7fffffff;
@@ -174,3 +176,10 @@ export function checkPointLike(value: unknown, what: string): Float64Array {
 /** The names of all options of a type. The compiler checks that the list is complete. */
 export const namesOf = <Options>(all: Record<keyof Options, true>): readonly string[] =>
   Object.keys(all);
+
+/** The numbers and repairs of a mesh, which nobody can change. */
+export function frozenInfo(info: MeshInfo): MeshInfo {
+  info.repairs.forEach(Object.freeze);
+  Object.freeze(info.repairs);
+  return Object.freeze(info);
+}

@@ -4,8 +4,9 @@ import {
   checkKind,
   engineValue,
   givenNumbers,
-  OwnBasis,
+  type OwnBasis,
   optionsOfParts,
+  ownBasis,
   tracingOf,
 } from './curve_options.js';
 import { disposable, type Handle, type MeshHandle } from './engine.js';
@@ -74,7 +75,7 @@ export class Curve {
   /** @internal `Mesh.curve` creates curves. */
   constructor(mesh: MeshHandle, options: CurveOptions) {
     checkOptions(options, curveOptionNames);
-    const basis = options.basis === undefined ? undefined : new OwnBasis(options.basis);
+    const basis = options.basis === undefined ? undefined : ownBasis(options.basis);
     const value = engineValue(options, basis);
     this.#mesh = mesh;
     this.#options = { ...options };
@@ -104,7 +105,7 @@ export class Curve {
     const basis =
       value.basis === undefined || value.basis === this.#options.basis
         ? this.#basis
-        : new OwnBasis(value.basis);
+        : ownBasis(value.basis);
     const next = engineValue(value, value.basis && basis);
     const wanted = { inDouble: inDouble(options), withPoints: false };
     const set = () => this.#handle.call((curve) => curve.set(next, wanted));

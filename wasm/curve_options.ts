@@ -8,6 +8,7 @@ import {
   checkPositive,
   toFloat64,
 } from './check.js';
+import { type Callback, callback } from './engine.js';
 import type {
   EngineCurveParts,
   EngineCurveShape,
@@ -44,40 +45,14 @@ const parametrizations: readonly Parametrization[] = ['centripetal', 'uniform'];
 
 export const checkKind = (kind: unknown) => checkOneOf(kind, curveKinds, 'the kind of a curve');
 
-/**
- * A caller's basis in the form that the engine calls. Exceptions must not pass through the engine:
- * this class keeps an exception of the basis, and the engine rejects the empty result.
- */
-export class OwnBasis {
-  readonly #basis: CurveBasis;
-  #failure: unknown;
+/** A caller's basis in the form that the engine calls. The engine rejects an empty result. */
+export type OwnBasis = Callback<[points: number, t: number], Float64Array>;
 
-  constructor(basis: CurveBasis) {
-    this.#basis = checkFunction(basis, 'the basis');
-  }
-
-  readonly call = (points: number, t: number): Float64Array => {
-    try {
-      return toFloat64(this.#basis(t, points), 'the weights of the basis');
-    } catch (cause) {
-      this.#failure ??= { cause };
-      return new Float64Array();
-    }
-  };
-
-  /**
-   * Returns what `work` returns. If the basis threw, throws its exception instead of the resulting
-   * error.
-   */
-  guard<Result>(work: () => Result): Result {
-    try {
-      return work();
-    } catch (error) {
-      const failure = this.#failure as { cause: unknown } | undefined;
-      this.#failure = undefined;
-      throw failure ? failure.cause : error;
-    }
-  }
+export function ownBasis(basis: CurveBasis): OwnBasis {
+  checkFunction(basis, 'the basis');
+  const weights = (points: number, t: number) =>
+    toFloat64(basis(t, points), 'the weights of the basis');
+  return callback(weights, new Float64Array());
 }
 
 /** The options for sampling and drawing a curve, in the engine's form. */

@@ -18,14 +18,14 @@ export class Engine {
   }
 
   /**
-   * Throws `KarcherError` `busy` if the engine is at work: a caller's basis runs within a call,
+   * Throws `KarcherError` `busy` if the engine is at work: a caller's basis or progress runs within a call,
    * which reads the data that the basis would change.
    */
   checkIdle(): void {
     if (!this.#atWork) return;
     throw new KarcherError(
       'busy',
-      'the engine is at work: a basis must not call it, nor dispose of anything in it',
+      'the engine is at work: a basis or progress must not call it, nor dispose of anything in it',
     );
   }
 
@@ -48,6 +48,46 @@ export class Engine {
     if (failure) throw new KarcherError(failure.code as ErrorCode, failure.message);
     return result;
   }
+}
+
+/** A caller's function in the form that the engine calls. */
+export interface Callback<Args extends unknown[], Result> {
+  call(...args: Args): Result;
+  /**
+   * Returns what `work` returns. If the function threw, throws its exception instead of the
+   * resulting error.
+   */
+  guard<Returned>(work: () => Returned): Returned;
+}
+
+/**
+ * Exceptions must not pass through the engine: the callback keeps one, and the engine rejects
+ * `failed` in place of a result.
+ */
+export function callback<Args extends unknown[], Result>(
+  own: (...args: Args) => Result,
+  failed: Result,
+): Callback<Args, Result> {
+  let failure: { cause: unknown } | undefined;
+  return {
+    call(...args) {
+      try {
+        return own(...args);
+      } catch (cause) {
+        failure ??= { cause };
+        return failed;
+      }
+    },
+    guard(work) {
+      try {
+        return work();
+      } catch (error) {
+        const kept = failure;
+        failure = undefined;
+        throw kept ? kept.cause : error;
+      }
+    },
+  };
 }
 
 /**

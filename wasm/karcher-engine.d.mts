@@ -203,7 +203,7 @@ export interface EngineMesh {
     rule: FillRule,
     combine: BooleanOperation | 'none',
   ): EngineRegion[];
-  cut(outlines: Float64Array[]): CutPart[];
+  cut(outlines: Float64Array[], report: (done: number) => boolean): CutPart[];
   curve(value: EngineCurveValue): EngineCurve;
 }
 

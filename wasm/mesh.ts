@@ -2,11 +2,12 @@
 import { checkInteger } from './check.js';
 import { Curve } from './curve.js';
 import * as distances from './distances.js';
-import { disposable } from './engine.js';
+import { callback, disposable } from './engine.js';
 import type { LogMap, MappedPoints } from './maps.js';
 import * as maps from './maps.js';
 import { centerOfMass, centerOfMassOfDistances, centersOfMass, weightsOf } from './means.js';
 import { MeshPlaces } from './mesh_places.js';
+import { checkLongWork } from './options.js';
 import type { Path } from './path.js';
 import type { Circle, Ellipse, Outline, RegionShape, StraightestPath } from './path_types.js';
 import { prepareFields } from './prepare.js';
@@ -274,13 +275,20 @@ export class Mesh extends MeshPlaces {
   /**
    * The mesh cut apart along paths or lists of their points (for their conditions see `regions`): a
    * part for each remaining piece of the surface. On both sides of a path positions are equal to
-   * the last bit. A path that ends inside a part leaves a slit.
+   * the last bit. A path that ends inside a part leaves a slit. `progress` may abort the signal.
    *
-   * Throws `KarcherError` badArgument for consecutive points without a face in common.
+   * Throws `KarcherError` badArgument for consecutive points without a face in common, and the
+   * signal's reason.
    */
-  cut(paths: readonly Outline[]): CutPart[] {
+  cut(paths: readonly Outline[], work: LongWorkOptions = {}): CutPart[] {
+    checkLongWork(work);
     const outlines = wireOutlines(paths);
-    return this.handle.call((mesh) => mesh.cut(outlines));
+    const report = callback((done: number) => {
+      work.progress?.(done, 'cut');
+      work.signal?.throwIfAborted();
+      return true;
+    }, false);
+    return report.guard(() => this.handle.call((mesh) => mesh.cut(outlines, report.call)));
   }
 
   /**

@@ -1,8 +1,7 @@
-import { toVector } from './check.js';
+import { frozenInfo, toVector } from './check.js';
 import { type Engine, Handle, type MeshHandle } from './engine.js';
 import type { EngineMesh } from './karcher-engine.mjs';
 import * as maps from './maps.js';
-import { frozenInfo } from './mesh_info.js';
 import type { Outline, PathPoints } from './path_types.js';
 import { toSurfacePoint, wirePoint, wirePointsOrArrays } from './points.js';
 import type {

@@ -1,6 +1,7 @@
 // A cut of a large mesh in a worker reports its progress, can be canceled, and loses nothing.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { load } from 'karcher';
 import { loadForTest } from './workers.mjs';
 
 const patience = { timeout: 600_000 };
@@ -16,17 +17,32 @@ async function sphere(t, triangles) {
   return { mesh, path: await outline.path() };
 }
 
-test(
-  'a cut tells its progress when the worker begins with it and when it has ended',
-  patience,
-  async (t) => {
-    const { mesh, path } = await sphere(t, 20_000);
-    const told = [];
-    const parts = await mesh.cut([path], { progress: (done) => told.push(done) });
-    assert.deepEqual(told, [0, 1]);
-    assert.ok(parts.length > 0);
-  },
-);
+test('a cut reports its progress in stages', patience, async (t) => {
+  const { mesh, path } = await sphere(t, 20_000);
+  const reports = [];
+  const parts = await mesh.cut([path], { progress: (...report) => reports.push(report) });
+  assert.ok(parts.length > 0);
+  const done = reports.map(([value]) => value);
+  assert.ok(done.length > 2, 'it reports between its begin and its end');
+  assert.deepEqual([done[0], done.at(-1)], [0, 1]);
+  for (let i = 1; i < done.length; i++) assert.ok(done[i] > done[i - 1]);
+  for (const [, stage] of reports) assert.equal(stage, 'cut');
+});
+
+test('in the thread of the engine, progress may end a cut: by its own error, or by the signal', async () => {
+  const mesh = (await load()).shape('sphere', 2000);
+  const outline = mesh.circle({ vertex: 7 }, { radius: 0.3 }).path;
+  const own = new RangeError('of the progress function');
+  const fail = (done) => {
+    if (done > 0) throw own;
+  };
+  assert.throws(() => mesh.cut([outline], { progress: fail }), own);
+  const controller = new AbortController();
+  const abort = () => controller.abort(reason);
+  assert.throws(() => mesh.cut([outline], { progress: abort, signal: controller.signal }), reason);
+  assert.equal(mesh.cut([outline]).length, 2, 'and the mesh goes on');
+  assert.throws(() => mesh.cut([outline], { progress: 3 }), { code: 'badArgument' });
+});
 
 test(
   'a cut of a large mesh is given up at once, and the worker answers as before',

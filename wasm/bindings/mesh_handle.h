@@ -110,7 +110,7 @@ class MeshHandle {
   val regions(const val& outlines, const val& counts, const val& insides, const std::string& rule,
               const std::string& combine) const;
   /// A list of {positions, triangles, faces}, one for each cell.
-  val cut(const val& outlines) const;
+  val cut(const val& outlines, const val& report) const;
 
  private:
   Vec2 directionInFace(int face, const val& direction) const;

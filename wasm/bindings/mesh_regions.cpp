@@ -4,6 +4,7 @@
 #include "bindings/path.h"
 #include "curves/offset.h"
 #include "distance/path_distance.h"
+#include "mesh/error.h"
 #include "mesh/sorted_numbers.h"
 #include "regions/cut.h"
 #include "regions/region.h"
@@ -142,12 +143,20 @@ val MeshHandle::regions(const val& outlines, const val& counts, const val& insid
   return result;
 }
 
-val MeshHandle::cut(const val& outlines) const {
+val MeshHandle::cut(const val& outlines, const val& report) const {
+  // The shares of the time are those of large meshes.
+  const auto reached = [&](double done) {
+    if (!report(done).as<bool>()) refuse("the cut was given up");
+  };
+  reached(0);
   const Array<SurfacePath> paths = pathsFromJs(numbering_, mesh(), outlines);
   const Arrangement all = arrange(geometry(), paths);
+  reached(0.4);
+  const CutSurface surface = cutApart(geometry(), all);
+  reached(0.7);
   val result = val::array();
   int count = 0;
-  for (const CutPart& part : partsOf(cutApart(geometry(), all), all.cellCount())) {
+  for (const CutPart& part : partsOf(surface, all.cellCount())) {
     Array<double> positions;
     for (const Vec3& p : part.positions) append(positions, p);
     Array<int> triangles;
@@ -160,6 +169,7 @@ val MeshHandle::cut(const val& outlines) const {
     one.set("faces", toJs(faces));
     result.set(count++, one);
   }
+  reached(1);
   return result;
 }
 

@@ -1,11 +1,10 @@
 /// <reference lib="esnext.disposable" preserve="true" />
-import { namesOf } from '../check.js';
+import { frozenInfo, namesOf } from '../check.js';
 import type { Curve } from '../curve.js';
 import { KarcherError } from '../errors.js';
 import type { FileInfo, FileOptions } from '../formats/index.js';
 import type { Karcher } from '../karcher.js';
 import type { Mesh } from '../mesh.js';
-import { frozenInfo } from '../mesh_info.js';
 import { checkLongWork } from '../options.js';
 import type { LongWorkOptions, MeshInfo, PolylineOptions } from '../types.js';
 import type { ClassNames } from './protocol.js';
@@ -89,7 +88,7 @@ const karcherMethods = namesOf<Record<MethodsOf<Karcher> | 'meshFromFile', true>
 type Call = (...args: unknown[]) => Promise<unknown>;
 
 /** Methods that take progress and a signal themselves, and report more progress. */
-const longMethods: readonly string[] = ['prepare', 'meshFromFile'];
+const longMethods: readonly string[] = ['prepare', 'meshFromFile', 'cut'];
 const workNames = namesOf<LongWorkOptions>({ progress: true, signal: true });
 
 /** Whether an argument has only progress and a signal. */

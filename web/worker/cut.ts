@@ -16,8 +16,7 @@ export async function cutParts(
     const { area, closed, volume } = solidOf(made);
     return { positions: made.positions, triangles: made.triangles, area, closed, volume };
   };
-  progress(0, 'Cutting');
-  const cut = mesh.cut(outlines);
+  const cut = mesh.cut(outlines, { progress: (done) => progress(done, 'Cutting') });
   const parts = cut.map((part, i): SurfacePart => {
     progress((i + 1) / (cut.length + 1), `Measuring part ${i + 1} of ${cut.length}`);
     const weights = weightsOf(part, positions, triangles);
