@@ -9,13 +9,14 @@ import {
   mkdirSync,
   readdirSync,
   readFileSync,
+  rmSync,
   writeFileSync,
 } from 'node:fs';
 import { dirname } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { notices } from './notices.mjs';
 import { setUp } from './setup.mjs';
-import { cores, inRoot, root, run } from './shell.mjs';
+import { cores, filesBelow, inRoot, root, run } from './shell.mjs';
 
 // The folder in which Debian's Emscripten finds its JavaScript optimizer's libraries, if Node is
 // not Debian's own.
@@ -73,6 +74,8 @@ async function minify(...names) {
  * breaks, so that none changes.
  */
 export async function buildFacade() {
+  // The package has all of dist, also files whose sources are gone.
+  for (const file of filesBelow('dist', /\.js$|\.d\.ts$/)) rmSync(file);
   const typescript = 'typescript/bin/tsc';
   await runNpmProgram(typescript, '-p', 'wasm', '--emitDeclarationOnly');
   await runNpmProgram(
