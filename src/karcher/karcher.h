@@ -23,11 +23,13 @@
 #include "distance/window_distance.h"
 #include "intrinsic/straightest.h"
 
-// Centers of mass.
+// Centers of mass, Voronoi diagrams.
+#include "rcm/centroid.h"
 #include "rcm/certificate.h"
 #include "rcm/mean.h"
 #include "rcm/mean_weights.h"
 #include "rcm/statistics.h"
+#include "rcm/voronoi.h"
 
 // Curves: their points and lengths, inserted control points, circles, isolines, offsets.
 #include "curves/circle.h"

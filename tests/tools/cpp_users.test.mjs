@@ -1,6 +1,6 @@
-// Karcher in the CMake projects of C++ users: as a folder, fetched and installed. The program is
-// that of docs/cpp.md. The test links and runs it only with the installed library, whose engine is
-// already compiled.
+// Karcher in the CMake projects of C++ users: as a folder, fetched and installed. The programs are
+// those of docs/cpp.md. The test links and runs them only with the installed library, whose engine
+// is already compiled.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import {
@@ -21,8 +21,9 @@ import { inRoot } from '../../.tools/shell.mjs';
 
 const { version } = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
 
-const program = () =>
-  /^```cpp\n([\s\S]*?)^```$/m.exec(readFileSync(inRoot('docs/cpp.md'), 'utf8'))[1];
+const programs = [
+  ...readFileSync(inRoot('docs/cpp.md'), 'utf8').matchAll(/^```cpp\n([\s\S]*?)^```$/gm),
+].map(([, program]) => program);
 
 /** A user's project around Karcher checks that no CMake variable has changed. */
 const head = `cmake_minimum_required(VERSION 3.24)
@@ -70,7 +71,7 @@ describe('a C++ project', { concurrency: true }, () => {
   const configure = async (name, middle, end = '', ...args) => {
     mkdirSync(join(folder, name), { recursive: true });
     writeFileSync(join(folder, name, 'CMakeLists.txt'), head + middle + tail + end);
-    writeFileSync(join(folder, name, 'main.cpp'), program());
+    writeFileSync(join(folder, name, 'main.cpp'), programs[0]);
     const options = ['-DCMAKE_EXPORT_COMPILE_COMMANDS=ON', '-DCMAKE_CXX_FLAGS=-Wall -Werror'];
     await run(name, 'cmake', '-S', '.', '-B', 'build', '-G', 'Ninja', ...options, ...args);
   };
@@ -157,6 +158,7 @@ FetchContent_MakeAvailable(karcher)
       join(folder, 'found/reader.cpp'),
       '#define TINYOBJLOADER_IMPLEMENTATION\n#include "tiny_obj_loader.h"\n',
     );
+    writeFileSync(join(folder, 'found/cells.cpp'), programs[1]);
     // The plug-in is a shared library: the engine's code must be position-independent.
     await configure(
       'found',
@@ -164,6 +166,8 @@ FetchContent_MakeAvailable(karcher)
       `target_sources(app PRIVATE reader.cpp)
 add_library(plugin SHARED main.cpp)
 target_link_libraries(plugin PRIVATE karcher::karcher)
+add_executable(cells cells.cpp)
+target_link_libraries(cells PRIVATE karcher::karcher)
 `,
       `-DCMAKE_PREFIX_PATH=${prefix}`,
     );
@@ -174,5 +178,7 @@ target_link_libraries(plugin PRIVATE karcher::karcher)
       inRoot('build/data/bunny.obj'),
     );
     assert.match(said, /^the center of mass: (-?\d+\.\d+ ?){3}\na curve of length \d+\.\d+\n$/);
+    const cells = await run('found', join(folder, 'found/build/cells'));
+    assert.match(cells, /^(a cell of area \d+\.\d+ around( -?\d+\.\d+){3}\n){2}$/);
   });
 });

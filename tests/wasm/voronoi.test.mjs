@@ -133,6 +133,18 @@ describe('a Voronoi diagram', () => {
     for (const { path } of borders) near([path.length], [Math.acos(1 / 3)], 2e-2);
   });
 
+  test('of a torus is that of the C++ library (tests/engine/voronoi_test.cpp)', async () => {
+    const mesh = engine.shape('torus', 800);
+    const sites = [
+      [1.4, 0, 0],
+      [0, 1.3, 0.2],
+      [-0.9, -0.4, -0.3],
+      [0.2, -1, 0.4],
+    ].map((place) => mesh.nearestPoint(place).point);
+    const { areas } = await voronoi(mesh, sites, { solver: 'exact' });
+    near(areas, [3.385178194343, 4.176408647218, 4.36023141479, 3.558260310662], 1e-9);
+  });
+
   test('of sites of several points, of equal ones and of separate parts', async () => {
     const far = grid(4).replace(/^v (\S+)/gm, (_, x) => `v ${Number(x) + 100}`);
     const shifted = far.replace(/^f .*$/gm, (line) => line.replace(/\d+/g, (n) => Number(n) + 25));

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "distance/distance_solver.h"
+#include "regions/region.h"
+
+/// Voronoi diagrams: the surface divided into cells, each with the points that are nearest to one
+/// of several sites. The package `karcher/statistics` has the same function under the same name.
+namespace karcher {
+
+struct VoronoiDiagram {
+  /// The number of the nearest site for each vertex, the lowest of equally near ones; -1 for
+  /// unreachable vertices.
+  Array<int> nearest;
+  Array<double> areas;  ///< the area of each site's cell, in squared units of the mesh
+  /// The surface divided by the lines on which two sites are equally near and all others are
+  /// farther away.
+  Arrangement arrangement;
+  /// The nearest site for each cell of the arrangement, or -1. A site may have several of them.
+  Array<int> siteOfCell;
+};
+
+/// The Voronoi diagram of sites. Of a site with several points the nearest counts.
+///
+/// In every triangle, squared distances are linear between those of the vertices. On a plane the
+/// lines are then exact up to the grid of the arrangement (regions/grid.h), and on smooth surfaces
+/// good to the square of the edges. Each point takes one field of the solver's distances. If sites
+/// coincide, the first has the cell and the others have empty ones.
+///
+/// Throws Error kTooFewPoints without sites and for a site without points, and what the solver
+/// throws.
+VoronoiDiagram voronoi(const Geometry& geometry, DistanceSolver& solver,
+                       const Array<Array<SurfacePoint>>& sites);
+
+/// The cell of a site as a region of the diagram's arrangement, for its boundary (region.h), its
+/// centroid (centroid.h) and booleans. Throws Error kBadIndex if the diagram has no such site.
+Region cellOfSite(const VoronoiDiagram& diagram, int site);
+
+}  // namespace karcher
