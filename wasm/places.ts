@@ -1,4 +1,7 @@
-/** The bits for the parts of the table. Each part grows by itself, so that no growth takes long. */
+/**
+ * The number of bits of a hash that choose a part of the table. Each part grows by itself, so that
+ * no growth takes long.
+ */
 const tableBits = 8;
 /** The bits for the vertices in one array of positions. */
 const chunkBits = 14;

@@ -74,7 +74,7 @@ export class Opening {
     private readonly session: Session,
   ) {}
 
-  /** Complete surfaces wait for the viewer. */
+  /** Hands over the viewer, for which complete surfaces wait. */
   show(viewer: Viewer): void {
     this.#viewerReady.resolve(viewer);
     this.#viewer = viewer;

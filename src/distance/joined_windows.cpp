@@ -71,8 +71,8 @@ bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& o
   joint.begin = begin;
   joint.end = end;
   joint.offset = bend > 0 ? std::max(squares / (2 * bend), leastOffset) : leastOffset;
-  // A nearer source spreads the rays at both ends: no other window reaches what these two do
-  // beyond them.
+  // The joint window must reach all places that the two windows reach beyond its edge, since no
+  // other window does. A nearer source spreads its rays at both ends.
   if (origin.change == 0) origin.beginSlope = slopeAt(first, begin);
   const double rise = atEnd - atBegin;
   const auto spread = [&](double excess, double distance) {

@@ -68,7 +68,7 @@ void SourceVectors::take(const Asked& asked, double distance) {
   } else if (isKnown(step.head)) {
     vector = vectors_[step.head];
   }
-  // The interpolation between ends on opposite sides of the source may vanish.
+  // The interpolated vector may vanish if the ends lie on opposite sides of the source.
   if (!(vector.norm() > 0) && isKnown(step.tail)) vector = vectors_[step.tail];
   const double length = vector.norm();
   vectors_[asked.vertex] = length > 0 ? Vec2(distance / length * vector) : Vec2::Zero();

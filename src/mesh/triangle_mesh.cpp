@@ -194,7 +194,8 @@ Topology topology(const TriangleMesh& mesh) {
     ++boundaryEdges;
     if (seen[h]) continue;
     ++result.boundaryLoops;
-    // The boundary continues with the half-edge without a twin that leaves this one's head.
+    // Of the half-edges that leave the head of this one, the first has no twin and continues the
+    // boundary.
     for (int g = h; !seen[g]; g = mesh.outgoing[mesh.head(g)]) {
       seen[g] = 1;
     }

@@ -148,8 +148,8 @@ PhongSurface::Patch PhongSurface::patchOf(int f) const {
     turn[k] = turnBetween(planes_[mesh_.corner(f, k)], planes_[mesh_.corner(f, (k + 1) % 3)]);
     around *= turn[k];
   }
-  // Around the face the rotations do not quite cancel. The corners, at each of which the blends of
-  // two edges meet, share the rest.
+  // The product of the three rotations is not quite 1. Each corner, where the blends of two edges
+  // meet, takes a third of the rest.
   const Complex share = std::polar(1.0, -std::arg(around) / 3);
   Complex edgeTurn[3];
   edgeTurn[0] = 1;

@@ -138,8 +138,8 @@ class Balance {
         *std::min_element(weights.begin(), weights.end()) >= 0) {
       return weights;
     }
-    // The result is one vector at 0; else two opposite ones; else the triangle of any vector and
-    // the two nearest to its opposite direction on both sides.
+    // If a vector is 0, it has all the weight. Else two opposite vectors share it, or any vector
+    // and the two that are nearest to its opposite direction, one on each side.
     weights.assign(weights.size(), 0);
     const auto vector = [&](int i) { return Vec2(columns_[i][1], columns_[i][2]); };
     int longest = 0;

@@ -79,7 +79,7 @@ class Drawer {
   }
 
  private:
-  /// Rounding must not open closed paths.
+  /// Whether a path ends where it starts, up to rounding, which must not open it.
   bool isClosed(const SurfacePath& path) const {
     if (path.points.count() < 2) return false;
     const int face = commonFace(mesh_, path.points.front(), path.points.back());

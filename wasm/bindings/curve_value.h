@@ -16,7 +16,7 @@ CurveKind curveKind(const std::string& name);
 /// for `fieldOptionsFromJs`.
 CurveValue curveValueFromJs(const MeshHandle& mesh, const val& value, Legs& legs);
 
-/// {points} with the shape's properties, without the basis.
+/// An object with `points` and the properties of the shape, without the basis.
 val toJs(const MeshHandle& mesh, const CurveParts& parts);
 
 }  // namespace karcher::bindings

@@ -57,7 +57,7 @@ export async function boundaryEdges(
     for (let at = starts[low]!; at < starts[low + 1]!; at++) faces += others[at] === high ? 1 : 0;
     return faces;
   };
-  /** The edges whose number of faces changes by an odd number without the omitted faces. */
+  /** The edges at which an odd number of the omitted faces meet. */
   const changed = new Set<string>();
   for (const face of onOthers?.turned ?? []) {
     const edges = [0, 1, 2].map((k) => edgeOf(numbers, 3 * face + k).sort((i, j) => i - j));

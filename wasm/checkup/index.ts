@@ -42,7 +42,7 @@ export interface CheckedMesh {
 }
 
 /**
- * Checks a mesh, in slices of some milliseconds: two seconds for two million triangles. Faces have
+ * Checks a mesh, in slices of some milliseconds. Two million triangles take two seconds. Faces have
  * the caller's numbers; the check skips those that the import omitted or flipped away. Rejects with
  * the signal's reason when it is aborted, and with `KarcherError` disposed.
  */

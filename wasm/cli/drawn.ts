@@ -6,7 +6,10 @@ import type { Pieces } from './output.js';
 
 /** Results as files of curves: rows of CSV, lines or tubes, with the mesh on request. */
 
-/** Checks the options of a format; null for JSON, which is no drawing. */
+/**
+ * The function that writes curves in the chosen format, after a check of its options; null for
+ * JSON, which is no drawing.
+ */
 export function drawnFormat(
   args: Arguments,
 ): ((mesh: Mesh, curves: FileCurve[]) => Promise<Pieces>) | null {

@@ -112,7 +112,7 @@ export function huberMean(
 
 /** The influence of a point, as functions of its distance. */
 interface Rule {
-  /** The factor of its weight in a center of mass. */
+  /** The factor of the point's weight in a center of mass. */
   pull(distance: number): number;
   cost(distance: number): number;
   /** Whether the cost has a kink at the point itself, so that the minimum may lie there. */

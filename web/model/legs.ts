@@ -65,7 +65,7 @@ const legsAt = (count: number, at: readonly number[]): number[] => [
   ...new Set(at.flatMap((i) => [i, (i + count - 1) % count])),
 ];
 
-/** For each point the few points that describe its leg to the next; null for the shortest path. */
+/** The few points that determine the leg from each point to the next; null for the shortest path. */
 export type ToldLegs = readonly (readonly SurfacePoint[] | null)[];
 
 /**

@@ -48,7 +48,7 @@ export function piecesOf(
     return best;
   });
   const idAt = (piece: number) => lines[found[piece]!.line]?.id;
-  /** How far along its object's line a point at an end of a piece is. */
+  /** The place of a point at an end of a piece along its object's line, from 0 to 1. */
   const along = (piece: number, point: number) => {
     const { line: number, segment } = found[piece]!;
     const { lengths, places: own } = lines[number]!;

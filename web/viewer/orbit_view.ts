@@ -364,7 +364,7 @@ export class OrbitView {
     this.#go({ offset, target: target.clone() }, true);
   }
 
-  /** Continues a flight, before a frame is drawn. */
+  /** Continues a flight. The viewer calls it before it draws a frame. */
   advance(now: number): void {
     if (!this.#flight) return;
     const { from, to, started } = this.#flight;

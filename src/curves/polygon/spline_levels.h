@@ -35,7 +35,7 @@ struct SplineWorkspace {
   struct Side {
     WeightedPoint point;
     int parent = 0;        ///< the number of the last parent averaged
-    SurfacePath toParent;  ///< the path to that parent, at first of no length
+    SurfacePath toParent;  ///< the path to that parent, initially without length
   };
 
   CurveShape shape;

@@ -134,9 +134,9 @@ class JumpSearch {
     return length(zero.bary - (a + b) / 2) < margin;
   }
 
-  /// Whether the zero passes from one face into the next without a jump. It does if, with the
-  /// weights in the middle, the zeros of both faces' fields lie side by side, between the ends of
-  /// the step and away from the other edges.
+  /// Whether the zero passes from one face into the next without a jump. It does if the weights in
+  /// the middle of the step give the fields of both faces zeros that lie side by side, between the
+  /// ends of the step and away from the other edges.
   bool crossesAnEdge(const SurfacePoint& from, const SurfacePoint& to,
                      Weights middleWeights) const {
     if (fields_.cells().cut() || from.face == to.face) return false;

@@ -144,7 +144,10 @@ export class Move {
     private readonly logs: { vectors: Float64Array; directions: Float64Array },
   ) {}
 
-  /** `beside` moves along with objects of a drawing. Rejects if a place has no path to the pivot. */
+  /**
+   * The beginning of a move of objects of a drawing, with which `beside` moves along. Rejects if a
+   * place has no path to the pivot.
+   */
   static async of(
     session: Pick<Session, 'client' | 'insideOf'>,
     surface: Surface,
