@@ -60,7 +60,7 @@ export interface EngineRegion {
   area: number;
   perimeter: number;
   boundary: EnginePath[];
-  /** For each triangle, 0 if it lies outside the region, 1 if inside, 2 if partly inside. */
+  /** The part of each triangle that lies in the region: 0 for none, 1 for all, 2 for some. */
   share: Uint8Array;
   /** The triangles of the sides of partial triangles, in order. */
   triangles: Int32Array;
@@ -193,8 +193,8 @@ export interface EngineMesh {
   ): EnginePath[];
   distanceFromPaths(outlines: Float64Array[], points: Float64Array): Float64Array;
   /**
-   * For each shape, `counts` has the number of its outlines. `insides` has a point, nothing, or the
-   * side of its first outline: 1 for the left, 0 for the right.
+   * The regions of shapes. `counts` has the number of outlines of each shape. `insides` has a point,
+   * nothing, or the side of its first outline: 1 for the left, 0 for the right.
    */
   regions(
     outlines: Float64Array[],

@@ -299,7 +299,7 @@ export class Opening {
       remember(`unit.${turned}`, recall(`unit.${mesh}`) ?? guessUnit(meshLabel(mesh)));
       const wanted = () => (came > 0 ? own.drawing : null);
       if (!(await this.#open(turned, fileSource(turned, file), wanted))) return;
-      // What follows replaces this entry of the browser's history, and not that of the whole.
+      // Later edits replace this new entry of the browser's history, and the whole keeps its own.
       history.pushState(null, '', location.hash);
       const along = all === 0 ? '' : ` ${came} of ${formatCount(all, 'object')} came along.`;
       showNote(`You work on ${title}.${along} The browser’s Back leads to the whole.`);

@@ -5,7 +5,7 @@
  * its pages.
  */
 
-/** The build replaces this: the page's files, and a name made from their content. */
+/** The page's files, and a name that depends on their content. The build inserts both. */
 declare const __KARCHER_FILES__: { readonly version: string; readonly files: readonly string[] };
 
 /**

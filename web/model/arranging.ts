@@ -175,7 +175,7 @@ export function addition(
   return { command: { type: 'steps', steps }, ids: objects.map(({ id }) => id) };
 }
 
-/** For each group of added objects, a name that no group of the drawing has. */
+/** A name for each group of added objects that no group of the drawing has. */
 function freshGroups(drawing: Drawing, added: readonly DrawnObject[]): Map<string, string> {
   const taken = new Set(drawing.objects.map(({ group }) => group));
   const fresh = new Map<string, string>();

@@ -55,7 +55,7 @@ export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: n
   readonly leg?: readonly SurfacePoint[];
   /** The handles of an anchor of the pen. */
   readonly tangents?: Tangents;
-  /** The origin of the piece to the next point, of a curve that was made of other objects. */
+  /** The origin of the piece to the next point, of a curve that other objects became. */
   readonly origin?: Origin;
 };
 
@@ -167,7 +167,7 @@ export function withRule(figure: Figure, rule: FillRule): Figure {
   return rule === 'nonZero' ? { ...rest, rule } : rest;
 }
 
-/** What a figure's lines enclose: the side and the rule, without defaults. */
+/** The side and the rule by which a figure's lines enclose a region, without defaults. */
 export type Enclosing = Pick<Figure, 'inside' | 'rule'>;
 export const enclosingOf = ({ inside, rule }: Figure): Enclosing => ({
   ...(inside && { inside }),

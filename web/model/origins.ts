@@ -1,9 +1,9 @@
-/** Where the pieces of curves that were made of others come from. */
+/** The lines from which the pieces of derived curves come. */
 import type { Path } from 'karcher';
 import type { ControlPoint, Figure, Origin, Vector } from './figure';
 import { dot, minus } from './vectors';
 
-/** A line of an object that others are made of. */
+/** A line of an object from which others derive. */
 export interface SourceLine {
   id: number;
   path: Path;

@@ -20,8 +20,8 @@ export interface PartDrawing {
 }
 
 /**
- * The objects whose every place has a point in `onPart`, and those that are made of such objects;
- * but not the cut that made the part.
+ * The objects whose every place has a point in `onPart`, and those that derive from such objects,
+ * except the cut to which the part belongs.
  */
 export function drawingOnPart(
   { objects, active }: Drawing,
@@ -34,7 +34,7 @@ export function drawingOnPart(
     isDerived(figure.kind)
       ? figure.derived!.sources.every((id) => !stays.has(id))
       : placesOf(figure).every((place) => onPart.get(place));
-  // Each round finds the objects that are made of those of the rounds before.
+  // Each round finds the objects that derive from those of the rounds before.
   for (let before = -1; before !== stays.size; ) {
     before = stays.size;
     for (const object of drawn) if (comes(object)) stays.delete(object.id);

@@ -82,7 +82,7 @@ function completed(transaction: IDBTransaction): Promise<void> {
 /** The time in milliseconds after which a database that does not answer counts as missing. */
 const patience = 2000;
 
-/** Rejects if there is no answer. */
+/** The answer of a database. Rejects if none comes in time. */
 function answered<T>(answer: Promise<T>): Promise<T> {
   return new Promise((resolve, reject) => {
     const timer = setTimeout(() => reject(new Error('the database does not answer')), patience);

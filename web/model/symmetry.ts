@@ -163,8 +163,8 @@ function fittedPlane(begin: Plane, samples: readonly Vector[], nearest: NearestP
 }
 
 /**
- * The solution of three equations, damped for surfaces that a rotation leaves unchanged; null if there is no
- * solution.
+ * The solution of three equations, damped for surfaces that a rotation leaves unchanged; null if they
+ * have none.
  */
 function solved(matrix: Float64Array, right: Float64Array): Vector | null {
   const size = matrix[0]! + matrix[4]! + matrix[8]!;

@@ -357,7 +357,7 @@ export class ObjectPanel {
     this.#otherSide.disabled = selected === 0 || !objects.some(hasOtherSide);
   }
 
-  /** Shows the rule of filled objects; those that are made of others have that of their sources. */
+  /** Shows the rule of filled objects; derived objects have that of their sources. */
   #showRule(filled: readonly DrawnObject[]): void {
     const own = filled.filter(({ figure }) => !isDerived(figure.kind));
     const rules = new Set(own.map(({ figure }) => figure.rule ?? 'evenOdd'));

@@ -78,7 +78,7 @@ interface Loaded {
 /** The places x, y, z of the corners. */
 type Corners = [Vector, Vector, Vector];
 
-/** The side and the rule of the enclosed region to compute; null if it is not computed. */
+/** The side and the rule of the enclosed region to compute; null for a line alone. */
 export type AskedFill = Enclosing | null;
 
 /** Lines, and what they enclose; by default the smaller side, by the even-odd rule. */

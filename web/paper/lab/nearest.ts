@@ -8,9 +8,7 @@ const { at, cross, distance, dot, scaled, subtract } = vectors;
 export class NearestPoints {
   readonly #positions: Float64Array;
   readonly #triangles: Int32Array;
-  /**
-   * For each triangle, its centroid and the radius of a ball around it that contains the triangle.
-   */
+  /** The centroid of each triangle, and the radius of a ball around it that contains the triangle. */
   readonly #balls: Float64Array;
 
   constructor(positions: Float64Array, triangles: Int32Array) {
