@@ -23,6 +23,18 @@ double slopeAt(const Window& w, double x) {
   return (x - w.sourceX) / std::sqrt(squaredLegTo(w, x));
 }
 
+/// The length by which distances through a window exceed those through another.
+double excessAt(const Window& w, const Window& other, double x) {
+  return distanceAt(w, x) - distanceAt(other, x);
+}
+
+/// The excess that is extreme between two places, or 0: where the line through both sources meets
+/// the edge, both have one slope.
+double excessBetween(const Window& w, const Window& other, double from, double to) {
+  const double x = (w.sourceX * other.depth - other.sourceX * w.depth) / (other.depth - w.depth);
+  return from < x && x < to ? excessAt(w, other, x) : 0;
+}
+
 /// The original state of a window to which others were joined.
 struct Origin {
   double change = 0;      ///< the sum of the changes of distances along the edge
@@ -89,13 +101,13 @@ bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& o
   if (!(beginLeg >= 0 && endLeg >= 0 && squaredDepth >= 0)) return false;
   joint.sourceX = begin + x;
   joint.depth = std::sqrt(squaredDepth);
-  // Distances bend most at the feet of the sources.
-  for (const double place : {begin + left / 2, end - right / 2, first.sourceX, second.sourceX}) {
-    if (!(begin <= place && place <= end)) continue;
-    double least = kInfinity;
-    if (place <= first.end) least = distanceAt(first, place);
-    if (place >= second.begin) least = std::min(least, distanceAt(second, place));
-    if (least < kInfinity) change = std::max(change, std::abs(distanceAt(joint, place) - least));
+  // Each side of the middle is compared with the window that it was.
+  const double firstEnd = std::min(first.end, middle);
+  const double secondBegin = std::max(second.begin, middle);
+  for (const double excess :
+       {excessAt(joint, first, firstEnd), excessBetween(joint, first, begin, firstEnd),
+        excessAt(joint, second, secondBegin), excessBetween(joint, second, secondBegin, end)}) {
+    change = std::max(change, std::abs(excess));
   }
   if (!(change <= tolerance)) return false;
   origin.change += change;
@@ -106,11 +118,12 @@ bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& o
 /// By how much a wider window lengthens the distances of one that lies in it; kInfinity if it
 /// reaches less far behind an end of both.
 double excessOf(const Window& wider, const Window& window, const JoinedEdge& edge) {
-  const auto longer = [&](double x) { return distanceAt(wider, x) - distanceAt(window, x); };
   const auto steeper = [&](double x) { return slopeAt(wider, x) - slopeAt(window, x); };
   const bool reaches = (window.begin > wider.begin || steeper(window.begin) <= edge.turn) &&
                        (window.end < wider.end || steeper(window.end) >= -edge.turn);
-  return reaches ? std::max({longer(window.begin), longer(window.end), 0.0}) : kInfinity;
+  if (!reaches) return kInfinity;
+  return std::max({excessAt(wider, window, window.begin), excessAt(wider, window, window.end),
+                   excessBetween(wider, window, window.begin, window.end), 0.0});
 }
 
 bool isBefore(const Window& a, const Window& b) {

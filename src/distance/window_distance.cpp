@@ -32,10 +32,6 @@ double bucketWidth(const Geometry& geometry) {
   return width;
 }
 
-/// The angle of a corner, in radians, below which all of it may lie in the shadow of a vertex that
-/// is flat up to kChainRounding.
-constexpr double kSliver = 1e-8;
-
 /// The ratio of lengths above which both ends of the edge that windows cross determine the apex of
 /// a face (FaceSides), so that short lengths are not differences of long ones. Windows that leave a
 /// source inside a face always do so.
@@ -100,16 +96,6 @@ inline bool isWorthKeeping(const SideEdge& side, double narrowest, Window& windo
 }
 
 }  // namespace
-
-bool spreadsPaths(const Geometry& geometry, int vertex) {
-  const double flat = geometry.mesh->onBoundary[vertex] ? kPi : 2 * kPi;
-  const double excess = geometry.totalAngle[vertex] - flat;
-  if (std::abs(excess) > kChainRounding) return excess > 0;
-  for (const int h : outgoingHalfedges(*geometry.mesh, vertex)) {
-    if (geometry.cornerAngle[h] < kSliver) return true;
-  }
-  return false;
-}
 
 WindowDistance::WindowDistance(const Geometry& geometry, double tolerance,
                                const std::shared_ptr<PagePool>& pages)

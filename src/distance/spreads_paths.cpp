@@ -1,0 +1,26 @@
+#include <cmath>
+
+#include "distance/window_distance.h"
+#include "intrinsic/angles.h"
+#include "mesh/rounding.h"
+
+namespace karcher {
+namespace {
+
+/// The angle of a corner, in radians, below which all of it may lie in the shadow of a vertex that
+/// is flat up to kChainRounding.
+constexpr double kSliver = 1e-8;
+
+}  // namespace
+
+bool spreadsPaths(const Geometry& geometry, int vertex) {
+  const double flat = geometry.mesh->onBoundary[vertex] ? kPi : 2 * kPi;
+  const double excess = geometry.totalAngle[vertex] - flat;
+  if (std::abs(excess) > kChainRounding) return excess > 0;
+  for (const int h : outgoingHalfedges(*geometry.mesh, vertex)) {
+    if (geometry.cornerAngle[h] < kSliver) return true;
+  }
+  return false;
+}
+
+}  // namespace karcher
