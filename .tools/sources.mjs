@@ -1,5 +1,5 @@
 // The sources that determine the numbers of the Paper page, or of a study, as one digest. Numbers
-// saved with another digest belong to another version of the code.
+// saved with another digest belong to another version of the code. Comments do not count.
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { relative, sep } from 'node:path';
@@ -11,14 +11,25 @@ import { filesBelow, root } from './shell.mjs';
  */
 const ofReport = ['src', 'wasm/peers', 'web/paper'];
 
-/** The SHA-256 of files: `[name, text]` pairs, in any order and with any line ends. */
+/** Strings, which may look like comments, and comments. */
+const stringOrComment =
+  /"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'|`(?:\\.|[^`\\])*`|\/\/[^\n]*|\/\*[\s\S]*?\*\//g;
+
+/** The lines of a file without comments and without the space around them. */
+function codeOf(text) {
+  const code = text.replace(stringOrComment, (part) => (part.startsWith('/') ? '' : part));
+  const lines = code.split('\n').map((line) => line.trim());
+  return lines.filter((line) => line !== '').join('\n');
+}
+
+/** The SHA-256 of the code of files: `[name, text]` pairs, in any order. */
 export function digestOf(files) {
   const hash = createHash('sha256');
   const byName = (a, b) => (a[0] < b[0] ? -1 : 1);
   for (const [name, text] of files.toSorted(byName)) {
-    const lines = text.replaceAll('\r\n', '\n');
+    const code = codeOf(text);
     // Lengths keep the end of one file from being mistaken for the beginning of the next.
-    hash.update(`${name}\n${lines.length}\n${lines}`);
+    hash.update(`${name}\n${code.length}\n${code}`);
   }
   return hash.digest('hex');
 }

@@ -146,6 +146,20 @@ describe('numbers older than the code that they judge', () => {
     assert.match(sourcesDigest(), /^[0-9a-f]{64}$/);
   });
 
+  test('have a digest that does not depend on comments, but on strings that look like them', () => {
+    const digest = (text) => digestOf([['a.h', text]]);
+    const code = 'f("a // b");\nconst x = 1;\n';
+    const commented = '/// Says f.\n/* and\nmore */ f("a // b");  // "here"\n\n  const x = 1;\n';
+    assert.equal(digest(commented), digest(code));
+    for (const [from, to] of [
+      ['// b', '// c'],
+      ['x = 1', 'x = 2'],
+      ['f(', '// f('],
+    ]) {
+      assert.notEqual(digest(code.replace(from, to)), digest(code));
+    }
+  });
+
   test('are reported by the page, which is built with the digest of its sources', async () => {
     const command = { command: 'build', mode: 'production' };
     const { config } = await loadConfigFromFile(command, inRoot('vite.config.ts'));
