@@ -88,6 +88,12 @@ async function lookFurther(browser, tab, look) {
       await look('an offset with two distances', made);
       await made.page.locator('#stage').press('Control+z');
     }
+    if (maker === 'Cut') {
+      await made.page.getByRole('button', { name: 'Delete Part 1' }).click();
+      await made.settled();
+      await look('a deleted part', made);
+      await made.page.locator('#stage').press('Control+z');
+    }
     await made.page.locator('#stage').press('Control+z');
   }
   await made.page.locator('#view').click();

@@ -137,9 +137,7 @@ export class CutPanel {
     const dot = make('i');
     dot.style.background = partColor(i);
     const facts = `${formatArea(area, this.#unit)} · ${solid}`;
-    // Two long facts take two lines, broken between them.
-    const short = facts.replaceAll(/(?<!·) (?!·)/g, '\u00a0');
-    main.append(dot, make('span', name), make('small', short));
+    main.append(dot, make('span', name), make('small', facts));
     main.title = `Area ${facts}; ${formatCount((part.thick ?? part).triangles.length / 3, 'triangle')}, ${closed ? 'closed: it can be printed' : 'open: give it a thickness to print it'}`;
     const button = (className: string, label: string, icon: string, act: () => void) => {
       const made = make('button', '', { type: 'button', className, title: label });

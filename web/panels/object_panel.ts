@@ -16,7 +16,7 @@ import {
   surfaceWidths,
   widthRange,
 } from '../model/drawing';
-import { emptyFigure, type Figure, type FillRule, isEmpty } from '../model/figure';
+import { emptyFigure, type Figure, type FillRule, isEmpty, isRound } from '../model/figure';
 import { longestName, shortened } from '../model/names';
 import type { Unit } from '../model/units';
 import { EditedField } from './edited_field';
@@ -338,7 +338,10 @@ export class ObjectPanel {
     for (const id of ['line-style', 'line-opacity', 'fill-line', 'pattern-line']) {
       byId(id).hidden = isCut;
     }
-    this.#showRule(objects.filter((object) => object.fill > 0 && object.figure.kind !== 'cut'));
+    this.#showRule(
+      objects.filter((object) => object.fill > 0 && object.figure.kind !== 'cut'),
+      selected,
+    );
     const color = selected > 0 ? common('color') : undefined;
     for (const swatch of this.#swatches) {
       const isShown = color !== undefined && (swatch.dataset.color || null) === color;
@@ -357,18 +360,23 @@ export class ObjectPanel {
     this.#otherSide.disabled = selected === 0 || !objects.some(hasOtherSide);
   }
 
-  /** Shows the rule of filled objects; derived objects have that of their sources. */
-  #showRule(filled: readonly DrawnObject[]): void {
-    const own = filled.filter(({ figure }) => !isDerived(figure.kind));
+  /**
+   * Shows the rule of filled objects. Derived objects have that of their sources, and round ones do
+   * not cross themselves.
+   */
+  #showRule(filled: readonly DrawnObject[], selected: number): void {
+    const own = filled.filter(({ figure: { kind } }) => !isDerived(kind) && !isRound(kind));
     const rules = new Set(own.map(({ figure }) => figure.rule ?? 'evenOdd'));
     const [rule, ...others] = rules;
-    byId('rule-line').hidden = filled.length === 0;
+    byId('rule-line').hidden = filled.length === 0 || selected === 0;
     showShared(this.#rule, others.length > 0 ? undefined : (rule ?? 'evenOdd'));
     this.#rule.disabled = own.length === 0;
     this.#rule.title =
       own.length > 0
         ? 'Even-odd: every second area from the outside; nonzero: every area that the line goes round'
-        : 'What it is made of has the rule';
+        : filled.some(({ figure }) => isDerived(figure.kind))
+          ? 'What it is made of has the rule'
+          : 'Its line does not cross itself';
   }
 
   #makeSwatch(color: string | null, title: string): HTMLButtonElement {

@@ -66,8 +66,12 @@ export class TransformPanel {
 
   /** Shows the size of the frame's contents. No scale gives length to a side without extent. */
   showSize(size: Size | null): void {
-    this.#width.show(size?.width || null);
-    this.#height.show(size?.height || null);
+    const { width = 0, height = 0 } = size ?? {};
+    // Both sides have the decimals of the longer one: a line without a width has no rounding's width.
+    const last = 10 ** (Math.floor(Math.log10(Math.max(width, height))) - 3);
+    const rounded = (side: number) => last * Math.round(side / last) || null;
+    this.#width.show(rounded(width));
+    this.#height.show(rounded(height));
   }
 
   showUnit(unit: Unit): void {
