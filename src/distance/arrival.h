@@ -13,12 +13,13 @@ struct Arrival {
   int pseudoSource = -1;  ///< the last vertex at which the path turns, or -1 if it is straight
 };
 
-/// The largest miss, as a part of the edge, with which a line still counts as a line through a
-/// window.
+/// A line that misses a window by at most this length, relative to the edge, counts as a line
+/// through the window.
 inline constexpr double kSeenTolerance = 1e-10;
 
-/// The length of a path with a slight bend at the end of a window, for comparisons. A straight path
-/// of the same length wins, since its direction is exact.
+/// The length, for comparisons, of a path with a slight bend at the end of a window. It is
+/// increased by rounding, so that a straight path of the same length wins, since its direction is
+/// exact.
 inline double bentLength(double length) { return length * (1 + kLocalRounding); }
 
 /// Whether two lengths differ only by rounding. If so, the numbers of the mesh's elements decide

@@ -45,7 +45,7 @@ class Worker {
   WindowDistance solver_;
 };
 
-/// Threads that the end of the block joins, even if an exception leaves it.
+/// Threads that the destructor joins, so that they end even if an exception leaves the block.
 class Joined {
  public:
   Joined() = default;

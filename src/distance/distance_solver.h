@@ -17,8 +17,8 @@ struct MidpointArrival {
   Vec2 toSource = Vec2(1, 0);
 };
 
-/// The last step of the path to a vertex. It starts from the point at `part` of the line from
-/// `tail` to `head`, two neighbours of the vertex.
+/// The last step of the path to a vertex. It starts on the line between two neighbours of the
+/// vertex, at the ratio `part` of the way from `tail` to `head`.
 struct PathStep {
   int tail = -1;  ///< the neighbour at `part` 0, or -1 at the source
   int head = -1;
@@ -43,9 +43,10 @@ class DistanceSolver {
   /// mesh that the previous search reached.
   virtual void setSource(const SurfacePoint& source) = 0;
 
-  /// From the next `setSource` on, allows the solver to omit places from which the straight line to
-  /// the ball is too long. Distances of points in the ball are then right up to `mostLength`; all
-  /// others are upper bounds, whatever `reached` returns.
+  /// From the next `setSource` on, allows the solver to omit places over which a path to the aim's
+  /// ball would be longer than `mostLength`, even if it went straight through space from there.
+  /// Distances of points in the ball are then right up to `mostLength`. All other distances are
+  /// upper bounds, whatever `reached` returns.
   virtual void aimAt(const std::optional<PathAim>&) {}
 
   /// Works until all vertices within `radius` (any number up to kInfinity) are final.
@@ -80,7 +81,7 @@ class DistanceSolver {
   /// half-edges. The arrival is final once its distance is <= reached(). Requires `keepMidpoints`.
   virtual MidpointArrival midpointOf(int) const { return {}; }
 
-  /// The approximate number of bytes of its values.
+  /// The approximate memory of the solver's values, in bytes.
   virtual int64_t bytesHeld() const = 0;
   DistanceSolver& operator=(const DistanceSolver&) = delete;
 

@@ -8,7 +8,8 @@
 namespace karcher {
 namespace {
 
-/// Writes to each point the least length of a path from a face's images or over its corners.
+/// Writes, for each point, the length of the shortest path from an image in the point's face or
+/// over a corner of the face.
 void writeLengths(const Geometry& geometry, const WindowDistance& distance,
                   const Array<SurfacePoint>& points, Array<double>& lengths) {
   Array<const SourceImage*> images;
@@ -50,7 +51,8 @@ Array<double> exactLengths(const Geometry& geometry, const SurfacePoint& source,
   writeLengths(geometry, distance, points, lengths);
   const auto isBeyond = [&](double length) { return length > likely; };
   if (std::none_of(lengths.begin(), lengths.end(), isBeyond)) return lengths;
-  // Any path to a point bounds its length, so the search first reaches the face of each point.
+  // Any path to a point bounds its length, so the search first reaches the face of each point that
+  // has no path yet.
   for (int i = 0; i < points.count(); ++i) {
     if (lengths[i] == kInfinity) distance.growTo(geometry.mesh->corner(points[i].face, 0));
   }

@@ -5,8 +5,8 @@
 namespace karcher {
 
 /// The exact distances of points from a source by one search; kInfinity for unreachable ones.
-/// `likely` is an estimate of the largest distance. For points beyond it the search goes on as far
-/// as they need. Throws what `WindowDistance` throws.
+/// `likely` is an estimate of the largest distance. If points are farther away, the search goes on
+/// until it reaches them. Throws what `WindowDistance` throws.
 Array<double> exactLengths(const Geometry& geometry, const SurfacePoint& source,
                            const Array<SurfacePoint>& points, double likely);
 

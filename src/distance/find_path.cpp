@@ -16,12 +16,13 @@ constexpr double kNear = 100;
 /// The weight of searches between points that lie farther apart than kNear (strip_search.h).
 constexpr double kGreedyWeight = 1.2;
 
-/// The length, in mean edges, of the pieces in which the search improves paths between such points.
+/// The length, in mean edges, of the pieces in which the search improves a path.
 constexpr double kPiece = 24;
 
-/// An order of a path's ends that depends neither on its direction nor on the surface's position in
-/// space. First the weights of the points decide, then the angles at the first of their nearest
-/// vertices. If these are equal, the mesh's numbers decide.
+/// Whether a comes before b, in an order of a path's ends that depends neither on the path's
+/// direction nor on the surface's position in space. It compares the largest and then the smallest
+/// barycentric weights, then the total angles at the corners of the largest weights, and last the
+/// vertex and face numbers.
 bool isBefore(const Geometry& geometry, const SurfacePoint& a, const SurfacePoint& b) {
   const auto told = [&](const SurfacePoint& point) {
     int corner = 0;
@@ -83,10 +84,10 @@ class PathFinder {
     measure(mesh_, path_);
   }
 
-  /// Searches even pieces of the path again. The first piece has `first` times the length of the
-  /// others, or the same length if that is 0.
+  /// Searches the path again in pieces of equal length. The first piece has `first` times this
+  /// length, unless `first` is 0.
   void searchPieces(double first) {
-    // The points lie at one place but share no face.
+    // A path has no length if its points lie at one place but share no face.
     if (!(path_.length() > 0)) return;
     const int count = std::max(1, static_cast<int>(path_.length() / (kPiece * geometry_.meanEdge)));
     const double step = path_.length() / count;

@@ -9,16 +9,17 @@
 namespace karcher {
 namespace {
 
-/// The depth at which the joint window cuts off the kink where two windows meet, as a part of the
-/// kink's height over the chord between their outer ends. With this value the mean error of
-/// distances is about zero.
+/// The joint window cuts off the kink where two windows meet. This is the depth of the cut,
+/// relative to the kink's height over the chord between the windows' outer ends. With this value
+/// the mean error of distances is about zero.
 constexpr double kAboveKink = 0.25;
 
 /// The largest distance of a joint source, in widths of its window. Real fronts are never quite
 /// straight.
 constexpr double kFarthestSource = 1000;
 
-/// The slope of distances along the edge at x, which turns as the ray through x does.
+/// The slope of distances along the edge at x: the cosine of the angle between the ray through x
+/// and the edge.
 double slopeAt(const Window& w, double x) {
   return (x - w.sourceX) / std::sqrt(squaredLegTo(w, x));
 }
@@ -28,8 +29,8 @@ double excessAt(const Window& w, const Window& other, double x) {
   return distanceAt(w, x) - distanceAt(other, x);
 }
 
-/// The excess that is extreme between two places, or 0: where the line through both sources meets
-/// the edge, both have one slope.
+/// The extreme of the excess between two places, or 0 if there is none. It lies where the line
+/// through both sources meets the edge, since there both slopes are equal.
 double excessBetween(const Window& w, const Window& other, double from, double to) {
   const double x = (w.sourceX * other.depth - other.sourceX * w.depth) / (other.depth - w.depth);
   return from < x && x < to ? excessAt(w, other, x) : 0;
@@ -37,14 +38,14 @@ double excessBetween(const Window& w, const Window& other, double from, double t
 
 /// The original state of a window to which others were joined.
 struct Origin {
-  double change = 0;      ///< the sum of the changes of distances along the edge
-  double beginSlope = 0;  ///< the slope at its begin, if there is a change
+  double change = 0;      ///< a bound on the changes of distances along the edge so far
+  double beginSlope = 0;  ///< the slope at the window's begin, if there is a change
 };
 
-/// Joins two windows, neither of which contains the other, to one over both. Returns false if
-/// distances along the edge would change by more than the tolerance. The joint source keeps the
-/// distances at the two outer ends. Together with the distance where the windows meet, these give
-/// the front's curvature, and so the offset.
+/// Joins two windows, neither of which contains the other, to one over both. The joint source keeps
+/// the distances at the two outer ends. Together with the distance where the windows meet, these
+/// give the front's curvature, and so the offset. Returns false if distances along the edge would
+/// change by more than the tolerance, or if there is no such source.
 bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& origin) {
   const double tolerance = edge.tolerance - origin.change;
   const double begin = first.begin;
@@ -101,7 +102,7 @@ bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& o
   if (!(beginLeg >= 0 && endLeg >= 0 && squaredDepth >= 0)) return false;
   joint.sourceX = begin + x;
   joint.depth = std::sqrt(squaredDepth);
-  // Each side of the middle is compared with the window that it was.
+  // On each side of the middle, the joint window is compared with the window that was there.
   const double firstEnd = std::min(first.end, middle);
   const double secondBegin = std::max(second.begin, middle);
   for (const double excess :
@@ -115,8 +116,8 @@ bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& o
   return true;
 }
 
-/// By how much a wider window lengthens the distances of one that lies in it; kInfinity if it
-/// reaches less far behind an end of both.
+/// The largest amount by which a wider window lengthens the distances of a window that lies in it;
+/// kInfinity if the two share an end behind which the wider window reaches less far.
 double excessOf(const Window& wider, const Window& window, const JoinedEdge& edge) {
   const auto steeper = [&](double x) { return slopeAt(wider, x) - slopeAt(window, x); };
   const bool reaches = (window.begin > wider.begin || steeper(window.begin) <= edge.turn) &&
@@ -132,7 +133,7 @@ bool isBefore(const Window& a, const Window& b) {
          std::tie(b.end, b.sourceX, b.depth, b.offset);
 }
 
-/// Most batches have few windows, for which this sort is fastest.
+/// Most batches have few windows, for which insertion sort is fastest.
 void sortByPlace(Array<Window>& windows) {
   constexpr int kFew = 16;
   if (windows.count() > kFew) {

@@ -12,7 +12,7 @@ struct JoinedEdge {
       0;  ///< the change of slope by which the rays at the ends of windows may turn inwards
 };
 
-/// Joins windows, at least one, and removes those that lie in others.
+/// Joins windows and removes those that lie in others. Requires at least one window.
 void joinWindows(const JoinedEdge& edge, Array<Window>& windows);
 
 }  // namespace karcher

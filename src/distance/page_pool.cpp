@@ -8,11 +8,11 @@
 namespace karcher {
 namespace {
 
-/// If no page is spare, the pool allocates one block of 1 / kGrowth of the pages that it has, plus
-/// one.
+/// If no page is spare, the pool allocates a block. Its number of pages is 1 / kGrowth of the
+/// present number, plus one.
 constexpr int kGrowth = 8;
 
-/// The number of page numbers in the first reservation of memory.
+/// The number of page numbers for which an array first reserves memory.
 constexpr size_t kFirstNumbers = 64;
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace karcher {
 
-/// Memory for the pages of paged arrays. A page that one array returns serves the next one. So
-/// fields that move over a surface take new memory only when all of them together need more than
+/// Memory for the pages of paged arrays. A page that one array returns is used again by the next.
+/// So fields that move over a surface take new memory only when all of them together need more than
 /// ever before.
 class PagePool {
  public:
@@ -33,7 +33,7 @@ class PagePool {
   struct Block {
     std::byte* memory;
     int pages;
-    int spare;  ///< the number of its spare pages, which `trim` counts
+    int spare;  ///< the number of the block's spare pages, which `trim` counts
   };
   /// The pages of one size.
   struct Shelf {
@@ -48,7 +48,7 @@ class PagePool {
   static void trim(Shelf& shelf) noexcept;
   static void put(Shelf& shelf, void* page) noexcept;
 
-  /// The most sizes of pages that arrays of one pool may have.
+  /// The largest number of page sizes in one pool.
   static constexpr int kSizes = 8;
 
   Shelf shelves_[kSizes];

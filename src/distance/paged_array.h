@@ -40,7 +40,7 @@ class PagedArray {
   }
 
   /// Calls visit(i) for the number of every existing element, including untouched ones of touched
-  /// pages.
+  /// pages. Requires that no page was dropped since `clear`.
   template <class Visit>
   void forEach(const Visit& visit) const {
     for (const int page : used_) {
@@ -59,7 +59,7 @@ class PagedArray {
     used_.clear();
   }
 
-  /// Removes the elements of a page, given by one of them, if there are any.
+  /// Removes the page of element i, if it exists.
   void drop(int i) {
     void* const page = std::exchange(pageOf_[i >> kPageBits], nullptr);
     if (page == nullptr) return;
@@ -82,7 +82,9 @@ class PagedArray {
 
   int count_;
   Array<T*> pageOf_;
-  Array<int> used_;  ///< the numbers of pages; those that were dropped may come again
+  /// the numbers of pages in the order of their creation; a dropped page stays, and occurs again
+  /// if it is created again
+  Array<int> used_;
   size_t held_ = 0;
   std::shared_ptr<PagePool> pool_;
 };

@@ -21,8 +21,8 @@ Vec2 wayThrough(const Window& window, bool isFront, double x) {
   return isFront ? Vec2(window.sourceX, window.depth) : Vec2(x - window.sourceX, window.depth);
 }
 
-/// Trims the part of a window that paths over the ends of an edge of this length beat. Returns
-/// false if nothing remains.
+/// Trims the part of a front's window where paths over an end of its edge are shorter. `length` is
+/// the edge's. Returns false if nothing remains.
 bool trimFront(Window& window, double tailDistance, double headDistance, double length) {
   const double slope = window.sourceX;
   const double tail = beatingLength(tailDistance);
@@ -151,8 +151,8 @@ void PathDistance::carryAcross(const Waiting& waiting) {
     carried.depth = waiting.isFront ? seen.y() : std::max(0.0, -seen.y());
     if (waiting.isFront && !(seen.y() > 0)) continue;
     if (waiting.isFront) carried.offset = window.offset + source.dot(from);
-    // The vertex at the other end of the edge that the window crossed may beat all of it. If so,
-    // the window ends here.
+    // Paths over the other end of the crossed edge may be shorter than all paths of the window. If
+    // so, the window ends here.
     const double far = arrivals_[isHead ? mesh_.tail(h) : mesh_.head(h)].distance;
     const Vec2 farPlace = isHead ? Vec2(0, 0) : Vec2(length, 0);
     const double farEnd = isHead ? carried.end : carried.begin;
@@ -260,7 +260,7 @@ Array<double> distancesFromPaths(const Geometry& geometry, std::span<const Surfa
     for (int i = 0; i < distances.count(); ++i) {
       if (distances[i] < kInfinity) continue;
       const double distance = field.at(points[static_cast<size_t>(i)]).value;
-      // A distance beyond the limit may be that of a longer path.
+      // A distance beyond the limit may not be the least.
       if (distance <= limit) {
         distances[i] = distance;
       } else {

@@ -9,38 +9,40 @@
 #include "intrinsic/surface_path.h"
 
 /// Exact geodesic distances from paths, up to a limit. If the places of the paths have widths,
-/// distances are those from the disks around them with these radii, plus the greatest radius.
+/// these are the radii of disks around the places. Distances are then those from the disks, plus
+/// the greatest radius.
 ///
 /// A shortest connection to a path meets it at a right angle, or at a point where the path turns or
 /// ends, in the wedge between the right angles there. So each straight piece of a path sends out a
 /// front to both of its sides, and each turn a fan. Both travel from face to face as windows (D.
 /// Bommes, L. Kobbelt, "Accurate computation of geodesic distance fields for polygonal curves on
-/// triangle meshes", 2007). As in window_distance.h, vertices that beat windows trim or end them,
-/// and vertices of negative curvature send out fans behind them. Every face keeps the images of the
-/// paths that it sees, from which the distance of any point follows.
+/// triangle meshes", 2007). As in window_distance.h, vertices with shorter paths trim or end
+/// windows, and vertices of negative curvature send out fans behind them. Every face keeps the
+/// images of the paths that it sees, from which the distance of any point follows.
 ///
 /// Where the width changes along a piece, its fronts are tilted: the cosine of their angle with the
 /// piece is the rate at which the width decreases. If the width changes by the length of a piece or
-/// more, the piece lies in the disk of one of its ends. The fan of that end then takes the place of
-/// its fronts.
+/// more, the piece lies in the disk of one of its ends. The fan of that end then replaces the
+/// piece's fronts.
 namespace karcher {
 
 /// The side of a path from which a shortest connection arrives; kEnd if it arrives around an end.
 enum class SideOfPath : int8_t { kLeft = 1, kRight = -1, kEnd = 0 };
 
 /// The points of a path. If a point equals the previous one up to rounding, it is omitted, since
-/// directions between them would have no digits. Throws Error kBadArgument if the path has no
+/// the direction between them would be rounding noise. Throws Error kBadArgument if the path has no
 /// length, or if consecutive points have no face in common; `number` names the path.
 Array<SurfacePoint> pointsApart(const Geometry& geometry, const SurfacePath& path, int number);
 
 class PathDistance {
  public:
   /// Finds the distances of all points that are at most `limit` away. The geometry must outlive the
-  /// object. `widths` are those at equal parts of the length of each path, linear between; on a
-  /// closed path the first follows the last. The distance is then the least sum, over all places of
-  /// the paths, of the distance from the place and the difference between the greatest width and
-  /// the place's. Throws Error kBadArgument if a path has no length, if consecutive points have no
-  /// face in common, or if the search needs more than kMostWindowsPerFace windows for each face.
+  /// object. `widths` belong to places at equal steps of length along each path, and are linear in
+  /// between; on a closed path the last is followed by the first. The distance of a point is then
+  /// the least value of d + W - w over all places of the paths: d is the distance from the place, w
+  /// the width there, and W the greatest width. Throws Error kBadArgument if a path has no length,
+  /// if consecutive points have no face in common, or if the search needs more than
+  /// kMostWindowsPerFace windows for each face.
   PathDistance(const Geometry& geometry, std::span<const SurfacePath> paths, double limit,
                std::span<const double> widths = {});
 
@@ -51,11 +53,11 @@ class PathDistance {
 
   /// The distance of a position in the frame of a face.
   Distance at(int face, const Vec2& place) const;
-  /// The distance of a point, by all faces that contain it.
+  /// The distance of a point: the least over all faces that contain it.
   Distance at(const SurfacePoint& point) const;
   double atVertex(int vertex) const { return arrivals_[vertex].distance; }
 
-  /// The faces within the limit, in the order in which the search reached them.
+  /// The faces within the limit, in ascending order.
   const Array<int>& faces() const { return faces_; }
 
  private:
@@ -67,7 +69,8 @@ class PathDistance {
     double offset = 0;
     double least = 0;            ///< a lower bound on the distances through it
     Vec2 source = Vec2::Zero();  ///< the direction of a front, of length 1
-    /// the right end of the line from which a front starts; for a fan, a unit vector
+    /// for a front, the right end of the line from which it starts; for a fan, a unit vector along
+    /// its right side
     Vec2 right = Vec2::Zero();
     Vec2 left = Vec2::Zero();
   };
@@ -117,13 +120,13 @@ class PathDistance {
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
   double limit_;
-  std::span<const double> widths_;  ///< during the construction of the object
+  std::span<const double> widths_;  ///< the widths, only during construction
   Array<VertexArrival> arrivals_;
   std::priority_queue<Waiting> queue_;
   int count_ = 0;
   Array<Image> images_;
   Array<int> faces_;
-  /// the first image of each entry of `faces_`, and the end of the last one's
+  /// the index of the first image of each face in `faces_`, and the number of images
   Array<int> firstOfFace_;
 };
 

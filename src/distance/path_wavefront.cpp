@@ -41,15 +41,15 @@ Array<SurfacePoint> pointsApart(const Geometry& geometry, const SurfacePath& pat
   return apart;
 }
 
-/// The number of parts of a path along which the width is linear; 0 for a single width.
+/// The number of parts of a path along which the width is linear; 0 for fewer than two widths.
 int PathDistance::partsOf(const SurfacePath& path) const {
   const int count = static_cast<int>(widths_.size());
   if (count < 2) return 0;
   return samePlace(mesh_, path.points.front(), path.points.back()) ? count : count - 1;
 }
 
-/// The distance of a place of a path, at a length along the path: the difference between the
-/// greatest width and its own.
+/// The distance at which the fronts start from a path's place at a given length: the greatest width
+/// minus the width there.
 double PathDistance::startAt(const SurfacePath& path, double length) const {
   const int parts = partsOf(path);
   if (parts == 0) return 0;
@@ -67,7 +67,7 @@ double PathDistance::growthAfter(const SurfacePath& path, int index) const {
   return (startAt(path, to) - startAt(path, from)) / (to - from);
 }
 
-/// A path with points where the width bends.
+/// The path with additional points where the slope of the width changes.
 SurfacePath PathDistance::bentPath(const SurfacePath& path, int number) const {
   SurfacePath bent = pathThrough(mesh_, pointsApart(geometry_, path, number));
   const int parts = partsOf(bent);
@@ -102,7 +102,7 @@ void PathDistance::leavePath(const SurfacePath& path) {
     const SurfacePoint b = inFace(mesh_, points[i + 1], face);
     const double start = startAt(path, path.lengths[i]);
     const double growth = growthAfter(path, i);
-    // The face, and the one beyond an edge that the piece lies on.
+    // The piece's face, and if the piece lies on an edge also the face beyond it.
     for (int k = -1; k < 3; ++k) {
       if (k >= 0 && (a.bary[k] != 0 || b.bary[k] != 0)) continue;
       const int other = k < 0 ? 3 * face : mesh_.twin[next(3 * face + k)];
@@ -179,8 +179,8 @@ void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, double
 /// its pieces there.
 void PathDistance::leaveTurn(const SurfacePath& path, int index) {
   struct Piece {
-    double angle = 0;    ///< its direction
-    double opening = 0;  ///< the angle of its fronts with it
+    double angle = 0;    ///< the piece's direction
+    double opening = 0;  ///< the angle between the piece and its fronts
   };
   const Array<SurfacePoint>& points = path.points;
   const int last = points.count() - 1;
@@ -201,7 +201,7 @@ void PathDistance::leaveTurn(const SurfacePath& path, int index) {
   }
   if (!hasAhead) ahead = back;
   if (!hasBack) back = ahead;
-  // Adjacent windows of one front differ by rounding. The windows beside such a gap find paths
+  // Rounding leaves gaps between adjacent windows of one front. The windows beside a gap find paths
   // through it, with an error of second order.
   const auto leave = [&](double from, double to, SideOfPath side) {
     if (to - from > kChainRounding) leaveFan(fan, from, to, start, side);

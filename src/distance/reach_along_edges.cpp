@@ -29,7 +29,7 @@ void WindowDistance::reachAlongEdges() {
       reach(mesh_.opposite(h), geometry_.edgeLength[via], h, 0);
     }
   };
-  // Windows come first: paths along edges reach only vertices without one.
+  // Windows come first: paths along edges start only at vertices with an unreached neighbour.
   Array<int> reached;
   vertices_.forEach([&](int v) {
     if (vertices_.touch(v).arrival.distance == kInfinity) return;

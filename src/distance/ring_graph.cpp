@@ -37,8 +37,8 @@ bool RingGraphBuilder::advance(int vertices) {
   return nextVertex_ == count;
 }
 
-/// Grows the arrays to the estimated size of the whole graph. Doubled arrays would take twice the
-/// memory on a large mesh.
+/// Grows the arrays to the estimated size of the whole graph. Arrays that grow by doubling could
+/// take twice the memory on a large mesh.
 void RingGraphBuilder::makeRoom(size_t arcs) {
   const size_t needed = graph_.target.size() + arcs;
   if (needed <= graph_.target.capacity()) return;

@@ -13,20 +13,22 @@
 namespace karcher {
 namespace {
 
-/// The largest relative difference between the length of a path's points and its distance.
+/// The largest relative difference between the length measured along a path's points and the path's
+/// distance.
 [[maybe_unused]] constexpr double kSameMeasure = 1e-6;
 
-/// The vertex through which a straight piece may go at a walk's point, or -1. Its distance from the
-/// point may be ten times kSeenTolerance, since windows see past their ends.
+/// The vertex at a point of a walk, through which the straight piece may go; -1 if there is none.
+/// The vertex may lie ten times kSeenTolerance from the point, since windows see past their ends.
 int vertexAt(const Geometry& geometry, const SurfacePoint& point) {
   int corner = 0;
   if (point.bary.maxCoeff(&corner) < 1 - kChainRounding) return -1;
   return geometry.mesh->corner(point.face, corner);
 }
 
-/// Appends the points of a straight piece that starts `left` from the source, without its first, up
-/// to the first saddle. A saddle has no unique straight continuation, so the path continues with
-/// the saddle's own shortest path. Returns that vertex, or -1 if the piece is complete.
+/// Appends the points of a straight piece up to the first saddle, without the piece's first point.
+/// The piece starts at the distance `left` from the source. A saddle has no unique straight
+/// continuation, so the path continues with the saddle's own shortest path. Returns the saddle, or
+/// -1 if the piece is complete.
 int appendUpToSaddle(const Geometry& geometry, const WindowDistance& distance,
                      const SurfacePath& path, double left, Array<SurfacePoint>& points) {
   const SurfacePoint start = path.start();

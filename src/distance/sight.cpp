@@ -15,18 +15,18 @@ constexpr int kMostBends = 8;
 /// side of a vertex.
 constexpr int kMostWalks = 6;
 
-/// The ratio of a path's length to the line in space above which the search compares it with paths
-/// to either side: over a ridge, or around a limb, several paths are straight.
+/// If the ratio of a path's length to the line in space is above this, the search compares the path
+/// with paths to either side: over a ridge, or around a limb, several paths are straight.
 constexpr double kSmallDetour = 1.1;
 constexpr double kAside = 0.7;  ///< an angle in radians
-/// The ratio of a path's length to the line in space above which the search rejects it, since it
-/// may not be the shortest. The search also rejects a compared path that passes a vertex of the
-/// curvature kSharp.
+/// If the ratio of a path's length to the line in space is above this, the search rejects the path,
+/// since it may not be the shortest. The search also rejects all paths if one that it compares
+/// passes a vertex of more than the curvature kSharp.
 constexpr double kMostDetour = 1.4;
 constexpr double kSharp = 0.25;  ///< an angle in radians
 
-/// The strip of faces between a source and a vertex, unfolded in the frame of the source's face
-/// with the source at the origin, and the path in it.
+/// The strip of faces between a source and a vertex, and the path in it. The strip is unfolded in
+/// the frame of the source's face, with the source at the origin.
 class SightLine {
  public:
   SightLine(const Geometry& geometry, const SightSource& source, int vertex)
@@ -87,9 +87,9 @@ class SightLine {
     return projected * (vector.norm() / projected.norm());
   }
 
-  /// Follows the line to an aim across faces up to one with the vertex. If the aim lies in an
-  /// earlier face, `leaving_` is negative and `better_` leads from the aim to a better one. Returns
-  /// false if the line cannot continue.
+  /// Follows the line to an aim across faces, up to a face with the target vertex. If the aim lies
+  /// in an earlier face, `leaving_` is negative and `better_` leads from the aim to a better one.
+  /// Returns false if the line cannot continue.
   bool follow(const Vec2& aim) {
     leaving_ = -1;
     sideCount_ = 0;
@@ -130,7 +130,7 @@ class SightLine {
     edge_ = edge;
   }
 
-  /// Improves an aim on this side of half-edge h, whose ends are `right` and `left`, in its face.
+  /// Improves an aim that lies in the face of half-edge h, whose ends are at `right` and `left`.
   bool aimBetter(int h, const Vec2& right, const Vec2& left, const Vec2& aim) {
     const int f = faceOf(h);
     // The rotation from the face's frame to the source's.
@@ -250,7 +250,7 @@ class SightLine {
   int leaving_ = -1;            ///< the half-edge that leaves the vertex in the last face
   Vec2 at_ = Vec2::Zero();      ///< the place of the vertex
   Vec2 better_ = Vec2::Zero();  ///< the vector from the aim to a better one
-  Vec2 edge_ = Vec2::Zero();    ///< the vector of the half-edge
+  Vec2 edge_ = Vec2::Zero();    ///< the vector of the half-edge `leaving_`
 };
 
 }  // namespace
@@ -269,8 +269,8 @@ SightSource sourceInFace(const Geometry& geometry, const SurfacePoint& point) {
   return source;
 }
 
-/// Whether paths to a vertex leave a source, itself at a vertex, into the source's face: seen along
-/// the normal, the vertex lies in the face's corner.
+/// Whether paths from a source at a vertex to another vertex begin in the source's face: seen along
+/// the face's normal, the other vertex lies in the angle of the face's corner at the source.
 bool isAhead(const Geometry& geometry, const SightSource& source, int vertex) {
   const Vec3 way = geometry.mesh->positions[vertex] - source.position;
   const Vec2 aim(way.dot(source.x), way.dot(source.y));

@@ -4,15 +4,15 @@
 
 #include "distance/distance_solver.h"
 
-/// Straight paths to near vertices. A search finds each by itself, so that a few of them cost less
-/// than a solver that grows over all vertices between. It unfolds the faces along the line in
-/// space, and pulls the path tight between the sides of this strip. Then it leads the strip around
-/// the other side of a vertex as long as that makes the path shorter. This is the algorithm of
+/// Straight paths to near vertices. Each search finds one path, so that a few paths cost less than
+/// a solver that grows over all vertices in between. It unfolds the faces along the line in space,
+/// and pulls the path tight between the sides of this strip. Then it leads the strip around the
+/// other side of a vertex as long as that makes the path shorter. This is the algorithm of
 /// strip_path.h, but it uses only the stack and finds only the length and the direction.
 ///
 /// Among several straight paths it usually finds the shortest. For vertices up to 6 edges away, the
 /// share of paths that are a thousandth too long is 0 on stanford-bunny, .07 % on armadillo, and .2
-/// % on spot, whose ears are thin. They are too long by at most a quarter.
+/// % on spot, whose ears are thin. These paths are too long by at most a quarter.
 namespace karcher {
 
 /// The most faces that a path crosses. Solvers find paths that cross more.

@@ -15,16 +15,16 @@ struct SourceImage {
   int face = -1;
   Vec2 source = Vec2::Zero();
   double offset = 0;      ///< the distance of the point that the image represents
-  int pseudoSource = -1;  ///< this point, if it is a vertex at which paths turn
-  /// The paths lie in a sector, counterclockwise from the unit vector `right` to `left`; in all
-  /// directions if the image lies in the face itself.
+  int pseudoSource = -1;  ///< this point if it is a vertex, else -1
+  /// The paths lie in a sector, counterclockwise from the unit vector `right` to `left`. If
+  /// `isFull`, the source itself lies in the face, and paths leave it in all directions.
   Vec2 right = Vec2(1, 0);
   Vec2 left = Vec2(1, 0);
   bool isFull = false;
 };
 
-/// The length of the path from an image to a point of its face, given in the face's frame;
-/// kInfinity if the image does not see the point.
+/// The length of the path through an image to a point of its face, from the source on. The point is
+/// in the face's frame. The length is kInfinity if the image does not see the point.
 double lengthFrom(const SourceImage& image, const Vec2& point);
 
 /// The images with paths to points at one distance from the source, or to points of given faces.
@@ -52,14 +52,15 @@ class SourceImages {
   void addSource(int face, const SurfacePoint& source);
   /// Adds the sources of windows that cross the face of half-edge h, if the face may have points at
   /// the distance. An image without such points may still matter where its paths are shorter than
-  /// another's. `tailDistance` is that of h's tail.
+  /// another's. `tailDistance` is the distance of h's tail.
   void addWindows(int h, const Array<Window>& windows, double tailDistance);
-  /// Adds a vertex at `distance` at which paths turn, for the corner of half-edge h between the
-  /// angles `from` and `to`, measured from h.
+  /// Adds the tail of half-edge h, a vertex at `distance` from the source that sends out paths.
+  /// These leave in the corner of h between the angles `from` and `to`, measured from h.
   void addCorner(int h, double distance, double from, double to);
 
  private:
-  /// Whether a face has no relevant points, if all of its points lie between two distances.
+  /// Whether a face has no relevant points. All of its points have distances between `nearest` and
+  /// `farthest`.
   bool isNotAsked(int face, double nearest, double farthest) const {
     if (!faces_.empty()) return !std::binary_search(faces_.begin(), faces_.end(), face);
     return nearest > distance_ || farthest < distance_;

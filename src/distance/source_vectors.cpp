@@ -39,8 +39,9 @@ void SourceVectors::know(int vertex, const Vec2& vector) {
 }
 
 const Vec2& SourceVectors::at(const DistanceSolver& solver, int vertex) {
-  // The loop visits each vertex once, so that it ends. If rounding makes two paths come from each
-  // other's vertices, only the other end of the edge counts.
+  // The loop visits each vertex once, so that it ends. By rounding, each of two vertices may be an
+  // end of the edge from which the other's path comes. Only the other end of one of these edges
+  // then counts.
   ask(solver, vertex);
   while (!asked_.empty()) {
     const Asked last = asked_.back();

@@ -19,9 +19,8 @@ class SourceVectors {
   /// Changes the source. At a vertex the vectors are in its tangent plane (tangent.h).
   void setSource(const SurfacePoint& source);
 
-  /// The log of a vertex at the source, in the source's tangent plane: that of its face, or of its
-  /// vertex. The solver must have the same source, implement `stepTo`, and have grown to the
-  /// vertex.
+  /// The log of a vertex at the source, in the tangent plane of the source's face or vertex. The
+  /// solver must have the same source, implement `stepTo`, and have grown to the vertex.
   const Vec2& at(const DistanceSolver& solver, int vertex);
 
  private:

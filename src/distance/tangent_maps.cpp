@@ -48,8 +48,8 @@ LinePoint linePointAt(const Geometry& geometry, const SurfacePath& line, double 
       "end");
 }
 
-/// The point of a line nearest to a point. The search goes on between the neighbours of the nearest
-/// of a dozen points of the line.
+/// The point of a line nearest to a point. The search compares a dozen points of the line, and goes
+/// on between the neighbours of the nearest.
 LinePoint footOn(const Geometry& geometry, const SurfacePath& line, const SurfacePoint& point,
                  FindPathWorkspace& workspace) {
   const double whole = line.length();
@@ -61,15 +61,16 @@ LinePoint footOn(const Geometry& geometry, const SurfacePath& line, const Surfac
     LinePoint candidate = at(whole * i / kParts);
     if (candidate.path.length() < best.path.length()) best = std::move(candidate);
   }
-  // The slope changes its sign between the best point and another one, unless that is an end beyond
-  // which the foot lies.
+  // The slope changes its sign between the best point and its neighbour, unless the neighbour is an
+  // end of the line and the foot lies beyond it.
   const bool isAhead = best.slope < 0;
   LinePoint other = at(isAhead ? std::min(whole, best.length + whole / kParts)
                                : std::max(0.0, best.length - whole / kParts));
   const bool isEnd =
       isAhead ? other.length == whole && other.slope < 0 : other.length == 0 && other.slope >= 0;
   if (isEnd) {
-    // The foot of a point on the perpendicular at an end may lie beyond it by rounding.
+    // If a point lies on the perpendicular at an end of the line, rounding may put its foot beyond
+    // the end.
     const double far = other.path.length();
     if (std::abs(other.slope) * far > kLocalRounding * (whole + far)) throwNoFoot();
     return other;

@@ -33,10 +33,10 @@ ExpMapped expMap(const Geometry& geometry, const SurfacePoint& from, const Vec2&
                  const Vec2& direction);
 
 /// Mirrors a point and a direction in a geodesic line. The path leads to the line's nearest point,
-/// is reflected there and continues by the same length. The search for the nearest point begins
-/// near the best of a dozen points of the line; there the path is perpendicular to the line, up to
-/// rounding. Throws Error kUnreachable as above, and kBadArgument if the line has no length, or if
-/// its nearest point is an end without a perpendicular to the point.
+/// is reflected there and continues by the same length. At the nearest point the path is
+/// perpendicular to the line, up to rounding. The search for this point begins near the best of a
+/// dozen points of the line. Throws Error kUnreachable as above, and kBadArgument if the line has
+/// no length, or if its nearest point is an end without a perpendicular to the point.
 ExpMapped mirrored(const Geometry& geometry, const SurfacePath& line, const SurfacePoint& point,
                    const Vec2& direction, FindPathWorkspace& workspace);
 

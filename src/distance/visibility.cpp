@@ -10,9 +10,9 @@ namespace {
 /// The limit for the windows of one call. Only a surface folded upon itself many times comes near.
 constexpr int kMostWindows = 200'000;
 
-/// The most edges of a vertex past which rings extend. All neighbours of a vertex with more edges
-/// would see each other, and the number of arcs would grow as the square of theirs. Paths to
-/// vertices behind it lead over the vertex, or from neighbour to neighbour.
+/// Rings extend past a vertex only if it has at most this number of edges. Otherwise all its
+/// neighbours would see each other, and the number of arcs would grow as the square of their
+/// number. Paths to vertices behind it lead over the vertex, or from neighbour to neighbour.
 constexpr int kMostEdges = 256;
 
 bool hasManyEdges(const TriangleMesh& mesh, int vertex) {
@@ -123,8 +123,8 @@ void Visibility::see(int vertex, double length, double direction) {
 
 void Visibility::addWindow(int h, Window window) {
   if (!allowed(mesh_.opposite(h))) return;
-  // No shortest path crosses a part of the edge that the path over one of its ends beats (Xin, Wang
-  // 2009).
+  // No shortest path crosses a part of the edge where the path over one of its ends is shorter
+  // (Xin, Wang 2009).
   const double length = geometry_.edgeLength[h];
   if (trimByTail(window, seen(mesh_.tail(h))) && trimByHead(window, seen(mesh_.head(h)), length) &&
       !isTooNarrow(window, kNarrowestWindow * length)) {

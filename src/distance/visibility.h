@@ -46,8 +46,8 @@ class Visibility {
 
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
-  /// The number of the last call that allowed each vertex and of the last that saw it. With these a
-  /// new call need not clear the arrays.
+  /// For each vertex, the numbers of the last call that allowed it and of the last call that saw
+  /// it. So a new call need not clear the arrays.
   Array<int> ringCall_;
   Array<int> sightCall_;
   Array<int> sightOf_;  ///< the number of each vertex in sights_

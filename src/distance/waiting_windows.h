@@ -10,14 +10,14 @@
 namespace karcher {
 
 /// The windows that wait at half-edges to be propagated across their faces. They lie along the
-/// wavefront, and so does their memory: what the wavefront has passed serves it again.
+/// wavefront, so memory that the wavefront has left behind is used again ahead of it.
 class WaitingWindows {
  public:
   WaitingWindows(int faceCount, std::shared_ptr<PagePool> pages)
       : pages_((faceCount >> kPageBits) + 1, std::move(pages)) {}
 
-  /// Adds a window that leaves the queue with `bucket`. Returns whether it is the first to leave of
-  /// those at its half-edge.
+  /// Adds a window that leaves the queue with `bucket`. Returns whether it leaves before all others
+  /// at its half-edge.
   bool add(int h, const Window& window, int bucket) {
     Page& page = pages_.touch(faceOf(h) >> kPageBits);
     int& first = page.firstAt(h);
@@ -37,7 +37,7 @@ class WaitingWindows {
     return bucket < before;
   }
 
-  /// Whether windows wait at half-edge h, the first of which leaves with this bucket.
+  /// Whether windows wait at half-edge h and the first of them leaves with this bucket.
   bool isDue(int h, int bucket) const {
     const Page* page = pages_.find(faceOf(h) >> kPageBits);
     if (page == nullptr) return false;
@@ -45,7 +45,7 @@ class WaitingWindows {
     return first >= 0 && blocks_[first].bucket == bucket;
   }
 
-  /// Moves the windows of a half-edge, at least one, to a batch.
+  /// Moves the windows of a half-edge to a batch. Requires at least one window.
   void take(int h, Array<Window>& batch) {
     const int number = faceOf(h) >> kPageBits;
     Page& page = pages_.touch(number);
@@ -78,7 +78,7 @@ class WaitingWindows {
     static constexpr int kCapacity = 8;
     int count = 0;
     int next = -1;
-    int bucket = 0;  ///< the bucket of the half-edge, in its first block
+    int bucket = 0;  ///< the least bucket of the half-edge's windows, in its first block
     Window windows[kCapacity];
   };
   /// The first blocks of the half-edges of 2^kPageBits faces, or -1.

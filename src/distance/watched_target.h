@@ -27,8 +27,7 @@ class WatchedTarget {
   bool liesIn(int face) const { return face == faces_[0] || face == faces_[1]; }
   const TargetArrival& best() const { return best_; }
 
-  /// Updates by the straight path through the corner of half-edge h, from its tail, which is at
-  /// `distance`.
+  /// Updates by the straight path from `vertex`, the tail of half-edge h, which is at `distance`.
   void arriveFromCorner(int h, int vertex, double distance);
   /// Updates by the path through a window of half-edge h.
   void arriveThrough(int h, const Window& window);

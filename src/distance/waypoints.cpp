@@ -7,10 +7,11 @@
 namespace karcher {
 namespace {
 
-/// The number of even parts of their lengths after which a comparison of two paths looks at them.
+/// The number of equal parts into which a comparison divides two paths. It compares them at the
+/// ends of the parts.
 constexpr int kComparedParts = 32;
 
-/// The largest distance between equal paths there, as a part of their length.
+/// The largest distance between equal paths at these places, relative to their length.
 constexpr double kSamePath = 1e-4;
 
 bool areAlike(const TriangleMesh& mesh, const SurfacePath& a, const SurfacePath& b) {

@@ -24,12 +24,12 @@ struct Window {
 /// surface whose shape is rounding noise comes near the limit.
 inline constexpr int kMostWindowsPerFace = 10'000;
 
-/// The least width of a window, or of the rest of one, as a part of its edge. The solver drops
-/// narrower ones; their neighbours find the region behind, with an error of second order in this
-/// number.
+/// The least width of a window, or of what a trim leaves of it, relative to its edge. The solver
+/// drops narrower windows; their neighbours find the region behind, with an error of second order
+/// in this number.
 inline constexpr double kNarrowestWindow = 1e-11;
 
-/// The length by which a path beats others: these must be longer by more than rounding.
+/// The length of a path, increased by rounding. Longer paths than this count as beaten by it.
 inline double beatingLength(double length) { return length * (1 + kLocalRounding); }
 
 inline double square(double x) { return x * x; }
@@ -63,15 +63,15 @@ inline Window mirrored(const Window& w, double length) {
   return m;
 }
 
-/// Trims the part of the interval that the path over the half-edge's tail and along the edge beats,
-/// up to where both are equal. Returns false if nothing remains.
+/// Trims the part of the interval where the path over the half-edge's tail and along the edge is
+/// shorter. Returns false if nothing remains.
 inline bool trimByTail(Window& w, double tailDistance) {
   const double lead = beatingLength(tailDistance) - w.offset;
   const double leg = square(w.sourceX) + square(w.depth);
   if (lead >= 0 && square(lead) >= leg) return true;
-  // This solves |x - source| = lead + x, whose difference falls with x. If this is ill-conditioned,
-  // the two paths are almost equal over a long range, so that x may be far off but the lengths at x
-  // are not.
+  // This solves |x - source| = lead + x. The left side minus the right side falls with x. If the
+  // equation is ill-conditioned, the two paths are almost equal over a long range, so that x may be
+  // far off but the lengths at x are not.
   const double slope = 2 * (lead + w.sourceX);
   if (!(slope > 0)) return false;
   w.begin = std::max(w.begin, (leg - square(lead)) / slope);
@@ -92,15 +92,16 @@ inline bool trimByHead(Window& w, double headDistance, double length) {
 
 inline bool isTooNarrow(const Window& w, double width) { return !(w.end - w.begin > width); }
 
-/// The window behind its face, on the edge that leaves the tail along the unit vector `along`, in
-/// the frame of that edge with the same tail. `apexCrossing` is where the line from the source to
-/// the face's apex crosses the half-edge, of length `from`; `length` is that of the new edge.
+/// The window carried across its face, to the edge that leaves the tail along the unit vector
+/// `along`. It is in the frame of that edge, with the same tail. `from` is the half-edge's length,
+/// and `length` that of the new edge. `apexCrossing` is where the line from the source to the
+/// face's apex crosses the half-edge.
 inline Window carriedToTailEdge(const Window& w, const Vec2& along, double from, double length,
                                 double apexCrossing) {
-  // Positions on an edge, and those of sources beside it, have errors up to a part of its length.
-  // If the end of a window lies this near to an end of the edge, or to the line to the apex, it
-  // moves there: a source much nearer than the edge is long would miss everything behind such a
-  // gap.
+  // Positions on an edge, and those of sources beside it, have rounding errors relative to its
+  // length. If an end of a window lies this near to an end of the edge, or to the line to the apex,
+  // it moves there. Otherwise a source much nearer than the edge is long would miss everything
+  // behind the gap.
   const double rounding = kStepRounding * from;
   const auto hit = [&](double x) {
     const double across = along.x() * w.depth - along.y() * (x - w.sourceX);
@@ -114,9 +115,9 @@ inline Window carriedToTailEdge(const Window& w, const Vec2& along, double from,
   return c;
 }
 
-/// Whether a vertex behind the window at (x, -depth) and at distance `vertexDistance` beats all of
-/// it. Every line from the window's source through it must cross the segment from the vertex to the
-/// end of the window at `farEnd`.
+/// Whether the vertex at (x, -depth) behind the window has shorter paths to all places that the
+/// window reaches. `vertexDistance` is its distance. Every line from the window's source through
+/// the window must cross the segment from the vertex to the window's end at `farEnd`.
 inline bool isBeatenFrom(const Window& w, double vertexDistance, double x, double depth,
                          double farEnd) {
   const double lead = beatingLength(vertexDistance) - w.offset;

@@ -13,8 +13,8 @@ namespace karcher {
 namespace {
 
 /// The width of the queue's buckets: wide enough that many windows cross a face together, narrow
-/// enough that few do so in vain. It is half a mean edge, halved until at most a fourth of a sample
-/// of the edges are shorter than half a bucket.
+/// enough that few do so in vain. It is half a mean edge at first, and is halved until at most a
+/// fourth of a sample of the edges are shorter than half a bucket.
 double bucketWidth(const Geometry& geometry) {
   constexpr int kMostEdges = 1024;
   const int count = geometry.edgeLength.count();
@@ -32,25 +32,25 @@ double bucketWidth(const Geometry& geometry) {
   return width;
 }
 
-/// The ratio of lengths above which both ends of the edge that windows cross determine the apex of
-/// a face (FaceSides), so that short lengths are not differences of long ones. Windows that leave a
-/// source inside a face always do so.
+/// If the ratio of the longest to the shortest edge is above this, both ends of the edge that
+/// windows cross determine the apex of a face (FaceSides). So short lengths are not differences of
+/// long ones. Windows that leave a source inside a face always use both ends.
 constexpr double kWide = 1e6;
 
-/// The ratio of lengths above which a window may circle over the same edges without coming nearer
-/// to a vertex that would beat it.
+/// The ratio of the longest to the shortest edge above which a window may circle over the same
+/// edges without coming nearer to a vertex that would beat it.
 constexpr double kThin = 1e3;
 
-/// The angle, in tolerances, by which a join may turn the rays at the ends of a window. A front
-/// turns as far if a parabola changes it, zero at both ends and as high as the tolerance permits,
-/// over a window as wide as the face is high.
+/// The angle, in tolerances, by which a join may turn the rays at the ends of a window. This is the
+/// slope, at its ends, of a parabola that is zero there and as high as the tolerance permits, over
+/// a window as wide as the face is high.
 constexpr double kTurn = 4;
 
-/// The widest gap, as a part of the edge, that a join of windows may open.
+/// The widest gap that a join of windows may open at an end of an edge, relative to the edge.
 constexpr double kWidestGap = 0.1;
 
-/// The largest difference between the distances of a vertex and of its own front, as a part of the
-/// tolerance.
+/// The largest difference between a vertex's distance and that of its own front there, relative to
+/// the tolerance.
 constexpr double kSameFront = 0.25;
 
 /// The two sides of a face above half-edge h, as vectors from its tail and from its head. Each is
@@ -226,7 +226,7 @@ void WindowDistance::leaveVertex(int vertex) {
       leave(-kInfinity, back - kPi + kChainRounding - right);
     } else {
       const double end = ahead + width - right;
-      // Half-edges follow by angle: the wedge ends before this one.
+      // Half-edges are in the order of their angles, so the wedge ends before this one.
       if (end < 0 || (isBehindStart && end < total)) break;
       leave(ahead - right, end);
       leave(ahead - right - total, end - total);
@@ -234,8 +234,8 @@ void WindowDistance::leaveVertex(int vertex) {
   }
 }
 
-/// Sends out the part of a vertex's wedge that lies in the corner of half-edge h, where they meet.
-/// Angles count from h.
+/// Sends out the part of a vertex's wedge that lies in the corner of half-edge h, between the
+/// angles `from` and `to`. Angles count from h.
 void WindowDistance::leaveThroughCorner(int vertex, int h, double from, double to) {
   const double angle = geometry_.cornerAngle[h];
   const double distance = vertices_.touch(vertex).arrival.distance;
@@ -358,8 +358,8 @@ void WindowDistance::carryAcross(int h) {
     for (const Window& window : batch_) target_.arriveThrough(h, window);
   }
 
-  // The path to the right is the mirror image of the path to the left. In a needle the apex is
-  // exact only up to the rounding of the long edges. So unit vectors are normalized.
+  // Windows to the right are carried as mirror images of windows to the left. In a needle the apex
+  // is exact only up to the rounding of the long edges, so the unit vectors are normalized.
   const SideEdge leftSide{mesh_.twin[left], leftLength,   apex.normalized(),
                           length,           tail + slack, top.arrival.distance + slack,
                           head + slack};
@@ -382,12 +382,14 @@ void WindowDistance::carryAcross(int h) {
   }
 }
 
-/// Closes gaps between the windows of the batch and the ends of half-edge h, where joints turned
-/// the rays. A gap is closed if the vertex there lies on the same front: its distance and the
-/// direction of its path are the window's. (Two fronts that cross there have one distance.)
+/// Closes gaps between the windows of the batch and the ends of half-edge h, where joins turned the
+/// rays. A gap is closed if the vertex there lies on the same front: its distance and the direction
+/// of its path agree with the window's. The distance alone does not decide, since two fronts that
+/// cross there have the same distance.
 void WindowDistance::closeGaps(int h, const JoinedEdge& edge) {
   const double length = geometry_.edgeLength[h];
-  // `along` is 1 at the tail and -1 at the head, and `edgeAngle` that of the edge seen from there.
+  // `along` is 1 at the tail and -1 at the head, and `edgeAngle` is the direction of the edge at
+  // that vertex.
   const auto isOnFront = [&](int vertex, const Window& window, double x, int along,
                              double edgeAngle) {
     const double apart = std::abs(distanceAt(window, x) - distance(vertex));
@@ -413,8 +415,9 @@ void WindowDistance::closeGaps(int h, const JoinedEdge& edge) {
   }
 }
 
-/// Takes the path to the apex that bends slightly at the end of a window that does not see it. Its
-/// length is an upper bound. If rounding left a gap between two windows, it is exact.
+/// Offers the apex a path through a window that does not see it. The path bends slightly at an end
+/// of the window, so its length is an upper bound. The length is exact if the apex lies in a gap
+/// between two windows that only rounding left.
 void WindowDistance::arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex,
                                 const Window& window, double crossing) {
   // If the straight path is too long, so is the bent one.
@@ -456,9 +459,9 @@ bool WindowDistance::isBehindAnother(int h, const Window& window) {
   if (isNew) return false;
   Window& other = entry->second;
   if (other.offset == window.offset && other.begin <= window.begin && window.end <= other.end) {
-    // Squared lengths through both differ by a linear function along the edge. At a tip that
-    // function is zero up to the rounding of all faces round it, which moves its zero along the
-    // edge.
+    // Along the edge, the squared lengths through both windows differ by a linear function. At a
+    // tip this function is zero up to the rounding of all faces round the tip. The rounding moves
+    // its zero along the edge.
     const double atBegin = squaredLegTo(other, window.begin) / squaredLegTo(window, window.begin);
     const double atEnd = squaredLegTo(other, window.end) / squaredLegTo(window, window.end);
     const double most = std::max(atBegin, atEnd);
@@ -472,7 +475,7 @@ bool WindowDistance::isBehindAnother(int h, const Window& window) {
   return false;
 }
 
-/// Whether every path through the window is too long when it comes to the ball of the aim.
+/// Whether every path through the window is too long when it reaches the aim's ball.
 bool WindowDistance::leadsAway(int h, const Window& window) const {
   const Vec3 middle = (mesh_.positions[mesh_.tail(h)] + mesh_.positions[mesh_.head(h)]) / 2;
   const double left = (middle - aim_->center).norm() - geometry_.edgeLength[h] / 2 - aim_->radius;

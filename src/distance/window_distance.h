@@ -19,8 +19,8 @@
 /// A window is an interval of an edge with the position of the source, or of a vertex at which
 /// shortest paths turn, unfolded into the plane of the face behind it: all points of the interval
 /// see that source in a straight line. Windows cross the faces from the nearest outwards (J. Chen,
-/// Y. Han, "Shortest paths on a polyhedron", 1990). A vertex of their face that beats them trims or
-/// ends them (S. Xin, G. Wang, "Improving Chen and Han's algorithm on the discrete geodesic
+/// Y. Han, "Shortest paths on a polyhedron", 1990). A vertex of their face with shorter paths trims
+/// or ends them (S. Xin, G. Wang, "Improving Chen and Han's algorithm on the discrete geodesic
 /// problem", 2009). All windows that wait at an edge cross its face at once. Edges follow in the
 /// order of distance, up to half an ordinary edge (after the triangle-oriented propagation of Y.
 /// Qin, X. Han, H. Yu, Y. Yu, J. Zhang, "Fast and exact discrete geodesic computation based on
@@ -30,22 +30,22 @@
 /// of a window on the short ones, so that no window comes to a vertex. Paths along edges lead to
 /// such a vertex.
 ///
-/// A vertex at which shortest paths turn sends windows only into the wedge that lies straight
-/// behind it, at least pi from the path that reached it on both sides.
+/// A vertex at which shortest paths turn sends windows only into the wedge straight behind it: the
+/// directions that are at least pi, on both sides, from the path that reached it.
 ///
-/// With a tolerance, windows that wait at an edge become one if that changes distances along the
+/// With a tolerance, windows that wait at an edge are joined if that changes distances along the
 /// edge by less than the tolerance times the height of the next face (after V. Surazhsky, T.
 /// Surazhsky, D. Kirsanov, S. Gortler, H. Hoppe, "Fast exact and approximate geodesics on meshes",
-/// 2005): the height is the length that a path through the face gains. A joint window's source and
+/// 2005). The height is the length that a path gains in the face. A joint window's source and
 /// offset are those of the front to which both windows belong, so that on smooth surfaces distances
-/// converge with the mesh as exact ones do. It sees what both windows saw, but for turns of the
-/// rays at its ends by a few tolerances. Errors of many faces are of both signs, so that distances
+/// converge with the mesh as exact ones do. It sees what both windows saw, except that the rays at
+/// its ends may turn by a few tolerances. Errors of many faces are of both signs, so that distances
 /// are off by far less than the tolerance. This is measured (`npm run study -- fields`) and not
 /// proven.
 namespace karcher {
 
-/// Whether shortest paths turn at a vertex: its total angle is more than that of a plane, or equal
-/// to it at the tip of a sliver.
+/// Whether shortest paths turn at a vertex: its total angle is greater than 2 pi (pi on the
+/// boundary), or equal to it at the tip of a sliver.
 bool spreadsPaths(const Geometry& geometry, int vertex);
 
 class WindowDistance final : public DistanceSolver {
@@ -58,9 +58,9 @@ class WindowDistance final : public DistanceSolver {
   void setSource(const SurfacePoint& source) override;
   const SurfacePoint& source() const { return source_; }
 
-  /// Propagates windows. The order of the steps is fixed, and none changes a vertex nearer than its
-  /// least key. Throws Error kBadArgument if the search needs more than kMostWindowsPerFace windows
-  /// for each face.
+  /// Propagates windows. The order of the steps is fixed, and no step changes a vertex that is
+  /// nearer than the queue's least key. Throws Error kBadArgument if the search needs more than
+  /// kMostWindowsPerFace windows for each face.
   void grow(double radius) override;
   /// The number of windows propagated since `setSource`.
   int64_t windowsCarried() const {
@@ -109,8 +109,8 @@ class WindowDistance final : public DistanceSolver {
   /// The arrival at the target, final once `arrival.distance` <= reached().
   const TargetArrival& targetArrival() const { return target_.best(); }
 
-  /// From the next `setSource` on, keeps the images whose paths pass points at this distance. Once
-  /// all points within it are final, the least of these paths' lengths to such a point is its
+  /// From the next `setSource` on, keeps the images with paths to points at this distance. Once all
+  /// points within the distance are final, the shortest of these paths to such a point gives its
   /// distance.
   void keepImages(double distance) { images_.keep(distance); }
   /// From the next `setSource` on, keeps all images in these faces.
@@ -152,9 +152,9 @@ class WindowDistance final : public DistanceSolver {
   SurfacePoint source_;
   PagedArray<VertexRecord, 7> vertices_;
   WaitingWindows waiting_;
-  bool isWide_;       ///< whether edges of very different lengths meet
+  bool isWide_;       ///< whether the mesh has edges of very different lengths
   bool isThin_;       ///< whether paths may wind round a tip
-  double narrowest_;  ///< the least width of a window, as a part of its edge
+  double narrowest_;  ///< the least width of a window, relative to its edge
   /// the widest window so far at each half-edge, if isThin_
   std::unordered_map<int, Window> widest_;
   bool keepsMidpoints_ = false;

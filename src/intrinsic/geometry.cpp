@@ -9,8 +9,8 @@
 namespace karcher {
 namespace {
 
-/// The area by the two shortest edges. Rounding is proportional to the product of the lengths,
-/// which for the long edges of a needle far exceeds its area.
+/// Twice the area, from the cross product of the two shortest edges. Its rounding is proportional
+/// to the product of their lengths, which for the long edges of a needle far exceeds the area.
 double doubledArea(const Vec3& e0, const Vec3& e1, const Vec3& e2) {
   const double a = e0.squaredNorm();
   const double b = e1.squaredNorm();
@@ -105,8 +105,8 @@ Vec3 barycentric(const Geometry& geometry, int f, const Vec2& x) {
 
 Vec2 stepInFace(const Geometry& geometry, int f, const SurfacePoint& from, const SurfacePoint& to) {
   const Vec3 change = inFace(*geometry.mesh, to, f).bary - inFace(*geometry.mesh, from, f).bary;
-  // Sides of the face from a corner whose weight changes: where another weight stays, only one side
-  // counts.
+  // The step along the two sides that meet at the corner whose weight changes most. If another
+  // weight does not change, only one side counts.
   int corner = 0;
   change.cwiseAbs().maxCoeff(&corner);
   const int h = 3 * f + corner;

@@ -52,8 +52,9 @@ inline Vec2 pointInFace(const Geometry& geometry, const SurfacePoint& p) {
           p.bary[2] * geometry.apex[p.face].y()};
 }
 
-/// The vector from one point of face f to another, in the frame of the face. It comes from
-/// differences of weights: between points of one edge it is along the edge, however large the face.
+/// The vector from one point of face f to another, in the frame of the face. It is computed from
+/// differences of weights, so that between points of one edge it is along the edge, however large
+/// the face.
 Vec2 stepInFace(const Geometry& geometry, int f, const SurfacePoint& from, const SurfacePoint& to);
 
 /// Half-edge h as a vector in the frame of its face.
@@ -88,8 +89,8 @@ Vec2 acrossEdge(const Geometry& geometry, int h, const Vec2& vector);
 Vec3 toSpace(const Geometry& geometry, int f, const Vec2& vector);
 Vec2 toFace(const Geometry& geometry, int f, const Vec3& vector);
 
-/// The unscaled direction at the tail of half-edge h of a vector in the frame of h's face that
-/// points into the corner: the cumulated angle of h plus the angle from h to the vector.
+/// The unscaled direction of a vector at the tail of half-edge h: the cumulated angle of h plus the
+/// angle from h to the vector. The vector is in the frame of h's face and points into the corner.
 double directionAtTail(const Geometry& geometry, int h, const Vec2& vector);
 
 /// The direction of half-edge h as a unit vector in the frames of its ends. At the head it points
@@ -102,8 +103,8 @@ EdgeDirection directionOfEdge(const Geometry& geometry, int h);
 
 /// The corner (a half-edge that leaves the vertex) into which an unscaled direction points, and the
 /// angle from that half-edge to the direction. Directions wrap around at interior vertices. At the
-/// boundary a direction outside [0, totalAngle] turns by a full turn if it then lies within; else
-/// it leaves the surface, and halfedge is -1.
+/// boundary, a direction outside [0, totalAngle] is turned by 2 pi in either sense if it then lies
+/// within. Otherwise it leaves the surface, and `halfedge` is -1.
 struct CornerDirection {
   int halfedge = -1;
   double angle = 0;

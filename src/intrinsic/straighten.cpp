@@ -118,8 +118,8 @@ class ChainStrip {
     return leastNeighbor(vertex, target, true) < leastNeighbor(vertex, target, false);
   }
 
-  /// The smallest vertex number between the last face and another in one direction around a vertex.
-  /// It distinguishes the two directions independently of the path's.
+  /// The smallest vertex number between the last face and `target`, in one direction around a
+  /// vertex. It distinguishes the two directions around the vertex, whatever the path's direction.
   int leastNeighbor(int vertex, int target, bool left) const {
     int h = leaving(mesh_, face_, vertex);
     int least = mesh_.vertexCount();
@@ -145,8 +145,8 @@ class ChainStrip {
   int face_ = -1;
 };
 
-/// Replaces a path by the tight one in the workspace's strip. `from` and `to` may be the path's own
-/// points.
+/// Replaces a path by the tight path in the workspace's strip. `from` and `to` may be the path's
+/// own points.
 void replaceByTight(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                     StripWorkspace& workspace, SurfacePath& path) {
   const SurfacePoint ends[] = {from, to};

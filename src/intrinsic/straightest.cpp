@@ -79,7 +79,7 @@ FaceExit exitOfFace(const Vec3& bary, const Vec3& rates) {
   const double threshold = -1e-13 * rates.cwiseAbs().maxCoeff();
   for (int k = 0; k < 3; ++k) {
     // A walk does not leave by the edge that it starts on. On slivers the noise exceeds the
-    // threshold, and the walk would circle its vertex forever.
+    // threshold, and the walk would circle a vertex forever.
     if (bary[k] == 0 || rates[k] >= threshold) continue;
     const double length = bary[k] / -rates[k];
     if (length < exit.length) exit = {length, k};
@@ -117,8 +117,8 @@ class Walk {
     path_.path.lengths.push_back(walked_);
   }
 
-  /// Walks through one face. Returns the walker in the next one; nothing at the end or the
-  /// boundary.
+  /// Walks through one face. Returns the walker in the next face; nothing at the end of the walk or
+  /// at the boundary.
   std::optional<Walker> step(const Walker& walker) {
     const int f = walker.point.face;
     Vec3 bary = walker.point.bary;

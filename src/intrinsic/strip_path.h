@@ -27,9 +27,11 @@ struct StripWorkspace {
   struct Bend {
     int portal = 0;  ///< one of the crossings of edges that end at the vertex
     bool onLeft = false;
-    double leg = 0;     ///< the length of the path from the previous bend
-    double before = 0;  ///< the angle, in radians, from that leg to the first of those edges
-    double after = 0;   ///< the angle, in radians, from the last of them to the next leg
+    double leg = 0;  ///< the length of the path from the previous bend
+    /// The angle, in radians, from that leg to the first crossed edge at the vertex.
+    double before = 0;
+    /// The angle, in radians, from the last crossed edge at the vertex to the next leg.
+    double after = 0;
     /// The part of the surface's angle at the vertex on the side away from the strip.
     double outside = 0;
   };

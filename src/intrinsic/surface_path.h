@@ -2,8 +2,8 @@
 
 #include "mesh/surface_point.h"
 
-/// Paths on the surface: one type for shortest paths, straightest ones, parts of curves and a
-/// caller's own.
+/// Paths on the surface: one type for shortest paths, straightest paths, parts of curves and
+/// callers' own paths.
 namespace karcher {
 
 struct SurfacePath {
@@ -17,7 +17,7 @@ struct SurfacePath {
   const SurfacePoint& end() const { return points.back(); }
 };
 
-/// Sets the lengths of a path by its points.
+/// Computes the lengths of a path from its points.
 void measure(const TriangleMesh& mesh, SurfacePath& path);
 
 /// Appends a point that shares a face with the last one, unless both are the same.
@@ -29,7 +29,8 @@ SurfacePath pathThrough(const TriangleMesh& mesh, Array<SurfacePoint> points);
 /// Whether two points are the same place. Their faces may differ.
 bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
 
-/// The point at the part s of the straight line from a to b, in a face that holds both.
+/// The point at the ratio s of the way from a to b, on the straight line in a face that holds both.
+/// If no face holds both, it is the nearer of the two.
 SurfacePoint pointBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b,
                           double s);
 

@@ -36,7 +36,8 @@ Vec2 logAtEnd(const Geometry& geometry, const SurfacePath& path, int from, int s
   return Vec2::Zero();
 }
 
-/// The vector between two points that share a face, at the first.
+/// The vector from one point to another that shares a face with it, in the first point's tangent
+/// plane.
 Vec2 stepAt(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to) {
   return logAlong(geometry, pathThrough(*geometry.mesh, {from, to}));
 }

@@ -25,9 +25,9 @@ SurfacePath expAlong(const Geometry& geometry, const SurfacePoint& point, const 
 bool expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector,
               SurfacePath& path);
 
-/// Parallel transport of a vector of the tangent plane at a path's start to its end. The vector
-/// keeps its angle with a locally shortest path, except for turns around vertices. Their angles are
-/// those of the vertex's frame.
+/// Parallel transport of a vector along a path, from the tangent plane at its start to that at its
+/// end. The vector keeps its angle with the path. Where the path turns around a vertex, this angle
+/// changes by the turn, measured in the vertex's frame.
 Vec2 transportAlong(const Geometry& geometry, const SurfacePath& path, const Vec2& vector);
 
 /// Converts a vector of the tangent plane at a point to a vector in space, in the plane of the

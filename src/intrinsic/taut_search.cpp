@@ -11,8 +11,8 @@ namespace {
 using TautNode = TautSearchWorkspace::Node;
 using TautEntry = TautSearchWorkspace::QueueEntry;
 
-/// The least distance from an edge's ends, as a part of the edge, of the points to which lengths
-/// are measured.
+/// The least distance between the ends of an edge and the point to which lengths are measured,
+/// relative to the edge.
 constexpr double kOffVertices = 0.01;
 
 bool isLater(const TautEntry& a, const TautEntry& b) { return a.key > b.key; }

@@ -7,8 +7,8 @@
 /// As in strip_search.h, it visits faces in order of the length so far plus the straight distance
 /// to the target. Like a window of the exact distances, each entered edge stores the position of
 /// the unfolded source and the two vertices between which the source sees the edge. So the length
-/// so far is that of a path that is tight after its last bend. Each edge keeps its best window
-/// only. The strip is better than that of searchStrip, and takes three times the work.
+/// so far belongs to a path that is tight after its last bend. Each edge keeps its best window
+/// only. The search finds better strips than `searchStrip`, and takes three times the work.
 namespace karcher {
 
 /// Reusable scratch memory of the search.

@@ -25,8 +25,8 @@ void replaceItems(Array<int>& items, int first, int last, const int* begin, cons
 
 }  // namespace
 
-/// Removes crossings of edges on which an end point lies, since it also lies in the face behind
-/// them.
+/// Removes, at both ends of the strip, the crossings of edges on which the end point lies, since
+/// the point also lies in the face behind them.
 Tightening::Trimmed Tightening::trimEnds() {
   Array<int>& crossings = strip_.crossings;
   int first = 0;
@@ -126,7 +126,8 @@ void Tightening::measureBends(int first, int last, const Vec2& start, const Vec2
     const Vec2 at = positionOf(bend);
     const Vec2 to = i + 1 < bends.count() ? positionOf(bends[i + 1]) : end;
     const Run run = runAround(bend);
-    // If the bend has edges beyond this frame, a leg coincides with one of its edges in the frame.
+    // If the bend has crossed edges beyond this frame, its leg coincides with one of its edges, and
+    // the angle is 0.
     bend.before =
         run.first >= first ? angleBetween(from - at, acrossFrom(bend, run.first) - at) : 0;
     bend.after = run.last <= last ? angleBetween(to - at, acrossFrom(bend, run.last) - at) : 0;
@@ -161,8 +162,9 @@ void Tightening::pullAllTight() {
   lastLeg_ = (end_ - (bends_.empty() ? start_ : positionOf(bends_.back()))).norm();
 }
 
-/// Pulls the part between two bends tight in a separate frame; -1 stands for the start, and the
-/// number of bends for the end. Writes its bends to the workspace's new ones.
+/// Pulls the part of the path between two bends tight, in a frame of its own. -1 stands for the
+/// path's start, and the number of bends for its end. Writes the bends of the part to `newBends` of
+/// the workspace.
 void Tightening::pullBetween(int before, int after) {
   Bend* const a = before >= 0 ? &bends_[before] : nullptr;
   Bend* const b = after < bends_.count() ? &bends_[after] : nullptr;
@@ -198,7 +200,7 @@ void Tightening::pullBetween(int before, int after) {
     const int along = atSide ? (b->onLeft ? next(h) : previous(h)) : crossing(first - 1);
     b->leg = geometry_.edgeLength[along];
   } else if (a || b) {
-    // The edge lies in the strip's last or first face.
+    // The leg lies in the strip's last or first face.
     Bend& bend = a ? *a : *b;
     const int h = a ? mesh_.twin[crossing(crossingCount() - 1)] : crossing(0);
     const int face = faceOf(h);
@@ -231,8 +233,8 @@ int Tightening::sharpestBend() const {
   return found;
 }
 
-/// Turns the strip at the sharpest bend until the path is locally shortest. Returns false if it was
-/// already.
+/// Turns the strip at the sharpest bend until the path is locally shortest. Returns whether it
+/// turned the strip.
 bool Tightening::turnSharpBends() {
   bool turned = false;
   for (; turnsLeft_ > 0; --turnsLeft_) {
@@ -246,7 +248,7 @@ bool Tightening::turnSharpBends() {
 }
 
 /// Leads the strip around the other side of a bend's vertex and pulls the path tight between the
-/// two neighbouring bends. Returns false if it meets the boundary.
+/// two neighbouring bends. Returns false and changes nothing if the boundary is in the way.
 bool Tightening::turnRound(const Bend& bend, int before, int after) {
   const Run run = runAround(bend);
   const int lastFace = faceOf(mesh_.twin[crossing(run.last)]);
@@ -292,7 +294,7 @@ void Tightening::pullTightAround(int before, int after, int first, int last, int
   const Trimmed trimmed = trimEnds();
   while (before >= 0 && bends_[before].portal >= first) --before;
   while (after < bends_.count() && bends_[after].portal < last) ++after;
-  // Near an end, the whole part up to it is pulled tight.
+  // If crossings at an end were removed, the whole part up to that end is pulled tight.
   if (trimmed.front > 0) before = -1;
   if (trimmed.back > 0) after = bends_.count();
   const int shift = count - (last - first) - trimmed.front;

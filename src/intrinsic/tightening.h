@@ -3,7 +3,8 @@
 #include "intrinsic/angles.h"
 #include "intrinsic/strip_path.h"
 
-/// Internal: the algorithm of strip_path.h, in two files.
+/// Internal: the algorithm of strip_path.h. It is in tightening.cpp, strip_shortening.cpp and
+/// strip_path.cpp.
 namespace karcher {
 
 inline bool touches(const TriangleMesh& mesh, int h, int vertex) {
@@ -30,9 +31,9 @@ class Tightening {
         bends_(workspace.bends) {}
 
   void run(bool shorten) {
-    // Each turn shortens the path, so that only angles within rounding of pi need a bound. A strip
-    // around a corner passes over the vertices in between, up to a quarter of the squared number of
-    // crossings.
+    // Each turn shortens the path, so that only turns at angles within rounding of pi need a bound.
+    // To go around a corner, a strip may pass over all vertices in between: up to a quarter of the
+    // squared number of crossings.
     const int64_t crossings = crossingCount();
     turnsLeft_ = 64 + 16 * crossings + crossings * crossings / 4;
     trimEnds();

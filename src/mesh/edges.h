@@ -40,8 +40,8 @@ void forEachEdge(const Array<Triangle>& faces, int vertexCount, Visit&& visit) {
   }
 }
 
-/// Whether the edge has one half-edge, or two that run in opposite directions. `faces` are those of
-/// the visited edges.
+/// Whether the edge has one half-edge, or two that run in opposite directions. `faces` must be
+/// those given to `forEachEdge`.
 inline bool isManifoldEdge(const Array<Triangle>& faces, std::span<const EdgeSide> sides) {
   const auto tail = [&](const EdgeSide& side) {
     return faces[side.halfedge / 3][side.halfedge % 3];

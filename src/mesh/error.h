@@ -27,7 +27,7 @@ enum class ErrorCode {
 /// The name of a code, for callers in other languages: "nonManifoldEdge".
 const char* errorCodeName(ErrorCode code);
 
-/// A number in the form in which sentences have it: 0.25, 1e-07.
+/// A number for a sentence, with at most `digits` digits: 0.25, 1e-07.
 std::string inSentence(double value, int digits = 6);
 
 /// A number with enough digits to identify the double, at least six: 3.000000000001.

@@ -104,8 +104,8 @@ class Flips {
   const Array<Vec3>& positions_;
   WorkFaces& faces_;
   Array<uint8_t> alive_;  ///< whether each face exists
-  Array<int> first_;      ///< the first corner 3 f + k at each vertex, and for each corner the next
-  Array<int> next_;
+  Array<int> first_;      ///< the first corner 3 f + k at each vertex
+  Array<int> next_;       ///< for each corner, the next one at the same vertex
 };
 
 }  // namespace

@@ -10,8 +10,8 @@
 #include "mesh/split_triangles.h"
 
 // A slab of cubes without three of them has the right topology. Subdivision of its faces adds
-// vertices. They move to the zero set of a smooth function and spread out there. A second round
-// does the same at half the size.
+// vertices. They move to the zero set of a smooth function and spread out there. Further rounds do
+// the same, each at half the size.
 
 namespace karcher {
 namespace {

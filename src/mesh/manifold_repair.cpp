@@ -39,8 +39,9 @@ class ManifoldRepair {
     mesh_.twin[h] = g;
   }
 
-  /// Pairs the half-edges of edges with two faces, and puts those of other edges into `branching_`
-  /// and `mirrored_`. Returns true if no edge is of these kinds.
+  /// Pairs the half-edges of edges with two faces. Puts edges with more faces into `branching_`,
+  /// and edges whose two half-edges have the same direction into `mirrored_`. Returns true if both
+  /// are empty.
   bool pairHalfedges() {
     mesh_.twin.assign(static_cast<size_t>(mesh_.halfedgeCount()), -1);
     branching_.clear();
@@ -80,7 +81,7 @@ class ManifoldRepair {
       ++faces[place.set];
       turned[place.set] += place.turned;
     }
-    // If both halves are equal, the one without the caller's first face turns over.
+    // If both orientations have the same number of faces, that of the caller's first face stays.
     Array<int> first(mesh_.faces.size(), -1);
     for (int f = 0; f < mesh_.faceCount(); ++f) {
       int& face = first[part_[f]];
@@ -120,7 +121,8 @@ class ManifoldRepair {
             "that elsewhere");
   }
 
-  /// The direction in which the face of h leaves its edge, seen from the tail to the head.
+  /// The unit vector, perpendicular to the edge of h, in which its face leaves it. `along` is the
+  /// direction of h.
   Vec3 awayFromEdge(int h, const Vec3& along) const {
     const Vec3 out = mesh_.positions[mesh_.opposite(h)] - mesh_.positions[mesh_.tail(h)];
     return (out - out.dot(along) * along).normalized();
@@ -146,8 +148,9 @@ class ManifoldRepair {
       away.push_back(awayFromEdge(sides[i], along));
     }
     while (true) {
-      // If angles are equal in the file, faces that other edges connect stay together. If they
-      // differ by rounding, the file's first counts.
+      // If angles are equal up to the file's rounding, a pair of faces that other edges connect
+      // wins. Of pairs that are equal up to the rounding of this computation, the file's first
+      // wins.
       double best = kInfinity;
       int first = -1;
       int second = -1;
@@ -217,7 +220,7 @@ class ManifoldRepair {
     sortNumbers(halfedges, [&](int g, int h) { return place(g) < place(h); });
   }
 
-  /// The half-edge that leaves the tail of h at the boundary, clockwise; h itself if the fan has no
+  /// The half-edge at the clockwise end of h's fan around its tail; h itself if the fan has no
   /// boundary.
   int firstOfFan(int h) const {
     int first = h;
@@ -241,8 +244,8 @@ class ManifoldRepair {
     }
   }
 
-  /// Separates the faces of two edges with the same vertices if one fan meets both, which splits
-  /// the fan, too. Then joins faces that lie along each other.
+  /// Two edges may have the same vertices if one fan meets both. Separates their faces, which
+  /// splits the fan, too. Then pairs faces that still lie along each other.
   void partSharedEdges() {
     bool changed = true;
     for (int round = 0; changed && round < kMostPaired; ++round) {
@@ -265,8 +268,9 @@ class ManifoldRepair {
   ManifoldRepairs repairs_;
   Array<Array<int>> branching_;
   Array<std::array<int, 2>> mirrored_;
-  Array<int> part_;  ///< the number of each face's set: edges of two faces connect the set
-  Array<uint8_t> atBranching_;  ///< a flag for each vertex
+  Array<int> part_;  ///< the set of each face; edges of two faces connect the faces of a set
+  /// 1 for each vertex at the end of an edge with more than two faces, and for added vertices
+  Array<uint8_t> atBranching_;
 };
 
 }  // namespace

@@ -12,12 +12,12 @@ struct ManifoldRepairs {
 };
 
 /// Turns faces that may not form a manifold into one. If faces disagree with their neighbours on
-/// the direction of an edge, the fewer ones of each connected part turn over. If an edge has more
-/// than two faces, pairs of them with the widest dihedral angle share an edge, and the others have
-/// edges of their own. A vertex whose faces form several fans becomes one vertex for each; the fan
-/// with the file's first face keeps the number. Fills the adjacency of `mesh` and changes its
-/// positions and faces and the numbers in `numbering`. Throws Error kNotOrientable, with the
-/// caller's numbers.
+/// the direction of an edge, the faces of the rarer orientation in each connected part turn over.
+/// If an edge has more than two faces, pairs of them with the widest dihedral angle share an edge,
+/// and the others have edges of their own. A vertex whose faces form several fans becomes one
+/// vertex for each fan; the fan with the file's first face keeps the number. Fills the adjacency of
+/// `mesh` and changes its positions and faces and the numbers in `numbering`. Throws Error
+/// kNotOrientable, with the caller's numbers.
 ManifoldRepairs connectRepaired(TriangleMesh& mesh, Numbering& numbering);
 
 }  // namespace karcher

@@ -79,7 +79,8 @@ void addRepairs(const CutRepairs& cut, Array<Repair>& repairs) {
   add(Repair::Kind::kRepeatedCorner, cut.repeatedCorners);
 }
 
-/// Checks that faces have corners, each of them a vertex with a finite position.
+/// Checks that each face has at least 3 corners, that the counts of corners sum to their number,
+/// and that each corner is a vertex with a finite position.
 void checkFaces(const PolygonSoup& polygons) {
   int64_t corners = 0;
   for (int face = 0; face < polygons.cornerCount.count(); ++face) {

@@ -18,7 +18,7 @@ struct Repair {
     kTriangulated,    ///< polygons cut into triangles
     kLeftOut,         ///< omitted faces of fewer than three corners, or that cannot be cut
     kContracted,      ///< vertices merged with neighbours at the other ends of edges without length
-    kWelded,          ///< vertices at the same place that became one
+    kWelded,          ///< vertices at the same place that were merged
     kKeptApart,       ///< vertices at the same place that stay apart, since parts only touch there
     kRepeatedCorner,  ///< omitted faces with the same vertex at two corners
     kDuplicate,       ///< omitted faces that repeat another
@@ -70,8 +70,8 @@ struct ImportedMesh {
 ImportedMesh importMesh(TriangleSoup soup, const ImportOptions& options = {});
 
 /// Cuts polygons as `cutPolygons` does, and imports the triangles. Face numbers are those of
-/// triangles. Throws what both throw, and kBadArgument for counts of corners below 3, or whose sum
-/// is not the number of `corners`.
+/// triangles. Throws what both throw, and kBadArgument if a face has fewer than 3 corners, or if
+/// the counts do not sum to the number of `corners`.
 ImportedMesh importPolygons(PolygonSoup polygons, const ImportOptions& options = {});
 
 /// Imports the result of `readObj`. Face numbers are those of triangles. Throws what `importMesh`

@@ -15,11 +15,11 @@
 namespace karcher {
 namespace {
 
-/// The part of the diagonal up to which edges count as having no length. So do edges up to
-/// kLocalRounding of their face's longest.
+/// Edges of at most this length, relative to the diagonal, count as having no length. So do edges
+/// up to kLocalRounding of their face's longest edge.
 constexpr double kShortOfDiagonal = 1e-14;
 
-/// The vertices that faces use, in their order.
+/// The vertices that faces use, in ascending order.
 Array<int> usedVertices(const TriangleSoup& soup) {
   Array<uint8_t> used(soup.positions.size(), 0);
   for (const Triangle& t : soup.triangles) {

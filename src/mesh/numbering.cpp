@@ -11,7 +11,8 @@
 namespace karcher {
 namespace {
 
-/// The weights in a piece of the point that has `bary` in the whole triangle.
+/// The barycentric weights, in a piece, of the point whose weights in the whole triangle are
+/// `bary`.
 Vec3 weightsInPiece(const FacePiece& piece, const Vec3& bary) {
   // Weights sum to 1, so that two of them are coordinates in a plane.
   const auto plane = [](const Vec3& b) { return Vec2(b[1], b[2]); };
@@ -50,8 +51,9 @@ Vec3 placeIn(const FaceImage& image, const Vec3& bary) {
   return place;
 }
 
-/// The nearest point of the adjacent faces, and of faces reached from them by steps that each come
-/// nearer. The steps lead past triangles on one line, several of which may lie side by side.
+/// The nearest point of the adjacent faces, and of faces that the search reaches from them by steps
+/// that each come nearer. The steps lead past other triangles without area, several of which may
+/// lie side by side.
 SurfacePoint nearestBeside(const TriangleMesh& mesh, const FaceImage& image, const Vec3& place) {
   SurfacePoint best;
   double nearest = kInfinity;
@@ -110,7 +112,8 @@ SurfacePoint toEngine(const Numbering& numbering, const TriangleMesh& mesh, int 
   if (!image.pieces.empty()) return inPieces(image, point.bary);
   const Vec3 place = placeIn(image, point.bary);
   if (!image.beside.empty()) return nearestBeside(mesh, image, place);
-  // The triangle's own vertices come first, since others may be at the same place.
+  // Faces at the triangle's own vertices come first, since others may be at the same place. Without
+  // them, the nearest point counts if it lies at the place up to the rounding of a file.
   SurfacePoint nearest = nearestPoint(mesh, place);
   const double distance = (position(mesh, nearest) - place).norm();
   if (distance <= kFloatRounding * boundingBoxDiagonal(mesh)) return nearest;

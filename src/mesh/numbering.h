@@ -24,12 +24,13 @@ struct FaceImage {
 };
 
 struct Numbering {
-  /// The engine's vertex for each input vertex; -1 for a dropped one. Welded vertices share one. A
-  /// split vertex has that of its first part.
+  /// The engine's vertex for each input vertex; -1 for a dropped vertex. Welded vertices share an
+  /// engine vertex. For a split vertex, the entry is its first part.
   Array<int> engineVertex;
   Array<int> inputVertex;  ///< the first input vertex that became each engine vertex
-  /// The engine's face that equals each input triangle, with the same order of corners; else -1 -
-  /// i, and images[i] describes the triangle's image.
+  /// The engine's face that equals each input triangle, with the same order of corners unless it is
+  /// turned over. If no face does, the entry is -1 - i, and images[i] describes the triangle's
+  /// image.
   Array<int> engineFace;
   Array<int> inputFace;  ///< the input triangle that each engine face is, or is a part of
   /// 1 for each input triangle whose face turned over, which swaps corners 1 and 2; empty if no
@@ -39,14 +40,16 @@ struct Numbering {
 
   int inputFaceCount() const { return engineFace.count(); }
   bool isTurnedOver(int t) const { return !turnedOver.empty() && turnedOver[t] != 0; }
-  /// The input vertices of an input triangle, with the first of welded vertices in place of each.
+  /// The input vertices at the corners of an input triangle. If the triangle is one face of the
+  /// engine, the first of the vertices that were welded there stands for each of them.
   Triangle inputCorners(const TriangleMesh& mesh, int inputFace) const;
 };
 
 /// Converts a caller's point to the engine's and checks it by `checkedPoint`. If the input triangle
 /// was cut, the result lies in the piece that holds the point. If it was omitted, the result is the
-/// nearest point of the adjacent faces. Throws what `checkedPoint` throws, and Error kBadIndex for
-/// an omitted triangle without adjacent faces.
+/// nearest point of the adjacent faces; without these, the nearest point of the mesh if it is
+/// within 1e-6 of the diagonal. Throws what `checkedPoint` throws, and Error kBadIndex if there is
+/// no such point.
 SurfacePoint toEngine(const Numbering& numbering, const TriangleMesh& mesh, int inputFace,
                       const Vec3& bary);
 

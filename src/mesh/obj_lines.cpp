@@ -51,7 +51,7 @@ size_t gap(std::string_view line, size_t from) {
   return end == 0 ? 0 : 1 + end;
 }
 
-/// Whether the word is nan, inf or infinity, as C and Python print them.
+/// Whether the word is nan, inf or infinity, as C and Python print them, or 1.# as in 1.#INF.
 bool isNotFinite(std::string_view word) {
   std::string lower(word.substr(word.find_first_not_of("+-") == 1 ? 1 : 0));
   for (char& c : lower) {

@@ -17,7 +17,8 @@
 #define tinyobj karcherTinyobj
 #define TINYOBJLOADER_USE_DOUBLE
 #define TINYOBJLOADER_IMPLEMENTATION
-// Its streams are those of plain_streams.h, which includes all that it includes.
+// Tinyobjloader takes its streams from plain_streams.h, which includes every header that it
+// includes.
 #define std karcher::plain
 #include <tiny_obj_loader.h>
 #undef std
@@ -25,10 +26,10 @@
 namespace karcher {
 namespace {
 
-/// A checked file in a form that tinyobjloader reads, since it knows neither a backslash at a
-/// line's end nor a comment after a number. It has only the lines that matter, each on one line,
-/// with the vertex alone of each corner. A vertex's color takes the place of a normal: in the
-/// versions of Debian 12 and 13, callbacks do not receive colors.
+/// A checked file in a form that tinyobjloader reads, since tinyobjloader knows neither a backslash
+/// at a line's end nor a comment after a number. The form has only the lines that matter, none of
+/// them continued, and only the vertex of each corner. A vertex's color takes the place of a
+/// normal: in the versions of Debian 12 and 13, callbacks do not receive colors.
 class PlainLines : public plain::streambuf {
  public:
   explicit PlainLines(std::string_view text) : text_(text) {}

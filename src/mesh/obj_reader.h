@@ -23,7 +23,7 @@ struct ObjMarks {
   Array<std::string> materials;  ///< names, in the order of their first faces
   Array<int> material;  ///< the material of each triangle, -1 for none; empty if the file has none
   /// Red, green and blue of each vertex, white if its line has none; empty if no line has them. In
-  /// the file they range to 1, or to 255 if any is greater than 1.
+  /// the file the values range up to 1, or up to 255 if one is greater than 1.
   Array<uint8_t> colors;
 };
 
@@ -32,9 +32,9 @@ struct ObjContents {
   /// polygon one after another.
   TriangleSoup soup;
   ObjMarks marks;
-  int polygonsCut = 0;  ///< the number of faces with more than three corners
-  int repeatedCorners =
-      0;            ///< the number of them that named a vertex twice in a row, which counts once
+  int polygonsCut = 0;  ///< the number of polygons cut into triangles
+  /// the number of polygons that named a vertex twice in a row, which counts once
+  int repeatedCorners = 0;
   int leftOut = 0;  ///< the number of faces that have fewer than three corners or cannot be cut
   int firstLineLeftOut = 0;  ///< the line of the first of these faces, from 1
 };

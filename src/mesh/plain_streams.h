@@ -18,9 +18,9 @@
 #include <utility>
 #include <vector>
 
-/// The streams that tinyobjloader reads: the standard ones, or where KARCHER_PLAIN_STREAMS is
-/// defined classes with as much of their interface as tinyobjloader uses. The standard streams link
-/// all locales with their dates and money: 34 KB of the compressed WebAssembly module.
+/// The streams that tinyobjloader uses: the standard ones, or, if KARCHER_PLAIN_STREAMS is defined,
+/// classes with only the part of their interface that tinyobjloader uses. The standard streams
+/// would link all locales with their dates and money: 34 KB of the compressed WebAssembly module.
 namespace karcher::plain {
 
 using namespace std;  // NOLINT(google-build-using-namespace): all but the streams is standard

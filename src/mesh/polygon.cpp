@@ -9,8 +9,8 @@
 namespace karcher {
 namespace {
 
-/// The margin of an ear's box, as a part of the box. A corner beyond it is not in the ear, whatever
-/// the rounding.
+/// The margin around the bounding box of an ear, relative to the box's longer side. A corner
+/// outside the widened box is not in the ear, whatever the rounding.
 constexpr double kBeside = 1e-3;
 
 /// The corners projected along the mean normal (Newell), counterclockwise around the polygon.
@@ -131,9 +131,9 @@ class EarClipping {
     const Vec2& a = plane_[at(i - 1)];
     const Vec2& b = plane_[at(i)];
     const Vec2& c = plane_[at(i + 1)];
-    // Corners whose sine is below this lie on a line.
+    // Corners whose cross product is at most this lie on a line.
     const double flat = kLocalRounding * ((b - a).squaredNorm() + (c - b).squaredNorm());
-    // The negation also holds for coordinates that are NaN, as without a normal.
+    // The negation also holds for NaN: without a normal, the coordinates are NaN.
     if (!(cross(b - a, c - b) > flat)) return kInfinity;
     const int own[3] = {at(i - 1), at(i), at(i + 1)};
     const auto blocks = [&](int k) {
@@ -164,8 +164,8 @@ class EarClipping {
   Array<Vec2> plane_;
   PointGrid grid_;
   Array<uint8_t> isLeft_;   ///< whether each corner is in the ring
-  Array<int> next_;         ///< the next corner after each one in the ring
-  Array<int> previous_;     ///< the previous corner before each one in the ring
+  Array<int> next_;         ///< the corner after each corner in the ring
+  Array<int> previous_;     ///< the corner before each corner in the ring
   Array<int> ring_;         ///< the remaining corners
   Array<double> diagonal_;  ///< the earDiagonal of each remaining corner
 };

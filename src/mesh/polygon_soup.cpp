@@ -33,7 +33,7 @@ bool takeOnce(Array<int>& corners) {
   return true;
 }
 
-/// A fan of triangles without area, if all corners lie on a line.
+/// A fan of triangles without area if all corners lie on a line; else empty.
 Array<Triangle> fanOnALine(const Array<Vec3>& corners) {
   if (corners.count() > kMostPolygonCorners) return {};
   Array<Triangle> fan;

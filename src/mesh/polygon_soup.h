@@ -26,9 +26,9 @@ struct CutPolygons {
   /// after another.
   TriangleSoup soup;
   Array<int> mark;      ///< the mark of each triangle's face; empty without marks
-  int polygonsCut = 0;  ///< the number of faces with more than three corners
-  int repeatedCorners =
-      0;            ///< the number of them that named a vertex twice in a row, which counts once
+  int polygonsCut = 0;  ///< the number of polygons cut into triangles
+  /// the number of polygons that named a vertex twice in a row, which counts once
+  int repeatedCorners = 0;
   int leftOut = 0;  ///< the number of faces that cannot be cut
   PolygonNumber firstLeftOut;
 };
@@ -37,9 +37,10 @@ struct CutPolygons {
 ///
 /// With `mend`, a vertex that a polygon names twice in a row counts once. A polygon whose corners
 /// all lie on a line becomes a fan of triangles without area. The shorter diagonal cuts a quad that
-/// crosses itself. Other polygons that cannot be cut are omitted, unless no face would remain.
-/// Throws Error kDegenerateFace for a polygon that cannot be cut, and names it by `placeOf`: "line
-/// 12".
+/// crosses itself. Other polygons that cannot be cut are omitted.
+///
+/// Without `mend`, or if no face would remain, throws Error kDegenerateFace for the first polygon
+/// that cannot be cut, and names it by `placeOf`: "line 12".
 CutPolygons cutPolygons(PolygonSoup polygons, bool mend,
                         const std::function<std::string(PolygonNumber)>& placeOf);
 

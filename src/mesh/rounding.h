@@ -1,6 +1,6 @@
 #pragma once
 
-/// The largest differences between computed numbers that should be equal, as parts of their inputs.
+/// The largest differences between computed numbers that should be equal, relative to their inputs.
 /// The longer the computation, the larger the difference. A comparison uses the constant that fits
 /// its numbers.
 namespace karcher {

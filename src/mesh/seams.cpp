@@ -69,7 +69,7 @@ class Seams {
     forEachEdge(byPlace, positions_.count(), visit);
   }
 
-  /// Whether two vertices are at one place.
+  /// Whether any two vertices share a place.
   bool placesDiffer() const {
     for (const int v : order_) {
       if (place_[v] != v) return true;
@@ -187,7 +187,8 @@ class Seams {
     DisjointSets sets(positions_.count());
     if (!uniteNear(points, reach, most, sets)) return false;
     Array<int> joined = sets.names();
-    // Two corners of a face never become one. A set that would unite them stays unchanged.
+    // Two corners of a face are never merged: the places of a set that would merge them stay as
+    // they are.
     Array<uint8_t> torn(positions_.size(), 0);
     for (const Triangle& t : faces_.corners) {
       for (int k = 0; k < 3; ++k) {
@@ -234,7 +235,7 @@ class Seams {
     return any;
   }
 
-  /// Points that lie in one cube.
+  /// Points in heaps: each heap has the points in one cube.
   struct Heaps {
     Array<int> points;  ///< the points, one heap after the other
     Array<int> begin;   ///< the begin of each heap, and the end of the last
@@ -246,8 +247,8 @@ class Seams {
     }
   };
 
-  /// The heaps of cubes whose points are no farther from each other than `width`. If the cubes
-  /// would be too many to number exactly, each point is a heap.
+  /// The points in heaps, one for each cube. The cubes are so small that no two points of one are
+  /// farther apart than `width`. If they would be too many to number exactly, each point is a heap.
   Heaps heapsOf(const Array<int>& points, double width) const {
     Heaps heaps;
     heaps.points = points;
@@ -353,10 +354,10 @@ class Seams {
     repairs_.welded += target_.unite(v, w) ? 1 : 0;
   }
 
-  /// Finds edges that two faces share in the file but more would share after welding. A later
-  /// separation of these might part the two, so one end of the edge stays unwelded. Then a sheet
-  /// and its turned copy, welded along their rim, do not tear at an edge from rim to rim. Returns
-  /// whether it found one.
+  /// Finds edges that two faces share in the file, but more faces would share after welding. The
+  /// repair of such an edge might separate the two faces, so one end of the edge stays unwelded.
+  /// Then a sheet and its turned copy, welded along their rim, do not tear at an edge from rim to
+  /// rim. Returns whether it found such an edge.
   bool keepWholeEdges() {
     // the most sides compared; the time grows with their square
     constexpr size_t kMostCompared = 64;
@@ -391,15 +392,15 @@ class Seams {
     return any;
   }
 
-  /// Joins the vertices of two half-edges along each other.
+  /// Welds the vertices of two half-edges that lie along each other.
   void join(int g, int h) {
     const bool turned = placeAt(g) == placeAt(h);
     unite(vertexAt(g), vertexAt(turned ? h : nextCorner(h)));
     unite(vertexAt(nextCorner(g)), vertexAt(turned ? nextCorner(h) : h));
   }
 
-  /// First joins half-edges whose faces the file joins, then the others, as long as the surface
-  /// stays two-sided.
+  /// Welds half-edges of the same direction as long as the surface stays two-sided. Those whose
+  /// vertices are welded already take precedence.
   void weldMirrored(const Edges& edges) {
     const auto isJoined = [&](const std::array<int, 2>& pair) {
       const auto same = [&](int v, int w) { return target_.find(v) == target_.find(w); };

@@ -21,12 +21,12 @@ struct SeamOptions {
 struct DuplicateFace {
   int source;      ///< the input triangle of the face
   int keptSource;  ///< the input triangle of the face that stays
-  /// The corner of the other face at the place of each corner of the kept face.
+  /// For each corner of the face, the corner of the kept face at the same place.
   std::array<int, 3> corner;
 };
 
 struct SeamRepairs {
-  int welded = 0;     ///< the number of vertices that became another
+  int welded = 0;     ///< the number of vertices welded to another
   int keptApart = 0;  ///< the number of vertices that stayed at the place of another
   Array<DuplicateFace> duplicates;
 };
@@ -36,12 +36,12 @@ struct SeamRepairs {
 /// apart, and so do the corners of one face. If the two edges have the same direction, one side
 /// turns over (`connectRepaired`), unless that would make the surface one-sided.
 ///
-/// No third face may join an edge that two faces share. If welding both ends of such an edge would
-/// add one, its first end stays apart.
+/// No third face may join an edge that two faces share. If welding would add one, one of the ends
+/// to be welded stays apart: the first if there are two.
 ///
 /// The function omits a face at the place of an earlier one if both have the same orientation. With
-/// opposite orientations it does so only if an edge has more than two faces and the face is
-/// attached to no other.
+/// opposite orientations it does so only if an edge of the face has more than two faces, and the
+/// face either is attached to no other or has the same vertices as the earlier one.
 ///
 /// `order` lists the vertices of the faces, equal positions next to each other (`mortonOrder`).
 /// `target` maps each vertex to its representative; the function updates it.

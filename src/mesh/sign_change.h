@@ -5,15 +5,16 @@
 namespace karcher {
 
 /// The place between `from` and `to` at which a function changes its sign, up to `rounding`. The
-/// search is by regula falsi, which halves the value of an end that stays twice (the Illinois
-/// rule). Where a value is not finite, or after many steps, it becomes bisection. If the values at
-/// both ends have the same sign, the first counts as negative.
+/// search uses regula falsi, and halves the value at an end that stays twice in a row (the Illinois
+/// rule). It becomes bisection if a value is not finite, or after many steps. If the values at both
+/// ends have the same sign, the first counts as negative.
 template <class Function>
 double signChange(double from, double to, double atFrom, double atTo, double rounding,
                   const Function& valueAt) {
   if (atFrom == 0) return from;
   if (atTo == 0) return to;
-  // The second half of these steps is bisection only, which suffices to the rounding of doubles.
+  // The second half of these steps is bisection only, which is enough to reach the precision of
+  // doubles.
   constexpr int kMostSteps = 100;
   const bool falls = atFrom > 0 && atTo < 0;
   double at = from;

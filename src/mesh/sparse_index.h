@@ -7,9 +7,8 @@
 
 namespace karcher {
 
-/// Numbers 0, 1, 2, ... for the items (faces, cells) that a search meets, few of many, in the order
-/// in which the search adds them. The index uses open addressing, so that its memory does not grow
-/// with the mesh.
+/// Numbers 0, 1, 2, ... for the few items (faces, cells) that a search meets, in the order in which
+/// it adds them. The index uses open addressing, so that its memory does not grow with the mesh.
 class SparseIndex {
  public:
   int count() const { return static_cast<int>(places_.size()); }
