@@ -9,8 +9,8 @@ Columns<double, 1> heatFrom(const HeatOperators& operators, int vertex) {
   return operators.scalarHeat().solve<1>(heat);
 }
 
-/// The part that translations along the edges add to the heat of vectors while the heat of
-/// functions flows over them.
+/// The source of the heat of vectors: the translations along the edges over which the heat of
+/// functions flows.
 Columns<Complex, 1> translations(const HeatOperators& operators, const Columns<double, 1>& heat) {
   Columns<Complex, 1> source = Columns<Complex, 1>::Zero(operators.vertexCount());
   for (const HeatEdge& edge : operators.edges()) {

@@ -4,16 +4,16 @@
 
 /// The affine heat method: Y. Soliman, N. Sharp, "The Affine Heat Method", Computer Graphics Forum
 /// 44 (2025), the successor of the vector heat method for log maps. Heat transports positions
-/// instead of directions. Each vertex has the source as a point of its own tangent plane, in
-/// homogeneous coordinates; an edge changes planes by a rotation and by a translation along itself.
-/// Heat that starts as the origin at the source spreads as (v, u), and v / u, turned back by a
-/// transported frame, is the logarithm. The method needs no Poisson equation and is exact on the
-/// plane.
+/// instead of directions. Each vertex sees the source as a point of its own tangent plane, in
+/// homogeneous coordinates (v, u). Along an edge, such a point is rotated, and translated by the
+/// edge. Heat starts at the source as the origin of its plane. Where the heat (v, u) arrives, the
+/// logarithm is v / u, turned back by a transported frame. The method needs no Poisson equation and
+/// is exact on the plane.
 ///
 /// The 3 n x 3 n operator of the paper is block triangular: u is ordinary heat, and v is heat of
 /// vectors with a source that u determines. So both variants need only the factors of the vector
-/// heat method. They do not need the unsymmetric factor, of which the adaptive variant would need
-/// one for each source.
+/// heat method, not a factor of the unsymmetric operator. The adaptive variant would need one such
+/// factor for each source.
 namespace karcher {
 
 enum class AffineVariant {

@@ -27,11 +27,11 @@ enum class ComparedMethod {
 /// The starts of a curve's searches.
 enum class Seeds {
   /// The starts of the engine (traceSegment): both ends of a segment start at the control point of
-  /// the largest weight, other samples at the last one that converged.
+  /// the largest weight, other samples at the last sample that converged.
   kHeaviest,
   /// The starts of the program of the paper's authors. Samples start at the geodesic de Boor point
-  /// (repeatedAverage) until a search finds a center, then each at the last center, through all
-  /// segments, without restarts.
+  /// (repeatedAverage) until a search finds a center. After that, the samples of all segments start
+  /// at the last center. There are no restarts.
   kAuthors,
 };
 
@@ -84,9 +84,9 @@ struct ComparedPlan {
 
 class ComparedCurve {
  public:
-  /// The method must outlive the curve. Throws Error: kBadIndex (a segment without points),
-  /// kBadWeights (a row that does not sum to 1), kUnreachable (several components), kBadArgument
-  /// (descent of more than two points).
+  /// The method must outlive the curve. Throws Error: kBadIndex (a segment whose points do not
+  /// exist), kBadWeights (a row that does not sum to 1), kUnreachable (several components),
+  /// kBadArgument (descent of more than two points).
   ComparedCurve(PreparedMethod& method, ComparedPlan plan);
 
   /// Replaces a control point, whose segments then need a new trace. Throws Error kBadIndex.
@@ -102,9 +102,9 @@ class ComparedCurve {
 
   int segmentCount() const { return segments_.count(); }
   int samplesLeft() const;
-  /// The number of samples that a method's own authors would not have accepted either. For the heat
-  /// methods, these are beyond their library's tolerance (LogMapMean::metLibraryRule); for others,
-  /// they did not converge.
+  /// The number of samples that the method's own authors would not accept. For the heat methods,
+  /// these samples miss the tolerance of the authors' library (LogMapMean::metLibraryRule); for
+  /// other methods, they did not converge.
   int lostByOwnRule() const;
   /// The mean of the heat methods; null for others.
   const LogMapMean* logMaps() const { return mean_.get(); }

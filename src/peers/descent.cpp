@@ -66,7 +66,7 @@ class Descent {
     return crossFace(here);
   }
 
-  /// The search reads distances only along the path, so that other components need none.
+  /// The search reads distances only along the path, so those on other components may be infinite.
   double distanceOf(int vertex) const {
     const double distance = distances_[vertex];
     if (std::isfinite(distance)) return distance;
@@ -197,7 +197,8 @@ CenterOfMass descentCenterOfMass(const Geometry& geometry, const DescentPath& pa
     const double piece = (to - from).norm();
     center.point = path.points[i];
     if (left <= piece) {
-      // Both ends become points of one face: the later one's, or else the earlier one's.
+      // Both ends of the piece become points of one face: that of the later end or else that of the
+      // earlier end.
       const bool later = liesInFace(mesh, locate(mesh, path.points[i - 1]), path.points[i].face);
       const int f = later ? path.points[i].face : path.points[i - 1].face;
       const Vec3 a = inFace(mesh, path.points[i - 1], f).bary;

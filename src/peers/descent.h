@@ -6,14 +6,14 @@
 /// geodesic paths on manifolds", Proceedings of the National Academy of Sciences 95 (1998); the
 /// magenta path of Mancinelli and Puppo's Fig. 3. Distances at the vertices determine a linear
 /// function in each face, with a constant gradient. From the start the path descends against the
-/// gradient from face to face. It follows an edge to which both of its faces lead, and at a vertex
-/// it takes the steepest descent.
+/// gradient from face to face. If the descent in both faces of an edge leads to the edge, the path
+/// follows the edge. At a vertex it takes the steepest descent.
 namespace karcher {
 
 enum class DescentStop {
   kArrived,  ///< the path reached a face of the source, and in it the source
   kStuck,    ///< no direction leads down: a local minimum of the distances, or the boundary
-  kLimit,    ///< the path crossed more edges than the mesh has
+  kLimit,    ///< the path took as many steps as the mesh has half-edges
 };
 
 struct DescentPath {
@@ -34,9 +34,9 @@ DescentPath descendDistance(const Geometry& geometry, const Array<double>& dista
                             const SurfacePoint& source, const SurfacePoint& start);
 
 /// The center of mass of two points that a path joins, the source with weights[0] and the start
-/// with weights[1]. It is the point at the part weights[1] of the path's length from the source.
-/// The status is kNoProgress if the path did not arrive. Throws Error kBadWeights unless there are
-/// two weights, neither negative, with the sum 1.
+/// with weights[1]. Its distance from the source along the path is weights[1] times the path's
+/// length. The status is kNoProgress if the path did not arrive. Throws Error kBadWeights unless
+/// there are two weights, neither negative, with the sum 1.
 CenterOfMass descentCenterOfMass(const Geometry& geometry, const DescentPath& path,
                                  Weights weights);
 

@@ -133,8 +133,8 @@ class LeastSquaresMesh {
   Eigen::SparseMatrix<double> energy_;
 };
 
-/// The place of a new landmark among the earlier ones, by the same majorization as theirs, from its
-/// place in the least-squares mesh.
+/// The place of a new landmark among the earlier ones, by the majorization that placed these. It
+/// starts at `place`, the new landmark's place in the least-squares mesh.
 EmbeddedPoint placeAmong(const Landmarks& landmarks, int i, const Positions& places,
                          EmbeddedPoint place) {
   constexpr int kIterations = 50;
@@ -163,7 +163,8 @@ Array<int> foldedFaces(const TriangleMesh& mesh, const Embedding& embedding) {
   return folded;
 }
 
-/// Landmarks at one corner of each folded face, but not at neighbours of other new landmarks.
+/// New landmarks: one corner of each folded face, but only of faces that share no corner, and at
+/// most kMostAtOnce.
 Array<int> newLandmarks(const TriangleMesh& mesh, const Array<int>& folded,
                         const Landmarks& landmarks) {
   constexpr int kMostAtOnce = 100;

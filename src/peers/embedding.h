@@ -6,11 +6,11 @@
 
 /// A mesh embedded in eight dimensions, where straight lines are about as long as the shortest
 /// paths on the surface: D. Panozzo, I. Baran, O. Diamanti, O. Sorkine-Hornung, "Weighted Averages
-/// on Surfaces" (2013), section 3.5. Metric multidimensional scaling of their geodesic distances
-/// places landmarks, each as far as possible from the earlier ones. Between them the surface is as
-/// smooth as possible: the least-squares mesh (O. Sorkine, D. Cohen-Or, "Least-squares meshes",
-/// 2004). If some of its faces fold over, local refinement adds landmarks, places them among all
-/// others, and tries again.
+/// on Surfaces" (2013), section 3.5. The method chooses landmarks, each as far as possible from the
+/// earlier ones, and places them by metric multidimensional scaling of their geodesic distances.
+/// Between the landmarks the surface is as smooth as possible: the least-squares mesh (O. Sorkine,
+/// D. Cohen-Or, "Least-squares meshes", 2004). If some of its faces fold over, local refinement
+/// adds landmarks, places them among all others, and tries again.
 namespace karcher {
 
 /// A function that returns the geodesic distances from a vertex to all vertices.

@@ -19,7 +19,7 @@ struct HeatOptions {
   bool delaunay = false;  ///< whether to use the intrinsic Delaunay triangulation of the surface
 };
 
-/// An edge of the triangulation with the parts of its entries in the operators.
+/// An edge of the triangulation, with the values that determine its entries in the operators.
 struct HeatEdge {
   int tail = 0;
   int head = 0;
@@ -76,8 +76,8 @@ class HeatOperators {
   mutable std::optional<SparseFactor<double>> poisson_;
 };
 
-/// The least heat that underflow does not distort. A vertex with less is too far away for a
-/// direction.
+/// The least heat that underflow does not distort. A vertex with less heat is too far away to have
+/// a direction.
 inline constexpr double kLeastHeat = 1e-290;
 
 inline Vec2 toVec2(const Complex& z) { return {z.real(), z.imag()}; }

@@ -5,9 +5,9 @@
 #include "intrinsic/geometry.h"
 
 /// A triangulation of a surface by its edge lengths alone: the mesh itself, or the intrinsic
-/// Delaunay triangulation, which has the same vertices and metric but other edges. Flips change the
-/// edges and keep the directions in which they leave their vertices, after N. Sharp, Y. Soliman, K.
-/// Crane, "The Vector Heat Method" (2019), section 5.4.
+/// Delaunay triangulation, which has the same vertices and metric but other edges. Flips replace
+/// edges and compute the directions in which the new edges leave their vertices, after N. Sharp, Y.
+/// Soliman, K. Crane, "The Vector Heat Method" (2019), section 5.4.
 namespace karcher {
 
 /// A tangent vector as a complex number.
@@ -32,7 +32,7 @@ struct IntrinsicTriangulation {
 IntrinsicTriangulation meshTriangulation(const Geometry& geometry);
 
 /// Flips edges until the angles opposite to each sum to at most pi, or until 100 flips for each
-/// edge. Returns the number of flips.
+/// half-edge. Returns the number of flips.
 int makeDelaunay(IntrinsicTriangulation& triangulation);
 
 /// Twice the area of face f.

@@ -29,7 +29,7 @@ void LogMapMean::movePoint(int i, const SurfacePoint& point) {
     if (!known.whole.empty() && known.ofPoints[i].allFinite()) {
       ++at;
     } else {
-      // The search that needs a missing logarithm reports the point.
+      // If a logarithm is missing, the next search that needs it throws and names the point.
       keptBytes_ -= known.whole.size() * sizeof(Vec2);
       at = known_.erase(at);
     }

@@ -53,7 +53,7 @@ Scaling scaleDistances(const MatrixXd& distances, const ScalingOptions& options)
   scaling.positions = classicalScaling(distances, options.dimensions);
   if (count < 2) return scaling;
   // Weights 1 / distance^2 make errors relative. The Laplacian of the weights is regular on
-  // centered positions, and with a constant added to all entries.
+  // centered positions; a constant added to all entries makes it regular on all positions.
   const auto offDiagonal = [&](const auto& entry) {
     MatrixXd matrix(count, count);
     for (Eigen::Index j = 0; j < count; ++j) {

@@ -12,7 +12,7 @@ Complex inPlane(const TangentPlane& plane, const EmbeddedPoint& x) {
   return {coordinates.x(), coordinates.y()};
 }
 
-/// The plane with its coordinates turned by the angle of z and scaled by its size.
+/// The plane with its coordinates turned by the angle of z and scaled by |z|.
 TangentPlane turned(const Complex& z, const TangentPlane& plane) {
   TangentPlane result;
   result.row(0) = z.real() * plane.row(0) - z.imag() * plane.row(1);
@@ -27,8 +27,8 @@ TangentPlane orthonormal(TangentPlane plane) {
   return plane;
 }
 
-/// The unit number that turns the coordinates of plane `from` as nearly as possible into those of
-/// `to`.
+/// The complex unit number that turns the coordinates of plane `from` as nearly as possible into
+/// those of `to`.
 Complex turnBetween(const TangentPlane& from, const TangentPlane& to) {
   const Eigen::Matrix2d products = to * from.transpose();
   const Complex turn(products(0, 0) + products(1, 1), products(1, 0) - products(0, 1));
@@ -36,9 +36,10 @@ Complex turnBetween(const TangentPlane& from, const TangentPlane& to) {
   return size > 0 ? turn / size : Complex(1);
 }
 
-/// The weights of the planes at the corners. Along each edge two planes blend linearly; the
-/// products of the ends' weights blend these three results. first[k] belongs to corner k in the
-/// blend of the edge from k to k + 1, second[k] in that of the edge from k - 1 to k. All sum to 1.
+/// The weights of the planes at the corners. Along each edge, the planes at its ends blend
+/// linearly; the products of the ends' barycentric weights blend the results of the three edges.
+/// first[k] is the weight of corner k in the blend along the edge from k to k + 1, second[k] its
+/// weight along the edge from k - 1 to k. The six weights sum to 1.
 struct BlendWeights {
   Vec3 first;
   Vec3 second;
@@ -148,8 +149,8 @@ PhongSurface::Patch PhongSurface::patchOf(int f) const {
     turn[k] = turnBetween(planes_[mesh_.corner(f, k)], planes_[mesh_.corner(f, (k + 1) % 3)]);
     around *= turn[k];
   }
-  // The product of the three rotations is not quite 1. Each corner, where the blends of two edges
-  // meet, takes a third of the rest.
+  // The product of the three rotations is not quite 1. At each corner the blends of two edges meet;
+  // a third of the remaining angle goes to each.
   const Complex share = std::polar(1.0, -std::arg(around) / 3);
   Complex edgeTurn[3];
   edgeTurn[0] = 1;

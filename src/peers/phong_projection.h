@@ -9,8 +9,8 @@
 /// Surfaces", ACM Transactions on Graphics 32 (2013), section 4. A mesh embedded in eight
 /// dimensions has a tangent plane at each vertex. Between the vertices the planes change
 /// continuously over the surface. A point of the space projects to the point of the mesh whose
-/// plane is orthogonal to the line between them. Unlike the nearest point, this projection depends
-/// smoothly on the point.
+/// plane is orthogonal to the line between the two points. Unlike the nearest point, this
+/// projection depends smoothly on the point.
 namespace karcher {
 
 inline constexpr int kEmbeddingDimensions = 8;
@@ -38,13 +38,14 @@ class PhongSurface {
   /// The blended tangent plane at a point: orthonormal rows.
   TangentPlane planeAt(const SurfacePoint& point) const;
 
-  /// The projection of p; the search goes from face to face and then around the nearest vertex. It
-  /// is empty if it lies beyond the boundary or no face has a projection.
+  /// The projection of p. The search tries the start's face, then walks from face to face from the
+  /// vertex nearest to p, then tries all faces around this vertex. The result is empty if the
+  /// projection lies beyond the boundary or no face has one.
   std::optional<SurfacePoint> project(const EmbeddedPoint& p, const SurfacePoint& start) const;
 
  private:
-  /// A face in the coordinates of Newton's method, relative to its corner 0. They are in the planes
-  /// of its corners, whose two coordinates form a complex number.
+  /// A face in the coordinates of Newton's method: positions relative to corner 0, in the plane at
+  /// each corner. The two coordinates in a plane form a complex number.
   struct Patch {
     /// a turn of the plane of corner k into the frame of the blend along the edge that leaves k
     Complex turnFirst[3];

@@ -14,7 +14,7 @@ class TimedField {
 
   int vertexCount() const { return within_.count(); }
 
-  /// Computes the field again and reads it at these vertices, as a curve does.
+  /// Computes the field again and reads it at the vertices within the radius, as a curve does.
   void read();
 
  private:

@@ -3,9 +3,9 @@
 namespace karcher {
 namespace {
 
-/// The coefficients, for the two hat functions at the far ends of a corner, of the outward
-/// directions on a small circle in it: the integral over the corner of the hat's slope times the
-/// direction, in a plane with the corner's first side on the x axis.
+/// The outward directions on a small circle, in one corner, as coefficients of the hat functions at
+/// the far ends of the corner's sides. A coefficient is the integral over the corner of the hat's
+/// slope times the direction, in a plane with the corner's first side on the x axis.
 struct CornerBall {
   Complex first;   ///< the coefficient of the hat at the end of the first side
   Complex second;  ///< the coefficient of the hat at the end of the second side

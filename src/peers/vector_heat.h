@@ -9,9 +9,9 @@
 /// Transactions on Graphics 38 (2019). Short-time heat flow with the connection Laplacian
 /// transports vectors along shortest paths. From a vertex, heat that starts as all outward
 /// directions at once gives the direction in which shortest paths arrive (the radial field). Heat
-/// that starts as one direction transports the vertex's own x axis. The angle between the two is
-/// the angle of the logarithm; its length is the potential whose gradient is nearest to the radial
-/// field.
+/// that starts as one direction transports the vertex's own x axis. The angle between these two
+/// directions is the angle of the logarithm. The logarithm's length is the potential whose gradient
+/// is nearest to the radial field.
 namespace karcher {
 
 /// The logarithm of each vertex; (kInfinity, 0) if it is on another component or so far away that
@@ -30,8 +30,8 @@ using LogMapFromVertex = std::function<LogMap(int vertex)>;
 
 /// The rotation (a unit vector, see `rotate`) from the frame of corner k of a point's face into the
 /// frame of the face. It keeps the direction of the half-edge that leaves the corner. For a point
-/// on an edge it keeps that of the edge, so that both faces at the edge agree. Since a vertex's
-/// frame is rescaled, other directions turn by a little more or less.
+/// on an edge, it keeps the direction of this edge, so that both faces at the edge agree. Since a
+/// vertex's frame is rescaled, other directions turn by a little more or less.
 Vec2 cornerRotation(const Geometry& geometry, const SurfacePoint& point, int k);
 
 }  // namespace karcher

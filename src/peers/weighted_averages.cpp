@@ -8,8 +8,8 @@
 namespace karcher {
 namespace {
 
-/// The factor by which an offset across the tangent plane counts more than one along it, in the
-/// inverse problem.
+/// The factor by which a squared offset across the tangent plane counts more than one along it, in
+/// the inverse problem.
 constexpr double kAcrossFactor = 10;
 
 }  // namespace

@@ -23,10 +23,10 @@ class WeightedAverages {
                             const SurfacePoint& start) const;
 
   /// The inverse problem (section 5): weights, summing to 1, whose average projects to `target`. Of
-  /// all such weights, these minimize the sum of squares, each multiplied by its point's squared
-  /// distance from the target. In the distance the part across the tangent plane counts tenfold.
-  /// Throws Error: kTooFewPoints (fewer than 3), kBadArgument if the points lie on one line as seen
-  /// from the target.
+  /// all such weights w_i, these minimize the sum of (w_i d_i^2)^2. Here d_i^2 is the squared
+  /// distance of point i from the target, in which the squared part across the tangent plane counts
+  /// tenfold. Throws Error: kTooFewPoints (fewer than 3), kBadArgument if the points lie on one
+  /// line as seen from the target.
   Array<double> weightsOf(const Array<SurfacePoint>& points, const SurfacePoint& target) const;
 
  private:

@@ -58,8 +58,8 @@ int Cells::cutTwin(int h) const {
   const int k = cell % 4;
   if (k == 3) return 3 * (4 * face + (cornerOf(h) + 1) % 3) + 1;
   if (cornerOf(h) == 1) return 3 * (4 * face + 3) + (k + 2) % 3;
-  // The edge of the cell is half an edge of the face: the first half of the one that leaves corner
-  // k, or the second half of the one that enters it.
+  // The cell's edge is half of one of the face's half-edges: the first half of the half-edge that
+  // leaves corner k, or the second half of the half-edge that enters corner k.
   const bool first = cornerOf(h) == 0;
   const int t = mesh_.twin[3 * face + (first ? k : (k + 2) % 3)];
   if (t < 0) return -1;

@@ -2,10 +2,10 @@
 
 #include "mesh/surface_point.h"
 
-/// The triangles in which a blended field is linear: the faces of the mesh, or the four triangles
-/// into which the midpoints of its edges cut each.
+/// The triangles in which a blended field is linear: the faces of the mesh or, if faces are cut,
+/// the four triangles into which the midpoints of its edges cut each face.
 ///
-/// Cut, face f has the cells 4 f + k at its corners k and 4 f + 3 in its middle:
+/// A cut face f has the cells 4 f + k at its corners k and the cell 4 f + 3 in its middle:
 ///
 ///             2
 ///            / \            Corners of cell k: corner k of the face, the midpoint of the edge that
@@ -47,7 +47,7 @@ class Cells {
   /// The point at parameter s in [0, 1] along half-edge h.
   SurfacePoint pointOnEdge(int h, double s) const;
 
-  /// The tail of half-edge h, in the same face whichever of its half-edges is given.
+  /// The tail of half-edge h. All half-edges that leave one point give it in the same face.
   SurfacePoint tailOf(int h) const;
 
   /// The half-edge in the opposite direction, in the cell across h; -1 at the boundary.

@@ -21,14 +21,15 @@ void checkDensity(const TriangleMesh& mesh, const Array<double>& density) {
   }
 }
 
-/// A mass, and its first moment: the mass times its centroid, in a face's second and third weights.
+/// A mass in a face and its first moment: the mass times the second and third barycentric weights
+/// of its centroid.
 struct Mass {
   double mass = 0;
   Vec2 moment = Vec2::Zero();
 };
 
-/// The mass of a face's part in a region. Each side adds the triangle between it and the first
-/// corner (Green's theorem).
+/// The mass of a face's part in a region. Each side of the part adds the signed mass of the
+/// triangle between the side and the face's first corner (Green's theorem).
 Mass massIn(const TriangleMesh& mesh, const Arrangement& all, const Region& region, int face,
             const Array<double>& density) {
   Vec3 atCorners = Vec3::Ones();

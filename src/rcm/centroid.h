@@ -7,20 +7,21 @@
 /// under the same name.
 namespace karcher {
 
-/// The centroid of a region: the center of mass of its area, or of a density on it, where the
-/// integral of the squared distances to all of the region has a minimum. It need not lie in the
-/// region. `density` is the mass per area: a value of at least 0 for each vertex, linear in
-/// triangles; without values it is 1 everywhere.
+/// The centroid of a region: the center of mass of its area or of a density on it. It minimizes the
+/// integral of the squared distances to the points of the region and need not lie in the region.
+/// `density` is the mass per area: a value of at least 0 for each vertex, linear in triangles;
+/// without values it is 1 everywhere.
 ///
-/// The mass of each triangle, or of its part in the region, lies at its own centroid. This is exact
-/// to rounding on a plane and good to the square of the edges on smooth surfaces. The centroid is
-/// the center of mass of these points, and the energy is the mean squared distance to them. The
-/// options are those of centers of mass; the weights are always divided by their sum. On a large
-/// mesh the check by exact distances (options.isChecked) takes most of the time.
+/// The mass of each triangle, or of its part in the region, is moved to the centroid of this mass.
+/// On a plane this is exact up to rounding; on smooth surfaces the error is of second order in the
+/// length of edges. The region's centroid is the center of mass of these points, and the energy is
+/// the mean squared distance to them. The options are those of centers of mass; the weights are
+/// always divided by their sum. On a large mesh the check by exact distances (options.isChecked)
+/// takes most of the time.
 ///
-/// Throws what `centerOfMass` throws (mean.h), such as kUnreachable for a region of several
-/// components, and Error kBadArgument for a region without area or mass, and unless the density has
-/// one value of at least 0 for each vertex.
+/// Throws what `centerOfMass` throws (mean.h), such as kUnreachable for a region on several
+/// components. Throws Error kBadArgument if the region has no area or mass, if the density does not
+/// have one value for each vertex, or if a value is negative or not finite.
 Mean centroid(Surface& surface, const Arrangement& arrangement, const Region& region,
               const Array<double>& density = {}, MeanOptions options = {});
 

@@ -4,8 +4,8 @@
 
 /// The energy and the residual of a center of mass by exact shortest paths, whichever method found
 /// it. Each method estimates the energy between vertices by fields of its own, so that the energies
-/// and gradients of two methods are not comparable. These values are, since they depend on no
-/// field.
+/// and gradients of two methods are not comparable. The values of a certificate are comparable,
+/// since they depend on no field.
 namespace karcher {
 
 struct Certificate {
@@ -15,10 +15,11 @@ struct Certificate {
 };
 
 /// The certificate of a point p for points p_i on its component. There is one weight for each
-/// point; with `normalize` their sum divides them. For a point inside a face (at least a billionth
-/// of the face from its sides), the distances are those of one exact source, up to the farthest
-/// point. On an edge or at a vertex, they are lengths of shortest paths. The log vectors at a
-/// vertex are those of its rescaled frame (tangent.h). Throws what WindowDistance throws.
+/// point; with `normalize` the weights are divided by their sum. For a p inside a face (at least a
+/// billionth of the face from its sides), the exact solver computes the distances from p up to the
+/// farthest p_i. For a p on an edge or at a vertex, the distances are the lengths of shortest
+/// paths. The log vectors at a vertex are those of its rescaled frame (tangent.h). Throws what
+/// WindowDistance throws.
 Certificate certificateOf(const Geometry& geometry, const Array<SurfacePoint>& points,
                           Array<double> weights, bool normalize, const SurfacePoint& point);
 

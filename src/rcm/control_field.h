@@ -23,8 +23,9 @@ class ControlField {
   /// on earlier calls.
   using Evaluate = std::function<FieldValue(int vertex)>;
 
-  /// A function that computes the field at the midpoint of a half-edge minus the mean of its ends,
-  /// in the half-edge's frame, whose x axis is its direction.
+  /// A function that computes the field at the midpoint of a half-edge minus the mean of the values
+  /// at its ends. The result is in the half-edge's frame, whose x axis is the half-edge's
+  /// direction.
   using EvaluateMidpoint = std::function<Vec2(int halfedge)>;
 
   /// Removes all values, in time linear in their number; `evaluate` computes new ones. With
@@ -41,7 +42,7 @@ class ControlField {
   const FieldValue& at(int vertex) {
     const int number = numberOf_.find(vertex);
     if (number >= 0) return values_[number];
-    // The evaluation may throw, so the entry follows it.
+    // The evaluation may throw, so the entry is added after it.
     const FieldValue value = evaluate_(vertex);
     numberOf_.add(vertex);
     return values_.emplace_back(value);
@@ -49,8 +50,8 @@ class ControlField {
 
   bool hasMidpoints() const { return static_cast<bool>(evaluateMidpoint_); }
 
-  /// The field at the midpoint of a half-edge minus the mean of its ends. Callers must use the same
-  /// half-edge of an edge each time.
+  /// The field at the midpoint of a half-edge minus the mean of the values at its ends. Callers
+  /// must use the same half-edge of an edge each time.
   const Vec2& midpointCorrection(int halfedge) {
     const auto [entry, isNew] = corrections_.try_emplace(halfedge);
     if (isNew) {
@@ -64,7 +65,7 @@ class ControlField {
     return entry->second;
   }
 
-  /// The same value for callers that read each value once: the field does not keep it.
+  /// The same value, which the field does not keep: for callers that read each value once.
   Vec2 midpointCorrectionUnkept(int halfedge) const { return evaluateMidpoint_(halfedge); }
 
  private:

@@ -14,8 +14,8 @@ namespace karcher {
 /// those around it. Usually `isTheOnlyZero` shows quickly that this is `zero` itself.
 SurfacePoint deepestZero(FieldBlend& fields, Weights weights, int cell, const CellZero& zero);
 
-/// A zero with greater weights than this is the only one near by: the field's discontinuity moves a
-/// zero by a smaller part of an edge. (Larger discontinuities make a curve jump, which
+/// A zero whose weights all exceed this is the only one near by: the field's discontinuity moves a
+/// zero by a smaller fraction of an edge. (Larger discontinuities make a curve jump, which
 /// curves/trace/bridge.h finds.)
 inline constexpr double kNearEdge = 0.1;
 

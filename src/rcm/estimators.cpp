@@ -10,8 +10,9 @@ namespace {
 
 using Neighbour = StencilNeighbour;
 
-/// Adds the transport along one edge to the neighbours from index `begin` on; earlier ones lie in
-/// finished rings. A neighbour's `place` and `rotation` hold its sums.
+/// Adds the transport along one edge from `from` to the neighbour `vertex`, unless the index of
+/// this neighbour is below `begin`: earlier neighbours lie in finished rings. Until `findRings`
+/// averages them, `place` and `rotation` of a neighbour are sums.
 void carry(Array<Neighbour>& ring, int begin, Array<int>& ways, const Neighbour& from, int vertex,
            double length, double directionThere, double directionBack) {
   const auto known = std::find_if(ring.begin(), ring.end(),
@@ -29,11 +30,11 @@ void carry(Array<Neighbour>& ring, int begin, Array<int>& ways, const Neighbour&
   ++ways[number - begin];
 }
 
-/// Writes to `ring` the vertex itself and then its neighbours, ring by ring. The mean of the
-/// transports along all edges from the previous ring places a neighbour, so that its place does not
-/// depend on the numbers of vertices and faces. Rings do not extend past a hub, whose estimate is
-/// its own log vector. The size of stencils through a hub would grow as the square of its edges,
-/// and they would mix paths around all its sides.
+/// Writes to `ring` the vertex itself and then its neighbours, ring by ring. A neighbour's place is
+/// the mean of the transports along all edges from the previous ring, so that it does not depend on
+/// the numbering of the mesh. Rings do not extend past a hub, whose estimate is its own log vector.
+/// Stencils through a hub would mix paths around all its sides, and their size would grow as the
+/// square of the number of its edges.
 void findRings(const Geometry& geometry, int vertex, int rings, Array<Neighbour>& ring,
                Array<int>& ways) {
   const TriangleMesh& mesh = *geometry.mesh;
@@ -106,12 +107,13 @@ Eigen::Matrix2d whitening(const Array<Neighbour>& ring) {
 /// The weights of the linear fit, which averages noise over its whole ring.
 double wideGaussian(const Vec2& white) { return std::exp(-white.squaredNorm() / 2); }
 
-/// The weights of the quadratic fit. The second ring only determines what the first cannot, so that
-/// near the vertex the fit stays closer to the polyhedron's own distances.
+/// The weights of the quadratic fit. They are so narrow that the second ring determines only what
+/// the first ring cannot. So the fit stays closer to the polyhedron's own distances near the
+/// vertex.
 double narrowGaussian(const Vec2& white) { return std::exp(-2 * white.squaredNorm()); }
 
-/// Writes terms of log vectors. If they do not determine the fit, it writes only the term of the
-/// vertex's own vector.
+/// Writes the terms of log vectors. If the ring does not determine the fit, writes only the term of
+/// the vertex's own log vector.
 void linearTerms(const Array<Neighbour>& ring, double share, Array<StencilTerm>& terms) {
   const Eigen::Matrix2d toWhite = whitening(ring);
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();

@@ -7,9 +7,9 @@
 /// solver's values around it. Their coefficients depend only on the mesh, so that all fields share
 /// them.
 ///
-/// Neighbours lie in the plane of the vertex's frame, at places found along edges. A Gaussian of
-/// the covariance of their positions weights them, so that the weights do not depend on a mesh's
-/// anisotropy.
+/// A fit places the neighbours in the plane of the vertex's frame by transport along edges. Their
+/// weights are a Gaussian with the covariance of their positions, so that the weights do not depend
+/// on a mesh's anisotropy.
 ///
 /// Where triangles approximate a smooth surface, a fit averages out the noise of single vectors. On
 /// a rough surface such as a scan, shortest paths prefer one side of a vertex, which a fit mistakes
@@ -26,8 +26,8 @@ enum class Estimator {
   kLinear2,
   /// The gradient at the vertex of a quadratic least-squares fit to squared distances over the
   /// 2-ring, through the vertex's own value. It is of second order, and needs exact log vectors.
-  /// Their share also depends on the field (shareOfLogVector). If the ring does not determine the
-  /// fit, the estimate is that of kLinear2.
+  /// The share of the vertex's own log vector also depends on the field (shareOfLogVector). If the
+  /// ring does not determine the fit, the estimate is that of kLinear2.
   kQuadratic2,
 };
 
@@ -45,9 +45,10 @@ struct StencilTerm {
   int vertex;
 };
 
-/// The estimate (1 - r) times the fit plus r times the vertex's own log vector: r = s^2 / (s^2 +
-/// m^2 + 0.003^2), with m the mean and s the standard deviation of the angle defects, in radians,
-/// of the vertex and its neighbours. At a hub, a vertex of more than 64 edges, r is 1.
+/// An estimate: (1 - r) times the fit plus r times the vertex's own log vector. The share r is s^2
+/// / (s^2 + m^2 + 0.003^2), where m is the mean and s the standard deviation of the angle defects,
+/// in radians, of the vertex and its neighbours, without those on the boundary. At a hub, a vertex
+/// of more than 64 edges, r is 1.
 struct Stencil {
   const StencilTerm* begin = nullptr;  ///< the first of the terms of log vectors
   const StencilTerm* ofDistances = nullptr;
@@ -74,11 +75,11 @@ struct Stencil {
   }
 };
 
-/// The share of the log vector in an estimate; `share` is the part that the mesh determines.
-/// `difference` is the log vector minus the fit, times -2. Divided by twice `distance`, the
-/// distance from the source, its length is an angle at the source. If the angle exceeds what smooth
-/// surfaces leave between neighbours, paths arrive from both sides of a ridge, and a fit over both
-/// belongs to no path.
+/// The share of the log vector in an estimate. It is at least `share`, which depends only on the
+/// mesh. `difference` is the log vector minus the fit, times -2; its length divided by twice
+/// `distance`, the distance from the source, is an angle at the source. If this angle is larger
+/// than on smooth surfaces, paths arrive from both sides of a ridge, and a fit over both sides
+/// describes no path.
 inline double shareOfLogVector(double share, const Vec2& difference, double distance) {
   constexpr double kAngle = 0.01;  // an angle in radians
   const double squaredAngle = difference.squaredNorm() / (4 * distance * distance);

@@ -11,26 +11,26 @@
 namespace karcher {
 namespace {
 
-/// The circles around a center of few points, with radii in mean edges; the checked one is the
-/// first.
+/// A circle around a center: its radius in mean edges, and the number of compared places on it.
 struct Circle {
   double radius;
   int count;
 };
+/// The circles around a center of few points. The first is the checked one.
 constexpr Circle kCircles[] = {{kCheckedRadius, 64}, {0.1, 16}, {0.03, 16}};
 /// The circle around a center of many points.
 constexpr Circle kCircleOfMany{kCheckedRadius, 12};
 
-/// The gain that moves a center, in square mean edges. It is less than the promised bound, since
-/// lower points may lie between those compared.
+/// The decrease of K, in square mean edges, for which a center moves. It is less than the promised
+/// bound kLowerBy, since lower points may lie between the compared ones.
 constexpr double kMovedFor = kLowerBy / 4;
 
-/// The bound on moves. Most halve the distance to the minimum, and more than a dozen occur only on
-/// surfaces of pure noise.
+/// The bound on moves. Most moves halve the distance to the minimum, and more than a dozen moves
+/// occur only on surfaces of pure noise.
 constexpr int kMostMoves = 24;
 
-/// The least length of a path from the source, through one of the face's images or over one of its
-/// corners.
+/// The length of the shortest path from the source to a point: straight from one of the source's
+/// images in the point's face, or over one of the face's corners.
 double lengthTo(const Geometry& geometry, const WindowDistance& distance, const SurfacePoint& to) {
   const Vec2 point = pointInFace(geometry, to);
   double length = kInfinity;
@@ -45,7 +45,7 @@ double lengthTo(const Geometry& geometry, const WindowDistance& distance, const 
   return length;
 }
 
-/// The direction, in the frame of a face, from a point of it to the farthest corner.
+/// The direction, in a face's frame, from a point of the face to the farthest corner.
 double farthestCorner(const Geometry& geometry, const SurfacePoint& point) {
   const Vec2 from = pointInFace(geometry, point);
   Vec2 farthest = Vec2::Zero();
@@ -56,8 +56,8 @@ double farthestCorner(const Geometry& geometry, const SurfacePoint& point) {
   return std::atan2(farthest.y(), farthest.x());
 }
 
-/// The direction, in the frame of a vertex, of its longest edge; 0 at the boundary, where frames
-/// begin.
+/// The direction of a vertex's longest edge, in the vertex's frame. It is 0 for a vertex on the
+/// boundary, where the frame begins at the boundary itself.
 double longestEdge(const Geometry& geometry, int vertex) {
   if (geometry.mesh->onBoundary[vertex]) return 0;
   int longest = geometry.mesh->outgoing[vertex];
@@ -98,9 +98,9 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
     // The fast solver's distances are too short by more than this factor only rarely.
     constexpr double kTooShort = 1.002;
     double most = kTooShort * std::max(guesses[i], straight) + 2 * radius;
-    // If the aim is too short, the search either finds a path that is long enough or the loop
-    // raises the aim. The loop ends: a farther search makes no path longer, and while it finds none
-    // the aim grows until it covers the mesh.
+    // If the aim is shorter than a path to a place, the loop raises the aim to the longest path or,
+    // if a place has no path yet, doubles it. The loop ends: a farther search makes no path longer,
+    // and a doubled aim finally covers the mesh.
     for (;;) {
       distance.aimAt(PathAim{middle, radius, most});
       distance.setSource(points_[i]);
@@ -151,8 +151,8 @@ struct Compared {
   Array<SurfacePoint> places;
   Array<double> values;
   int checked = 0;  ///< the number of places: the center and its checked circle
-  /// Whether the lowest place counts as a minimum without another comparison if no place of the
-  /// circle is lower than the center.
+  /// Whether the lowest place counts as a minimum without another comparison. It does so only if no
+  /// checked place is lower than the center by more than kLowerBy.
   bool isSettled = false;
 
   void take(const SurfacePoint& place, double value) {
@@ -166,8 +166,8 @@ struct Compared {
   }
 };
 
-/// Moves from a point to the lowest place until none is lower. `compare` returns the places around
-/// its argument.
+/// Moves from a point to the lowest compared place until none is lower by more than kMovedFor, at
+/// most kMostMoves times. `compare` returns the places around its argument, with K at each.
 template <class Compare>
 ExactMinimum descend(const Geometry& geometry, ExactMinimum result, const Compare& compare) {
   const double squareEdge = square(geometry.meanEdge);
@@ -206,7 +206,8 @@ struct Quadratic {
     }
   }
 
-  /// The minimum, with any curvature below `leastBowl` raised to `leastBowl`.
+  /// The minimum after raising the bowl so far, if necessary, that no curvature is below
+  /// `leastBowl`.
   Vec2 minimum(double leastBowl) const {
     const double rise = std::max(bowl, second.norm() + leastBowl);
     return Vec2(second.y() * first.y() - (rise - second.x()) * first.x(),
@@ -220,8 +221,8 @@ struct Quadratic {
   }
 };
 
-/// The minimum of the parabola through the lowest value of a circle and its neighbors: its place,
-/// as a part of the circle, and its value.
+/// The minimum of the parabola through the lowest value on a circle and its two neighbors: its
+/// place, as a fraction of the full angle, and its value.
 struct Dip {
   double part = 0;
   double value = 0;
@@ -237,8 +238,8 @@ Dip dipOf(std::span<const double> onCircle) {
   return {(k + 0.5 + beside) / count, at(k) + slope * beside / 2};
 }
 
-/// Whether the boundary cuts off no point of a circle. On steep cones distances in space are
-/// shorter than along the surface.
+/// Whether the boundary cuts off no point of a circle. The test compares with half the radius,
+/// since on steep cones distances in space are shorter than along the surface.
 bool isWhole(const TriangleMesh& mesh, const Array<SurfacePoint>& places, double radius) {
   constexpr double kNearest = 0.5;
   const Vec3 center = position(mesh, places[0]);
@@ -299,7 +300,8 @@ ExactMinimum exactMinimumNear(const Geometry& geometry, ExactOneSourceEnergy& en
     if (dip.value < at.energy) take(circleRadius(geometry, at.point, radius, dip.part).path.end());
     compared.checked = compared.values.count();
     if (!isWhole(*geometry.mesh, compared.places, radius)) return compared;
-    // The least bowl in square mean edges. On a plane, it is 0.09 for a circle of this radius.
+    // The least bowl in square mean edges. On a plane, the bowl is 0.09 for a circle of this
+    // radius.
     constexpr double kLeastBowl = 0.04;
     constexpr double kFarthest = 3;
     const double squareEdge = square(geometry.meanEdge);

@@ -8,15 +8,15 @@
 ///
 /// On a smooth surface a zero of blended fields is a minimum of K. On a rough or creased one K has
 /// many shallow minima. Estimates at vertices smooth them away, so that a zero may lie beside all
-/// of them. So the search compares K on circles about the zero, and continues from a point of a
-/// circle that is lower.
+/// of them. So the search compares K on circles about the zero, and moves to the lowest point on
+/// them if K is lower there.
 ///
 /// Only a few faces need exact distances. The windows that can reach these faces
-/// (WindowDistance::aimAt) give them; they are far fewer than those of a whole field.
+/// (WindowDistance::aimAt) are far fewer than the windows of a whole field.
 namespace karcher {
 
-/// The radius, in mean edges, of the circle about a `converged` center on which K is nowhere lower
-/// by more than kLowerBy squared mean edges.
+/// The radius, in mean edges, of the checked circle about a center. On the circle of a `converged`
+/// center, K is nowhere lower than at the center by more than kLowerBy square mean edges.
 inline constexpr double kCheckedRadius = 0.3;
 inline constexpr double kLowerBy = 1e-3;
 
@@ -39,15 +39,15 @@ class ExactEnergy {
   Weights weights_;
 };
 
-/// The radius of a circle around a point: a straightest geodesic at this part, 0 to 1, of the total
-/// angle from the circle's start. The shape of the mesh determines the start, so that a circle's
-/// points do not depend on the numbers of the faces. The geodesic is shorter if it meets the
-/// boundary.
+/// A radius of a circle around a point: a straightest geodesic. Its angle from the circle's start
+/// is the fraction `part`, from 0 to 1, of the total angle. The shape of the mesh determines the
+/// start, so that a circle's points do not depend on the numbering of the faces. The geodesic ends
+/// early if it meets the boundary.
 StraightestPath circleRadius(const Geometry& geometry, const SurfacePoint& center, double radius,
                              double part);
 
-/// The ends of `count` radii at equal parts of the total angle. The first lies half a part from the
-/// circle's start.
+/// The ends of `count` radii at equal angles from each other. The first lies half of this angle
+/// from the circle's start.
 Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& center,
                                  double radius, int count);
 
@@ -60,15 +60,15 @@ struct ExactMinimum {
   int moves = 0;
 };
 
-/// Returns `start` itself if it is lowest in this sense, else the result of a bounded number of
-/// moves to the lowest compared place. With few points a comparison is of many places, since one
-/// search from each point gives its distances to all of them.
+/// Moves from `start` to the lowest compared place, a bounded number of times, until no place is
+/// lower by more than a quarter of kLowerBy. For few points, a comparison has many places, since
+/// one search from each point gives its distances to all places.
 ExactMinimum exactMinimumNear(const Geometry& geometry, ExactEnergy& energy,
                               const SurfacePoint& start);
 
-/// The same for many points. A place needs a search of its own, so a comparison is of few places of
-/// a circle. The energy of many points is smooth except for small creases, and a quadratic fit to
-/// these places finds its minimum.
+/// The same for many points. Each place needs a search of its own, so that a comparison has only a
+/// few places of a circle. The energy of many points is smooth except for small creases, so that a
+/// quadratic fit to these places finds its minimum.
 ExactMinimum exactMinimumNear(const Geometry& geometry, ExactOneSourceEnergy& energy,
                               const SurfacePoint& start);
 

@@ -13,7 +13,8 @@ EdgeValues valuesAtEnds(const Geometry& geometry, ControlField& field, int h) {
           rotateBack(direction.head, field.at(geometry.mesh->head(h)).gradient)};
 }
 
-/// A field at the midpoint of half-edge h minus the mean of its ends, in its frame.
+/// A field at the midpoint of half-edge h minus the mean of the values at its ends, in the frame of
+/// h. It is 0 on the boundary and for a field without values at midpoints.
 Vec2 midpointCorrection(const TriangleMesh& mesh, ControlField& field, int h) {
   const int t = mesh.twin[h];
   if (t < 0 || !field.hasMidpoints()) return Vec2::Zero();
@@ -101,7 +102,7 @@ double FieldBlend::zeroAlongEdge(int h, Weights weights) {
   double alongB = 0;
   const int cell = faceOf(h);
   if (!cells_.cut() || (cell % 4 < 3 && cornerOf(h) != 1)) {
-    // The edge of the mesh, or half of one.
+    // The half-edge is an edge of the mesh or half of one.
     const int edge = !cells_.cut() ? h : 3 * (cell / 4) + (cell % 4 + cornerOf(h)) % 3;
     const EdgeValues values = blendAlongEdge(edge, cornerOf(h) == 2, weights);
     alongA = values.tail.x();
@@ -179,7 +180,7 @@ int FieldBlend::findSlot(int cell) {
   if (slot < 0) {
     slot = slots_.count();
     fillSlot(slot, cell);
-    // The evaluation of a field may throw, so the slot follows it.
+    // The evaluation of a field may throw, so the slot is added after it.
     slots_.add(cell);
   }
   lastCell_ = cell;

@@ -17,8 +17,8 @@ namespace karcher {
 /// Weights, one for each field. They sum to 1 up to kChainRounding.
 using Weights = std::span<const double>;
 
-/// A vector field that is linear in one triangle, by its values at the corners, in the face's
-/// frame.
+/// A vector field that is linear in one triangle, given by its values at the corners in the
+/// triangle's frame.
 struct TriangleField {
   Vec2 corner[3];
 
@@ -26,8 +26,8 @@ struct TriangleField {
     return bary[0] * corner[0] + bary[1] * corner[1] + bary[2] * corner[2];
   }
 
-  /// The field's zero as barycentric weights, up to their sum. The sum is positive if the
-  /// determinant of the Jacobian is.
+  /// The field's zero as barycentric weights that are not yet divided by their sum. The sum is
+  /// positive if the determinant of the Jacobian is.
   Vec3 zeroDirection() const {
     return {cross(corner[1], corner[2]), cross(corner[2], corner[0]), cross(corner[0], corner[1])};
   }
@@ -42,14 +42,14 @@ struct Hessian {
 
 Hessian hessian(const Geometry& geometry, int face, const TriangleField& field);
 
-/// Values of a field at the ends of an edge or of its half, in the edge's frame: its direction is
-/// the x axis.
+/// Values of a field at the ends of an edge or of half an edge, in the edge's frame, whose x axis
+/// is the edge's direction.
 struct EdgeValues {
   Vec2 tail = Vec2::Zero();
   Vec2 head = Vec2::Zero();
 };
 
-/// Fields along an edge or its half, linear between their values at the ends.
+/// Fields along an edge or half an edge, linear between their values at the ends.
 struct EdgeField {
   Array<EdgeValues> fields;
 
@@ -72,8 +72,8 @@ struct CellZero {
   /// The determinant of the field's Jacobian, times that of the map from weights to the cell.
   double determinant;
   /// The largest angle by which the values at an edge's ends turn relative to each other between
-  /// the faces on both sides. It is not zero because vertices' frames scale the corners at both
-  /// ends, which together have pi.
+  /// the faces on both sides. It is not zero, since the frames of both ends rescale their corner
+  /// angles, which sum to less than pi.
   double holonomy;
 
   /// The depth of the zero inside the cell: its smallest weight.
@@ -100,8 +100,8 @@ class FieldBlend {
   /// The weighted sum of the fields at a point, in the frame of its face.
   Vec2 at(const SurfacePoint& point, Weights weights);
 
-  /// Finds the zero of `blend`. Returns false if its Hessian is not positive definite. It is one
-  /// function because a search usually needs no more at a sample.
+  /// Finds the zero of `blend`. Returns false if its Hessian is not positive definite. Usually this
+  /// single call is all that a search needs at a sample.
   [[gnu::always_inline]] bool findZero(int cell, Weights weights, CellZero& zero);
 
   /// The weighted sum of the fields at a vertex, in its frame.
@@ -111,13 +111,13 @@ class FieldBlend {
   /// point by its own gradient. It is exact where squared distances are quadratic.
   double energy(const SurfacePoint& point, Weights weights);
 
-  /// The parameter s in [0, 1] along half-edge h of a cell at which the component of the field
-  /// along the edge vanishes, in the edge's own frame. The cells on both sides share that frame and
-  /// find the same point.
+  /// The parameter s in [0, 1] along half-edge h of a cell at which the field's component along the
+  /// edge vanishes. The field is taken in the edge's own frame, which the cells on both sides
+  /// share, so that both find the same point.
   double zeroAlongEdge(int h, Weights weights);
 
-  /// Writes to `result` the fields along half-edge h of a face or, if faces are cut, along its
-  /// first half from the tail (0) or its second (1).
+  /// Writes to `result` the fields along half-edge h of a face. If faces are cut, it writes the
+  /// fields along one half: `half` is 0 for the half at the tail, 1 for the half at the head.
   void alongEdge(int h, int half, EdgeField& result);
   /// The weighted sum of the fields that `alongEdge` writes, in one pass.
   EdgeValues blendAlongEdge(int h, int half, Weights weights);
@@ -129,8 +129,8 @@ class FieldBlend {
   };
   CellJacobian jacobian(int cell, const TriangleField& field) const;
 
-  /// The unit direction of the cell's first edge in the frame of its face, which turns the cell's
-  /// frame into the face's.
+  /// The unit direction of the cell's first edge in the frame of its face. Rotation by it turns
+  /// vectors in the cell's frame into vectors in the face's frame.
   Vec2 axisInFace(int cell) const;
 
  private:

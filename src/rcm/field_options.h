@@ -37,18 +37,18 @@ inline bool areHeldToExact(const FieldOptions& options) {
   return options.method == Method::kKarcher && options.solver != Solver::kGraph;
 }
 
-/// Whether curves by the method may have levels. The paper's have one center of mass for each
-/// segment.
+/// Whether curves by the method may have levels. The paper's curves have none.
 inline bool takesLevels(Method method) { return method != Method::kPaper; }
 
 /// Throws Error kBadArgument for a combination that does not exist.
 void checkFieldOptions(const FieldOptions& options);
 
-/// Computes the data that fields with these options share. Otherwise the first use computes it.
+/// Computes the data that fields with these options share. Without this call, the first field
+/// computes them.
 void prepareFields(Surface& surface, const FieldOptions& options);
 
 /// The tolerance of kFast (window_distance.h). On all meshes tried, and on ring tubes of any
-/// proportion, the mean error of distances is at most .1 %, and the error is at most 1 % except at
+/// proportion, the mean error of distances is at most 0.1 %, and the error is at most 1 % except at
 /// single vertices (docs/gallery.md).
 inline constexpr double kFastTolerance = 0.0075;
 

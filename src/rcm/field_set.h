@@ -12,8 +12,8 @@ namespace karcher {
 /// the field of a point. A field's values depend only on the surface, the options and the point, so
 /// that no result depends on the fields that a set holds.
 ///
-/// A field without a holder is spare. The set finds it by its point until it moves it to a new
-/// point: a drag moves spare fields and creates none.
+/// A field without a holder is spare. The set finds a spare field by its point until it moves the
+/// field to a new point. So a drag moves spare fields and creates none.
 class FieldSet {
  public:
   /// The surface must outlive the set. Throws what `checkFieldOptions` throws.
@@ -40,11 +40,11 @@ class FieldSet {
   /// The limit for the bytes that the solvers of all fields hold. Above it unused fields rest.
   static constexpr int64_t kMostBytes = int64_t{1} << 29;
 
-  /// Marks a field as used, such as those of the current curve.
+  /// Marks a field as part of the current use, such as the work on one curve.
   void use(PointField& field) const { field.setLastUse(uses_); }
 
-  /// Ends this use. While the solvers of all fields hold more than `most` bytes, fields outside the
-  /// use rest (PointField::rest), those unused for longest first.
+  /// Ends the current use. While the solvers of all fields hold more than `most` bytes, fields that
+  /// are not part of this use rest (PointField::rest), starting with those unused for longest.
   void restUnused(int64_t most = kMostBytes);
 
   /// The number of fields.
@@ -83,8 +83,8 @@ class FieldSet {
   int uses_ = 1;
 };
 
-/// The same set for a curve, which may hold many fields. The end of the last copy of the pointer
-/// makes the curve's fields spare, and trims the set.
+/// A pointer to the same set for a curve, which may hold many fields. When the last copy of this
+/// pointer ends, the set is trimmed, since the curve's fields are then spare.
 std::shared_ptr<FieldSet> trimmedAfter(std::shared_ptr<FieldSet> set);
 
 /// The sets of one surface, one for each value of the options in use.

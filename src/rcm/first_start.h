@@ -9,16 +9,16 @@
 /// other searches could find a lower mean.
 namespace karcher {
 
-/// The average of the first two points along the path between them, averaged with the third, and so
-/// on: the mean itself on a plane, and near it elsewhere. It is empty if a weight is negative or no
-/// path joins two of the points.
+/// The weighted average of the first two points on the path between them, then of this average and
+/// the third point, and so on. On a plane this is the mean; elsewhere it is near the mean. It is
+/// empty if a weight is negative or if no path is found between an average and the next point.
 std::optional<SurfacePoint> averageOfAverages(const Geometry& geometry,
                                               const Array<SurfacePoint>& points, Weights weights);
 
-/// The region where K may be low, for points with non-negative weights that sum to 1: the largest
-/// distance in space from the points' mean in space at which the energy may be at most `energy`.
-/// The energy in space is that of the mean plus the squared distance from it, and distances along
-/// the surface are no shorter.
+/// The ball in space that contains all places where K is at most `energy`, for points with
+/// non-negative weights that sum to 1. Its center is the points' mean in space. By distances in
+/// space, the energy at a place is the mean's energy plus the squared distance from the mean, and
+/// distances along the surface are no shorter.
 struct LowerPlaces {
   Vec3 middle = Vec3::Zero();
   double radius = 0;

@@ -59,8 +59,9 @@ GradientOperator buildGradientOperator(const Geometry& geometry, Star star) {
   const TriangleMesh& mesh = *geometry.mesh;
   const int vertexCount = mesh.vertexCount();
   GradientOperator result(2 * vertexCount, vertexCount);
-  // The most columns of a vertex's row: the vertex itself, and for each face around it a ring
-  // vertex and one across; at the boundary one more ring vertex.
+  // The largest number of columns in a vertex's row: one for the vertex itself; for each face
+  // around it one for a ring vertex and one for the vertex across; and at the boundary one for
+  // another ring vertex.
   Array<int> rowSize(static_cast<size_t>(2 * vertexCount), 2);
   for (int h = 0; h < mesh.halfedgeCount(); ++h) {
     rowSize[2 * mesh.tail(h)] += 2;

@@ -21,10 +21,10 @@ enum class Star {
   kRing,  ///< the faces around the vertex: Eq. 3 as the paper prints it
 };
 
-/// The operator that gives at each vertex the area-weighted mean of the constant gradients of the
-/// faces of its star. It turns each into the vertex's frame; from beyond the ring, through the
-/// adjacent face of the ring. Apply the operator to squared distances, which are smooth at the
-/// source.
+/// The operator that gives, at each vertex, the area-weighted mean of the constant gradients in the
+/// faces of its star. It turns each gradient into the vertex's frame. From a face beyond the ring,
+/// it does so through the adjacent face of the ring. Apply the operator to squared distances, which
+/// are smooth at the source.
 GradientOperator buildGradientOperator(const Geometry& geometry, Star star = Star::kWide);
 
 /// The gradient at each vertex, in its frame. `values` has one entry for each vertex.

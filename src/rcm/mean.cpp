@@ -58,8 +58,8 @@ Mean withSoundEnergy(Mean mean, const Array<double>& weights) {
   return mean;
 }
 
-/// Upper bounds on the distances of the points from a place, by their fields at a vertex of its
-/// face.
+/// Upper bounds on the distances of the points from a place, by their fields at the corner of the
+/// place's face with the largest weight.
 Array<double> distancesNear(const Geometry& geometry, const Array<ControlField*>& fields,
                             const SurfacePoint& point) {
   int corner = 0;
@@ -78,7 +78,7 @@ bool isToBeChecked(const Mean& mean, const MeanOptions& options) {
 }
 
 /// The points of a mean, and the blend of fields in which the search found it. `fields`, if not
-/// empty, are the points' own.
+/// empty, are the fields of the single points.
 struct Blended {
   FieldBlend& blend;
   Weights ofBlend;
@@ -87,7 +87,7 @@ struct Blended {
   Weights weights;
 };
 
-/// Moves a zero to the minimum of exact distances near it. Keeps its energy.
+/// Moves a zero to the exact minimum near it, but keeps the zero's energy.
 Mean heldTo(const ExactMinimum& exact, Mean zero) {
   zero.iterations += exact.moves;
   if (!exact.isLowest) zero.status = Status::kLowerNearby;
@@ -109,7 +109,8 @@ Mean heldToExact(const Mean& zero, const Blended& in) {
 /// places.
 constexpr int kSmooth = 200;
 
-/// The mean of many points; empty if fields find it better.
+/// The mean of many points, checked if the options ask for it. It is empty if the search ends at a
+/// boundary, where fields find the mean better.
 std::optional<Mean> checkedMeanOfMany(Surface& surface, const Array<SurfacePoint>& points,
                                       const Array<double>& weights, const MeanOptions& options) {
   const WeightedPoints merged = mergedPoints(points, weights);
@@ -149,8 +150,9 @@ Mean checkedMean(const Mean& mean, const Blended& in, bool lowest) {
   return center;
 }
 
-/// The estimated number of values in the fields of these points. A field has one for each vertex of
-/// the mesh, or only within the points' spread around its point.
+/// The estimated number of values in the fields of these points. A field has a value for each
+/// vertex of the mesh if `everywhere`, else only for vertices within the points' spread around its
+/// point.
 double likelyValues(const Surface& surface, const Array<SurfacePoint>& points, bool everywhere) {
   const double all = static_cast<double>(points.count()) * surface.mesh().vertexCount();
   if (everywhere) return all;

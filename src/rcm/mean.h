@@ -19,16 +19,16 @@ struct Mean {
   SurfacePoint point;
   Status status = Status::kConverged;
   int iterations = 0;
-  /// The sum of weight times squared distance. The fields estimate it (FieldBlend::energy); for
-  /// many points it is by the solver's distances (mean_of_many.h). It is negative only if a weight
-  /// is.
+  /// The sum of weight times squared distance. The fields estimate it (FieldBlend::energy). For
+  /// many points (mean_of_many.h) it is by exact distances if the mean is checked, else by the
+  /// solver's distances. It is negative only if a weight is.
   double energy = 0;
   /// The uniqueness. It may be kNotUnique without `looksForOthers`, if searches from the control
   /// points found other minima.
   Uniqueness uniqueness = Uniqueness::kNotLooked;
-  /// The other minima at which searches ended, checked like the center, more than a tenth of the
-  /// mean edge apart, in ascending order of energy. If the uniqueness is certain, they lie higher,
-  /// and farther from the center than any of the points.
+  /// The other minima at which searches ended, in ascending order of energy. They are checked like
+  /// the center, and lie more than a tenth of the mean edge apart. If the uniqueness is certain,
+  /// they lie higher, and farther from the center than any of the points.
   Array<Minimum> otherMinima;
 };
 
@@ -52,42 +52,46 @@ struct MeanOptions {
   /// surface. Many points (mean_of_many.h) need no fields.
   double mostValues = 2e6;
   /// Whether to check means by kKarcher with fast or exact distances. A check moves the center from
-  /// a zero to a local minimum of K by exact distances near by (exact_minimum.h): only this is
-  /// kConverged, and without one the status is kLowerNearby. If false, kConverged is any zero with
-  /// a positive definite Hessian, as for a curve's samples.
+  /// a zero to a near local minimum of K by exact distances (exact_minimum.h). Only such a minimum
+  /// is kConverged; if the check finds none, the status is kLowerNearby. Without a check, every
+  /// zero with a positive definite Hessian is kConverged, as for a curve's samples.
   bool isChecked = true;
 };
 
-/// The point that all points equal whose weights exceed 1e-9 of the sum, if they do: it is their
-/// mean. Smaller weights come from rounding.
+/// The common place of all points whose weights exceed 1e-9 in absolute value; empty if they do not
+/// lie at one place. This place is their mean. Smaller weights come from rounding.
 std::optional<SurfacePoint> onlyPoint(const Array<SurfacePoint>& points, Weights weights);
 
-/// If `onlyPoint` finds one, the mean is that point, with energy 0. Throws Error:
-/// kBadWeights (not one for each point, not summing to 1 within 1e-9, or normalised with a sum that
-/// is not positive), kNotFinite, kTooFewPoints (none), kUnreachable (several components).
+/// If `onlyPoint` finds a point, the mean is that point, with energy 0. Throws Error: kTooFewPoints
+/// if there are no points; kBadWeights if there is not one weight for each point, if the weights do
+/// not sum to 1 within 1e-9, or, with options.normalize, if their sum is not positive and finite;
+/// kNotFinite if a weight is not finite; kUnreachable if the points, with options.start, lie on
+/// several components.
 Mean centerOfMass(Surface& surface, const Array<SurfacePoint>& points, Array<double> weights,
                   const MeanOptions& options);
 
 /// The same with the fields of a set, which `kept` returns for the next call. If only weights
-/// change, the next call computes no field again; if points move, only theirs. `kept` is null after
-/// an error, or if the fields are likely to hold more than a quarter of `mostValues`. The result
-/// does not depend on the sets' contents.
+/// change, the next call computes no field again; if points move, it computes only their fields.
+/// `kept` is null after an error, after a search without fields (mean_of_many.h), or if the fields
+/// are likely to hold more than a quarter of `mostValues`. The result does not depend on the sets'
+/// contents.
 Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<double> weights,
                   const MeanOptions& options, std::shared_ptr<FieldSet>& kept);
 
 /// The centers of mass of one set of points, one for each row of weights; `rows` holds the rows one
 /// after the other. Each center is that of `centerOfMass`, but costs as little as a sample of a
-/// curve: it computes the points' fields once, and the searches start at the center of equal
-/// weights. With options.isChecked exact distances check each, at the cost of a single center.
-/// options.looksForOthers has no effect. Throws what `centerOfMass` throws, with the row of invalid
-/// weights; kBadWeights if a row does not have one weight for each point.
+/// curve: the points' fields are computed once, and all searches start at the center of equal
+/// weights. If options.isChecked, or if the fields are likely to exceed options.mostValues, each
+/// row takes as long as a call of `centerOfMass`. options.looksForOthers has no effect. Throws what
+/// `centerOfMass` throws, with the row of invalid weights; kBadWeights if a row does not have one
+/// weight for each point.
 Array<Mean> centersOfMass(FieldSets& sets, const Array<SurfacePoint>& points,
                           const Array<double>& rows, MeanOptions options,
                           std::shared_ptr<FieldSet>& kept);
 
-/// The same for fields from a caller's own distances, by the paper's method. For every point, an
-/// array has a distance for each vertex. The search starts at options.start, else at the vertex
-/// nearest to the source of the largest weight.
+/// The center of mass for fields from a caller's own distances, by the paper's method. `distances`
+/// has an array for each point, with a distance for each vertex. The search starts at
+/// options.start, else at the vertex nearest to the source of the largest weight.
 Mean centerOfMassOfDistances(Surface& surface, const Array<Array<double>>& distances,
                              Array<double> weights, const MeanOptions& options);
 

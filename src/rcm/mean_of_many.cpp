@@ -11,7 +11,7 @@
 namespace karcher {
 namespace {
 
-/// The number of points at which the search compares K first, and the number of descents.
+/// The number of starts at which the search compares K, and the number of descents from them.
 constexpr int kStarts = 16;
 constexpr int kDescents = 3;
 constexpr int kMostSolves = 24;        ///< the most solves in one descent
@@ -20,8 +20,8 @@ constexpr double kLongestStep = 0.25;  ///< the longest step, relative to the me
 /// The length of a step, in mean edges, below which a descent ends: the gradient is no more
 /// accurate.
 constexpr double kLastStep = 0.1;
-/// The distance, in mean edges, from the end of an earlier descent at which another one stops,
-/// since it would end there, too.
+/// The distance, in mean edges, from the lowest end so far at which another descent stops, since it
+/// would end there, too.
 constexpr double kSameDescent = 2;
 
 /// A symmetric matrix that turns the natural step into the estimated Newton step.
@@ -70,8 +70,8 @@ struct Descent {
   Ended ended = Ended::kStuck;
 };
 
-/// Descends from a place. `energyAt` returns K and the natural step, or nothing if the descent may
-/// end there.
+/// Descends from a place. `energyAt` returns K and the natural step at a place, or nothing if the
+/// descent may stop there.
 template <class EnergyFunction>
 Descent descend(const Geometry& geometry, State state, const EnergyFunction& energyAt) {
   double most = kLongestStep * geometry.extent;
@@ -108,8 +108,8 @@ Descent descend(const Geometry& geometry, State state, const EnergyFunction& ene
   return {state, Ended::kStuck};
 }
 
-/// The points that end equal parts of the weight, in the order of the points, which is spatially
-/// coherent.
+/// The starts: one point from the middle of each of `count` equal steps of the cumulated weight.
+/// The order of the points is spatially coherent, so that the starts are spread over them.
 Array<SurfacePoint> startsOf(const WeightedPoints& points, int count) {
   Array<SurfacePoint> starts;
   double sum = 0;
@@ -130,9 +130,9 @@ int nearestCorner(const TriangleMesh& mesh, const SurfacePoint& point) {
   return mesh.corner(point.face, corner);
 }
 
-/// The starts of the lowest K by distances along edges. These take a quarter of the time and are
-/// all too long by nearly the same factor. K by straight lines in space is a lower bound. If it
-/// exceeds each of the kDescents lowest K found so far, the search skips the start.
+/// The starts with the lowest K by distances along edges. Such distances take a quarter of the time
+/// and are all too long by nearly the same factor. K by straight lines in space is a lower bound;
+/// if the bound exceeds the kDescents lowest K found so far, the search skips the start.
 Array<SurfacePoint> lowestStarts(const Geometry& geometry, const WeightedPoints& points) {
   const TriangleMesh& mesh = *geometry.mesh;
   const Array<SurfacePoint> starts = startsOf(points, kStarts);

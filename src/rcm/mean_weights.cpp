@@ -14,8 +14,8 @@ namespace {
 
 using Column = Eigen::Vector3d;
 
-/// The projection of given weights onto those that sum to 1 and balance the vectors: columns
-/// (1, x, y) with sum_i w_i column_i = (1, 0, 0).
+/// The projection of given weights onto the weights that sum to 1 and balance the vectors (x, y).
+/// With the columns (1, x, y), these conditions are sum_i w_i column_i = (1, 0, 0).
 class Balance {
  public:
   Balance(Array<Column> columns, Array<double> given)
@@ -41,8 +41,8 @@ class Balance {
     const int count = weights.count();
     Array<char> free(weights.size(), 0);
     for (int i = 0; i < count; ++i) free[i] = weights[i] > 0;
-    // Each set of held weights occurs once. The number of sets is seldom more than a few times that
-    // of weights.
+    // Each set of held weights occurs once. The number of sets is seldom more than a few times the
+    // number of weights.
     const int bound = 100 + 50 * count;
     for (int step = 0; step < bound; ++step) {
       Array<double> next = given_;
@@ -81,8 +81,8 @@ class Balance {
     for (int i = 0; i < columns_.count(); ++i) {
       if (free[i]) gram += columns_[i] * columns_[i].transpose();
     }
-    // Combinations of the constraints that are orthonormal on the free weights, by the Gram-Schmidt
-    // process, without dependent ones.
+    // The Gram-Schmidt process combines the constraints into rows that are orthonormal on the free
+    // weights. The row of a dependent constraint stays 0.
     Eigen::Matrix3d rows = Eigen::Matrix3d::Zero();
     for (int k = 0; k < 3; ++k) {
       Column row = Column::Unit(k);
@@ -127,10 +127,11 @@ class Balance {
     return most;
   }
 
-  /// Non-negative weights of at most three vectors around 0.
+  /// Non-negative weights that meet the constraints: the projected given weights if they are not
+  /// negative, else weights of at most three vectors around 0.
   Array<double> feasible() const {
     const int count = columns_.count();
-    // The given weights come first.
+    // First, the given weights.
     Array<double> weights = given_;
     Array<char> free(weights.size(), 1);
     project(free, weights);
@@ -138,8 +139,8 @@ class Balance {
         *std::min_element(weights.begin(), weights.end()) >= 0) {
       return weights;
     }
-    // If a vector is 0, it has all the weight. Else two opposite vectors share it, or any vector
-    // and the two that are nearest to its opposite direction, one on each side.
+    // If a vector is 0, it has all the weight. Else the longest vector shares the weight with the
+    // vectors nearest to its opposite direction, one on each side; both may be one vector.
     weights.assign(weights.size(), 0);
     const auto vector = [&](int i) { return Vec2(columns_[i][1], columns_[i][2]); };
     int longest = 0;
@@ -152,8 +153,8 @@ class Balance {
     }
     const Vec2 first = vector(longest);
     const Vec2 across(-first[1], first[0]);
-    int left = -1;   // the vector of the smallest counterclockwise angle
-    int right = -1;  // the vector of the smallest clockwise angle
+    int left = -1;   // the nearest vector on the left side of `first`
+    int right = -1;  // the nearest vector on the right side of `first`
     const auto angle = [&](int i) {
       return std::atan2(vector(i).dot(across), -vector(i).dot(first));
     };

@@ -24,11 +24,11 @@ struct MeanWeights {
 /// them the gradient of the energy of the points p_i vanishes at x. The log vectors are those of
 /// the points' fields in the set, as in `centerOfMass`. For three points the weights are
 /// determined; for more points they are the nearest to the given weights. Time: one field for each
-/// point, and O(points) for each step of the active set. Throws Error: kTooFewPoints (none),
-/// kUnreachable (several components), kBadWeights (given ones that are not one for each point, not
-/// finite, or of a sum that is not positive), kBadArgument if no such weights exist: seen from x,
-/// the points lie on one line that misses x, or, for non-negative weights, 0 is outside the log
-/// vectors' convex hull.
+/// point, and O(points) for each step of the active set. Throws Error: kTooFewPoints if there are
+/// no points; kUnreachable if they and x lie on several components; kBadWeights if there is not one
+/// given weight for each point, if one is not finite, or if their sum is not positive; kBadArgument
+/// if no such weights exist. No weights exist if, seen from x, the points lie on one line that
+/// misses x. No non-negative weights exist if 0 lies outside the convex hull of the log vectors.
 MeanWeights weightsOf(FieldSet& set, const SurfacePoint& x, const Array<SurfacePoint>& points,
                       const MeanWeightsOptions& options);
 

@@ -20,15 +20,15 @@ bool better(const Mean& a, const Mean& b) {
 
 constexpr int kSpreadStarts = 32;
 
-/// Whether two minima are different. Searches from both sides of an edge may end kNearEdge mean
-/// edges apart.
+/// Whether two minima are different. Searches for one minimum from both sides of an edge may end
+/// kNearEdge mean edges apart.
 bool areApart(const Geometry& geometry, const SurfacePoint& a, const SurfacePoint& b) {
   const TriangleMesh& mesh = *geometry.mesh;
   return (position(mesh, a) - position(mesh, b)).norm() > kNearEdge * geometry.meanEdge;
 }
 
-/// The corner of a vertex into which K decreases. If that direction points off the surface, it is
-/// the corner on the nearer side.
+/// The corner of a vertex into which `down` points. If `down` points off the surface, it is the
+/// corner at the nearer side of the boundary.
 int cornerDownhill(const Geometry& geometry, int vertex, const Vec2& down) {
   const double total = geometry.totalAngle[vertex];
   double direction = std::atan2(down.y(), down.x()) / geometry.angleScale[vertex];
@@ -39,8 +39,8 @@ int cornerDownhill(const Geometry& geometry, int vertex, const Vec2& down) {
   return cornerOfDirection(geometry, vertex, direction).halfedge;
 }
 
-/// A start on an edge or at a vertex, in the face into which K decreases. This choice does not
-/// depend on the numbers of faces.
+/// The same start. If it lies on an edge or at a vertex, it is in the face into which K decreases,
+/// a choice that does not depend on the numbering of faces.
 SurfacePoint facedDownhill(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
   const Geometry& geometry = fields.geometry();
   const TriangleMesh& mesh = *geometry.mesh;
@@ -97,9 +97,10 @@ class MinimumSearch {
   Array<Minimum> others_;
 };
 
-/// The factor on the distance at which a lower minimum may be: control points within it are starts.
-/// On three meshes with 810 means of three to eight points, four means are higher than with
-/// searches from all control points. Eight, which the average of averages found, are lower.
+/// The factor on the distance at which a lower minimum may lie: control points within the longer
+/// distance are starts. Of 810 means of three to eight points on three meshes, four are higher than
+/// with searches from all control points. Eight means, which the average of averages found, are
+/// lower.
 constexpr double kSearched = 2;
 
 /// Searches from `start`, if any, and from the control points near which a lower minimum may be;

@@ -14,12 +14,13 @@ Mean withEnergy(FieldBlend& fields, const Array<double>& weights, const CenterOf
 /// Inserts a minimum in ascending order of energy, after those of equal energy.
 void insertByEnergy(Array<Minimum>& minima, const Minimum& minimum);
 
-/// Sets `otherMinima` to those that are apart from the center and from each other.
+/// Sets the mean's `otherMinima` to the minima that are apart from the center and from each other,
+/// and its `uniqueness` by whether there are any.
 void setOtherMinima(const Geometry& geometry, const Array<Minimum>& minima, Mean& mean);
 
-/// The mean in a blend of fields. The weights of the fields and of the points are separate: one
-/// summed field has one weight, and many points. Without options.start it is the lowest minimum
-/// found. The first search starts at `shared` if present, else at the average of averages
+/// The mean in a blend of fields. Fields and points have separate weights, since one summed field
+/// of many points has one weight. Without options.start the mean is the lowest minimum found. The
+/// first search then starts at `shared` if present, else at the average of averages
 /// (first_start.h).
 Mean findMean(Surface& surface, FieldBlend& fields, const Array<double>& weights,
               const Array<SurfacePoint>& points, const Array<double>& ofPoints,

@@ -93,10 +93,10 @@ class NewtonSearch {
   }
 
   /// Continues if no joint of the geodesic is better than its start. Inside a face, the search
-  /// moves to the best point of the step inside the face. On an edge, the zero lies there if each
-  /// face has its zero beyond the edge; else the search enters the other face. At a vertex, the
-  /// search tries the faces around it in turn. Returns false at the end of the search, with its
-  /// status in status_.
+  /// moves to the best point of the step inside the face. On an edge, the search ends at a zero on
+  /// the edge if each face has its zero beyond the edge; else it enters the other face. At a
+  /// vertex, the search tries the faces around it in turn. Returns false at the end of the search,
+  /// with its status in status_.
   bool goOn(const TriangleField& field, const Vec2& step) {
     const PointLocation location = locate(mesh_, point_);
     if (location.simplex == Simplex::kFace) return shortenStep(field, step);
@@ -123,8 +123,8 @@ class NewtonSearch {
       point_ = edgePoint(h, fields_.zeroAlongEdge(h, weights_));
       return false;
     }
-    // The gradients of the two faces differ at one place, so that a smaller gradient is no
-    // progress.
+    // The two faces have different gradients at the same place, so that a smaller gradient in the
+    // other face is no progress.
     const int edge = std::min(h, twin);
     const bool cameBack = facesTried_ > 0 || crossed_ == edge;
     if (cameBack && zeroLiesBehind(h) && zeroLiesBehind(twin)) {

@@ -32,8 +32,9 @@ Vec2 logOf(const TriangleMesh& mesh, const SurfacePoint& point, const DistanceSo
   return log;
 }
 
-/// The squared distance of a point, by the positions from which the corners of its face see the
-/// source. If these differ, as on both sides of the cut locus, the nearest one counts.
+/// The squared distance of a point from the source, by the source's positions as seen from the
+/// corners of the point's face. If these positions differ, as across the cut locus, the nearest one
+/// counts; else the squared distances are blended.
 double squaredDistanceOf(const Geometry& geometry, const SurfacePoint& point,
                          const DistanceSolver& solver) {
   const Vec2 place = pointInFace(geometry, point);
@@ -147,7 +148,7 @@ double ExactOneSourceEnergy::energyAt(const SurfacePoint& place) {
 
 /// The direction in which the shortest path to a vertex leaves the source.
 Vec2 ExactOneSourceEnergy::directionTo(int vertex) {
-  // Each vertex on the way is nearer to the source than the previous one.
+  // The loop ends: each vertex on the way is nearer to the source than the previous one.
   while (solver_.arrival(vertex).pseudoSource >= 0) vertex = solver_.arrival(vertex).pseudoSource;
   Vec2& direction = directions_[vertex];
   if (direction == Vec2::Zero()) {
@@ -157,7 +158,8 @@ Vec2 ExactOneSourceEnergy::directionTo(int vertex) {
   return direction;
 }
 
-/// The direction in which a path leaves the source. `back` is its trace from its end to the source.
+/// The direction in which a path leaves the source. `back` is the path's trace from its end to the
+/// source.
 Vec2 ExactOneSourceEnergy::directionBefore(const StraightestPath& back) const {
   const int face = solver_.source().face;
   const Array<SurfacePoint>& points = back.path.points;
@@ -193,8 +195,8 @@ void ExactOneSourceEnergy::grow(const SurfacePoint& place) {
   }
 }
 
-/// Measures the lengths of paths from the images that the points' faces see, and over the faces'
-/// corners.
+/// Finds the shortest way to each point: straight from an image of the source in the point's face,
+/// or over one of the face's corners.
 void ExactOneSourceEnergy::measure() {
   const TriangleMesh& mesh = *geometry_.mesh;
   const auto take = [&](int i, const Way& way) {

@@ -5,8 +5,8 @@
 #include "intrinsic/straightest.h"
 
 /// The energy K(p) = sum_i w_i d(p, p_i)^2 of many points at few places. Distances are symmetric,
-/// so those from one source, the place, determine K there; half of -grad K is the weighted sum of
-/// the log vectors at the place. Thousands of points take as much work as one.
+/// so the distances from the place, as the only source, determine K there. Half of -grad K is the
+/// weighted sum of the log vectors at the place. Thousands of points take as much work as one.
 namespace karcher {
 
 /// Points with nonzero weights, sorted by their faces, with equal ones merged. So K does not depend
@@ -74,8 +74,8 @@ class ExactOneSourceEnergy {
   const WeightedPoints& points_;
   WindowDistance solver_;
   Array<Way> ways_;         ///< the ways, one for each point
-  Array<Vec2> directions_;  ///< the directions of shortest paths to the vertices on which the ways
-                            ///< depend
+  Array<Vec2> directions_;  ///< the directions in which shortest paths to the ways' pseudosources
+                            ///< leave the source
   int solved_ = 0;
 };
 

@@ -10,12 +10,13 @@
 /// k-ring graph (ring_graph.h). Newton's method searches them.
 namespace karcher {
 
-/// The field of squared distances, one for each vertex (Eq. 3): their gradient over either star
-/// (gradient_operator.h).
+/// The field of given squared distances, one for each vertex: their gradients over the given star
+/// (Eq. 3, gradient_operator.h).
 ControlField fieldOfSquares(Surface& surface, Star star, Array<double> squaredDistances);
 
-/// A field of a caller's own distances, one for each vertex. Throws Error kBadArgument (not one for
-/// each vertex, or beyond 1e60) or kNotFinite (NaN or negative).
+/// A field of a caller's own distances, one for each vertex. Throws Error: kBadArgument if there is
+/// not one distance for each vertex or if one exceeds 1e60; kNotFinite if one is negative or not
+/// finite.
 ControlField fieldFromDistances(Surface& surface, const Array<double>& distances);
 
 /// Newton's method along geodesics (Algorithm 1) from `start`. If each of two neighbouring faces
@@ -26,13 +27,13 @@ CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoin
 struct NewtonSteps {
   int traced = 0;     ///< the number of geodesics along steps of Newton's method
   int shortened = 0;  ///< the number of these that the search took only in part, up to a joint
-  /// the number of shortened ones whose end has no smaller gradient than their start
+  /// the number of shortened geodesics whose original end has no smaller gradient than their start
   int needed = 0;
   /// the number of geodesics on which no joint has a smaller gradient than their start
   int stuck = 0;
   bool inside = false;  ///< whether a zero inside a triangle ended the search
-  /// The lengths of the gradients at the starts of the last three iterations, the last one first; 0
-  /// for a missing iteration.
+  /// The norms of the gradients at the starts of the last three iterations, the last one first; 0
+  /// for an iteration that did not take place.
   std::array<double, 3> gradients{};
 };
 

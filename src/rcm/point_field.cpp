@@ -44,8 +44,8 @@ void PointField::setPointFor(const SurfacePoint& point, const SurfacePoint& plac
   makeLogField(aimAt(place, most));
 }
 
-/// A ball about a place that holds all vertices on which the estimates at the corners of its face
-/// depend. Such a vertex is at most two edges from its corner.
+/// An aim at a ball about a place. The ball holds all vertices on which the estimates at the
+/// corners of the place's face depend: those at most two edges from a corner.
 PathAim PointField::aimAt(const SurfacePoint& place, double most) const {
   const TriangleMesh& mesh = surface_.mesh();
   const Vec3 center = position(mesh, place);
@@ -140,7 +140,7 @@ int64_t PointField::bytesOfSolver() const {
 double PointField::distanceAt(int vertex) {
   double distance = solver_->growTo(vertex);
   if (distance == kInfinity && isAimed_) {
-    // No path is as short as `most`, so the whole field finds the distances.
+    // No path is as short as the aim allows, so the solver starts again without an aim.
     isAimed_ = false;
     solver_->aimAt(std::nullopt);
     solver_->setSource(point_);
@@ -171,8 +171,8 @@ FieldValue PointField::estimate(int vertex) {
       own, [&](int v) -> const Vec2& { return logVectorAt(v); }, squaredDistanceAt);
   if (isLinear(estimator_) || stencil.logVectorShare == 1) return {gradient, own};
   const Vec2& log = logVectorAt(vertex);
-  // The gradient mixes the fit with the stencil's share of the log vector. This is the difference
-  // from the fit alone.
+  // The gradient mixes the fit with the stencil's share of the log vector. `difference` is the log
+  // vector minus the fit alone.
   const Vec2 difference = (log - gradient) / (1 - stencil.logVectorShare);
   const double share = shareOfLogVector(stencil.logVectorShare, difference, std::sqrt(own));
   return {log - (1 - share) * difference, own};
@@ -187,7 +187,7 @@ Vec2 PointField::estimateMidpoint(int halfedge) {
   const Vec2 mean = (rotateBack(direction.tail, logVectorAt(tail)) +
                      rotateBack(direction.head, logVectorAt(head))) /
                     2;
-  // The midpoint is no farther from the source than an end plus half the edge.
+  // The midpoint is less than an edge farther from the source than the nearer end.
   const double farthest =
       std::min(solver_->distance(tail), solver_->distance(head)) + geometry.edgeLength[halfedge];
   if (solver_->reached() < farthest) solver_->grow(farthest);

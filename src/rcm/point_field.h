@@ -25,20 +25,20 @@ class PointField {
   PointField(const PointField&) = delete;
   PointField& operator=(const PointField&) = delete;
 
-  /// Moves the field to a point. A near field is for reads close to its point. A path search for
-  /// each vertex finds one straight path between it and the point: by sight (sight.h), or else by
-  /// find_path.h. So a value depends on the surface, the point and the vertex alone, costs only the
-  /// work between these two, and takes no other memory.
+  /// Moves the field to a point. A near field is for reads close to its point. For each vertex, a
+  /// search finds one straight path to the point: by sight (sight.h) or else by find_path.h. So a
+  /// value depends only on the surface, the point and the vertex. It costs only the work between
+  /// the point and the vertex, and needs no solver's memory.
   ///
-  /// Beside hubs (hubs.h) callers read many values, and each search would go round all of a hub;
-  /// there exact windows find all paths out of sight at once. The log vectors of a near field need
-  /// no fit (estimators.h). With exact distances the search compares each path with the shortest
-  /// one by exact windows, at many times the cost. With graph distances, and with the paper's
-  /// method, a near field is like any other.
+  /// Beside hubs (hubs.h) callers read many values, and each search would go round the whole hub.
+  /// There exact windows find, in one search, all paths that are not by sight. The log vectors of a
+  /// near field need no fit (estimators.h). With exact distances the search compares each path with
+  /// the shortest one by exact windows, at many times the cost. With graph distances, and with the
+  /// paper's method, a near field is like any other.
   void setPoint(const SurfacePoint& point, bool isNear = false);
-  /// Moves the field to a point. Callers read it only near a place and for distances up to `most`.
-  /// With windows it costs the region between the point and the place, instead of the whole disk up
-  /// to the place. Longer distances are upper bounds.
+  /// Moves the field to a point, for callers that read it only near a place and for distances up to
+  /// `most`. Windows then cover only the region between the point and the place, instead of the
+  /// whole disk up to the place. Longer distances are upper bounds.
   void setPointFor(const SurfacePoint& point, const SurfacePoint& place, double most);
   const SurfacePoint& point() const { return point_; }
   bool isNear() const { return isNear_; }
@@ -51,11 +51,11 @@ class PointField {
   /// Releases the memory of a whole field's solver, but keeps the values read so far. The next read
   /// of another value starts the solver anew, with the same result.
   void rest();
-  /// The approximate number of these bytes.
+  /// The approximate memory of a whole field's solver, in bytes; 0 while it rests.
   int64_t bytesOfSolver() const;
 
-  /// The number of the last use of the field, as its set (field_set.h) counts uses from 1; 0 for
-  /// never.
+  /// The number of the field's last use. The field's set (field_set.h) counts uses from 1; 0 means
+  /// never used.
   int lastUse() const { return lastUse_; }
   void setLastUse(int use) { lastUse_ = use; }
 
@@ -93,7 +93,7 @@ class PointField {
   SurfacePath path_;
   /// the exact solver; the first read beside a hub creates it
   std::unique_ptr<DistanceSolver> aroundHubs_;
-  bool isAroundHubs_ = false;  ///< whether the solver's source is the point
+  bool isAroundHubs_ = false;  ///< whether the source of aroundHubs_ is the point
   // The following members estimate the log vectors of all other fields. The first such field
   // creates them.
   Estimator estimator_ = Estimator::kLinear1;

@@ -15,7 +15,7 @@
 namespace karcher {
 namespace {
 
-/// The step of differences, as a part of an edge, so that paths seldom change in between.
+/// The step of differences, relative to an edge: so small that paths seldom change within it.
 constexpr double kStep = 1e-3;
 
 /// The influence of a point, as functions of its distance.
@@ -101,7 +101,8 @@ RobustMean search(FieldSets& sets, const Array<SurfacePoint>& points, const Arra
         break;
       }
     }
-    // Unless the point is a minimum, the pull of the others leads the search away.
+    // If the search is at one of the points and this is no minimum, the pull of the others leads it
+    // away.
     Array<double> factors = weights;
     for (int i = 0; i < factors.count(); ++i)
       factors[i] *= rule.pull(std::max(distances[i], least));
@@ -115,8 +116,8 @@ RobustMean search(FieldSets& sets, const Array<SurfacePoint>& points, const Arra
   return mean;
 }
 
-/// The step of differences around a place inside a face: half of the radius of the largest disk
-/// that stays in the face, or less.
+/// The step of differences around a place inside a face: at most half the radius of the largest
+/// disk about the place that stays in the face.
 double stepInside(const Geometry& geometry, const SurfacePoint& place) {
   if (place.bary.minCoeff() <= kChainRounding) {
     throw Error(ErrorCode::kBadArgument, "the energy has derivatives inside faces only");
@@ -192,7 +193,8 @@ Eigen::Matrix2d hessianAt(const Geometry& geometry, const Array<SurfacePoint>& p
 
 Array<Vec2> weightDerivatives(const Geometry& geometry, const Array<SurfacePoint>& points,
                               Weights weights, const SurfacePoint& center) {
-  // The gradient stays 0: the Hessian times the derivative is twice the point's log vector.
+  // The gradient at the center stays 0 when a weight changes. So the Hessian times the derivative
+  // is twice the point's log vector.
   const Eigen::Matrix2d inverse = inverseHessian(geometry, points, weights, center);
   Array<Vec2> derivatives = logVectors(geometry, points, center);
   for (Vec2& vector : derivatives) vector = 2 * inverse * vector;

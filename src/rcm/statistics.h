@@ -52,8 +52,8 @@ struct EnergyGradient {
 };
 
 /// The energy and its gradient by the paths of the log map (tangent_maps.h). The gradient is that
-/// on the polyhedron. At a center of mass it is small but not zero, since fields that smooth these
-/// paths find centers. Throws Error kUnreachable as the log map does.
+/// on the polyhedron. At a center of mass it is small but not zero, since searches for centers use
+/// fields that smooth these paths. Throws Error kUnreachable as the log map does.
 EnergyGradient energyAt(const Geometry& geometry, const Array<SurfacePoint>& points,
                         Weights weights, const SurfacePoint& place);
 
@@ -65,17 +65,18 @@ Eigen::Matrix2d hessianAt(const Geometry& geometry, const Array<SurfacePoint>& p
                           Weights weights, const SurfacePoint& place);
 
 /// The derivatives of the center of mass of these weights with respect to each weight, with the
-/// others fixed. They are vectors in the frame of its face, on the polyhedron as above. The center
-/// must lie inside a face. Throws what `hessianAt` throws, and Error kBadArgument where the Hessian
-/// is not positive definite.
+/// others fixed. They are vectors in the frame of the center's face, on the polyhedron as above.
+/// The center must lie inside a face. Throws what `hessianAt` throws, and Error kBadArgument where
+/// the Hessian is not positive definite.
 Array<Vec2> weightDerivatives(const Geometry& geometry, const Array<SurfacePoint>& points,
                               Weights weights, const SurfacePoint& center);
 
 /// The derivatives of the center of mass with respect to each point: a matrix that maps a vector in
-/// the frame of the point's face to one in the frame of the center's face. The Hessian times it is
-/// twice the weight times the derivative of the point's log vector at the center, by differences.
-/// Where the path crosses edges only, that derivative is parallel transport along the path. The
-/// center and the points must lie inside faces. Throws what `weightDerivatives` throws.
+/// the frame of the point's face to one in the frame of the center's face. The Hessian times this
+/// matrix is twice the point's weight times the derivative of its log vector at the center, by
+/// differences. If the path passes through no vertex, the derivative of the log vector is parallel
+/// transport along the path. The center and the points must lie inside faces. Throws what
+/// `weightDerivatives` throws.
 Array<Eigen::Matrix2d> pointDerivatives(const Geometry& geometry, const Array<SurfacePoint>& points,
                                         Weights weights, const SurfacePoint& center);
 

@@ -26,7 +26,7 @@ void addPoint(DistanceSolver& solver, const SurfacePoint& point, double weight, 
   }
 }
 
-/// Whether blends read a field's midpoint at this half-edge of its edge (FieldBlend).
+/// Whether blends (FieldBlend) read the midpoint of an edge at h, not at the twin of h.
 bool isAskedFor(const TriangleMesh& mesh, int h) { return h < mesh.twin[h]; }
 
 /// The sum of fields with values at the midpoints of edges. The share of log vectors in an estimate

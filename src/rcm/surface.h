@@ -10,9 +10,9 @@
 
 namespace karcher {
 
-/// A mesh with its derived data. The constructor computes the geometry; the first use of data that
-/// only some methods need computes them. A surface can be neither copied nor moved, since its parts
-/// point to one another.
+/// A mesh with its derived data. The constructor computes the geometry; data that only some methods
+/// need are computed on first use. A surface can be neither copied nor moved, since its parts point
+/// to one another.
 class Surface {
  public:
   explicit Surface(TriangleMesh mesh);
@@ -29,7 +29,7 @@ class Surface {
   /// one.
   const RingGraph& ringGraph(int rings);
   bool hasRingGraph(int rings) const { return ringGraphs_.count(rings) != 0; }
-  /// Keeps a graph that slices of work built.
+  /// Keeps a graph that a caller has built step by step (RingGraphBuilder).
   void takeRingGraph(int rings, RingGraph graph);
 
   const GradientOperator& gradientOperator(Star star = Star::kWide);

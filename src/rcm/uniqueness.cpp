@@ -10,13 +10,13 @@
 namespace karcher {
 namespace {
 
-/// The radius of the region in which paths lie, relative to that of a ball about the center. A
-/// shortest path between two points in the ball stays within twice its radius. At twice the radius
-/// the energy is larger than at the center; a path from there to a point in the ball stays within
-/// three times.
+/// The radius of the region in which the paths of the proof lie, relative to the radius r of a ball
+/// about the center. A shortest path between two points in the ball stays within 2 r of the center.
+/// At the distance 2 r the energy is larger than at the center, and a path from there to a point in
+/// the ball stays within 3 r.
 constexpr double kReach = 3;
 
-/// The part of the largest radius of convexity on a smooth surface that the proof uses, since the
+/// The fraction of a smooth surface's radius of convexity up to which the proof applies, since the
 /// mesh differs from the surface.
 constexpr double kConvexPart = 0.9;
 
@@ -33,8 +33,8 @@ struct FaceSet {
   Array<char> isIn;  ///< one entry for each face of the mesh
 };
 
-/// The faces connected to the center's through edges and within `radius` of it in space. They
-/// contain the geodesic ball of that radius.
+/// The faces within `radius` of the center in space that are connected to the center's face through
+/// edges of such faces. They contain the geodesic ball of that radius.
 FaceSet facesWithin(const TriangleMesh& mesh, const SurfacePoint& center, double radius) {
   const Vec3 place = position(mesh, center);
   FaceSet found;
@@ -161,7 +161,7 @@ Array<SurfacePoint> spreadPoints(Surface& surface, int face, int count) {
   int step = 0;
   for (int f = 0; f < mesh.faceCount() && step < count; ++f) {
     sum += areaOf(f);
-    // Several of the equal steps may end in one large face.
+    // One large face may contain the middles of several steps.
     bool ends = false;
     for (; step < count && sum * count >= (step + 0.5) * all; ++step) ends = true;
     if (ends) result.push_back({f, Vec3::Constant(1.0 / 3)});

@@ -40,14 +40,14 @@ std::optional<CurvatureBound> curvatureBound(Shape shape);
 /// The radius of a ball about `center` that holds all points of nonzero weight, if their energy
 /// provably has no other minimum in it and no lower value elsewhere; else -1. With negative weights
 /// there is no proof. With `smooth` the proof may be for the smooth surface that the mesh
-/// approximates. Otherwise it is for the mesh, whose vertices within three radii of the center then
-/// have no angle defect above 1e-9.
+/// approximates. Otherwise it is for the mesh; then no vertex within three radii of the center has
+/// an angle defect above 1e-9.
 double provedRadius(const Surface& surface, const Array<SurfacePoint>& points,
                     const Array<double>& weights, const SurfacePoint& center,
                     const std::optional<CurvatureBound>& smooth = std::nullopt);
 
-/// Points spread evenly over the connected component of a face: the centroids of faces at equal
-/// steps of the area, in the order of the faces, which is spatially coherent.
+/// Points spread evenly over the connected component of a face: the centroids of the faces in the
+/// middle of equal steps of the cumulated area. The order of the faces is spatially coherent.
 Array<SurfacePoint> spreadPoints(Surface& surface, int face, int count);
 
 }  // namespace karcher

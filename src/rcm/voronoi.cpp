@@ -9,15 +9,16 @@
 #include "mesh/error.h"
 #include "mesh/rounding.h"
 
-/// Sites come one after the other. From the convex pieces that the earlier ones have in a triangle,
-/// the new site takes the part that is nearer to it by more than rounding. A corner of a piece is a
-/// vertex of the mesh, or lies between two corners, since a site took one of them. These two name
-/// it. So pieces on both sides of an edge have the same corners, and no gap opens whatever the
-/// rounding. Pieces of one site stay apart, because others share their corners.
+/// Sites are added one after the other. In each triangle the earlier sites have convex pieces, and
+/// the new site takes from each piece the part that is nearer to it by more than rounding. A corner
+/// of a piece is a vertex of the mesh, or it lies between two corners of which a site took only
+/// one. These two name it. So pieces on both sides of an edge have the same corners, and no gap
+/// opens, whatever the rounding. Pieces of one site are not merged, because other pieces share
+/// their corners.
 namespace karcher {
 namespace {
 
-/// A convex part of a triangle, counterclockwise by its corners.
+/// A convex part of a triangle, given by its corners in counterclockwise order.
 struct Piece {
   int site = -1;
   Array<int> corners;

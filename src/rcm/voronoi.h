@@ -15,16 +15,18 @@ struct VoronoiDiagram {
   /// The surface divided by the lines on which two sites are equally near and all others are
   /// farther away.
   Arrangement arrangement;
-  /// The nearest site for each cell of the arrangement, or -1. A site may have several of them.
+  /// The nearest site for each cell of the arrangement, or -1 for an unreachable cell. A site may
+  /// have several cells.
   Array<int> siteOfCell;
 };
 
-/// The Voronoi diagram of sites. Of a site with several points the nearest counts.
+/// The Voronoi diagram of sites. For a site with several points, the nearest point counts.
 ///
-/// In every triangle, squared distances are linear between those of the vertices. On a plane the
-/// lines are then exact up to the grid of the arrangement (regions/grid.h), and on smooth surfaces
-/// good to the square of the edges. Each point takes one field of the solver's distances. If sites
-/// coincide, the first has the cell and the others have empty ones.
+/// In every triangle, squared distances are interpolated linearly between the vertices. So the
+/// lines are exact on a plane, up to the grid of the arrangement (regions/grid.h). On smooth
+/// surfaces their error is of second order in the length of edges. Each point takes one field of
+/// the solver's distances. If sites coincide, the first has the cell and the others have empty
+/// cells.
 ///
 /// Throws Error kTooFewPoints without sites and for a site without points, and what the solver
 /// throws.

@@ -32,8 +32,8 @@ constexpr int kMaxFaces = 400;
 constexpr int kMostDescents = 60;
 /// the longest step of a descent, relative to the mesh's extent
 constexpr double kLongestDescent = 0.5;
-/// The weight of a distant zero: if one is below this, the search descends instead of walking to
-/// the zero.
+/// The least weight of a near zero. If a weight is below this, the zero is distant, and the search
+/// descends before it walks.
 constexpr double kFarWeight = -6;
 
 int smallestCorner(const Vec3& b) {
@@ -47,8 +47,8 @@ std::optional<CellZero> zeroOfCell(FieldBlend& fields, Weights weights, int cell
   return zero;
 }
 
-/// The zero among the cells and edges around the tail of a half-edge. It does not depend on the
-/// cell from which the search came. It is the tail itself if each cell has its zero in another.
+/// The zero in a cell or on an edge around the tail of a half-edge; the tail itself if there is
+/// none. It does not depend on the cell from which the search came.
 CenterOfMass centerAroundTail(FieldBlend& fields, Weights weights, int halfedge) {
   const Cells& cells = fields.cells();
   const int first = cells.firstAround(halfedge);
@@ -83,7 +83,7 @@ CenterOfMass centerAroundTail(FieldBlend& fields, Weights weights, int halfedge)
   }
   if (farthest > 0) return {between, Status::kConverged, 0};
 
-  // The bound on the move of a zero by the field's discontinuity, as a part of an edge.
+  // The bound on the move of a zero by the field's discontinuity, relative to an edge.
   constexpr double kMostMoved = 0.5;
   const Status status = cells.twin(first) < 0    ? Status::kBoundary
                         : nearest >= -kMostMoved ? Status::kConverged
@@ -96,7 +96,7 @@ class ZeroWalk {
   ZeroWalk(FieldBlend& fields, Weights weights)
       : fields_(fields), geometry_(fields.geometry()), cells_(fields.cells()), weights_(weights) {}
 
-  /// Searches from a point, with the zero of its face.
+  /// Searches from a point; `zero` is the zero of the point's cell, if known.
   CenterOfMass run(const SurfacePoint& start, const std::optional<CellZero>& zero) {
     if (zero && zero->depth() >= kFarWeight) return walk(start, zero);
     const SurfacePoint near = descend(start);
@@ -112,7 +112,8 @@ class ZeroWalk {
     int crossingsLeft = mostCrossingsOfSearch(*geometry_.mesh);
     while (descents_ < kMostDescents && crossingsLeft > 0) {
       ++descents_;
-      // Weights far from 0 and 1 would lead to steps that wind around the surface many times.
+      // Without a bound on the step, weights far from 0 and 1 would lead to steps that wind around
+      // the surface many times.
       const Vec2 wanted = -fields_.at(point, weights_) / 2;
       const Vec2 step = wanted * std::min(1.0, kLongestDescent * geometry_.extent / wanted.norm());
       StraightestPath& way = fields_.step();
@@ -126,7 +127,7 @@ class ZeroWalk {
     return point;
   }
 
-  /// Walks from a point near the zero, with the zero of its face.
+  /// Walks from a point near the zero; `zero` is the zero of the point's cell.
   CenterOfMass walk(const SurfacePoint& start, std::optional<CellZero> zero) {
     const int first = cells_.at(start).cell;
     int cell = first;
@@ -157,15 +158,15 @@ class ZeroWalk {
     return {centroid(cell), Status::kLimit, kMaxFaces};
   }
 
-  /// The zero of two cells that each have theirs beyond their common edge.
+  /// The zero between two cells that each have their zero beyond the common edge.
   CenterOfMass betweenFaces(int h, int step) {
     CenterOfMass result = centerBetween(fields_, weights_, h);
     result.iterations = step;
     return result;
   }
 
-  /// The edge beyond which the zero lies farthest; a boundary edge only if the zero lies beyond no
-  /// other.
+  /// The edge beyond which the zero lies farthest. It is a boundary edge only if the zero lies
+  /// beyond no interior edge.
   int exitEdge(int cell, const Vec3& zero, int corner) const {
     const int h = 3 * cell + (corner + 1) % 3;
     if (cells_.twin(h) >= 0) return h;
@@ -212,7 +213,8 @@ CenterOfMass centerBetween(FieldBlend& fields, Weights weights, int h) {
 }
 
 bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point) {
-  // The rounding of the fields, for weights that may be far larger than their sum.
+  // The fields' rounding is relative to the sum of absolute weights, which may be far larger than
+  // 1.
   double sum = 0;
   for (const double weight : weights) sum += std::abs(weight);
   const Vec2 gradient = fields.at(point, weights);

@@ -102,7 +102,8 @@ val CurveHandle::tangentAt(double parameter) {
   const SurfacePoint& point = tangent.at.point;
   const Geometry& geometry = mesh_.surface().geometry();
   val result = curvePointToJs(tangent.at);
-  // The derivative is changes of barycentric weights, since only the engine knows the face's frame.
+  // JavaScript receives the derivative as changes of barycentric weights, since only the engine
+  // knows the face's frame.
   const Vec3 weights = barycentric(geometry, point.face, tangent.inFace) -
                        barycentric(geometry, point.face, Vec2::Zero());
   result.set("inFace", toJs(changeToInput(mesh_.numbering(), point.face, weights)));

@@ -68,7 +68,7 @@ CurveValue curveValueFromJs(const MeshHandle& mesh, const val& value, Legs& legs
 val toJs(const MeshHandle& mesh, const CurveParts& parts) {
   val result = plain(parts.shape);
   result.set("points", toJs(mesh.numbering(), parts.points));
-  // A polyline's shortest legs are exact ones.
+  // The shortest legs of a polyline are exact shortest paths, so the search must be certified.
   const bool isPolyline = parts.shape.kind == CurveKind::kPolyline;
   result.set("legs", legsToJs(mesh, parts.legs, {.certified = isPolyline}));
   return result;

@@ -12,8 +12,8 @@ CurveKind curveKind(const std::string& name);
 /// `legs` and `areDrawn` are as in legs.h. `shape` is {kind, closed, degree, clamped, knots,
 /// weights, betas, centripetal, basis}, with numbers in Float64Arrays, which are empty if unused;
 /// `basis` is undefined, or a function of the number of points and t that returns a Float64Array.
-/// `sampling` is {samples, tolerance, exact, levels, leastLevels, levelsTolerance}, and `field` as
-/// for `fieldOptionsFromJs`.
+/// `sampling` is {samples, tolerance, exact, levels, leastLevels, levelsTolerance}, and `field` is
+/// an argument for `fieldOptionsFromJs`.
 CurveValue curveValueFromJs(const MeshHandle& mesh, const val& value, Legs& legs);
 
 /// An object with `points` and the properties of the shape, without the basis.

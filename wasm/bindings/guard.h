@@ -10,8 +10,8 @@
 #include "mesh/error.h"
 
 /// Failures on their way to JavaScript. An exception that leaves the module loses its sentence. So
-/// each binding runs under a guard that keeps code and sentence and returns an empty result. The
-/// facade takes the failure after each call.
+/// each binding runs under a guard, which keeps the failure's code and sentence and returns an
+/// empty result. The facade takes the failure after each call.
 namespace karcher::bindings {
 
 /// Keeps a failure until `takeFailure`.

@@ -14,10 +14,11 @@ namespace {
 /// The relative difference of lengths below which paths count as equally short.
 constexpr double kSameLength = 1e-9;
 
-/// A weight up to this comes from rounding, such as one computed from the two others in a link.
+/// A weight up to this comes from rounding, for example if it is computed from the two other
+/// weights in a link.
 constexpr double kNoWeight = 1e-15;
 
-/// The points; those on an edge up to rounding move onto it.
+/// The same points, except that a point on an edge up to rounding moves onto the edge.
 Array<SurfacePoint> onEdges(Array<SurfacePoint> points) {
   for (SurfacePoint& point : points) {
     for (int k = 0; k < 3; ++k) {
@@ -43,7 +44,7 @@ Array<SurfacePath> Legs::fromJs(const MeshHandle& mesh, const Array<SurfacePoint
   const int count = legs["length"].as<int>();
   for (int i = 0; i < count; ++i) {
     paths.emplace_back();
-    // The engine rejects more legs than points.
+    // The engine rejects a curve with more legs than points.
     if (i >= points.count()) continue;
     Array<SurfacePoint> given = pointsFromJs(mesh.numbering(), mesh.mesh(), legs[i]);
     if (given.count() < (drawn[i] ? 2 : 1)) continue;

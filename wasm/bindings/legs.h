@@ -6,14 +6,15 @@
 
 namespace karcher::bindings {
 
-/// Conversion of a control polygon's legs. The list has, for each leg, the points that it passes;
-/// the shortest path has none. It is empty if all legs are shortest.
+/// Conversion of a control polygon's legs. In JavaScript they are a list that has, for each leg,
+/// the points through which it passes; a shortest leg has no points. The list is empty if all legs
+/// are shortest.
 class Legs {
  public:
   /// The legs of a curve's value with these points. `areDrawn`, an Int32Array of 0 and 1, marks
-  /// legs for which the list has all points, with their own ends. Legs of the last call need no new
-  /// search. Throws Error kUnreachable for waypoints on another component than the leg's ends, and
-  /// what `pointsFromJs` throws.
+  /// drawn legs: for these the list includes their own ends, which may differ from the control
+  /// points. Legs of the last call need no new search. Throws Error kUnreachable for waypoints on
+  /// another component than the leg's ends, and what `pointsFromJs` throws.
   Array<SurfacePath> fromJs(const MeshHandle& mesh, const Array<SurfacePoint>& points,
                             const val& legs, const val& areDrawn);
 
@@ -28,12 +29,13 @@ class Legs {
   Array<Leg> known_;
 };
 
-/// The legs of a curve's value. A search with these options recognises the shortest ones.
+/// The legs of a curve's value as such a list. A search with the options `shortest` recognises the
+/// shortest legs.
 val legsToJs(const MeshHandle& mesh, const Array<SurfacePath>& legs,
              const FindPathOptions& shortest);
 
-/// A list with {path, shorter} for each of a curve's legs: its path (path.h), and the path between
-/// its ends that is shorter, if one is known.
+/// A list with {path, shorter} for each of a curve's legs: the leg's path (path.h) and, unless the
+/// leg is a shortest one, a shorter path between its ends, if a search finds one.
 val legsAndShorterToJs(const MeshHandle& mesh, Curve& curve);
 
 }  // namespace karcher::bindings

@@ -114,7 +114,7 @@ val MeshHandle::carried(const val& points, int levels) const {
   Array<double> wire;
   for (SurfacePoint point : pointsFromJs(numbering_, mesh(), points)) {
     // Face f becomes 4 f + k at its corner k, and 4 f + 3 between the middles of its edges
-    // (loop_subdivision.cpp). Doubling and subtracting from 1 round nothing away.
+    // (loop_subdivision.cpp). Doubling is exact, and subtraction from 1 loses at most the last bit.
     for (int level = 0; level < levels; ++level) {
       const Vec3 bary = point.bary;
       int corner = 0;
@@ -164,7 +164,7 @@ val MeshHandle::nearestPoint(const val& place) {
   return result;
 }
 
-/// The unit vector, in the frame of a face, of a vector in space.
+/// The direction of a vector in space, projected to a face: a unit vector in the face's frame.
 Vec2 MeshHandle::directionInFace(int face, const val& direction) const {
   const Array<double> space = fromJs<double>(direction);
   const Vec2 vector = toFace(surface_.geometry(), face, {space[0], space[1], space[2]});

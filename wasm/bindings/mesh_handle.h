@@ -39,12 +39,13 @@ class MeshHandle {
   val triangles() const;
   /// The mesh refined by `levels` steps of Loop subdivision.
   std::unique_ptr<MeshHandle> subdivided(int levels) const;
-  /// Points of this mesh on the refined one: at the same weights of the same corners.
+  /// The same points on the refined mesh: each at its barycentric place in the triangles into which
+  /// its triangle is divided.
   val carried(const val& points, int levels) const;
 
   val checkedPoint(const val& point) const;
   val position(const val& point) const;
-  /// The positions of points, as x, y and z of one after the other.
+  /// The positions of points: x, y and z of each point, one after the other.
   val positionsOf(const val& points) const;
   /// The normal of the point's face.
   val normal(const val& point) const;
@@ -54,7 +55,7 @@ class MeshHandle {
   val straightest(const val& from, const val& direction, double length) const;
   val shortestPath(const val& from, const val& to) const;
 
-  // Vectors and directions are in space, three numbers each. Length 0 marks a missing direction.
+  // Vectors and directions are in space, three numbers each. A zero vector stands for no direction.
   /// {vectors, directions}
   val logMap(const val& from, const val& points, const val& directions) const;
   /// The log vectors of all vertices of the caller; NaN for unreachable ones and beyond the radius.
@@ -62,23 +63,24 @@ class MeshHandle {
   /// {points, directions, remaining}
   val expMap(const val& from, const val& vectors, const val& directions) const;
   val mirror(const val& line, const val& points, const val& directions) const;
-  /// The vectors transported to the end of the log map's path.
+  /// The vectors transported along the log map's path to its end.
   val transport(const val& from, const val& to, const val& vectors) const;
   /// The vectors transported from the first of a line's points to the last.
   val transportAlong(const val& line, const val& vectors) const;
-  /// {points, lengths}: the points of a line at lengths from its start, and `count` evenly spaced
-  /// ones. `length` is the line's length; 0 stands for that of its chords.
+  /// {points, lengths}: the points of a line at the given lengths from its start, then `count`
+  /// evenly spaced points. `length` is the line's length; 0 stands for the sum of its chords.
   val pointsAlong(const val& line, const val& lengths, double length, int count) const;
 
-  // `field` is {method, solver, rings}.
-  /// The distances to the nearest of the points in `from`, which follow one another. Vertices
-  /// beyond the radius are NaN.
+  // `field` is an argument for `fieldOptionsFromJs`.
+  /// The distance of each vertex from the nearest of the points `from`; NaN for unreachable
+  /// vertices and beyond the radius.
   val distance(const val& from, const val& field, double radius);
   bool hasRingGraph(int rings) const { return surface_.hasRingGraph(rings); }
-  /// Builds the data that fields share, including the graph unless slices of work built it.
+  /// Builds the data that fields with these options share. They include the ring graph of the
+  /// solver `graph`, unless a GraphBuilderHandle has already built it step by step.
   void prepareFields(const val& field);
   /// `start` is a point, or an empty array for the engine's choice. The result has a `certificate`
-  /// on request.
+  /// if `certifies` is true.
   val centerOfMass(const val& points, const val& weights, const val& start, bool normalize,
                    bool looksForOthers, bool certifies, const val& field);
   /// {point, position, energy, status}, with the values for each row of weights one after the
@@ -103,10 +105,10 @@ class MeshHandle {
              double miterLimit) const;
   /// The distances of points from the nearest of the outlines; NaN for unreachable points.
   val distanceFromPaths(const val& outlines, const val& points) const;
-  /// A list of {area, perimeter, boundary, share, triangles, sides}, one for each shape, with
-  /// `isLeft`, or one for all. `counts` has the number of each shape's outlines. For each shape,
-  /// `insides` has a point, nothing, or the side of its first outline: 1 for the left, 0 for the
-  /// right.
+  /// A list of {area, perimeter, boundary, share, triangles, sides}. If `combine` is "none" it has
+  /// one such object for each shape, with `isLeft`; else it has one object in all. `counts` has the
+  /// number of each shape's outlines. For each shape, `insides` has a point, nothing, or the side
+  /// of its first outline: 1 for the left, 0 for the right.
   val regions(const val& outlines, const val& counts, const val& insides, const std::string& rule,
               const std::string& combine) const;
   /// A list of {positions, triangles, faces}, one for each cell.
@@ -135,14 +137,14 @@ class MeshHandle {
 };
 
 /// `bytes` is a Uint8Array with the content of an OBJ file. `parts` holds the numbers of the wanted
-/// parts, or is null for all. `weld` is that of ImportOptions.
+/// parts, or is null for all. `weld` is ImportOptions::weld.
 std::unique_ptr<MeshHandle> meshFromObj(const val& bytes, const val& parts, bool repair,
                                         double weld);
 /// `positions` is a Float64Array, `triangles` an Int32Array, with three numbers for each item.
 std::unique_ptr<MeshHandle> meshFromArrays(const val& positions, const val& triangles, bool repair,
                                            double weld);
-/// A mesh of polygons. `corners` has the vertices of one polygon after the other, `sizes` their
-/// numbers of corners.
+/// A mesh of polygons. `corners` has the vertices of one polygon after the other, `sizes` the
+/// number of corners of each polygon.
 std::unique_ptr<MeshHandle> meshFromPolygons(const val& positions, const val& corners,
                                              const val& sizes, bool repair, double weld);
 /// A built-in shape, by its name in the JavaScript API.

@@ -14,7 +14,7 @@ Vec3 vectorAt(const Array<double>& numbers, int i) {
   return {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
 }
 
-/// The path through a caller's points, of which neighbours must share a face.
+/// The path through a caller's points. Consecutive points must share a face.
 SurfacePath pathFromJs(const MeshHandle& handle, const val& line) {
   const TriangleMesh& mesh = handle.mesh();
   const SurfacePath path = pathThrough(mesh, pointsFromJs(handle.numbering(), mesh, line));
@@ -27,7 +27,7 @@ SurfacePath pathFromJs(const MeshHandle& handle, const val& line) {
   return path;
 }
 
-/// The end points of the exp map, for JavaScript.
+/// The points to which an exp map or a mirror leads, for JavaScript.
 class MappedPoints {
  public:
   void append(const Geometry& geometry, const ExpMapped& mapped) {
@@ -80,7 +80,7 @@ val MeshHandle::logMapOfVertices(const val& from, double radius) {
   solver->grow(radius);
   SourceVectors ofVertices(geometry);
   ofVertices.setSource(start);
-  // The map of the tangent plane to space is linear.
+  // The map of the tangent plane to space is linear, so the images of two vectors determine it.
   const Vec3 along = tangentToSpace(geometry, start, Vec2::UnitX());
   const Vec3 across = tangentToSpace(geometry, start, Vec2::UnitY());
   Array<double> vectors;

@@ -12,9 +12,10 @@
 namespace karcher::bindings {
 namespace {
 
-/// The data that decide whether a caller's point lies in a region. `share` is the part of each
-/// input triangle that is inside: none, all or some. For partial triangles, the sides of the inner
-/// part lead from (x, y) to (x, y) in the triangle's second and third weights, sorted by triangle.
+/// The data from which JavaScript decides whether a point lies in a region. `share` tells for each
+/// input triangle whether none of it, all or a part is inside. For triangles that are partly
+/// inside, `sides` has the sides of the inner part, sorted by triangle: the second and third
+/// weights of the side's start, then those of its end. `triangles` has the triangle of each side.
 struct Inside {
   enum : uint8_t { kNone = 0, kAll = 1, kPart = 2 };
   Array<uint8_t> share;
@@ -144,7 +145,7 @@ val MeshHandle::regions(const val& outlines, const val& counts, const val& insid
 }
 
 val MeshHandle::cut(const val& outlines, const val& report) const {
-  // The shares of the time are those of large meshes.
+  // The reported fractions are the shares of the time that the steps take on large meshes.
   const auto reached = [&](double done) {
     if (!report(done).as<bool>()) refuse("the cut was given up");
   };

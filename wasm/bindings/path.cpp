@@ -25,7 +25,8 @@ Array<int> append(Path& path, const Numbering& numbering, const TriangleMesh& me
     kept.push_back(i);
     last = here;
   }
-  // Chords are shorter than arcs, and lengths have rounding.
+  // Chords are shorter than arcs, and lengths have rounding errors. So the chords are stretched to
+  // the given length.
   const double stretch = whole > 0 ? length / whole : 0;
   for (const double chord : chords) path.lengths.push_back(path.length + stretch * chord);
   path.length += length;

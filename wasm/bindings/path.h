@@ -15,8 +15,9 @@ struct Path {
   Array<double> lengths;  ///< the lengths from the start
 };
 
-/// Appends points of the engine with the length from the first to the last. Between two of them the
-/// path is straight, or nearly so. Returns the indices of the appended points.
+/// Appends points of the engine; `length` is the length from the first to the last. Between two
+/// points the path is straight, or nearly so. Omits points that repeat the previous place. Returns
+/// the indices of the appended points.
 Array<int> append(Path& path, const Numbering& numbering, const TriangleMesh& mesh,
                   const Array<SurfacePoint>& points, double length);
 

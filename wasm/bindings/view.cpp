@@ -7,7 +7,7 @@
 namespace karcher::bindings {
 namespace {
 
-/// The vertices of the path, and whether each one's piece is no center of mass.
+/// The vertices of the path, and whether the piece that leads to each is unconverged (JoinedPath).
 struct Vertices {
   Path path;
   Array<uint8_t> unconverged;

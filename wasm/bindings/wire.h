@@ -6,8 +6,8 @@
 #include "mesh/surface_point.h"
 
 /// Conversion of values between JavaScript and the engine, with copies of arrays. A point is four
-/// numbers (face, b0, b1, b2); JavaScript may pass a vertex as (NaN, vertex, 0, 0). Numbers of
-/// faces and vertices are the caller's in JavaScript and the engine's here.
+/// numbers (face, b0, b1, b2); JavaScript may pass a vertex as (NaN, vertex, 0, 0). Faces and
+/// vertices have the caller's numbers in JavaScript and the engine's numbers here.
 namespace karcher::bindings {
 
 using emscripten::val;

@@ -71,14 +71,14 @@ export class Arguments {
     return this.#command.name;
   }
 
-  /** Whether the arguments have a flag, or an option explicitly rather than by its default. */
+  /** Whether the arguments contain this flag or option. A default does not count. */
   given(name: string): boolean {
     return this.#values.has(name);
   }
 
   /**
-   * The value of an option, or its default. In the command's own `out`, for several meshes, a star
-   * stands for the mesh's name.
+   * The value of an option, or its default. If there are several meshes, a star in the command's
+   * own `out` stands for the mesh's name.
    */
   text(name: string): string {
     const option = this.#command.options.find((candidate) => candidate.name === name);
@@ -116,7 +116,7 @@ export class Arguments {
       .map((text, i) => parseNumber(text, `number ${i + 1} of --${name}`));
   }
 
-  /** Options by their names, if the arguments have them: `{ [name]: read(name) }` each. */
+  /** An object with `read(name)` for each of the names that the arguments contain. */
   whereGiven<Name extends string, Value>(
     names: readonly Name[],
     read: (name: Name) => Value,
@@ -125,7 +125,10 @@ export class Arguments {
     return Object.fromEntries(given.map((name) => [name, read(name)])) as { [key in Name]?: Value };
   }
 
-  /** Throws for an option among these. `why` ends the sentence: "with --type exact". */
+  /**
+   * Throws if the arguments contain one of these options. `why` ends the message: "with --type
+   * exact".
+   */
   refuse(names: readonly string[], why: string): void {
     const name = names.find((candidate) => this.given(candidate));
     if (name !== undefined) throw new UsageError(`--${name} has no use ${why}`);

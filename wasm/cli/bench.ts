@@ -12,8 +12,8 @@ const runs = 5;
 /** The number of runs for steps of a few milliseconds at most. */
 const quickRuns = 50;
 /**
- * The runs before the measurement, since the code that an engine first generates from WebAssembly
- * is slow.
+ * The runs before the measurement. The code that a JavaScript engine first generates from
+ * WebAssembly is slow.
  */
 const warmUp = { runs: 1000, ms: 500 };
 const rings = 6;
@@ -32,7 +32,7 @@ export const bench: Command = {
     const samples = args.integer('samples');
     const given = await args.points();
     const read = await args.meshFile();
-    // The import is here, since the other commands need not wait for a second module.
+    // The import is here so that the other commands do not wait for a second module.
     const { loadPeers } = await import('../peers/index.js');
     const peers = await loadPeers();
     const { mesh } = await read(peers.karcher);
@@ -142,7 +142,7 @@ function timeCurve(
     bridges.push(times.bridge);
     joins.push(times.join);
   }
-  // An edit traces at once. Its time counts without that of the joining paths.
+  // An edit traces at once. Its time counts without the time of the joining paths.
   const weights = Array.from({ length: field.method === 'paper' ? runs : quickRuns }, (_, i) => {
     const whole = elapsed(() => curve.setWeight(index, i % 2 === 0 ? 2 : 1));
     return whole - curve.times().join;
@@ -160,7 +160,8 @@ function timeCurve(
 }
 
 /**
- * Times the default curve. Its middle point moves to a neighbouring place and back, at its levels.
+ * Times the default curve with its number of levels fixed. Its middle point moves to a neighbouring
+ * place and back.
  */
 function timeSteadyDrag(mesh: Mesh, points: readonly SurfacePoint[], samples: number) {
   const curve = mesh.curve({ kind: 'bspline', points: [...points], samples });

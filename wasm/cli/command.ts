@@ -9,7 +9,7 @@ import type { Described } from './options.js';
  */
 export interface Result {
   json: object;
-  /** A file that goes to standard output instead. */
+  /** The bytes of a file, which go to standard output instead of the JSON object. */
   bytes?: Uint8Array;
   mesh?: Mesh;
   curves?: () => FileCurve[];

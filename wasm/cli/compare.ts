@@ -72,7 +72,7 @@ export const compare: Command = {
     const rings = args.integer('rings');
     const points = await args.points();
     const read = await args.meshFile();
-    // The import is here, since the other commands need not wait for a second module.
+    // The import is here so that the other commands do not wait for a second module.
     const {
       comparedMethods,
       loadPeers,

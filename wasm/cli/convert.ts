@@ -87,7 +87,10 @@ function formatOf(args: Arguments): WrittenFormat {
   );
 }
 
-/** The colors of vertices by their places, since repairs change the numbers of vertices. */
+/**
+ * The colors of vertices, found by their positions, since repairs change the numbers of vertices;
+ * white at a position that the mesh's file does not have.
+ */
 function colorsAt(mesh: Mesh, colors: Uint8Array, positions: readonly number[]): Uint8Array {
   const given = mesh.positions();
   const place = (at: ArrayLike<number>, i: number) => `${at[i]} ${at[i + 1]} ${at[i + 2]}`;

@@ -156,7 +156,7 @@ function curvesOfFile(text: string, path: string): unknown[] {
   );
 }
 
-/** The engine checks the values. */
+/** A curve of a file, after a check of its names. The engine checks the values. */
 function curveOf(curves: readonly unknown[], number: number, path: string): CurveRecord {
   const curve = curves[number];
   if (typeof curve !== 'object' || curve === null) {

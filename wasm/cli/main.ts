@@ -93,7 +93,7 @@ export async function main(
   return status;
 }
 
-/** A text or bytes in pieces, and the file for them, if not standard output. */
+/** A text or bytes in pieces, and the file that receives them; by default standard output does. */
 interface Written {
   pieces: Pieces;
   out?: string;
@@ -137,14 +137,14 @@ async function resultOf(command: Command, args: Arguments, terminal: Terminal): 
   }
 }
 
-/** A line of JSON for each mesh. After a failure with one, its report, the other meshes follow. */
+/** A line of JSON for each mesh. If a mesh fails, `fail` reports it, and the next mesh follows. */
 async function* batch(
   command: Command,
   args: Arguments,
   terminal: Terminal,
   fail: (error: unknown, mesh: string) => void,
 ): AsyncGenerator<string> {
-  // The output for several meshes is JSON, without options of other formats.
+  // The output for several meshes is JSON, so this call refuses the options of other formats.
   if (command.options.includes(formatOption)) drawnFormat(args);
   for (const mesh of args.meshes) {
     args.take(mesh);

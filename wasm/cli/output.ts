@@ -132,7 +132,10 @@ export function* jsonLine(value: unknown): Generator<string> {
 /** Pieces of texts, or of files' bytes. */
 export type Pieces = Iterable<string | Uint8Array> | AsyncIterable<string | Uint8Array>;
 
-/** Writes pieces to a stream, each after the end of the previous one. `name` is the stream's. */
+/**
+ * Writes pieces to a stream, each after the end of the previous one. `name` names the stream in
+ * errors.
+ */
 export async function print(
   pieces: Pieces,
   stream: Writable,

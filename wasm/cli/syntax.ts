@@ -85,7 +85,10 @@ function pointOfJson(value: unknown, what: string): PointLike {
   throw new UsageError(`${what} must be a point as JSON, {face, bary} or {vertex}`);
 }
 
-/** A list of points, or an object that commands print, with `points`, `samples` or one point. */
+/**
+ * The points of a list, of a drawing's only object with points, or of an object that commands
+ * print, with `points`, `samples` or one point.
+ */
 function pointsOfJson(value: unknown, path: string): PointLike[] {
   const figures = figuresOf(value);
   if (figures) {
@@ -100,8 +103,8 @@ function pointsOfJson(value: unknown, path: string): PointLike[] {
 }
 
 /**
- * Lists of numbers: one line for each, or JSON with a list of lists or an object that has one by
- * this name.
+ * Lists of numbers: a line for each list, or JSON. The JSON is a list of lists, or an object that
+ * has such a list under `name`.
  */
 export function parseRows(text: string, path: string, name: string): number[][] {
   const rows = isJson(text)
@@ -121,8 +124,8 @@ export function parseRows(text: string, path: string, name: string): number[][] 
 }
 
 /**
- * The numbers of a file, in lines or with spaces between them; or JSON: a list, or an object with
- * one as `karcher distance` prints it. Null stands for NaN.
+ * The numbers of a file, in lines or with spaces between them, or JSON. The JSON is a list, or an
+ * object with a list `values` or `distance`, as `karcher distance` prints it. Null stands for NaN.
  */
 export function parseNumbers(text: string, path: string): number[] {
   if (!isJson(text)) return parseRows(text, path, 'values').flat();

@@ -73,7 +73,7 @@ export const trace: Command = {
   },
 };
 
-/** Checks the requested measures of the curve before its trace. */
+/** Checks the requested measures before the curve is traced. The result computes them. */
 function measuresOf(args: Arguments): (mesh: Mesh, curve: Curve) => object {
   const { at } = args.whereGiven(['at'], (name) => args.numbers(name));
   const { nearest } = args.whereGiven(['nearest'], (name) => args.place(name));

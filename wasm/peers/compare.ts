@@ -94,9 +94,9 @@ export interface CompareOptions extends LongWorkOptions {
 }
 
 /**
- * The options of each method for a curve. The paper's distances are exact for two points, and
- * otherwise those of the graph with k = 6, as in its Table 1. Its searches start as those of its
- * authors.
+ * The options of each method for a curve. The paper's method has exact distances for two points,
+ * and otherwise graph distances with k = 6, as in the paper's Table 1. Its searches start as in the
+ * program of the paper's authors.
  */
 export function standardOptions(method: ComparedMethod, plan: CurvePlan): MethodOptions {
   if (method === 'karcher') return { method, solver: 'fast' };
@@ -171,8 +171,8 @@ export async function traceReference(
 
 /**
  * Prepares a method on its own copy of the mesh, so that it shares no computed data. Traces the
- * curve, drags a point and measures the curve against a reference. If a method fails, the result
- * has the reason and the samples found before. Rejects with the signal's reason.
+ * curve, drags a point and measures the curve against a reference. If the method fails, the result
+ * has the reason and the values measured before. Rejects with the signal's reason.
  */
 export async function runMethod(
   peers: Peers,
@@ -213,7 +213,7 @@ export async function runMethod(
     Object.assign(run, measures(mesh, run.curve.samples, reference));
     run.lostByOwnRule = curve.lostByOwnRule();
     run.logMaps = curve.logMaps();
-    // With fewer converged samples the result is no curve.
+    // If less than half of the samples converged, the result is no curve.
     run.ok = run.lost! <= run.samples! / 2;
     if (!run.ok) run.reason = `${run.lost} of ${run.samples} samples did not converge`;
     if (dragSteps > 0 && run.ok) {
@@ -225,7 +225,7 @@ export async function runMethod(
     if (!once && run.ok) await repeat(run, { peers, method, curve, mesh: own, plan, work });
   } catch (error) {
     signal?.throwIfAborted();
-    // A curve within the time counts. Missing numbers are null.
+    // If the time ran out after the curve was complete, the curve counts. Missing numbers are null.
     run.ok = run.ok && budget.reason !== null;
     run.reason = budget.reason ?? reasonOf(error);
   } finally {
@@ -287,13 +287,15 @@ function measures(mesh: Mesh, samples: CurveSamples, reference: ReferenceSamples
   return { samples: samples.count, lost };
 }
 
-/** The reason of a failure by a method. Throws other failures: errors of the program. */
+/** The reason why a method failed. Rethrows other errors, which are errors of the program. */
 function reasonOf(error: unknown): string {
   if (error instanceof KarcherError) return error.message;
   throw error;
 }
 
-/** The most repetitions of short work: a first run is slower than usual. */
+/**
+ * The largest number of runs of short work. It is repeated since a first run is slower than usual.
+ */
 const mostRuns = 5;
 const longEnoughMs = 400;
 
@@ -310,7 +312,8 @@ interface Repeated {
 /** Sets the medians of the preparation, the trace and the edits. */
 async function repeat(run: MethodRun, repeated: Repeated): Promise<void> {
   const { method, curve, mesh, plan, work } = repeated;
-  // Each repetition needs a new curve, since a point that returns to an earlier place finds its cached field.
+  // Each repetition needs a new curve, since a point that returns to an earlier place finds its
+  // cached field there.
   const traces = [run.traceMs!];
   const fields = [run.fieldsMs!];
   const drags = [await drag(curve, mesh, plan, work)];

@@ -41,7 +41,8 @@ export class ComparedCurve implements MethodCurve {
 
   /**
    * Does the same as `finish` in slices, with pauses between them that do not count.
-   * `work.progress` receives the completed part of the samples. Rejects with the signal's reason.
+   * `work.progress` receives the completed fraction of the samples. Rejects with the signal's
+   * reason.
    */
   async trace({ progress, signal }: LongWorkOptions = {}): Promise<number> {
     const total = this.#handle.call((curve) => curve.samplesLeft());

@@ -16,8 +16,8 @@ export interface DragMeasures {
   /** The number of steps in which a sample moved more than five times as far as the hand. */
   leaps: number;
   /**
-   * The farthest move of a sample in a step, in steps of the hand; null if no sample converged
-   * twice.
+   * The farthest move of a sample in a step, in steps of the hand; null if no sample was found both
+   * before and after a step.
    */
   most: number | null;
 }

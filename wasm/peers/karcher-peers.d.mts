@@ -23,9 +23,10 @@ export interface PeersModule extends EngineModule {
   benchmark(mesh: EngineMesh): EngineBenchmark;
   /**
    * Ten numbers for each row of weights: whether the search converged; its iterations; the numbers
-   * of geodesics that it traced, moved to a joint before their end, had to move, and could not
-   * improve; whether it ended inside a triangle; and the gradients at the starts of its last three
-   * iterations, the last one first.
+   * of its geodesics (all; those cut at a joint; those of them whose original end has no smaller
+   * gradient than their start; those on which no joint has a smaller gradient); whether it ended
+   * inside a triangle; and the gradients at the starts of its last three iterations, the last one
+   * first, with 0 for an iteration that did not take place.
    */
   newtonSteps(
     mesh: EngineMesh,
@@ -51,7 +52,7 @@ export interface EngineBenchmark {
   field(point: Float64Array, field: EngineFieldOptions): void;
   /** Chooses a field and the vertices within a radius of its point, and returns their number. */
   chooseField(point: Float64Array, field: EngineFieldOptions, radius: number): number;
-  /** Computes the chosen field again and reads it at these vertices. */
+  /** Computes the chosen field again and reads it at the chosen vertices. */
   readField(): void;
   gradient(): void;
 }

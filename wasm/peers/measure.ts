@@ -22,11 +22,14 @@ export interface CurveMeasures {
   turningNoise: number | null;
   /**
    * The number of leaps: steps between two consecutive converged samples that are longer than a
-   * mean edge and five times as long as the steps before and after them. If a curve's weights do
-   * not change evenly, steps are relative to those of its affine averages.
+   * mean edge and five times as long as the steps before and after them. If `measure` has affine
+   * averages, the steps are relative to the steps of these averages.
    */
   breaks: number;
-  /** The largest angle by which the curve turns at a sample, in degrees, and the sample's parameter. */
+  /**
+   * The largest angle, in degrees, by which the curve turns at a sample, and the sample's
+   * parameter.
+   */
   sharpestTurn: { degrees: number; t: number } | null;
 }
 
@@ -36,7 +39,10 @@ export interface ReferenceSamples extends Pick<CurveSamples, 'count' | 'position
   energy?: Float64Array;
 }
 
-/** The centers of mass of the two ends of a path: the points at parts of its length. */
+/**
+ * The centers of mass of a path's two ends: the points at the fractions of its length that the
+ * weights give.
+ */
 export function alongPath(path: Path, { t, weights }: WeightTable): ReferenceSamples {
   const polyline = path.polyline({ bits: 64 });
   const lengths = [0];
@@ -83,7 +89,7 @@ export class CurveMeter {
   /**
    * Measures a curve against a reference with the same segments and parameters. `affine` are the
    * averages in space of the control points with the samples' weights. They show where a curve is
-   * fast without a leap, such as rational curves at their ends.
+   * fast without a leap, as rational curves are at their ends.
    */
   measure(
     curve: CurveSamples,

@@ -6,10 +6,13 @@ import type { ReferenceSamples } from './measure.js';
 import type { CurvePlan } from './types.js';
 import { add, at, cross, dot, length, scaled, subtract, type Vector } from './vectors.js';
 
-/** The number of even samples of a curve at which the ruler measures its error. */
+/** The number of evenly spaced samples at which the ruler measures a curve's error. */
 const rulerSamples = 33;
 
-/** The distance from a side of its face below which a point counts as lying on the side. */
+/**
+ * The barycentric weight below which a point counts as lying on a side of its face. In mean edges,
+ * it is also the length up to which a path's first pieces count as rounding errors.
+ */
 const onSide = 1e-6;
 
 /**
@@ -23,8 +26,8 @@ export interface RulerMeasures {
    */
   residual: { median: number; max: number } | null;
   /**
-   * Medians of the energy, the sum of w_i d(x, p_i)^2, in squared mean edges, and of its excess over the
-   * reference's.
+   * The medians of the energy, the sum of w_i d(x, p_i)^2, and of its excess over the reference's
+   * energy, in squared mean edges.
    */
   energy: { median: number; excess: number | null } | null;
   /**
@@ -68,8 +71,8 @@ export class Ruler {
   }
 
   /**
-   * Takes the energies of the reference at these samples, for comparison in `measure`. Rejects with
-   * the signal's reason.
+   * Takes the energies of the reference at the measured samples, for comparison in `measure`.
+   * Rejects with the signal's reason.
    */
   async compareWith(
     reference: ReferenceSamples | CurveSamples,
@@ -107,7 +110,10 @@ export class Ruler {
     };
   }
 
-  /** The lengths and squared lengths in units of the mesh. Rejects with the signal's reason. */
+  /**
+   * The residuals and energies at the measured samples, in units of the mesh. Rejects with the
+   * signal's reason.
+   */
   async read(
     samples: CurveSamples,
     { progress, signal }: LongWorkOptions = {},
@@ -149,7 +155,9 @@ export class Ruler {
     return { residual: length(steps.reduce(add, [0, 0, 0])), energy };
   }
 
-  /** The turn of directions of paths that leave a point into the plane of its face. */
+  /**
+   * A function that turns the directions of paths that leave a point into the plane of its face.
+   */
   #tangentPlane({ face, bary }: SurfacePoint): (direction: Vector) => Vector {
     const corners = this.#cornersOf(face);
     const normal = unit(normalOf(corners));

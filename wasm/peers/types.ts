@@ -36,12 +36,13 @@ export interface MethodOptions {
   /** For `paper`: the star, as in `FieldOptions`. */
   star?: Star;
   /**
-   * For `paper` and `karcher`: the starts of searches. `heaviest` (the default) starts as the
-   * engine does: the ends of a segment at the control point of the largest weight, other samples at
-   * the last one that converged, and again at control points if that fails. `authors` starts like
-   * the program of the paper's authors: at the geodesic de Boor point until a search finds a
-   * sample, then once at the last sample found, through all segments. A control point with all the
-   * weight, such as at the ends of a Bezier curve, is itself the sample.
+   * For `paper` and `karcher`: the starts of searches. With `heaviest` (the default), searches
+   * start as in the engine: the ends of a segment at the control point of the largest weight, other
+   * samples at the last sample that converged. A search that fails starts again at control points.
+   * With `authors`, they start as in the program of the paper's authors: at the geodesic de Boor
+   * point until a search finds a center, then at the last center, through all segments and without
+   * a second start. A control point with all the weight, as at the ends of a Bezier curve, is
+   * itself the sample.
    */
   seeds?: 'heaviest' | 'authors';
   /** For the heat methods: whether to use the intrinsic Delaunay triangulation of the surface. */
@@ -128,11 +129,14 @@ export interface PreparedCurves {
 export interface ComparedLine {
   /** The path through the samples. */
   path: Path;
-  /** A number for each point of the path: 1 if the sample to which it leads did not converge. */
+  /**
+   * A number for each point of the path: 1 if the piece that ends there lies on a bridge or leads
+   * to a sample that did not converge.
+   */
   unconverged: Uint8Array;
 }
 
-/** The results of all methods for a center of mass. */
+/** A center of mass by any of the methods. */
 export type ComparedCenter = Pick<CenterOfMass, 'point' | 'position' | 'status'>;
 
 /** The numbers of log maps of a heat method's curve. */
@@ -154,12 +158,15 @@ export interface NewtonSteps {
   iterations: number;
   /** The number of geodesics along steps of Newton's method. */
   traced: number;
-  /** The number of these that the search cut at a joint before their end. */
+  /** The number of these geodesics that the search cut at a joint before their end. */
   shortened: number;
-  /** The number of cut ones that have no smaller gradient at their end than at their start. */
+  /** The number of cut geodesics whose original end has no smaller gradient than their start. */
   needed: number;
   /** The number of geodesics on which no joint has a smaller gradient than their start. */
   stuck: number;
-  /** The gradients at the starts of the last three iterations, the last one first, or 0. */
+  /**
+   * The norms of the gradient at the starts of the last three iterations, the last one first; 0 for
+   * an iteration that did not take place.
+   */
   gradients: number[];
 }

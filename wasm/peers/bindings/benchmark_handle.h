@@ -21,12 +21,12 @@ class BenchmarkHandle {
   /// Builds the graph of the paper's graph distances. The mesh keeps it.
   void ringGraph(int rings);
   void gradientOperator() { mesh_.surface().gradientOperator(); }
-  /// Computes the paper's field of a point, with the gradient in it.
+  /// Computes the paper's field of a point, including the gradients.
   void field(const val& point, const val& options);
   /// Chooses a field of log vectors and all vertices within `radius` of its point, and returns
   /// their number.
   int chooseField(const val& point, const val& options, double radius);
-  /// Computes the chosen field again and reads it at these vertices.
+  /// Computes the chosen field again and reads it at the chosen vertices.
   void readField();
   /// Applies the gradient operator once.
   void gradient();

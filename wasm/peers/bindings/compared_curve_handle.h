@@ -22,7 +22,7 @@ class PreparedMethodHandle {
   PreparedMethod method_;
 };
 
-/// A curve by such a method. The mesh and the method must outlive it.
+/// A curve by a prepared method. The mesh and the method must outlive it.
 class ComparedCurveHandle {
  public:
   ComparedCurveHandle(PreparedMethodHandle& method, ComparedPlan plan)
@@ -46,14 +46,14 @@ class ComparedCurveHandle {
   ComparedCurve curve_;
 };
 
-/// `options` is {method, field: {method, solver, rings}, star, seeds, delaunay, adaptive,
+/// `options` is {method, field: {method, solver, rings, star}, seeds, delaunay, adaptive,
 /// landmarks, landmarkDistances}. `progress` is undefined, or a function of the number of landmarks
 /// that returns whether to continue.
 std::unique_ptr<PreparedMethodHandle> prepareMethod(MeshHandle& mesh, const val& options,
                                                     const val& progress);
 
 /// `first` is an Int32Array of the segments' first points. `weights` is a Float64Array with a row
-/// for each of the parameters `t`, as long as a segment's number of points.
+/// for each of the parameters `t`; a row has a weight for each point of a segment.
 std::unique_ptr<ComparedCurveHandle> comparedCurve(PreparedMethodHandle& method, const val& points,
                                                    const val& first, const val& t,
                                                    const val& weights);
