@@ -15,17 +15,17 @@ namespace {
 constexpr double kLeastConvexity = 0.5;
 
 /// The largest detail on a leg of a safe piece, in radians. In the study of steadiness, curves with
-/// more detail turn visibly more than their limit.
+/// more detail turn visibly more than the subdivision curve.
 constexpr double kMostDetail = 0.2;
 
-/// The most edges that a leg of a quick curve crosses: about three edge lengths.
+/// The most edges that a leg crosses at `quickLevels`. Such a leg is about three edge lengths long.
 constexpr double kFewEdges = 9;
 
-/// The factor on the estimate of a deviation.
+/// The factor on the estimate of a deviation: a margin, since the estimate may be a third too low.
 constexpr double kDeviationMargin = 1.5;
 
-/// The ratio of the legs of a curve's pieces at level 0 to those of its polygon. A Catmull-Rom
-/// curve's Bezier polygons have legs a third as long.
+/// The length of a leg of a piece at level 0, relative to a leg of the control polygon. The legs of
+/// a Catmull-Rom curve's Bezier polygons are a third as long.
 double partOfLeg(const CurveShape& shape) {
   return shape.kind == CurveKind::kCatmullRom ? 1.0 / 3 : 1;
 }
@@ -72,7 +72,7 @@ int levelsToSafety(const Geometry& geometry, const CurveShape& shape, int points
                    const Array<SurfacePath>& legs) {
   double detail = 0;
   for (const SurfacePath& leg : legs) detail = std::max(detail, detailAlong(geometry, leg));
-  // Each level divides the square of a leg by 4.
+  // The detail grows with the square of a leg's length, which each level divides by 4.
   detail *= partOfLeg(shape) * partOfLeg(shape);
   int levels = 0;
   while (mayTakeLevels(shape, points, levels + 1) &&

@@ -6,20 +6,22 @@
 
 /// The number of levels of a curve that does not set it:
 ///
-/// - A curve is safe at a number of levels if all its pieces are: their centers of mass move
+/// - A curve is safe at a number of levels if all its pieces are safe: their centers of mass move
 ///   continuously, and turn little more than the surface does (convexity.h).
-/// - If level 0 is safe, it is the curve of Mancinelli and Puppo, Eq. 4. If the curves of all
-///   levels lie within a tolerance of it (deviation.h), the curve takes the number of levels that
-///   makes it quickest, else none.
-/// - If level 0 is not safe, as on rough surfaces, the curve takes the fewest levels at which it is
-///   safe, or more if that is quicker.
+/// - If level 0 is safe, its curve is that of Mancinelli and Puppo, Eq. 4. If the curves of all
+///   levels lie within a tolerance of this one (deviation.h), the curve takes the number of levels
+///   with which tracing is fastest; otherwise it takes none.
+/// - If level 0 is not safe, such as on rough surfaces, the curve takes the fewest levels at which
+///   it is safe, or more if tracing is then faster.
 ///
-/// All this follows from the control polygon and the faces that its legs cross, with one exception:
-/// level 0 assumes that the tightened legs are the shortest paths between their points. This fails
-/// on a tube that the legs go around, where centers of mass jump to its other side.
+/// These decisions use only the control polygon and the faces that its legs cross, with one
+/// exception. At level 0, the tightened legs between two points must be a shortest path, which only
+/// distance fields can tell. If the legs go around a tube, they may not be, and centers of mass
+/// jump to the other side of the tube.
 namespace karcher {
 
-/// The largest move by levels of a curve that is safe without them, in mean edges.
+/// The largest distance, in mean edges, by which levels may move a curve that is safe without
+/// levels.
 inline constexpr double kLevelsTolerance = 0.02;
 
 /// Reusable scratch memory.
@@ -35,37 +37,38 @@ struct LevelsWorkspace {
 /// pieces are the curve's segments.
 bool isSafe(const Geometry& geometry, const RefinedPolygon& polygon, LevelsWorkspace& workspace);
 
-/// The number of levels that make a polygon safe, by the legs of the control polygon; at least 1 if
-/// the shape takes levels. If the legs go around the rim of an ear that the curve crosses, the
-/// refined polygon may need more.
+/// The number of levels that make a polygon safe, judged by the legs of the control polygon; at
+/// least 1 if the shape takes levels. If the legs go around the rim of an ear that the curve
+/// crosses, the refined polygon may need more.
 int levelsToSafety(const Geometry& geometry, const CurveShape& shape, int points,
                    const Array<SurfacePath>& legs);
 
-/// Whether the fields of a curve with these levels are near ones (PointField::setPoint). They are
-/// if a piece's legs cross no more faces than the search in sight does: then the points mostly see
-/// the vertices at which their fields are evaluated. At larger distances each value would take a
-/// path search, as expensive as a wavefront that finds all values; a curve of two pieces on a fine
-/// mesh took minutes. If the curve can take no more levels, fields are near in any case, since so
-/// many wavefronts would not fit into memory.
+/// Whether the fields of a curve with these levels are near ones (PointField::setPoint). At level 0
+/// they are not. At other levels they are if a piece's legs cross no more faces than the search in
+/// sight does: then the points mostly see the vertices at which their fields are evaluated. At
+/// larger distances each value would take a path search, as expensive as a wavefront that finds all
+/// values; a curve of two pieces on a fine mesh took minutes. If the curve can take no more levels,
+/// fields are near in any case, since so many wavefronts would not fit into memory.
 bool areFieldsNear(const CurveShape& shape, int points, const Array<SurfacePath>& legs, int levels);
 
-/// The number of levels of the quickest curve: its legs cross few edges, and the points of a piece
-/// are in sight of each other. A piece's fields cost about the square of the edges that its legs
-/// cross, and each level doubles the number of pieces.
+/// The number of levels with which tracing is fastest. At this level the legs cross few edges, and
+/// the points of a piece see each other. The cost of a piece's fields grows with about the square
+/// of the number of edges that its legs cross, and each level doubles the number of pieces.
 int quickLevels(const CurveShape& shape, int points, const Array<SurfacePath>& legs);
 
-/// An estimate of the largest move of a control polygon's curve by levels, in the mesh's units. It
-/// is right to about a third, and this is the upper end.
+/// An upper bound, in the mesh's units, of the distance by which levels move a control polygon's
+/// curve. It includes a margin, since the estimate is right to about a third.
 double levelsDeviation(const Geometry& geometry, const RefinedPolygon& polygon,
                        LevelsWorkspace& workspace);
 
-/// The length of the geodesic to which the legs between two of a segment's points are pulled tight.
+/// The length of the geodesic that results if the legs between two of a segment's points are pulled
+/// tight.
 double tightLength(const Geometry& geometry, const RefinedPolygon& polygon,
                    const SegmentLayout& segment, int from, int to, LevelsWorkspace& workspace);
 
-/// The number of levels at which legs are twice as long as edges, but at least two, and no more
-/// than the work limit allows. Their averages lie within a small fraction of an edge of the
-/// subdivision curve.
+/// The number of levels after which no leg is longer than two mean edges: at least 2, but no more
+/// than the work limit allows, and 0 if it does not allow 2. The averages at this level lie within
+/// a small fraction of an edge of the subdivision curve.
 int levelsToLimit(const Geometry& geometry, const CurveShape& shape, int points,
                   const Array<SurfacePath>& legs);
 

@@ -15,8 +15,8 @@ namespace karcher {
 namespace {
 
 constexpr int kFewestArcs = 3;
-/// The number of fitting arcs of a full turn before the first division, and the number of an
-/// ellipse's arcs.
+/// The number of fitting arcs in a full turn before the first division, and the default number of
+/// an ellipse's arcs.
 constexpr int kFirstArcs = 7;
 constexpr int kMostCuts = 4;
 constexpr int kMostParts = 4;  ///< the most parts of one arc in one round
@@ -52,7 +52,7 @@ class Center {
     if (location_.simplex == Simplex::kVertex) total_ = geometry.totalAngle[location_.vertex];
   }
 
-  /// Throws Error kBoundary if no circle goes all around.
+  /// Throws Error kBoundary if the center lies on the boundary, so that no circle goes around it.
   void checkIsInside() const {
     const bool atVertex = location_.simplex == Simplex::kVertex;
     const bool atEdge = location_.simplex == Simplex::kEdge;
@@ -102,7 +102,8 @@ void checkRadiusIsTold(const Geometry& geometry, const SurfacePoint& center, dou
   } else if (location.simplex == Simplex::kEdge && mesh.twin[location.halfedge] >= 0) {
     take(faceOf(mesh.twin[location.halfedge]));
   }
-  // A chain of computations does not resolve a smaller part of an edge or of coordinates.
+  // A chain of computations does not resolve shorter lengths beside edges and coordinates of this
+  // size.
   const double least =
       kChainRounding * std::max(longest, position(mesh, center).cwiseAbs().maxCoeff());
   if (radius >= least) return;
@@ -155,7 +156,7 @@ struct Arc {
   double middleWeight = 0;
 };
 
-/// The arcs as one closed NURBS curve of degree 2, whose doubled knots make each a rational
+/// The arcs as one closed NURBS curve of degree 2. Its doubled knots make each arc a rational
 /// quadratic Bezier curve.
 CurveOptions optionsOfArcs(const Array<Arc>& arcs, const CircleOptions& options) {
   CurveOptions result{
@@ -169,8 +170,8 @@ CurveOptions optionsOfArcs(const Array<Arc>& arcs, const CircleOptions& options)
   return result;
 }
 
-/// Whether the disk around the center holds no other vertex, by distances that extend beyond it. If
-/// so, the surface there is the plane, or the cone about a vertex.
+/// Whether the disk around the center contains no other vertex, so that the surface there is a
+/// plane, or a cone about a vertex. The distances must extend beyond the disk.
 bool isPlain(const TriangleMesh& mesh, const WindowDistance& distance, double radius) {
   const PointLocation location = locate(mesh, distance.source());
   const int own = location.simplex == Simplex::kVertex ? location.vertex : -1;
@@ -179,8 +180,8 @@ bool isPlain(const TriangleMesh& mesh, const WindowDistance& distance, double ra
   return plain;
 }
 
-/// The samples of an arc in such a disk: the centers of mass of its control points are those in the
-/// plane onto which the disk unrolls.
+/// The samples of an arc in a disk without other vertices. There the centers of mass of the arc's
+/// control points are those in the plane onto which the disk unrolls.
 Array<CurveSample> planeArc(const Center& from, const ArcPoint (&control)[3],
                             const SurfacePoint& start, const SurfacePoint& end, double middleWeight,
                             int count) {
@@ -272,8 +273,8 @@ Array<Arc> arcsBetween(const Array<double>& directions, double radius) {
   return arcs;
 }
 
-/// The largest difference of a sample's distance and the radius for each arc, as a part of the
-/// radius.
+/// For each arc, the largest difference between a sample's distance from the center and the radius,
+/// relative to the radius.
 Array<double> deviationsOf(const Geometry& geometry, const SurfacePoint& center, double radius,
                            const GeodesicCircle& circle) {
   Array<SurfacePoint> points;
@@ -293,8 +294,8 @@ Array<double> deviationsOf(const Geometry& geometry, const SurfacePoint& center,
   return deviations;
 }
 
-/// The number of parts of each arc after a division. Arcs of larger deviation come first, as long
-/// as the limit allows more arcs.
+/// The number of parts of each arc after a division. Arcs with larger deviations are divided first,
+/// until the limit on the number of arcs is reached.
 Array<int> partsOfArcs(const Array<double>& deviations, double tolerance) {
   const int count = deviations.count();
   Array<int> parts;
@@ -322,8 +323,8 @@ Array<double> cutInto(const Array<int>& parts, const Array<double>& directions) 
   return result;
 }
 
-/// The number of samples of each arc. The widest arc has them as densely as an arc of a seventh of
-/// a turn.
+/// The number of samples of each arc: as dense on the widest arc as `samples` on a seventh of a
+/// turn, but at least 5, or `samples` if that is fewer.
 int samplesOfArcs(const Array<double>& directions, int samples) {
   double widest = 0;
   for (int j = 0; j + 1 < directions.count(); ++j) {
@@ -343,7 +344,7 @@ GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double 
   from.checkIsInside();
   checkRadiusIsTold(surface.geometry(), center, radius);
   const double turn = from.totalAngle();
-  // An arc is narrower than half a turn of the plane, however large the angle at a vertex is.
+  // Each arc must be narrower than pi, however large the total angle at a vertex is.
   const int fewest = static_cast<int>(turn / kPi) + 1;
   const int fitting =
       std::max(kFirstArcs, static_cast<int>(std::ceil(kFirstArcs * turn / (2 * kPi))));
@@ -394,7 +395,7 @@ GeodesicCircle traceEllipse(Surface& surface, const SurfacePoint& center, double
     const double reach = i % 2 == 0 ? 1 : 1 / std::cos(halfAngle);
     const Vec2 place =
         reach * Vec2(along * std::cos(i * halfAngle), across * std::sin(i * halfAngle));
-    // Around a vertex the plane's angles grow or shrink to the vertex's total angle.
+    // Around a vertex, the plane's angles are scaled to the vertex's total angle.
     const double angle = angleOf(place) * from.totalAngle() / (2 * kPi);
     points.push_back({begin + angle, place.norm()});
   }

@@ -36,27 +36,29 @@ struct GeodesicCircle {
   std::optional<double> deviation;
 };
 
-/// The circle of the given radius about a point of the surface, by rational quadratic arcs
-/// (Mancinelli, Puppo, section 5): let Theta be the total angle of the center, and a = Theta / (2
-/// n). The arcs' ends lie at the radius, and their middle points, of weight cos a, at radius / cos
-/// a, along straightest geodesics in equally spaced directions. If no other vertex is as near to
-/// the center as these points, the arcs are those of the plane, or of the cone about a vertex.
+/// The circle of the given radius about a point of the surface, as n rational quadratic arcs
+/// (Mancinelli, Puppo, section 5). Let Theta be the total angle of the center, and a = Theta / (2
+/// n). The control points lie along straightest geodesics from the center in equally spaced
+/// directions. The arcs' ends lie at the radius, and their middle points, of weight cos a, at
+/// radius / cos a. If no other vertex is as near to the center as these points, the arcs are those
+/// of the plane, or of the cone about a vertex.
 ///
-/// Fitting arcs begin as seven. A round divides the arcs that deviate from the radius by more than
-/// the tolerance; the number of parts assumes that deviations fall with the square of the width.
-/// There are up to four rounds and 128 arcs; the result is the circle of the least deviation.
-/// Division helps wherever geodesics from the center stay shortest and adjacent ones spread little.
-/// Beyond the center's cut locus no arcs keep to the radius; there, and where saddles spread the
-/// geodesics apart, `deviation` is larger than the tolerance. Throws Error: kBadArgument (radius
-/// not positive and finite, or less than a billionth of the longest edge at the center or of its
-/// largest coordinate; arcs, samples), kBoundary (the center lies on the boundary, or a geodesic of
-/// the named arc meets it), kRadiusTooLarge if no point of the component is that far away.
+/// A circle of fitting arcs begins with seven in a full turn. Each round divides the arcs that
+/// deviate from the radius by more than the tolerance; the number of parts assumes that deviations
+/// fall with the square of the width. There are up to four rounds and 128 arcs; the result is the
+/// circle of the least deviation. Division helps wherever geodesics from the center stay shortest
+/// and adjacent ones spread little. Beyond the center's cut locus no arcs keep to the radius;
+/// there, and where saddles spread the geodesics apart, `deviation` is larger than the tolerance.
+/// Throws Error: kBadArgument (radius not positive and finite, or less than a billionth of the
+/// longest edge at the center or of its largest coordinate; arcs, samples), kBoundary (the center
+/// lies on the boundary, or a geodesic of the named arc meets it), kRadiusTooLarge (no vertex of
+/// the component is that far away).
 GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double radius,
                            const CircleOptions& options);
 
-/// The ellipse with these radii along and across a direction, by the rational quadratic arcs of the
-/// plane's ellipse mapped to the surface. Its control points lie along straightest geodesics, in
-/// the direction and at the distance that they have from the plane's center. With equal radii it is
+/// The ellipse with these radii along and across a direction. It maps the rational quadratic arcs
+/// of a planar ellipse to the surface: each control point lies on a straightest geodesic from the
+/// center, in the same direction and at the same distance as in the plane. With equal radii it is
 /// the circle (except about a vertex with curvature). `direction` is a nonzero vector in the frame
 /// of the center's face; if the center is a vertex, it must point into that face. Throws what
 /// `traceCircle` throws.

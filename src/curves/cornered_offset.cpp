@@ -19,12 +19,13 @@ namespace {
 
 enum Side { kLeftSide, kRightSide };
 
-/// The perpendiculars at which strips end and which divide a path; by side.
+/// A place at which a path is divided. The strips of the pieces before and after it end at the
+/// perpendiculars `before` and `after`. Arrays are by side.
 struct Division {
   int index = 0;  ///< the index of the path's point
   SurfacePath before[2];
   SurfacePath after[2];
-  SurfacePath tip[2];  ///< the tip from the end of `before` to that of `after`, or nothing
+  SurfacePath tip[2];  ///< from the end of `before` to the end of `after`; empty if there is none
 };
 
 /// The first point that two polylines of geodesics share.
@@ -102,7 +103,8 @@ class CorneredOffset {
     };
     Array<Isoline> result;
     for (Array<int>& loop : boundaryOf(all, region)) {
-      // A loop that has an unwanted part begins after such a part.
+      // A loop with unwanted half-edges begins with one, so that no wanted line spans the loop's
+      // start.
       const auto other = std::find_if_not(loop.begin(), loop.end(), isWanted);
       const bool closed = other == loop.end();
       if (!closed) std::rotate(loop.begin(), other, loop.end());
@@ -170,7 +172,8 @@ class CorneredOffset {
     return divisions;
   }
 
-  /// The angle by which a path turns, where the surface round the point is a plane's.
+  /// The angle by which a path turns at a point, with the point's total angle scaled to 2 pi; 0 on
+  /// the boundary of the surface.
   double turnAt(const SurfacePoint& point, const SurfacePoint& before,
                 const SurfacePoint& after) const {
     const PointFan fan = fanAt(geometry_, point);
@@ -262,7 +265,7 @@ class CorneredOffset {
     }
   }
 
-  /// Adds the piece of a path between two divisions, or between one and an end of the path.
+  /// Adds the piece of a path between two divisions. A null division stands for an end of the path.
   void addPiece(const SurfacePath& path, const Division* from, const Division* to) {
     Piece piece;
     piece.field =
@@ -293,8 +296,8 @@ class CorneredOffset {
     }
   }
 
-  /// Leads the end of a run to the end of a strip if that is no farther than the length of a chord.
-  /// The run has missed it by at most the height of a chord.
+  /// Leads the end of a run to the end of a strip, unless that is farther away than a chord is
+  /// long. The run misses the strip's end by at most the height of a chord.
   void leadToEnd(Array<SurfacePoint>& run, const SurfacePath* one, const SurfacePath* other) const {
     for (const SurfacePath* end : {one, other}) {
       if (end == nullptr || run.count() < 3) continue;
@@ -315,8 +318,8 @@ class CorneredOffset {
       try {
         region = combined(region, enclosed(all, tip, FillRule::kEvenOdd), Boolean::kUnion);
       } catch (const Error& error) {
-        // The lines of a tip may go round a handle no wider than the tip. They enclose nothing
-        // then.
+        // The lines of a tip may go round a handle of the surface that is no wider than the tip.
+        // Then they enclose nothing.
         if (error.code() != ErrorCode::kBadArgument) throw;
       }
     }

@@ -8,39 +8,40 @@
 /// Offsets with mitred or bevelled corners. Perpendiculars divide a path at its corners and after
 /// each further turn by a right angle, so that no piece turns back to the area in front of its own
 /// end. A piece's strip is the part of the surface within the distance of the piece, without the
-/// parts in front of its ends. At a corner the strips leave a gap on the outer side: a mitre
-/// continues the sides of both by geodesics until they meet; a bevel joins their ends. The offset
-/// is the boundary of the union of all strips and tips.
+/// parts in front of its ends. At a corner the strips leave a gap on the outer side, which a tip
+/// fills: a mitre continues the sides of both strips by geodesics until they meet; a bevel joins
+/// the ends of the sides. The offset is the boundary of the union of all strips and tips.
 ///
-/// Their lines divide the surface into cells (regions/arrangement.h); a cell is inside if one of
-/// its points is. Corners stay round if a connection or a side ends at the boundary of the surface,
-/// or if they turn by less than kLeastCorner.
+/// The lines of the strips and tips divide the surface into cells (regions/arrangement.h); a cell
+/// is inside if one of its points is. A corner stays round if it lies on the boundary of the
+/// surface, if a perpendicular on its outer side meets the boundary, or if it turns by less than
+/// kLeastCorner.
 namespace karcher {
 
 /// The longest side of a piece of a face, relative to the distance. The arc over such a chord is
 /// 8.7e-4 of its radius high.
 inline constexpr double kLongestSide = 1.0 / 12;
 
-/// The field of an offset reaches this many times its distance, so that it can measure chords
-/// outside the line.
+/// The reach of an offset's field, relative to the offset's distance. It exceeds 1 so that the
+/// field can also measure chords outside the line.
 inline constexpr double kOffsetReach = 1.1;
 
-/// The least turn, in radians, that has a mitre: over a smaller turn the tip is within
-/// kOffsetTolerance of the arc.
+/// The smallest turn, in radians, at which a corner has a tip. At smaller turns, the tip would lie
+/// within kOffsetTolerance of the round corner.
 inline const double kLeastCorner = std::sqrt(8 * kOffsetTolerance);
 
 /// The largest product of the number of vertices and the number of pieces between corners.
 inline constexpr int64_t kMostCorneredVertices = 20'000'000;
 
-/// A line of points at one distance, or the part of it whose shortest connections arrive from one
-/// side. Nearer points lie on its left.
+/// A line of points at one distance from a path, or a part of such a line whose shortest
+/// connections arrive from the same side. Nearer points lie on its left.
 struct OffsetRun {
   Array<SurfacePoint> points;
   SideOfPath side = SideOfPath::kEnd;
   bool isClosed = false;
 };
 
-/// The runs of a field at a distance. Tolerances are parts of `scale`.
+/// The runs of a field at a distance. Tolerances are relative to `scale`.
 Array<OffsetRun> offsetRuns(const Geometry& geometry, const PathDistance& field, double distance,
                             double scale);
 

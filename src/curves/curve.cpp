@@ -26,7 +26,7 @@ bool areSame(const Array<SurfacePoint>& a, const Array<SurfacePoint>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), isSame);
 }
 
-/// Whether traces of a curve with either options are valid with the other.
+/// Whether traces of a curve with options a are valid with options b, and vice versa.
 bool traceAlike(const CurveOptions& a, const CurveOptions& b) {
   return a.samples == b.samples && a.tolerance == b.tolerance && a.geometry == b.geometry &&
          a.shape.kind == b.shape.kind && (a.levels == kLimitLevels) == (b.levels == kLimitLevels);
@@ -71,9 +71,9 @@ double legsLength(const RefinedPolygon& polygon, const SegmentLayout& piece) {
   return length;
 }
 
-/// The number of even samples whose chords stay within a tolerance of a polynomial curve. The
-/// second derivative is at most 2 n (n - 1) times the control polygon's length. A chord over 1 / m
-/// of the curve deviates by at most an eighth of the second derivative over m^2.
+/// The number of even samples whose chords stay within a tolerance of a polynomial curve. In degree
+/// n, the second derivative is at most 2 n (n - 1) times the control polygon's length. A chord over
+/// 1 / m of the curve deviates by at most an eighth of the second derivative over m^2.
 int samplesWithin(double tolerance, int degree, double polygonLength) {
   const double chords = std::sqrt(degree * (degree - 1) / 4.0 * polygonLength / tolerance);
   return 2 + static_cast<int>(std::min(chords, kMostSamples - 2.0));
@@ -119,7 +119,8 @@ void Curve::set(CurveValue value) {
   next_.value = std::move(value);
   check(next_.value);
   if (!(next_.value.options.field == fieldSet_->options())) {
-    // With other field options the curve keeps no part. It releases its fields before their set.
+    // With other field options no part of the curve stays valid. The curve must release its fields
+    // before it releases their set.
     Curve other(fieldSets_, std::move(next_.value), clock_);
     segments_.clear();
     *this = std::move(other);
@@ -221,8 +222,8 @@ void Curve::check(const CurveValue& value) const {
   checkLegCount(value);
 }
 
-/// Continues the legs that do not reach their points, up to these. If no strip of faces continues a
-/// leg, or the curve does not use it, it becomes the shortest path.
+/// Extends each leg that does not reach its points, up to them. If no strip of faces extends a leg,
+/// or the curve does not use legs, the leg becomes the shortest path.
 void Curve::continueLegs(CurveValue& value) {
   const Geometry& geometry = surface().geometry();
   StripWorkspace& workspace = workspace_->averaging.strip;
@@ -291,8 +292,8 @@ void Curve::makeSegments(Next& next) {
     findSubdivided(next);
   }
   const int pieces = 1 << next.levels;
-  // A polyline's legs are the curve, but a comparison of pieces omits legs. So pieces stay only if
-  // both values omit the legs.
+  // A polyline's legs are the curve, but the comparison of pieces does not compare legs. So pieces
+  // stay only if both values omit the legs.
   const bool keep =
       traceAlike(options, value_.options) && next.isNear == isNear_ &&
       (shape.kind != CurveKind::kPolyline || (next.value.legs.empty() && value_.legs.empty()));
@@ -310,11 +311,12 @@ void Curve::makeSegments(Next& next) {
 }
 
 /// Finds the pieces that are their own subdivision: each crosses a face that is larger than the
-/// piece, and its points do not see a corner of its faces. Such a corner is far away, across
-/// creases or many faces, and matters little to the curve. The piece itself lies in a few faces.
-/// Its subdivision is the same curve there, except at the edges between them, and needs no field.
-/// Curves with a caller's levels or exact fields are always centers of mass. So are B-splines: some
-/// of their joints are not control points, and at these a center and an average differ.
+/// piece, and its points do not see a corner of a face along its legs. Such a corner is far away,
+/// across creases or many faces, and matters little to the curve. The piece itself lies in a few
+/// faces. Its subdivision needs no field, and is the same curve except at the edges between these
+/// faces. Curves with a caller's levels or exact fields are always centers of mass. So are
+/// B-splines: some of their joints are not control points, and at these a center and an average
+/// differ.
 void Curve::findSubdivided(const Next& next) {
   const RefinedPolygon& polygon = next.polygon;
   Array<char>& isSubdivided = workspace_->isSubdivided;
@@ -342,7 +344,7 @@ bool Curve::seesFaces(const Next& next, const SegmentLayout& piece) {
     for (int k = 1; k < piece.points.count(); ++k) {
       const int leg = piece.points[k - 1];
       for (int i = along.begin[leg]; i < along.begin[leg + 1]; ++i) {
-        // A face along a leg shares two corners with the previous face. The points see these.
+        // A face along a leg shares two corners with the previous face; these have been tested.
         const int before = i > along.begin[leg] ? along.faces[i - 1] : -1;
         for (int corner = 0; corner < 3; ++corner) {
           const int vertex = mesh.corner(along.faces[i], corner);
@@ -356,8 +358,8 @@ bool Curve::seesFaces(const Next& next, const SegmentLayout& piece) {
 }
 
 /// Spaces the knots of a Catmull-Rom curve of level 0. Centripetal knots follow the distances
-/// between consecutive points. Each distance is the mean of both points' fields, so that the curve
-/// is the same from either end.
+/// between consecutive points. Each distance is the mean of the values of both points' fields, so
+/// that the curve is the same from either end.
 void Curve::layKnots(const Next& next) {
   const CurveShape& shape = next.value.options.shape;
   const Array<SurfacePoint>& points = next.value.points;
@@ -436,8 +438,7 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
 void Curve::makeTables(const Next& next, const SegmentLayout& layout, Piece& piece) {
   const CurveOptions& options = next.value.options;
   const SegmentBasis& basis = piece.basis_;
-  // Adaptive sampling computes weights only on demand, but a caller's basis needs its check
-  // nevertheless.
+  // Adaptive sampling needs no table of weights, but making a table also checks a caller's basis.
   const bool hasTolerance = options.tolerance > 0 && isOfCenters(options, next.levels);
   if (hasTolerance && piece.isSubdivided_) {
     const double tolerance = options.tolerance * surface().geometry().diagonal;

@@ -67,15 +67,15 @@ class Curve {
   /// A curve that shares its fields with all users of these sets.
   Curve(std::shared_ptr<FieldSets> sets, CurveValue value, std::function<double()> clock = {});
 
-  /// Becomes the curve of a value, equal to a new one. Keeps the fields of unchanged points and the
-  /// traces of unchanged pieces. On failure the curve is unchanged. Throws Error: kUnreachable
-  /// (points on several components), kBadArgument (samples, tolerance, levels, the number of legs),
-  /// what `checkGivenShape` throws, and what a basis of the caller's throws.
+  /// Becomes the curve of another value, equal to a new curve of this value. Keeps the fields of
+  /// unchanged points and the traces of unchanged pieces. On failure the curve is unchanged. Throws
+  /// Error: kUnreachable (points on several components), kBadArgument (samples, tolerance, levels,
+  /// the number of legs), what `checkGivenShape` throws, and what a basis of the caller's throws.
   void set(CurveValue value);
 
   // Edits set the value that results from them.
   void movePoint(int i, const SurfacePoint& point) { set(withPointPlaced(value_, i, point)); }
-  /// Moves a point as a drag does: its legs continue from their present course.
+  /// Moves a point as a drag does: the legs that meet at it are extended, not searched anew.
   void dragPoint(int i, const SurfacePoint& point) {
     set(withPointDragged(value_, i, point, usesLegs(options()) ? legs() : usedLegs()));
   }
@@ -91,7 +91,7 @@ class Curve {
   const CurveValue& value() const { return value_; }
   /// The legs of the control polygon on the surface.
   const Array<SurfacePath>& legs();
-  /// The same legs if the curve uses them, else none.
+  /// The legs of the control polygon if the curve uses them, else none.
   const Array<SurfacePath>& usedLegs() const;
   /// The number of levels, which the options may leave to the curve. It is 0 if a Catmull-Rom
   /// curve's handle would lie beyond the surface's boundary.
@@ -100,8 +100,8 @@ class Curve {
   /// 0 (Eq. 4); 0 without levels. NaN if the curve of level 0 is not safe (automatic_levels.h), so
   /// that the distance has no meaning.
   double deviation();
-  /// Whether its points are centers of mass. Otherwise they lie on legs or are averages of two
-  /// points.
+  /// Whether the curve's points are centers of mass. Otherwise they lie on legs or are averages of
+  /// two points.
   bool isOfCenters() const { return isOfCenters(options(), levels()); }
 
   Surface& surface() const { return fieldSet_->surface(); }
@@ -139,8 +139,8 @@ class Curve {
     Array<int> points;  ///< the control points at level 0
     std::shared_ptr<TracedSegment> whole;
   };
-  /// The curve of another value, until it replaces this one. Then it holds the replaced state,
-  /// whose memory the next edit reuses.
+  /// The state of the curve after an edit, until it replaces the present state. Then it holds the
+  /// replaced state, whose memory the next edit reuses.
   struct Next {
     CurveValue value;
     int levels = 0;

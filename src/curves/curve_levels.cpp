@@ -53,17 +53,18 @@ RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<Surfac
   return polygon;
 }
 
-/// Whether the legs between the points of a segment and its ends are pulled tight to the shortest
-/// paths, by the fields of level 0. Shorter paths go another way, for instance round a tube, and
-/// centers of mass would jump to these. A larger distance is an error of the field, since the
-/// tightened leg is a path. This releases the fields' memory, since the curve may need no others.
+/// Whether the legs from each point of a segment to both ends, pulled tight, are shortest paths, by
+/// the fields of level 0. If a shorter path goes another way, for instance round a tube, centers of
+/// mass would jump to it. If the field's distance is larger, the field is wrong, since the
+/// tightened legs are a path. The function releases the field's memory, since the curve may need no
+/// other field.
 bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
   const Geometry& geometry = surface().geometry();
   bool areShortest = true;
   {
     PointField field(surface(), fieldSet_->options());
-    // The tested pairs of points: for the first point, a bit for each number of legs to the second.
-    // Segments share pairs that few legs separate.
+    // The tested pairs of points: for each first point, a bit for each number of legs to the
+    // second. Adjacent segments share such pairs.
     Array<uint64_t> tested(polygon.points.size());
     const auto isShortest = [&](const SegmentLayout& segment, int from, int to) {
       const uint64_t bit = to - from < 64 ? uint64_t{1} << (to - from) : 0;
@@ -129,7 +130,7 @@ double Curve::deviation() {
   return hasOne ? deviation : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The polygon of the pieces, with the levels.
+/// Finds the number of levels, and makes the polygon of the pieces.
 void Curve::makePolygon(Next& next) {
   const CurveOptions& options = next.value.options;
   const CurveShape& shape = options.shape;
@@ -146,7 +147,7 @@ void Curve::makePolygon(Next& next) {
   while (next.levels > 0) {
     if (!refinePolygon(geometry, shape, next.value.points, next.legs, next.levels,
                        workspace_->averaging, next.polygon)) {
-      // A curve with a handle beyond the boundary is the center of all its points.
+      // If a handle lies beyond the boundary, the curve has level 0, which needs no handles.
       next.levels = 0;
     } else if (isAutomatic && mayTakeLevels(shape, count, next.levels + 1) &&
                !isSafe(geometry, next.polygon, workspace_->levels)) {

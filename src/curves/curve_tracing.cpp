@@ -9,8 +9,8 @@
 /// Tracing of a curve's pieces.
 namespace karcher {
 
-/// Gives fields to each untraced piece. Existing fields at its points stay; then the curve releases
-/// its old ones and moves spare fields to the other points.
+/// Gives fields to each untraced piece. The piece first takes the existing fields at its points.
+/// Then the curve releases its old fields, and spare fields move to the other points.
 void Curve::makeFields(Next& next) {
   if (!isOfCenters(next.value.options, next.levels)) return;
   const auto forEach = [&](const auto& work) {
@@ -113,10 +113,10 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   }
 }
 
-/// The center at an end of an open curve, if one point has all the weight there. By definition it
-/// is that point, while its estimated field is zero only near it. At joints of pieces, the curve
-/// searches the fields instead, as for the samples on both sides. The paper's method searches
-/// everywhere.
+/// The center at an end of an open curve, if one point has all the weight there. The center is then
+/// that point by definition, whereas the point's estimated field is zero only near the point. At
+/// joints of pieces, the curve searches the fields instead, as for the samples on both sides. The
+/// paper's method always searches.
 std::optional<SurfacePoint> Curve::knownEnd(const Next& next, const Piece& piece, double t) {
   const bool isEnd = t == 0 ? piece.isFirst_ : piece.isLast_;
   if (!isEnd || next.value.options.field.method == Method::kPaper) return std::nullopt;

@@ -10,8 +10,8 @@
 /// determines its curve: `Curve` (curve.h) becomes the curve of a value.
 namespace karcher {
 
-/// The fewest levels at which the pieces of the curve are safe centers of mass
-/// (automatic_levels.h).
+/// The curve chooses its number of levels, so that its pieces are safe centers of mass and tracing
+/// is fast (automatic_levels.h).
 inline constexpr int kAutomaticLevels = -1;
 /// The subdivision curve itself, which the curves of many levels approach. It consists of averages
 /// of two points, needs no fields, and is no center of mass.
@@ -19,21 +19,22 @@ inline constexpr int kLimitLevels = -2;
 
 struct CurveOptions {
   CurveShape shape;
-  int samples = 128;  ///< the number for each segment, at t = i / (samples - 1)
+  int samples = 128;  ///< the number of samples of each segment, at t = i / (samples - 1)
   FieldOptions field;
   /// The largest distance of the curve from the geodesics between samples, relative to the bounding
   /// box's diagonal (sampling.h). If positive, it determines the number of samples.
   double tolerance = 0;
   CurveGeometry geometry = CurveGeometry::kGeodesic;
-  /// The number of subdivisions of the control polygon (levels.h), whose pieces are then averaged:
-  /// 0 to 8, kAutomaticLevels or kLimitLevels. With 0 each segment is one center of mass of all its
-  /// points, as in the curve of Mancinelli and Puppo.
+  /// The number of subdivisions of the control polygon (levels.h): 0 to 8, kAutomaticLevels or
+  /// kLimitLevels. Each piece of the subdivided polygon gives a center of mass. With 0 each segment
+  /// is one center of mass of all its points, as in the curve of Mancinelli and Puppo.
   int levels = kAutomaticLevels;
-  /// The fewest levels that kAutomaticLevels takes, 0 to 8. With it a drag keeps the levels that
-  /// the curve had.
+  /// The fewest levels that kAutomaticLevels takes, 0 to 8. With it a drag keeps at least the
+  /// levels that the curve had.
   int leastLevels = 0;
-  /// The largest move, in mean edges, by kAutomaticLevels of a curve that is a safe center of mass
-  /// without levels. With 0 the curve does not move; with infinity it is the quickest draft.
+  /// The largest distance, in mean edges, by which kAutomaticLevels may move a curve that is a safe
+  /// center of mass without levels. With 0 the curve does not move; with infinity it takes the
+  /// levels that trace fastest, as for a draft.
   double levelsTolerance = kLevelsTolerance;
 };
 
@@ -41,10 +42,10 @@ struct CurveValue {
   CurveOptions options;
   Array<SurfacePoint> points;
   /// The legs of the control polygon: none, or one from each point to the next, and for a closed
-  /// curve also from the last to the first. A path without points stands for the shortest one; the
-  /// curve uses others unchanged. It continues a leg that does not reach its points, as if a drag
-  /// had moved its ends there; the leg need not stay the shortest. Except for polylines, curves of
-  /// level 0 ignore legs.
+  /// curve also from the last to the first. A path without points stands for the shortest path. The
+  /// curve uses any other path as it is, even if it is not the shortest. If a path does not reach
+  /// its points, the curve extends it, as if a drag had moved its ends. Curves of level 0 ignore
+  /// legs, except for polylines.
   Array<SurfacePath> legs;
 };
 
@@ -57,12 +58,12 @@ bool usesLegs(const CurveOptions& options);
 /// Empties a leg, which then stands for the shortest path.
 void makeShortest(SurfacePath& leg);
 
-/// The value with a control point elsewhere. The legs that meet at it become shortest paths. Throws
-/// Error kBadIndex.
+/// The value with a control point at another place. The legs that meet at it become shortest paths.
+/// Throws Error kBadIndex.
 CurveValue withPointPlaced(CurveValue value, int i, const SurfacePoint& point);
 
-/// The value after a drag of a control point. The legs that meet at it stay where they are, so that
-/// the curve continues them. `legs` are the curve's, if it uses them.
+/// The value after a drag of a control point. The legs that meet at it stay unchanged, so that the
+/// curve extends them to the point. `legs` are the legs that the curve uses, if any.
 CurveValue withPointDragged(CurveValue value, int i, const SurfacePoint& point,
                             const Array<SurfacePath>& legs);
 

@@ -7,16 +7,16 @@
 #include "mesh/rounding.h"
 #include "mesh/sorted_numbers.h"
 
-/// In a face, the points nearer than the radius form a union: each image contributes the part of
-/// its disk that it reaches. The union's border consists of arcs. The face's edges and its own
-/// image's rays cut each circle into pieces. Other images undercut parts of the pieces inside both;
-/// their circles and rays cut these parts off. At last the arcs of all faces join where their ends
-/// meet.
+/// In a face, the points nearer than the radius form a union: each image of the source contributes
+/// the part of its disk that its paths reach. The border of the union consists of arcs. The edges
+/// of the face and the rays of the image cut each image's circle into pieces; those in the face and
+/// between the rays remain. Other images undercut parts of these pieces; the circles and rays of
+/// the other images bound these parts. Finally the arcs of all faces join where their ends meet.
 namespace karcher {
 namespace {
 
-/// The distance, in mean edges, up to which ends of arcs may be one point: if an arc grazes an edge
-/// or a ray, its end moves by the square root of the rounding. The nearest ends join first.
+/// The distance, in mean edges, up to which two ends of arcs may be one point. If an arc grazes an
+/// edge or a ray, its end moves by the square root of the rounding. The nearest ends join first.
 constexpr double kMeet = 1e-3;
 
 struct Arc {
@@ -35,7 +35,8 @@ class FaceArcs {
   FaceArcs(const Geometry& geometry, double distance)
       : geometry_(geometry), distance_(distance), rounding_(kChainRounding * geometry.meanEdge) {}
 
-  /// Appends the arcs of one face by its images.
+  /// Appends the isoline's arcs in one face. [begin, end) are the images of the source for this
+  /// face.
   void append(const SourceImage* begin, const SourceImage* end, Array<Arc>& arcs) {
     begin_ = begin;
     end_ = end;
@@ -63,7 +64,7 @@ class FaceArcs {
     joinRound(first, arcs);
   }
 
-  /// The pieces of the circle that lie in the face and in its own image.
+  /// Finds the pieces of an image's circle that lie in the face and between the image's rays.
   void findPieces(const SourceImage& own, double radius) {
     cuts_.clear();
     for (int k = 0; k < 3; ++k) {
@@ -103,7 +104,7 @@ class FaceArcs {
     });
   }
 
-  /// Appends the parts between cuts whose middle satisfies `isKept`. Adjacent parts become one
+  /// Appends the parts between cuts whose middle satisfies `isKept`. Adjacent parts merge into one
   /// piece.
   template <typename IsKept>
   void keepPieces(const Array<Piece>& from, double radius, const IsKept& isKept) {
@@ -126,7 +127,8 @@ class FaceArcs {
     }
   }
 
-  /// Joins the last arc and the first if no cut separates them.
+  /// Joins the last arc of a circle and the first if no cut separates them. A single arc becomes a
+  /// full circle.
   void joinRound(int first, Array<Arc>& arcs) {
     if (arcs.count() == first) return;
     Arc& begin = arcs[first];
@@ -170,8 +172,8 @@ class FaceArcs {
     cuts_.push_back(angle < 0 ? angle + 2 * kPi : angle);
   }
 
-  /// Whether another image has a shorter path to a point of the circle. Among equally short ones
-  /// the first image counts.
+  /// Whether another image has a shorter path to a point of the circle. If both paths are equally
+  /// short, the earlier image counts.
   bool undercuts(const SourceImage& other, const SourceImage& own, const Vec2& x) const {
     if (!holds(other, x, rounding_)) return false;
     const double way = other.offset + (x - other.source).norm();
@@ -217,7 +219,7 @@ class ArcChains {
         end = partner_[end ^ 1];
       }
       line.closed = end >= 0 || arcs_[first_ / 2].isCircle;
-      // The line is a scrap: its two ends met the ends of other arcs too early.
+      // A short open line is a scrap: the ends that should meet its ends are paired with others.
       if (!line.closed && line.length <= kMeet * geometry_.meanEdge) return;
       if (line.closed) line.points.push_back(line.points.front());
       isolines.push_back(std::move(line));
@@ -246,9 +248,9 @@ class ArcChains {
     return clampedPoint(arc.face, bary / bary.sum());
   }
 
-  /// Pairs each end with the nearest free one, the nearest pairs first. The radius grows after all
-  /// pairs within it. Most ends meet up to rounding, so that few remain when the radius is so large
-  /// that it contains every end of a narrow face.
+  /// Pairs each end with the nearest free end, the nearest pairs first. The search radius grows in
+  /// steps. Most ends meet up to rounding, so that few ends remain when the radius is so large that
+  /// it contains all ends in a narrow face.
   void pairEnds() {
     const int count = 2 * arcs_.count();
     partner_.assign(static_cast<size_t>(count), -1);
@@ -267,7 +269,8 @@ class ArcChains {
     }
   }
 
-  /// Pairs free ends in ascending order of x.
+  /// Pairs free ends within the distance `meet`, the nearest first. `order` has the ends in
+  /// ascending x.
   void pairWithin(double meet, const Array<Vec3>& places, const Array<int>& order) {
     struct Pair {
       double distance;
@@ -298,7 +301,8 @@ class ArcChains {
     }
   }
 
-  /// Whether two ends may be one point. Those of one arc may only if it goes around.
+  /// Whether two ends may be one point. The two ends of one arc may only if the arc spans more than
+  /// half a turn.
   bool mayMeet(int a, int b) const {
     const Arc& arc = arcs_[a / 2];
     return b != (a ^ 1) || arc.end - arc.begin > kPi;
@@ -355,8 +359,8 @@ Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& sourc
   for (int i = 0; i < images.count();) {
     int end = i;
     while (end < images.count() && images[end].face == images[i].face) ++end;
-    // A face without a point at the radius has dropped images, so that the others would not be
-    // undercut there.
+    // A face without a point at the radius lacks some images, so that nothing would undercut the
+    // others.
     if (!isNearer(images[i].face)) faceArcs.append(images.data() + i, images.data() + end, arcs);
     i = end;
   }

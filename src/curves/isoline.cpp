@@ -33,8 +33,8 @@ class LinearIsolines {
  private:
   bool isInside(int vertex) const { return values_[vertex] < level_; }
 
-  /// The half-edge of a face along which the values rise (or else fall) through the level; -1 for
-  /// none.
+  /// The half-edge of a face along which the values rise through the level (or fall, if not
+  /// `rising`); -1 for none.
   int crossedHalfedge(int face, bool rising) const {
     for (int h = 3 * face; h < 3 * face + 3; ++h) {
       if (isInside(mesh_.tail(h)) == rising && isInside(mesh_.head(h)) != rising) return h;

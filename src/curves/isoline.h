@@ -5,11 +5,11 @@
 /// Isolines: lines of points at one distance from a source. Studies compare circles with them.
 namespace karcher {
 
-/// A line on the surface, or one of several. Consecutive points share a face. The crossing of an
-/// edge may be two points, one in each of the edge's faces.
+/// One line of an isoline or of an offset. Consecutive points share a face. Where the line crosses
+/// an edge, it may have two points, one in each of the edge's faces.
 struct Isoline {
   Array<SurfacePoint> points;
-  /// whether the last point is the first one; if not, both ends lie on the boundary
+  /// whether the last point is the first one; if not, both ends of an isoline lie on the boundary
   bool closed = true;
   double length = 0;
 };
@@ -23,9 +23,9 @@ void checkIsolineRadius(double radius);
 Array<Isoline> linearIsolines(const TriangleMesh& mesh, const Array<double>& values, double level);
 
 /// The exact isoline at distance `radius` from the source. In each face it consists of arcs about
-/// the source's images (source_images.h) that no other path undercuts, divided so that chords stay
-/// within `tolerance` mean edges of them. Lengths are those of the arcs. Throws Error: kBadArgument
-/// (radius or tolerance not positive and finite).
+/// the source's images (source_images.h) that no other path undercuts. The arcs are divided so that
+/// their chords stay within `tolerance` mean edges of them. Lengths are those of the arcs. Throws
+/// Error: kBadArgument (radius or tolerance not positive and finite).
 Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& source, double radius,
                              double tolerance = 1e-3);
 

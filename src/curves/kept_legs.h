@@ -13,12 +13,13 @@ struct PointChange {
 };
 
 /// Updates a value's legs after a change of its points; `points` is their number before. A leg
-/// stays as long as its two ends are neighbours. If they changed places, the leg is reversed; if
-/// they form two pairs, one has it. All other legs become shortest paths; if all are, the value has
-/// no legs.
+/// stays if its two ends are still neighbours. It is reversed if the order of its ends has changed.
+/// If two new legs join the same two points, only one of them takes the old leg. All other legs
+/// become shortest paths; if all do, the list of legs becomes empty.
 void keepLegs(CurveValue& value, int points, const PointChange& change);
 
-/// The value with other control points. A leg stays if both its ends, by number, are unchanged.
+/// The value with other control points. A leg stays if the two points that it joins keep their
+/// numbers and places.
 CurveValue withPoints(CurveValue value, Array<SurfacePoint> points);
 
 }  // namespace karcher

@@ -18,10 +18,10 @@
 namespace karcher {
 namespace {
 
-/// The shortest side that the tracer still divides if the isoline crosses it several times, for
-/// instance in the tip of a gap. The ends of a shorter side may both be nearer or both farther.
-/// Since distances are Lipschitz, its points are beyond the line by at most half of its length: by
-/// the tolerance.
+/// The length, relative to the scale, down to which the tracer divides a side that the isoline
+/// crosses twice, for instance in the tip of a gap. On a shorter side whose ends are both nearer or
+/// both farther, no point lies across the line by more than half the side's length, since distances
+/// are Lipschitz. That is the tolerance.
 constexpr double kShortestSide = 2 * kOffsetTolerance;
 
 /// The number of steps of a search for the extremum on a side. Each keeps 0.62 of the interval.
@@ -30,8 +30,8 @@ constexpr int kExtremumSteps = 14;
 /// The most halvings of a chord that deviates from the distance.
 constexpr int kMostChordHalvings = 14;
 
-/// A corner of a piece of a face. Its weights are multiples of powers of two, without rounding, so
-/// that all pieces at the corner have the same weights.
+/// A corner of a piece of a face. All pieces at the corner, in both faces of an edge, have exactly
+/// the same weights.
 struct PieceCorner {
   Vec3 bary;
   Vec2 place;
@@ -44,8 +44,8 @@ struct Piece {
   const PieceCorner& operator[](int k) const { return corners[k]; }
 };
 
-/// The name of the side of a piece that the isoline crosses. It has the same numbers in both pieces
-/// at the side.
+/// The key of the side of a piece that the isoline crosses. Both pieces at the side compute the
+/// same numbers.
 using CrossingKey = std::array<double, 5>;
 
 struct LinePoint {
@@ -109,7 +109,7 @@ class OffsetTracer {
     return lines;
   }
 
-  /// The point between two neighbours of a line at which the side changes.
+  /// The place, still on a's side, at which the side changes between two consecutive points.
   LinePoint changeBetween(const LinePoint& a, const LinePoint& b) const {
     LinePoint near = a;
     LinePoint far = b;
@@ -167,7 +167,7 @@ class OffsetTracer {
     return {bary, pointInFace(geometry_, {face, bary}), distanceAt(face, bary)};
   }
 
-  /// The distance at a point. Both faces at an edge read it in the same order, so that they have
+  /// The distance at a point. Both faces at an edge evaluate it in the same order, so that they get
   /// the same value.
   double distanceAt(int face, const Vec3& bary) const {
     for (int k = 0; k < 3; ++k) {
@@ -176,7 +176,7 @@ class OffsetTracer {
     return field_.at(face, pointInFace(geometry_, {face, bary})).value;
   }
 
-  /// The half-edge that represents the edge opposite to a corner in both faces.
+  /// The half-edge that represents, in both faces at it, the edge opposite to a corner.
   int edgeOf(int face, int corner) const {
     const int h = next(3 * face + corner);
     return mesh_.twin[h] < 0 ? h : std::min(h, mesh_.twin[h]);
@@ -196,8 +196,8 @@ class OffsetTracer {
     return there.value < here.value ? there : here;
   }
 
-  /// A side of a piece, equal in both pieces at it: from the parameter `from` to `to` of an edge of
-  /// the mesh, or from 0 to 1 inside a face.
+  /// A side of a piece, equal in both pieces at it. On an edge of the mesh it runs from the
+  /// parameter `from` to `to`; inside a face, from 0 to 1.
   struct Side {
     int halfedge = -1;
     int face = -1;
@@ -240,8 +240,8 @@ class OffsetTracer {
     return field_.at(side.face, side.start + t * side.way).value;
   }
 
-  /// A point of a side that lies beyond the isoline although both corners are nearer or both
-  /// farther; there the tracer divides both pieces at the side. Short sides have none.
+  /// A point of a side that lies across the isoline from both ends of the side, if the search finds
+  /// one. There the tracer divides both pieces at the side. Short sides are not searched.
   std::optional<Vec3> hiddenBetween(int face, const PieceCorner& a, const PieceCorner& b,
                                     double length) const {
     const bool nearer = isNearer(a.distance);
@@ -291,7 +291,7 @@ class OffsetTracer {
     return {1 - second - third, second, third};
   }
 
-  /// The isoline's point between two corners, one of which is nearer.
+  /// The number of the isoline's point between two corners, just one of which is nearer.
   int crossing(int face, const PieceCorner& a, const PieceCorner& b) {
     const Side side = sideBetween(face, a, b);
     const auto [entry, isNew] = numbers_.try_emplace(side.key, crossings_.count());
@@ -304,7 +304,7 @@ class OffsetTracer {
     return crossings_.count() - 1;
   }
 
-  /// The place between two numbers at which the values pass the distance.
+  /// The parameter between `from` and `to` at which the values pass the distance.
   template <class Value>
   double cut(double from, double to, double atFrom, double atTo, const Value& valueAt) const {
     const auto beyond = [&](double value) {
@@ -324,8 +324,8 @@ class OffsetTracer {
     for (int k = 0; k < 3; ++k) {
       const bool here = isNearer(corners[k].distance);
       if (here == isNearer(corners[(k + 1) % 3].distance)) continue;
-      // Nearer points lie on the left of the line. So it begins where the boundary of the piece,
-      // followed counterclockwise, leaves them.
+      // Nearer points lie on the left of the line. So the line begins where the piece's boundary,
+      // followed counterclockwise, leaves the nearer points.
       (here ? leave : enter) = k;
     }
     if (enter < 0) return;
@@ -353,7 +353,8 @@ class OffsetTracer {
       return;
     }
     const Vec2 chord = to - from;
-    // From a nearer middle, the search goes away from the nearer points, else towards them.
+    // If the middle is nearer than the distance, the search goes away from the nearer points,
+    // otherwise towards them.
     const double sign = isNearer(atMiddle) ? 1 : -1;
     const Vec2 aside = sign * Vec2(chord.y(), -chord.x());
     double edge = kInfinity;
@@ -419,7 +420,7 @@ void appendRuns(const OffsetTracer& tracer, Array<LinePoint> line, bool closed,
     runs.push_back({pointsOf(line), line.front().side, closed});
     return;
   }
-  // The run of a divided closed line begins at a change.
+  // The first run of a closed line with changes begins at a change.
   if (closed) {
     line.pop_back();
     std::rotate(line.begin(), change + 1, line.end());

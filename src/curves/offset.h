@@ -14,34 +14,34 @@ enum class CornerShape { kRound, kMiter, kBevel };
 /// The shape of the paths' corners on their outer side.
 struct OffsetCorners {
   CornerShape shape = CornerShape::kRound;
-  /// The largest distance between the tip of a mitre and its corner, in distances of the offset, as
-  /// in SVG. A corner that would exceed it has a bevel.
+  /// The largest distance between the tip of a mitre and its corner, relative to the offset's
+  /// distance, as in SVG. A corner whose mitre would be longer has a bevel.
   double miterLimit = 4;
 };
 
 /// The points at one distance from paths: isolines of the exact distance (path_distance.h), whose
-/// corners are round and which do not intersect themselves. On one side, these are the points whose
-/// shortest connection arrives from that side; on both, also those around the ends of open paths.
-/// Lines on one side run in the direction of the paths; on both, they have nearer points on their
-/// left.
+/// corners are round and which do not intersect themselves. An offset on one side has the points
+/// whose shortest connection meets the path from that side; an offset on both sides also has those
+/// around the ends of open paths. Lines on one side run in the direction of the paths; on both,
+/// they have nearer points on their left.
 ///
 /// The tracer halves faces along their longest sides until these are short compared with the
 /// distance. Since distances are Lipschitz, it can skip pieces too near or too far to contain the
 /// line. Points lie at the distance up to rounding, and chords stay within kOffsetTolerance of it.
 /// The lines may omit features narrower than a twelfth of the distance.
 ///
-/// Several distances are those at equal parts of the length of each path, linear between; on a
-/// closed path the first follows the last. The lines are then the border of all disks around places
-/// of the paths whose radii are the distances there. Along a straight piece it is straight, and
-/// touches the disks of both ends. Tolerances are parts of the least distance, or, if that is less,
-/// of kNarrowestOffset times the greatest.
+/// Several distances belong to equally spaced places along each path, with linear interpolation by
+/// length; on a closed path the first follows the last. The lines are then the border of the union
+/// of disks around all points of the paths, whose radii are the distances there. Along a straight
+/// piece the border is straight, and touches the disks at both ends. Tolerances are relative to the
+/// smallest distance or to kNarrowestOffset times the largest, whichever is larger.
 ///
 /// Corners that are not round follow cornered_offset.h.
 ///
 /// Throws Error kBadArgument (no distance that is positive, one that is negative or not finite,
 /// several with corners that are not round, a path without length, points without a face in common,
-/// a limit of mitres below 1, more than kMostOffsetPieces pieces of faces, or more corners that are
-/// not round than there is room for).
+/// a limit of mitres below 1, more than kMostOffsetPieces pieces of faces, or too many corners that
+/// are not round).
 Array<Isoline> offsetLines(const Geometry& geometry, std::span<const SurfacePath> paths,
                            std::span<const double> distances, OffsetSide side,
                            const OffsetCorners& corners = {});

@@ -1,7 +1,7 @@
 #pragma once
 
 /// The engine's public header: `#include <karcher/karcher.h>`. Headers that it does not include,
-/// not even indirectly, are internal and not installed.
+/// directly or indirectly, are internal and not installed.
 
 // Meshes: reading and repairing, shapes, subdivision, the nearest point on them.
 #include "mesh/error.h"

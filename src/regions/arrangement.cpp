@@ -42,7 +42,7 @@ class Builder {
   }
 
   Arrangement build() {
-    // Most faces are empty.
+    // Most faces have no lines, so that they have three half-edges and one piece.
     const size_t faces = static_cast<size_t>(mesh_.faceCount());
     const size_t halfedges = 3 * faces + 4 * all_.added.size();
     for (Array<int>* array : {&all_.tail, &all_.next, &all_.twin, &all_.piece}) {
@@ -133,7 +133,8 @@ class Builder {
     }
   }
 
-  /// The next half-edge is the one to the right of the reversed one.
+  /// Sets the next half-edge of each half-edge: at its head, the first one to the right of its
+  /// reverse.
   void linkFace(int first, int end) {
     Array<Leaving>& leaving = leaving_;
     leaving.clear();
@@ -175,8 +176,8 @@ class Builder {
       if (std::pair(a.x(), a.y()) < std::pair(lowest.x(), lowest.y())) lowest = a;
       h = all_.next[h];
     } while (h != start);
-    // One of the corners of a surrounding loop at its leftmost vertex contains the direction to the
-    // left.
+    // A loop surrounds isolated lines if one of its corners at its leftmost vertex contains the
+    // direction to the left.
     do {
       const int after = all_.next[h];
       const Vec2 corner = placeOf(after);
@@ -190,8 +191,8 @@ class Builder {
     return loop;
   }
 
-  /// Whether a place lies within a loop, by the lines to its left. The leftmost vertex of a loop is
-  /// never within it.
+  /// Whether a place lies within a loop, by the number of the loop's lines to the left of the
+  /// place. The leftmost vertex of a loop is never within it.
   bool holds(const Loop& loop, const Vec2& place) const {
     bool inside = false;
     int h = loop.first;

@@ -5,8 +5,8 @@
 
 /// The surface divided by paths into cells, as half-edges. The drawing's lines divide each face
 /// into pieces; a piece with isolated lines inside has several loops. Pieces meet across an edge of
-/// the mesh at the drawing's vertices on it. Both faces share these, so that the pieces always fit.
-/// A cell is a largest set of pieces between which no path lies.
+/// the mesh at the drawing's vertices on it. Both faces at the edge share these vertices, so that
+/// the pieces always fit. A cell is a maximal connected set of pieces that no path separates.
 namespace karcher {
 
 /// The use of an edge of the arrangement by a path.
@@ -69,7 +69,7 @@ double lengthOf(const Geometry& geometry, const Arrangement& arrangement, int h)
 /// A point inside each cell, away from its border: in the largest of its pieces.
 Array<SurfacePoint> pointsInside(const Geometry& geometry, const Arrangement& arrangement);
 
-/// The piece that contains a point. On a line it is the piece on one side.
+/// The piece that contains a point. For a point on a line it is the piece on one side.
 int pieceHolding(const TriangleMesh& mesh, const Arrangement& arrangement,
                  const SurfacePoint& point);
 

@@ -30,8 +30,8 @@ class FaceTriangles {
   void addLine(int from, int to) {
     lines_.emplace(std::minmax(from, to), 0);
     Array<Side> crossed = sidesAcross(from, to);
-    // Each flip may leave a crossing side, and sides of a nonconvex quad wait, so the number of
-    // flips may be quadratic.
+    // A flip may leave a side that crosses the line, and the sides of a nonconvex quad wait in the
+    // list. So the number of steps may be quadratic.
     const int64_t most = 100 + int64_t{4} * crossed.count() * crossed.count();
     for (int i = 0; i < crossed.count(); ++i) {
       if (i == most) refuse("a face could not be cut into triangles");
@@ -90,7 +90,8 @@ class FaceTriangles {
       const double toC = left(a, b, p);
       const double toA = left(b, c, p);
       const double toB = left(c, a, p);
-      // At most one side holds the place, and the loop visits each triangle from each of its sides.
+      // At most one side of a triangle holds the place. The loop visits each triangle from each of
+      // its sides, so that one visit has this side as (a, b).
       if (toC < 0 || toA <= 0 || toB <= 0) continue;
       const int apex = c;
       if (toC > 0) {
@@ -176,7 +177,7 @@ class Cutter {
       isDrawn[use.halfedge] = 1;
       if (all_.twin[use.halfedge] >= 0) isDrawn[all_.twin[use.halfedge]] = 1;
     }
-    // Corners at a vertex become one unless a path separates them.
+    // Corners at a vertex merge unless a path separates them.
     for (int h = 0; h < all_.halfedgeCount(); ++h) {
       if (isDrawn[h] == 0 && all_.twin[h] >= 0) corners_.unite(h, all_.next[all_.twin[h]]);
     }
@@ -185,7 +186,7 @@ class Cutter {
   }
 
  private:
-  /// The vertex of the corner that a half-edge leaves.
+  /// The vertex for the corner at a half-edge's tail.
   int vertexAt(int h) {
     const int corner = corners_.find(h);
     if (vertexOf_[corner] < 0) {
@@ -197,7 +198,7 @@ class Cutter {
 
   Vec3 positionOf(int vertex) const {
     if (vertex < all_.meshVertices) return mesh_.positions[vertex];
-    // The face is always the same one, so that positions are equal.
+    // All corners at the vertex use the same face, so that their positions are equal.
     const int f = all_.added[vertex - all_.meshVertices].face;
     return position(mesh_, vertexInFace(mesh_, all_, f, vertex));
   }
@@ -244,8 +245,8 @@ class Cutter {
     }
   }
 
-  /// The half-edge whose corner contains the triangle with the side (v, w): the next one to the
-  /// right.
+  /// The half-edge at v whose corner contains the triangle with the side (v, w): the first one on
+  /// or to the right of (v, w).
   static int cornerOf(const FaceTriangles& triangles,
                       const std::map<std::pair<int, int>, int>& halfedgeOf, int v, int w) {
     const int most = static_cast<int>(triangles.opposite().size());

@@ -63,9 +63,9 @@ class Drawer {
   }
 
   Drawing finish() {
-    // The limit for rounds of a face. New vertices on an edge put the face across it back in the
-    // queue. Vertices stay apart, so that they are few and the rounds end; the limit is far beyond
-    // all observed numbers.
+    // The most rounds. A new vertex on an edge puts the faces at the edge back in the queue.
+    // Vertices stay apart, so that their number is bounded and the rounds end; the limit is far
+    // beyond all observed numbers.
     constexpr int kMostRounds = 1000;
     for (int round = 0; !waiting_.empty(); ++round) {
       if (round == kMostRounds) refuse("the paths have too many crossings that lie together");
@@ -79,7 +79,7 @@ class Drawer {
   }
 
  private:
-  /// Whether a path ends where it starts, up to rounding, which must not open it.
+  /// Whether a path ends where it starts. A difference by rounding does not open it.
   bool isClosed(const SurfacePath& path) const {
     if (path.points.count() < 2) return false;
     const int face = commonFace(mesh_, path.points.front(), path.points.back());
@@ -141,7 +141,7 @@ class Drawer {
                          [&](int vertex, double value) { return alongEdge(h, vertex) < value; });
     const double up = after == vertices.end() ? kInfinity : alongEdge(h, *after) - t;
     const double down = after == vertices.begin() ? kInfinity : t - alongEdge(h, *(after - 1));
-    // If both are near, the older one takes the point, as when it was the only one.
+    // If both are near, the older one takes the point, as it did before the other one existed.
     if (std::max(up, down) <= kTogether) return std::min(*after, *(after - 1));
     if (std::min(up, down) <= kTogether) return up < down ? *after : *(after - 1);
     const int vertex = addVertex({karcher::faceOf(h), h, t, placeOnSide(cornerOf(h), t)});
@@ -253,8 +253,8 @@ class Drawer {
 
   /// The vertex that takes a crossing; `vertices` are those of the face.
   int vertexAtCrossing(int number, const Vec2& place, Array<PlacedVertex>& vertices) {
-    // The nearest vertex takes the crossing. Both lines are then cut into shorter ones, so that the
-    // cuts end.
+    // The nearest vertex takes the crossing, if it is near. Both lines are then cut into shorter
+    // ones, so that the cuts end.
     double nearest = 4 * kTogether * kTogether;
     int vertex = -1;
     for (const PlacedVertex& other : vertices) {
@@ -273,7 +273,7 @@ class Drawer {
   void cutAtCrossings(int number, const Array<Line>& lines, Array<PlacedVertex>& vertices,
                       Array<LineCut>& cuts) {
     if (lines.count() < 2) return;
-    // The loop examines bent lines again in any case.
+    // The loop skips bent lines, since the next round examines them again in any case.
     Array<uint8_t> bent(lines.size(), 0);
     for (const LineCut& cut : cuts) bent[cut.line] = 1;
     const Array<int> order =

@@ -6,17 +6,17 @@
 #include "regions/grid.h"
 
 /// A drawing: paths on the surface, cut at all points where they meet. Points and crossings become
-/// vertices. Those nearer than kTogether become one: a vertex of the mesh takes the points near it,
-/// an edge likewise, and a line that passes a vertex bends through it. This is snap rounding (J.
-/// Hobby, 1999), repeated until no two vertices, and no vertex and line, are near each other (D.
-/// Halperin, E. Packer, "Iterated Snap Rounding", 2002). Both faces of an edge share the vertices
-/// on it, so that these never differ.
+/// vertices. Vertices nearer than kTogether merge: a vertex or an edge of the mesh takes the points
+/// near it, and a line that passes near a vertex bends through it. This is snap rounding (J. Hobby,
+/// 1999), repeated until no two vertices, and no vertex and line, are near each other (D. Halperin,
+/// E. Packer, "Iterated Snap Rounding", 2002). Both faces of an edge share the vertices on it, so
+/// that these never differ.
 namespace karcher {
 
 /// A vertex that the paths add to those of the mesh.
 struct DrawnVertex {
   int face = 0;
-  int halfedge = -1;  ///< the drawing's half-edge of the edge; -1 for a vertex inside the face
+  int halfedge = -1;  ///< the edge's half-edge (`drawnHalfedge`); -1 for a vertex inside the face
   double t = 0;       ///< the place along this half-edge
   Vec2 place = Vec2::Zero();
 };
@@ -50,10 +50,10 @@ struct Drawing {
   Array<DrawnVertex> added;
   Array<DrawnEdge> edges;
   Array<DrawnFace> faces;
-  /// the index by half-edge, the smaller of an edge's two; -1 for an edge without vertices or
-  /// pieces
+  /// the index in `edges` by half-edge, the smaller of an edge's two; -1 for an edge without
+  /// vertices or pieces
   Array<int> edgeOf;
-  Array<int> faceOf;  ///< the index by face; -1 for a face without vertices or pieces
+  Array<int> faceOf;  ///< the index in `faces` by face; -1 for a face without any
 };
 
 /// The half-edge that represents an edge in the drawing.

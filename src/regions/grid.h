@@ -5,15 +5,15 @@
 #include "mesh/rounding.h"
 #include "mesh/types.h"
 
-/// Exact coordinates in a face: its map to the triangle (0, 0), (1, 0), (0, 1), in which a point's
-/// coordinates are its second and third weights. Orientations are the same there as in the face,
-/// and needles are no thinner than other faces. Coordinates are multiples of 2^-40. So differences
-/// are exact, and so is the sign of a cross product of differences.
+/// Exact coordinates in a face. The face is mapped to the triangle (0, 0), (1, 0), (0, 1), where a
+/// point's coordinates are its second and third barycentric weights. The map keeps orientations,
+/// and makes needles no thinner than other faces. Coordinates are multiples of 2^-40. So
+/// differences are exact, and so is the sign of a cross product of differences.
 namespace karcher {
 
 inline constexpr double kGridStep = 0x1p-40;
 
-/// The distance, as a part of an edge or of a face's height, below which points become one.
+/// The distance below which points are merged, relative to an edge's length or a face's height.
 inline constexpr double kTogether = 0x1p-32;
 
 inline double onGrid(double x) { return std::round(x / kGridStep) * kGridStep; }

@@ -11,15 +11,16 @@
 namespace karcher {
 namespace {
 
-/// The count of one edge of the arrangement, over its uses by paths of a range.
+/// The uses of one edge of the arrangement by the paths of a range, summed up.
 struct EdgeCount {
   int halfedge = 0;
   int change = 0;  ///< the change of the count from the right to the left of the half-edge
-  /// the earliest use by the range's first path; its path is -1 if that does not use the edge
+  /// the earliest use by the range's first path; its path is -1 if the first path does not use the
+  /// edge
   PathUse firstOfAll;
 };
 
-/// The count of the edge of a use; `i` advances to the first use of the next edge.
+/// The count of the edge of use i. Advances `i` to the first use of the next edge.
 EdgeCount countAt(const Arrangement& all, const PathRange& paths, int& i) {
   EdgeCount count;
   count.halfedge = all.uses[i].halfedge;
@@ -42,7 +43,7 @@ struct Step {
   int change;
 };
 
-/// The steps from each cell, in both directions across each edge with a path.
+/// The steps across each edge with a path, in both directions, ordered by the cell that they leave.
 struct Steps {
   Array<int> start;
   Array<Step> steps;
@@ -80,7 +81,8 @@ Steps stepsOf(const Arrangement& all, const PathRange& paths) {
   refuse(sentence + ", around an end or a handle of the surface");
 }
 
-/// Decides which cells of a connected part of the surface are outside, and sets its cells' insides.
+/// Decides which cells of a connected part of the surface are outside, and writes its cells to
+/// `region`.
 void chooseSide(const Arrangement& all, const Array<int>& cells, const Array<int>& labels,
                 std::optional<int> inside, Region& region) {
   struct LabelArea {
@@ -94,13 +96,15 @@ void chooseSide(const Arrangement& all, const Array<int>& cells, const Array<int
     if (areas.empty() || areas.back().label != labels[cell]) areas.push_back({labels[cell], 0});
     areas.back().area += all.cellArea[cell];
   }
-  // Of areas equal up to rounding, the first counts, which lies right of the curves.
+  // Of labels with equal areas up to rounding, the smallest is outside: it lies right of the
+  // curves.
   const LabelArea* outside = nullptr;
   for (const LabelArea& one : areas) {
     if (inside && one.label == labels[*inside]) continue;
     if (outside == nullptr || one.area > outside->area * (1 + kChainRounding)) outside = &one;
   }
-  // If the point's side is everything, as beyond the boundary, no cell remains.
+  // If all cells have the label of `inside`, such as for a curve along the boundary, none is
+  // outside.
   for (const int cell : cells) {
     region[cell] = outside == nullptr || labels[cell] != outside->label ? 1 : 0;
   }
@@ -141,7 +145,8 @@ Region enclosed(const Arrangement& arrangement, const PathRange& paths, FillRule
 
 std::optional<int> cellBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                               PathSide side) {
-  // Edges inside the surface come before those of its boundary, beyond which no cell exists.
+  // Edges inside the surface take precedence over edges of its boundary, beyond which no cell
+  // exists.
   PathUse first{-1, 0, 0, 0};
   bool isInside = false;
   for (int i = 0; i < arrangement.uses.count();) {
@@ -205,7 +210,8 @@ bool isBorder(const Arrangement& all, const Region& region, int h) {
   return region[all.cell(h)] != 0 && (all.twin[h] < 0 || region[all.cell(all.twin[h])] == 0);
 }
 
-/// The next half-edge of a region's boundary, around the head of one through the region.
+/// The next half-edge of a region's boundary after h: the first one around the head of h, through
+/// the region.
 int nextBorder(const Arrangement& all, const Region& region, int h) {
   int next = all.next[h];
   // This turns around the vertex at most once, since the reverse of h is on the boundary.

@@ -8,8 +8,8 @@
 /// path counts one more than the cell on its right. Summed from cell to cell, the counts label all
 /// cells up to a constant if the paths bound a region. If the counts do not cancel around a handle
 /// of the surface, or around the end of a path, the paths enclose no region. A surface has no
-/// natural outside. The outside is the label of the greatest area, unless a point decides
-/// otherwise.
+/// natural outside. The outside is the label with the largest area, unless a given cell with this
+/// label must lie inside.
 namespace karcher {
 
 /// A region: 1 for each cell that belongs to it, else 0.
@@ -29,22 +29,22 @@ struct PathRange {
   int count = 0;
 };
 
-/// The region that paths enclose together. The cell `inside` must lie in it. Throws Error
-/// kBadArgument if the paths do not bound a region.
+/// The region that paths enclose together. If the cell `inside` is given, the region contains it.
+/// Throws Error kBadArgument if the paths do not bound a region.
 Region enclosed(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                 std::optional<int> inside = std::nullopt);
 
 /// The sides of a path, seen along it.
 enum class PathSide { kLeft, kRight };
 
-/// The cell on a side of the first of these paths, at the first place where the cells on its two
-/// sides differ; with kEvenOdd, where they differ by parity. The result is empty if they differ
-/// nowhere, or if the side is beyond the boundary.
+/// The cell on a side of the first of these paths, at the first place where the counts of the cells
+/// on its two sides differ; with kEvenOdd, where they differ by an odd number. The result is empty
+/// if they differ nowhere, or if the side is beyond the boundary.
 std::optional<int> cellBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                               PathSide side);
 
-/// The region that paths enclose together on a side of the first one, with which it moves. Throws
-/// Error kBadArgument if the paths do not bound a region.
+/// The region that paths enclose together, on a side of the first path. If this path moves, the
+/// region moves with it. Throws Error kBadArgument if the paths do not bound a region.
 Region enclosedBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                       PathSide side);
 
@@ -53,7 +53,8 @@ Region combined(const Region& a, const Region& b, Boolean how);
 double areaOf(const Arrangement& arrangement, const Region& region);
 
 /// The half-edges that have the region only on their left, including the surface's boundary, in
-/// loops. Where a region touches itself at a vertex, the loops turn back.
+/// loops. Where a region touches itself at a vertex, a loop stays in its own corner of the region
+/// instead of passing through.
 Array<Array<int>> boundaryOf(const Arrangement& arrangement, const Region& region);
 
 /// A loop of half-edges as a path that ends where it starts.

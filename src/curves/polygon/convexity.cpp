@@ -6,10 +6,11 @@
 namespace karcher {
 namespace {
 
-/// The most faces of a leg, about an edge length, over which it sees only the mesh itself.
+/// A leg of at most this many faces counts as having no detail: over about an edge length, it sees
+/// only the mesh itself.
 constexpr int kFewFaces = 4;
 
-/// The number of even parts of a piece's parameter at whose ends the convexity is computed.
+/// The number of equal intervals of a piece's parameter. The convexity is computed at their ends.
 constexpr int kParts = 16;
 
 void layAlong(const Geometry& geometry, const Array<SurfacePath>& legs, const SegmentLayout& piece,

@@ -3,8 +3,8 @@
 #include "curves/polygon/levels.h"
 
 /// Safety of centers of mass along a control polygon: they are safe if they move continuously, and
-/// no more roughly than the surface itself. It follows from the curvature of the faces that the
-/// polygon's legs cross, without a distance field.
+/// no more roughly than the surface itself. This is computed from the curvature of the faces that
+/// the polygon's legs cross, without a distance field.
 namespace karcher {
 
 /// Reusable scratch memory.
@@ -18,12 +18,12 @@ struct ConvexityWorkspace {
   Array<double> weights;
 };
 
-/// The Gaussian curvature per area of a face. It has a share of each corner vertex's angle defect,
-/// in proportion to its angle there.
+/// The Gaussian curvature per area of a face. Each interior corner vertex contributes a share of
+/// its angle defect, in proportion to the face's angle there.
 double curvatureOf(const Geometry& geometry, int face);
 
-/// The least second derivative, across the legs, of the energies whose minima are the points of a
-/// piece, relative to the plane's. While it is positive, the minima move continuously.
+/// The least second derivative across the legs, relative to the plane's, of the energies whose
+/// minima are the points of a piece. As long as it is positive, the minima move continuously.
 ///
 /// Half the squared distance from a point has the second derivative d J'(d) / J(d) across a
 /// geodesic at the distance d, where J is the Jacobi field with J(0) = 0, J'(0) = 1, J'' = -K J (M.
@@ -33,10 +33,10 @@ double leastConvexity(const Geometry& geometry, const Array<SurfacePath>& legs,
                       const SegmentLayout& piece, const Array<double>& pointWeights,
                       ConvexityWorkspace& workspace);
 
-/// The detail along a leg, in radians: the part of its curvature by which adjacent faces differ,
-/// times the square of the leg's length. A center of mass that sees the leg turns by this much more
-/// than the surface. If edges become shorter, it tends to zero on a smooth surface, and grows on a
-/// rough one.
+/// The detail along a leg, in radians: the mean difference between the curvatures of adjacent
+/// faces, times the square of the leg's length; 0 for a leg of few faces. A center of mass that
+/// sees the leg turns by this much more than the surface. As edges become shorter, the detail tends
+/// to zero on a smooth surface, and grows on a rough one.
 double detailAlong(const Geometry& geometry, const SurfacePath& leg);
 
 }  // namespace karcher

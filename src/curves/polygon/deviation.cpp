@@ -10,7 +10,7 @@
 namespace karcher {
 namespace {
 
-/// The number of even parts of a segment's parameter at whose ends the deviation is computed.
+/// The number of equal intervals of a segment's parameter. The deviation is computed at their ends.
 constexpr int kParts = 8;
 
 /// The vector turned to the right.

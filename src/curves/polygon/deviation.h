@@ -20,13 +20,13 @@ struct DeviationWorkspace {
 
 /// The largest distance between the curve of a segment's centers of mass and its subdivision curve,
 /// to the first order in the curvature. The function assumes a constant curvature: the largest mean
-/// along one of the legs. The distance vanishes where the polygon is straight or the surface
-/// unrolls.
+/// along one of the legs. The distance vanishes where the polygon is straight or the surface is
+/// developable.
 ///
 /// In normal coordinates about the center of mass the points' weighted sum is 0, so that the center
-/// does not move. The point at the part s from p to q is p + s (q - p), moved by K / 3 s (1 - s) |p
-/// x q| across the path, since d^2(p, q) = |q - p|^2 - K / 3 |p x q|^2. The averages of de
-/// Casteljau's or de Boor's triangle add up their moves.
+/// does not move. The point at the fraction s of the path from p to q is p + s (q - p), moved by K
+/// / 3 s (1 - s) |p x q| across the path, since d^2(p, q) = |q - p|^2 - K / 3 |p x q|^2. The
+/// averages of de Casteljau's or de Boor's triangle add up their moves.
 double segmentDeviation(const Geometry& geometry, const Array<SurfacePath>& legs,
                         const SegmentLayout& segment, const Array<double>& pointWeights,
                         DeviationWorkspace& workspace);

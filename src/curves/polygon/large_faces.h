@@ -15,9 +15,8 @@ struct FacesAlongLegs {
 void findFacesAlongLegs(const Geometry& geometry, const RefinedPolygon& refined,
                         FacesAlongLegs& along);
 
-/// Whether a piece of a refined polygon crosses a face larger than itself, with an edge longer than
-/// all legs of the piece together. This depends only on the piece and on the faces that its legs
-/// cross.
+/// Whether a piece of a refined polygon crosses a larger face: one with an edge longer than all
+/// legs of the piece together. This depends only on the piece and on the faces that its legs cross.
 bool crossesLargerFace(const RefinedPolygon& refined, const SegmentLayout& piece,
                        const FacesAlongLegs& along);
 

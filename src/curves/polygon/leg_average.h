@@ -31,12 +31,12 @@ inline LegAverage averageOn(const TriangleMesh& mesh, const SurfacePath& path, d
   return {{pointAlong(mesh, path, at), from + to}, at};
 }
 
-/// Joins consecutive paths, and straightens them as one. Writes to the points of `path`.
+/// Joins consecutive paths into one, which the caller then straightens. Writes to `path`.
 class Chain {
  public:
   Chain(const TriangleMesh& mesh, SurfacePath& path) : mesh_(mesh), points_(path.points) {
     points_.clear();
-    // A path of one point is straight.
+    // Straightening leaves a path of one point as it is, so its length is set here.
     path.lengths.assign(1, 0.0);
   }
   /// Appends the part between two lengths, backwards if from > to.

@@ -16,8 +16,8 @@ constexpr double kMostAverages = 1e6;
 
 bool isBezier(CurveKind kind) { return kind == CurveKind::kBezier || kind == CurveKind::kRational; }
 
-/// Finds the averages on the legs of the workspace's row, with the share `share(i)` of the later
-/// point on leg i.
+/// Finds the averages on the legs of the workspace's row. `share(i)` is the later point's share on
+/// leg i.
 template <class Share>
 void findAverages(const TriangleMesh& mesh, const Share& share, AveragingWorkspace& workspace) {
   const LeggedPolygon& row = workspace.row;
@@ -81,7 +81,7 @@ void appendPieces(const Geometry& geometry, const LeggedPolygon& polygon, int le
   appendPieces(geometry, halves.second, levels - 1, workspace, out, written);
 }
 
-/// Sets the sizes for the pieces of this number of Bezier curves of a degree.
+/// Sizes the lists for the pieces of `curves` Bezier curves of degree `degree`.
 void makeRoom(int curves, int degree, int levels, AveragingWorkspace& workspace,
               RefinedPolygon& out) {
   const auto pieces = static_cast<size_t>(curves) << levels;
@@ -156,7 +156,8 @@ bool refinePolygon(const Geometry& geometry, const CurveShape& shape,
       }
     }
     if (shape.closed) {
-      // Both ends are one point, so that both find the zero of that point's field.
+      // Both ends of a closed curve are the same point of the polygon, so that both find the zero
+      // of its field.
       refined.pieces.back().points.back() = 0;
       refined.points.pop_back();
     }

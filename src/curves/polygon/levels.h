@@ -8,13 +8,13 @@
 
 /// Subdivision before averages. A center of mass of distant points is rough on a rough surface,
 /// since their squared distances have creases everywhere. So averages of two points along the legs
-/// subdivide the control polygon first, and each piece of the curve is a center of mass of its own
-/// near points. On the plane this is the same curve. Elsewhere, more levels bring it nearer to the
-/// subdivision curve of C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive
+/// subdivide the control polygon first, and each piece of the curve is a center of mass of a few
+/// points near it. On the plane this is the same curve. Elsewhere, more levels bring it nearer to
+/// the subdivision curve of C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive
 /// Bezier Splines on Surface Meshes" (2022).
 ///
-/// No average searches for a path: it straightens its path from parts of the legs that it joins, so
-/// that the curve moves continuously with the legs.
+/// No average searches for a path. It straightens a path that consists of parts of adjacent legs,
+/// so that the curve moves continuously with the legs.
 namespace karcher {
 
 inline constexpr int kMostLevels = 8;
@@ -26,7 +26,7 @@ bool takesLevels(CurveKind kind);
 /// The pieces of a curve after some levels: each a center of mass of a few points.
 struct RefinedPolygon {
   Array<WeightedPoint> points;
-  /// The pieces in order, 2^levels for each segment of the curve. Their points are numbers of
+  /// The pieces in order, 2^levels for each segment of the curve. Their points are indices into
   /// `points`.
   Array<SegmentLayout> pieces;
   /// The legs from each point to the next, and for a closed B-spline also from the last to the
@@ -63,13 +63,15 @@ struct AveragingWorkspace {
 /// Subdivides a control polygon `levels` >= 1 times. `legs` are paths from each point to the next,
 /// and for a closed curve also from the last to the first.
 /// - de Casteljau's algorithm divides Bezier curves, also rational ones, at 1/2;
-/// - B-splines have a new knot in the middle of each span: a new point is the repeated average of
+/// - B-splines get a new knot in the middle of each span. A new point is the repeated average of
 ///   its parents, from both ends of their row towards its middle (subdivision.h), with the weights
 ///   of the knot insertion. In degrees up to 3, with even knots, that is Lane and Riesenfeld's
 ///   algorithm;
 /// - Catmull-Rom curves count as cubic Bezier curves, with handles by log and exp maps at the
-///   points. The result of reversed points and legs is the reversed result. Writes to `refined`.
-///   Returns false if a handle would lie beyond the surface's boundary.
+///   points.
+///
+/// The result of reversed points and legs is the reversed result. Writes to `refined`. Returns
+/// false if a handle would lie beyond the surface's boundary.
 bool refinePolygon(const Geometry& geometry, const CurveShape& shape,
                    const Array<SurfacePoint>& points, const Array<SurfacePath>& legs, int levels,
                    AveragingWorkspace& workspace, RefinedPolygon& refined);

@@ -10,10 +10,10 @@
 namespace karcher {
 namespace {
 
-/// The row of a knot insertion for the new control point whose knots are new_[j + 1], ..., new_[j +
-/// p]. It has the weights of the p + 1 old points of span `span`, by the blossom of that span's
-/// polynomial (E. Cohen, T. Lyche, R. Riesenfeld, "Discrete B-splines and subdivision techniques",
-/// 1980). `old(k)` and `refined(k)` return knots.
+/// The row of a knot insertion for the new control point with the knots refined(j + 1), ...,
+/// refined(j + p): the weights of the p + 1 old points of span `span`, by the blossom of that
+/// span's polynomial (E. Cohen, T. Lyche, R. Riesenfeld, "Discrete B-splines and subdivision
+/// techniques", 1980). `old(k)` and `refined(k)` return knots.
 template <class Old, class Refined>
 Array<double> insertionRow(const Old& old, const Refined& refined, int degree, int span, int j) {
   // This computes de Boor's pyramid row by row, on unit vectors.
@@ -90,8 +90,8 @@ class KnotHalving {
     if (old_[k + 1] > old_[k]) out.push_back(old_[k] + (old_[k + 1] - old_[k]) / 2);
   }
 
-  /// The old span whose polynomial gives new point j: the first in the new point's support, or a
-  /// later one that is much wider. Weights extrapolated from a narrow span beside wide ones would
+  /// The old span whose polynomial gives new point j: the widest one in the new point's support, or
+  /// the first of equally wide ones. Weights extrapolated from a narrow span beside wide ones would
   /// lose their digits.
   template <class Refined>
   int spanFor(const Refined& refined, int j) const {
@@ -217,7 +217,8 @@ class SplineLevelStep {
     return average.point;
   }
 
-  /// Writes the anchor that leads from a length of the path to the side at its end `to`.
+  /// Writes an anchor: it leads along the path from the length `from` to the path's end `to`, and
+  /// on to the side's parent.
   void lead(double from, double to, const Side& side, Anchor& anchor) const {
     takePart(mesh_, path_, from, to, anchor.path);
     appendPart(mesh_, side.toParent, 0, side.toParent.length(), anchor.path);

@@ -6,15 +6,15 @@
 /// Levels of B-splines: a knot in the middle of each span.
 namespace karcher {
 
-/// A control polygon with its legs, and its relation to that of the previous level.
+/// A control polygon with its legs, and its relation to the polygon of the previous level.
 struct SplineLevel {
-  /// The consecutive points of the previous level whose average a point is.
+  /// The parents of a point: the consecutive points of the previous level that it averages.
   struct Parents {
     /// the number of the first parent; it may be negative or go past the end of a closed curve
     int first = 0;
     Array<double> weights;
   };
-  /// A path from a point to one of its parents. Legs follow it.
+  /// A path from a point to one of its parents. The new legs follow such paths.
   struct Anchor {
     SurfacePath path;
     int parent = 0;  ///< the parent's number, as in `Parents::first`
@@ -23,8 +23,8 @@ struct SplineLevel {
   Array<WeightedPoint> points;
   Array<SurfacePath> legs;
   Array<Parents> parents;
-  /// Two anchors for each point, to the last parents averaged from either end of their row: one for
-  /// the leg that arrives at the point, and one for the leg that leaves it.
+  /// Two anchors for each point: one for the leg that arrives at the point, and one for the leg
+  /// that leaves it. They lead to the parents that were averaged last from either end of the row.
   Array<Anchor> anchors;
 };
 
@@ -40,7 +40,7 @@ struct SplineWorkspace {
 
   CurveShape shape;
   int points = 0;  ///< the number of control points of `levels`; 0 before these exist
-  /// The levels, from the control polygon itself on.
+  /// The levels; the first is the control polygon itself.
   Array<SplineLevel> levels;
   /// The segments of the last level.
   Array<SegmentLayout> pieces;
@@ -49,8 +49,8 @@ struct SplineWorkspace {
   Side far;
 };
 
-/// Subdivides a B-spline's control polygon `levels` times, as a part of `refinePolygon` (levels.h),
-/// with the same `legs`. Each time adds a knot in the middle of each span. A new point is the
+/// Subdivides a B-spline's control polygon `levels` times, as `refinePolygon` (levels.h) does;
+/// `legs` are as there. Each level adds a knot in the middle of each span. A new point is the
 /// repeated average of its parents, with the weights of the knot insertion. Writes to the
 /// workspace's levels and pieces.
 void refineSpline(const Geometry& geometry, const CurveShape& shape,

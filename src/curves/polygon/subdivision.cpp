@@ -5,7 +5,7 @@
 namespace karcher {
 namespace {
 
-/// The length, in mean edges, below which division of a curve's parts ends.
+/// The length of a part's control polygon, in mean edges, below which the part is not halved.
 constexpr double kShortest = 0.25;
 constexpr int kMostHalvings = 6;
 
@@ -102,7 +102,7 @@ SurfacePoint repeatedAverage(const Geometry& geometry, const Array<SurfacePoint>
   Array<WeightedPoint>& negative = workspace.negative;
   positive.clear();
   negative.clear();
-  // A Bezier curve of many points gives those far from the parameter almost no weight.
+  // Points of almost no weight are left out. A Bezier curve of many points has many of them.
   for (int i = 0; i < points.count(); ++i) {
     if (weights[i] > kChainRounding) positive.push_back({points[i], weights[i]});
     if (weights[i] < -kChainRounding) negative.push_back({points[i], -weights[i]});

@@ -22,16 +22,16 @@ struct SubdivisionWorkspace {
   AveragingWorkspace averaging;
 };
 
-/// The point at the part s of the fast path (find_path.h) from a to b. Outside [0, 1] the path
+/// The point at the fraction s of the fast path (find_path.h) from a to b. Outside [0, 1] the path
 /// continues straight, up to the surface's boundary.
 SurfacePoint averageAlongGeodesic(const Geometry& geometry, const SurfacePoint& a,
                                   const SurfacePoint& b, double s, SubdivisionWorkspace& workspace);
 
 /// The repeated average of weighted points, two at a time. It goes from both ends of the list
 /// towards its middle, so that neighbours meet first and the reversed list gives the same point.
-/// With the weights of a knot insertion the result is that knot insertion. Points of negative
-/// weight have an average of their own. Seen from it, the result lies beyond the average of the
-/// others. The weights sum to 1, and at least one is positive.
+/// With the weights of a knot insertion the result is the new point of this insertion. Points of
+/// negative weight have an average of their own. Seen from it, the result lies beyond the average
+/// of the others. The weights sum to 1, and at least one is positive.
 SurfacePoint repeatedAverage(const Geometry& geometry, const Array<SurfacePoint>& points,
                              const Array<double>& weights, SubdivisionWorkspace& workspace);
 
@@ -41,10 +41,10 @@ struct ParametricLine {
   Array<double> t;
 };
 
-/// Appends the Bezier curve over [t0, t1] of the control points, at least two. Beginning with fast
-/// paths between them, the function halves it (levels.h) until it has 2^6 parts or they are short.
-/// The control polygons of the parts approximate the curve. If `line` already ends at the first
-/// point, the point is not repeated.
+/// Appends the Bezier curve of the control points, at least two, over [t0, t1]. The first control
+/// polygon has fast paths as legs. The function halves it (levels.h) until a part is short, has one
+/// leg, or is 2^-6 of the curve. The control polygons of the parts approximate the curve. If `line`
+/// is not empty, it must end at the first point, which is not repeated.
 void appendBezier(const Geometry& geometry, std::span<const SurfacePoint> points, double t0,
                   double t1, SubdivisionWorkspace& workspace, ParametricLine& line);
 

@@ -65,8 +65,9 @@ FieldBlend blendOf(Curve& curve, const PieceParameter& at) {
 }
 
 /// The center at a parameter between two samples. As in the search for jumps (jumps.h), the
-/// function bisects t, and each search starts at the earlier end of its part. A search from a more
-/// distant sample could find another minimum.
+/// function bisects t. Each search starts at the earlier end of the remaining interval, or at the
+/// later one if the earlier is no center. A search from a more distant sample could find another
+/// minimum.
 CurveSample centerBetween(const Curve& curve, FieldBlend& fields, const PieceParameter& at,
                           CurveSample from, CurveSample to) {
   const TriangleMesh& mesh = curve.surface().mesh();
@@ -88,7 +89,8 @@ CurveSample centerBetween(const Curve& curve, FieldBlend& fields, const PiecePar
   return centerAt(at.t);
 }
 
-/// Derivatives of the piece's weights by its t, as differences of second order inside [0, 1].
+/// The derivatives of a piece's weights with respect to its t, by differences of second order that
+/// stay inside [0, 1].
 Array<double> weightDerivatives(const Curve::Piece& piece, double t) {
   // Central differences are most exact if their step is the cube root of the rounding.
   const double step = std::cbrt(kStepRounding);
@@ -96,7 +98,7 @@ Array<double> weightDerivatives(const Curve::Piece& piece, double t) {
   const Array<double> before = piece.weights(middle - step);
   const Array<double> here = piece.weights(middle);
   const Array<double> after = piece.weights(middle + step);
-  // This differentiates the parabola through the three values at t.
+  // The result is the derivative at t of the parabola through the three values.
   const double away = (t - middle) / step;
   Array<double> result;
   for (int i = 0; i < here.count(); ++i) {

@@ -21,7 +21,7 @@ struct CurveTangent {
 };
 
 /// A parameter as a segment and t in [0, 1]. A joint is the start of the later segment; the end of
-/// an open curve is the end of its last one. The parameter of a closed curve may go around any
+/// an open curve is the end of its last segment. The parameter of a closed curve may go around any
 /// number of times. Throws Error kBadArgument for a parameter that is not finite or lies outside an
 /// open curve.
 struct SegmentParameter {

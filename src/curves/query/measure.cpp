@@ -10,7 +10,8 @@
 namespace karcher {
 namespace {
 
-/// The place of a value in a nondecreasing array: the piece between two numbers and the part of it.
+/// The place of a value in a nondecreasing array: between entries `piece` and `piece` + 1, at the
+/// fraction s.
 struct Place {
   int piece = 0;
   double s = 0;
@@ -50,7 +51,7 @@ CurveLine lineOf(const Curve& curve) {
   for (int j = 0; j < curve.segmentCount(); ++j) {
     const Array<CurveSample>& samples = curve.samples(j);
     const JoinedPath& path = curve.path(j);
-    int first = line.path.points.count();  // the number of the first point that leads to a sample
+    int first = line.path.points.count();  // the first point after the previous sample
     for (int i = 0; i < path.line.points.count(); ++i) {
       const Vec3 here = position(mesh, path.line.points[i]);
       const double step = line.path.points.empty() ? 0 : (here - line.positions.back()).norm();
@@ -91,7 +92,7 @@ CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double lengt
   if (curve.shape().closed && whole > 0 && std::isfinite(length)) {
     inside = length - whole * std::floor(length / whole);
   }
-  // The sum of the segments' own lengths may differ by rounding.
+  // A caller may pass the sum of the segments' own lengths, which differs by rounding.
   if (!(inside >= 0 && inside <= (1 + kChainRounding) * whole)) {
     throw Error(ErrorCode::kBadArgument, "the curve has no point at the length " + inFull(length) +
                                              ": it is " + inFull(whole) + " long");

@@ -37,7 +37,7 @@ struct NearestOnCurve {
 };
 
 /// The point of the curve nearest in space to a place: the lowest of the minima in the intervals
-/// between samples (nearest.cpp), with a relative error of its parameter of 1e-13. The point is
+/// between samples (nearest.cpp). The relative error of its parameter is 1e-13. The point is
 /// `pointAt` of that parameter.
 NearestOnCurve nearestOnCurve(Curve& curve, const CurveLine& line, const Vec3& place);
 

@@ -8,9 +8,9 @@
 
 /// The traced line bounds the curve's distance in each interval between samples. The search takes
 /// the intervals that may hold the nearest point, the most promising first. It bisects them into
-/// parts inside one face of the mesh, where the curve is smooth and nearly straight and golden
-/// sections find the minimum. At edges the curve may jump by a small part of an edge, with a
-/// minimum on either side.
+/// parts inside one face of the mesh. There the curve is smooth and nearly straight, and golden
+/// sections find the minimum. At edges of the mesh the curve may jump by a small fraction of an
+/// edge, with a minimum on either side.
 namespace karcher {
 namespace {
 

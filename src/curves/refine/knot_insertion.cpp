@@ -11,8 +11,8 @@ namespace {
 
 int countOf(const ControlPolygon& polygon) { return polygon.points.count(); }
 
-/// The span of a knot vector in which u lies (the last one if several are empty), and the index of
-/// its knot.
+/// The index at which u enters the knot vector, and the number of the span in which u lies: the
+/// last one that starts at or before u.
 struct KnotPlace {
   int place = 0;
   int span = 0;
@@ -20,15 +20,15 @@ struct KnotPlace {
 
 KnotPlace placeOf(const ControlPolygon& polygon, double u) {
   const Array<double>& knots = polygon.knots;
-  // The last knot of the vector that is at most u, as the number of a span.
+  // The last knot that is at most u starts the span. A closed curve's last knot starts none.
   const auto last = knots.end() - (polygon.closed ? 2 : 1);
   const auto beyond = std::upper_bound(knots.begin(), last + 1, u);
   const int place = static_cast<int>(beyond - knots.begin());
   return {place, place - 1 - (polygon.closed ? 0 : polygon.degree)};
 }
 
-/// The legs from the start of a run of legs to its end, through an average on each leg. They are
-/// one more than those of the run.
+/// The legs from the start of a run of legs to its end, through an average on each leg of the run:
+/// one more than the run has.
 Array<SurfacePath> legsOver(const Geometry& geometry, const Array<SurfacePath>& run,
                             const Array<LegAverage>& averages) {
   const TriangleMesh& mesh = *geometry.mesh;
@@ -45,16 +45,15 @@ Array<SurfacePath> legsOver(const Geometry& geometry, const Array<SurfacePath>& 
   return legs;
 }
 
-/// `insertKnot` for a closed curve of fewer than p points. Its new points extend more than once
-/// around, so that the knots of several turns affect each of them. The function unrolls the curve
+/// `insertKnot` for a closed curve of fewer than p points. The new points go around the curve more
+/// than once, so that each depends on the knots of several turns. The function unrolls the curve
 /// over these turns.
 int insertAround(const Geometry& geometry, ControlPolygon& polygon, double u) {
   const int p = polygon.degree;
   const int n = countOf(polygon);
   const auto [place, span] = placeOf(polygon, u);
   const double period = polygon.knots.back() - polygon.knots.front();
-  // The points of this turn and of later ones depend on no knots before the unrolled ones. One more
-  // turn follows it.
+  // `turn` is the first turn whose points depend only on unrolled knots. One more turn follows it.
   const int turn = (p + n) / (n + 1);
   const int turns = turn + 2;
   ControlPolygon open;
@@ -75,7 +74,7 @@ int insertAround(const Geometry& geometry, ControlPolygon& polygon, double u) {
   return (span + 1) % (n + 1);
 }
 
-/// Inserts u until the curve passes a control point there.
+/// Inserts u until the curve passes through a control point there.
 void insertFully(const Geometry& geometry, ControlPolygon& polygon, double u) {
   while (multiplicity(polygon, u) < polygon.degree) insertKnot(geometry, polygon, u);
 }
@@ -98,8 +97,8 @@ int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u) {
   const int repeats = multiplicity(polygon, u);
   const auto [place, span] = placeOf(polygon, u);
 
-  // Control point i depends on the knots of the spans i - p to i + 1. The new points, from `first`
-  // to `end`, lie on the legs before them, one on each.
+  // Control point i depends on the knots of the spans i - p to i + 1. New point i, from `first` to
+  // `end`, lies on the old leg from point i - 1 to point i.
   const auto knot = [&](int j) { return knotOfSpan(polygon.knots, p, polygon.closed, j); };
   const int first = span + 1;
   const int end = span + p - repeats;
@@ -115,7 +114,7 @@ int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u) {
   Array<SurfacePath> renewed = legsOver(geometry, run, averages);
   Array<WeightedPoint> points(static_cast<size_t>(n) + 1);
   Array<SurfacePath> legs(polygon.legs.size() + 1);
-  // The numbers of a closed curve's points begin at the new ones.
+  // On a closed curve, the loops begin at the new points.
   const int begin = polygon.closed ? first : 0;
   for (int i = begin; i < begin + n + 1; ++i) {
     points[i % (n + 1)] = i < first  ? polygon.points[i]
@@ -164,7 +163,7 @@ ControlPolygon partBefore(const Geometry& geometry, ControlPolygon open, double 
 ControlPolygon partAfter(const Geometry& geometry, ControlPolygon open, double u) {
   insertFully(geometry, open, u);
   const auto beyond = std::upper_bound(open.knots.begin(), open.knots.end(), u);
-  // The curve passes through the point before the last p of the knots.
+  // At u the curve passes through the point with the number of the last knot u, less p.
   const int point = static_cast<int>(beyond - open.knots.begin()) - open.degree - 1;
   Array<double> knots(static_cast<size_t>(open.degree) + 1, u);
   knots.insert(knots.end(), beyond, open.knots.end());
@@ -181,7 +180,7 @@ ControlPolygon cutOpen(const Geometry& geometry, ControlPolygon closed, double u
   const double period = closed.knots.back() - closed.knots.front();
   const double start = u == closed.knots.back() ? u - period : u;
   const auto beyond = std::upper_bound(closed.knots.begin(), closed.knots.end(), start);
-  // The last span that starts there blends the points from its own number on.
+  // The last span that starts there blends the points from the number `span` on.
   const int span = static_cast<int>(beyond - closed.knots.begin()) - 1;
   ControlPolygon open;
   open.degree = p;

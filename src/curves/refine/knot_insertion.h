@@ -4,9 +4,9 @@
 
 /// The classical refinements of B-splines and Bezier curves, with averages of two points along the
 /// legs of the control polygon. New legs are parts of old ones; between points on two legs, the
-/// parts are pulled tight. On the plane they do not change the curve. On a curved surface averages
-/// of averages depend on their order, so that the curve changes by an amount that vanishes with the
-/// curvature.
+/// parts of both are pulled tight. On the plane the refinements do not change the curve. On a
+/// curved surface averages of averages depend on their order, so that the curve changes by an
+/// amount that vanishes with the curvature.
 namespace karcher {
 
 /// The control points, legs and knots of a B-spline (knots.h).
@@ -23,17 +23,17 @@ struct ControlPolygon {
 int multiplicity(const ControlPolygon& polygon, double knot);
 
 /// Inserts a knot u between the first and the last of the spans (W. Boehm, "Inserting new knots
-/// into B-spline curves", 1980). For degree p, the new points, p minus the knot's multiplicity in
-/// number, replace the inner ones. Returns the number of the first of them. The multiplicity must
-/// be less than p.
+/// into B-spline curves", 1980). In degree p, with the knot's multiplicity m before the insertion,
+/// p - m new points replace p - m - 1 old ones; m must be less than p. Returns the number of the
+/// first new point.
 int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u);
 
-/// The same Bezier curve of a degree higher by one, with one more point.
+/// The same Bezier curve with one more point, in a degree higher by one.
 LeggedPolygon elevated(const Geometry& geometry, const LeggedPolygon& bezier);
 
-/// The parts of an open B-spline before and after knot u, clamped there. At an end of the spans,
-/// one part is the whole curve, clamped. For a Bezier curve, a B-spline of one span, this is de
-/// Casteljau's algorithm.
+/// The parts of an open B-spline before and after knot u, clamped there. If u is an end of the
+/// spans, one part is the whole curve, clamped. For a Bezier curve, a B-spline of one span, this is
+/// de Casteljau's algorithm.
 ControlPolygon partBefore(const Geometry& geometry, ControlPolygon open, double u);
 ControlPolygon partAfter(const Geometry& geometry, ControlPolygon open, double u);
 

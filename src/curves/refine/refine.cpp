@@ -75,7 +75,7 @@ CurveParts partsOf(ControlPolygon polygon) {
   return parts;
 }
 
-/// The parts of a curve, without legs unless it follows given ones.
+/// The parts of a curve, without legs unless the curve follows given legs.
 CurveParts alike(const Curve& curve, CurveParts parts) {
   if (!followsLegs(curve)) parts.legs.clear();
   return parts;
@@ -100,15 +100,16 @@ LeggedPolygon bezierPolygon(const Curve& curve) {
   return bezier;
 }
 
-/// The same as a clamped B-spline of one segment.
+/// A Bezier curve as a clamped B-spline of one segment.
 ControlPolygon splineOf(LeggedPolygon bezier) {
   const int points = bezier.points.count();
   return {std::move(bezier.points), std::move(bezier.legs), clampedKnots(points, points - 1),
           points - 1, false};
 }
 
-/// Sets betas from their logarithms. A common factor does not change the curve, so the largest beta
-/// is 1. If the least would be too small, the factor sets both equally far from 1 in ratio.
+/// Sets betas from their logarithms. A common factor does not change the curve; it makes the
+/// largest beta 1. If the smallest beta would then be too small, the factor makes the product of
+/// the smallest and the largest beta 1.
 void setBetas(Array<double>& logs) {
   const auto [least, most] = std::minmax_element(logs.begin(), logs.end());
   const double range = *most - *least;
@@ -125,9 +126,9 @@ void setBetas(Array<double>& logs) {
   }
 }
 
-/// A curve in barycentric form is p / q with polynomials of the degree of its nodes. With other
-/// nodes it interpolates its own points there, with betas |q| times those of a polynomial. The new
-/// nodes are `nodes` even ones from `from` to `to`.
+/// The part of a barycentric curve from `from` to `to`, with `nodes` evenly spaced nodes. The curve
+/// is p / q with polynomials p and q. In barycentric form at other nodes, it interpolates its own
+/// points there, and its betas are those of a polynomial times |q|.
 CurveParts barycentricPart(Curve& curve, double from, double to, int nodes) {
   Array<double> betas = curve.shape().betas;
   betas.resize(static_cast<size_t>(curve.pointCount()), 1);
@@ -169,15 +170,16 @@ CurveParts barycentricPart(Curve& curve, double from, double to, int nodes) {
 }
 
 /// A point of a Catmull-Rom curve or polyline, and the two parts of the leg that it cuts. They are
-/// shortest paths if the leg was.
+/// shortest paths if the leg is one.
 struct CutThroughPoints {
   SurfacePoint point;
   SurfacePath before;
   SurfacePath after;
 };
 
-/// Writes the parts of a leg before and after the part t of its length. They meet at the near point
-/// `cut` if given, else on the leg. A part that cannot lead to `cut` has no points.
+/// Writes the two parts of a leg before and after the fraction t of its length. They meet at `cut`,
+/// a point near the leg, if it is given, otherwise on the leg. A part that cannot lead to `cut` has
+/// no points.
 void cutLeg(const Geometry& geometry, const SurfacePath& leg, double t, const SurfacePoint* cut,
             SurfacePath& before, SurfacePath& after) {
   const double at = t * leg.length();
@@ -202,8 +204,8 @@ CutThroughPoints cutThroughPoints(Curve& curve, const SegmentParameter& at) {
   return cut;
 }
 
-/// The part of a curve through points from point `from` to `to`, past the last one if the curve is
-/// closed.
+/// The part of a Catmull-Rom curve or polyline from point `from` to point `to`. On a closed curve,
+/// `to` may go past the last point.
 CurveParts partThrough(const Curve& curve, int from, int to) {
   CurveParts part{{curve.shape().kind}, {}};
   part.shape.centripetal = curve.shape().centripetal;
@@ -243,9 +245,9 @@ Array<CurveParts> splitThroughPoint(Curve& curve, const SegmentParameter& at) {
   return parts;
 }
 
-/// The legs of two curves in sequence, the first of which ends at `end`, with `between` shortest
-/// paths in between. If that is 0, the curves meet there. The result is empty if neither curve has
-/// legs.
+/// The legs of two joined curves, with `between` shortest paths between them. If `between` is 0,
+/// the second curve starts at the end of the first, the point `end`. The result is empty if neither
+/// curve has legs.
 Array<SurfacePath> joinedLegs(const Geometry& geometry, Array<SurfacePath> first, int firstCount,
                               Array<SurfacePath> second, int secondCount, int between,
                               const SurfacePoint& end) {
@@ -262,7 +264,7 @@ Array<SurfacePath> joinedLegs(const Geometry& geometry, Array<SurfacePath> first
   return first;
 }
 
-/// Two clamped B-splines of one degree as one. If they do not meet, a geodesic joins them.
+/// Two clamped B-splines of the same degree as one. If they do not meet, a geodesic joins them.
 ControlPolygon joinedPolygons(const Geometry& geometry, const ControlPolygon& first,
                               const ControlPolygon& second) {
   const int p = first.degree;
@@ -286,7 +288,7 @@ ControlPolygon joinedPolygons(const Geometry& geometry, const ControlPolygon& fi
       result.points.push_back(
           averageOn(*geometry.mesh, between, (1 - s) * from.weight, s * to.weight).point);
     }
-    // The new span has the mean length of the others.
+    // The new span has the mean length of the first curve's spans.
     start += (first.knots.back() - first.knots.front()) / (first.knots.count() - 2 * p - 1);
     result.knots.insert(result.knots.end(), static_cast<size_t>(p), start);
   }

@@ -3,11 +3,11 @@
 #include "curves/curve.h"
 
 /// Insertion of control points on a curve, and splits and joins of curves. On the plane an
-/// operation leaves the curve unchanged if any construction does (knot_insertion.h).
+/// operation leaves the curve unchanged whenever that is possible (knot_insertion.h).
 namespace karcher {
 
 /// A curve's shape, control points and legs (curve_value.h). If the original curve follows given
-/// legs, the new ones lie along those (knot_insertion.h).
+/// legs, the new legs lie along these (knot_insertion.h).
 struct CurveParts {
   CurveShape shape;
   Array<SurfacePoint> points;
@@ -25,22 +25,24 @@ struct RefinedCurve {
 /// - barycentric curves: the degree grows by one; all inner points are new points on the curve,
 ///   with betas that leave it unchanged;
 /// - Catmull-Rom curves and polylines: the new point lies on the curve; it changes a Catmull-Rom
-///   curve a little. Throws Error kBadArgument if the curve cannot have such a point: the knot is
-///   repeated too often, a control point lies there already, or the basis is the caller's own.
+///   curve a little.
+///
+/// Throws Error kBadArgument if the curve cannot have such a point: the knot is repeated too often,
+/// a control point lies there already, or the basis is the caller's own.
 RefinedCurve withPointOnCurve(Curve& curve, double parameter);
 
 /// The curves before and after a parameter; a closed B-spline, Catmull-Rom curve or polyline
 /// becomes one open curve instead. B-splines are clamped at the cut. Bezier curves divide by de
-/// Casteljau's algorithm. Barycentric curves have new points on them, with betas that leave the
-/// curve unchanged. Catmull-Rom curves change a little next to the cut. Throws Error kBadArgument
-/// at the ends of an open curve and for a basis of the caller's own.
+/// Casteljau's algorithm. Barycentric curves get new control points on the curve, with betas that
+/// leave it unchanged. Catmull-Rom curves change a little next to the cut. Throws Error
+/// kBadArgument at the ends of an open curve and for a basis of the caller's own.
 Array<CurveParts> splitAt(Curve& curve, double parameter);
 
-/// One curve along two open curves of the same kind. It has a common end point once. B-splines, and
-/// Bezier curves of degree 1 to 5, become one B-spline that runs along both, with a geodesic
-/// between them if they do not meet. For other kinds, the result is the curve through the points of
-/// both. Throws Error kBadArgument if kinds or degrees differ, a curve is closed, or the basis is
-/// the caller's own; kUnreachable if the points lie on several components.
+/// One curve along two open curves of the same kind. If they meet, it has their common end point
+/// once. B-splines, and Bezier curves of degree 1 to 5, become one B-spline that runs along both,
+/// with a geodesic between them if they do not meet. For other kinds, the result is the curve
+/// through the points of both. Throws Error kBadArgument if kinds or degrees differ, a curve is
+/// closed, or the basis is the caller's own; kUnreachable if the points lie on several components.
 CurveParts joined(const Curve& first, const Curve& second);
 
 }  // namespace karcher

@@ -32,17 +32,17 @@ Array<double> rationalBasis(Array<double> basis, const Array<double>& pointWeigh
 /// The same, in place of the given basis.
 void makeRational(const Array<double>& pointWeights, Array<double>& basis);
 
-/// Rational interpolation in barycentric form: proportional to (-1)^i beta_i / (t - i / n) for n +
-/// 1 positive betas, exactly 1 for point i at t = i / n (K. Ramanantoanina, K. Hormann, "New shape
-/// control tools for rational Bezier curve design", 2021). Equal betas give Berrut's interpolant,
-/// binomial coefficients the interpolating polynomial.
+/// Rational interpolation in barycentric form: weights proportional to (-1)^i beta_i / (t - i / n)
+/// for n + 1 positive betas. At t = i / n, point i has exactly the weight 1 (K. Ramanantoanina, K.
+/// Hormann, "New shape control tools for rational Bezier curve design", 2021). Equal betas give
+/// Berrut's interpolant, binomial coefficients the interpolating polynomial.
 Array<double> barycentricBasis(const Array<double>& betas, double t);
 /// The same weights, written to `weights`.
 void barycentricBasis(const Array<double>& betas, double t, Array<double>& weights);
 
-/// The Catmull-Rom basis: the curve through four points between the second and the third, with
-/// ascending knots at the points and u between the middle two, by Barry and Goldman's pyramid of
-/// affine averages. Writes 4 weights to `weights`; the outer ones may be negative.
+/// The Catmull-Rom basis, by Barry and Goldman's pyramid of affine averages. The curve passes
+/// through four points at the ascending `knots`; u lies between the middle two knots. Writes the 4
+/// weights of the points to `weights`; the outer ones may be negative.
 void catmullRomBasis(const Array<double>& knots, double u, Array<double>& weights);
 
 }  // namespace karcher

@@ -8,9 +8,9 @@
 namespace karcher {
 namespace {
 
-/// A segment that blends `numbers`, one for each weight of the basis. A number may occur several
-/// times in a segment that goes all around a closed curve. The order of its points is that of the
-/// other segments, so that these agree where they meet.
+/// A segment that blends the control points `numbers`, one for each weight of the basis. If the
+/// segment goes all around a closed curve, a number may occur several times. Its points are then
+/// sorted as in the other segments, so that adjacent segments agree where they meet.
 SegmentLayout segmentOf(SegmentBasis basis, const Array<int>& numbers) {
   SegmentLayout segment;
   for (const int number : numbers) {
@@ -47,7 +47,7 @@ Array<SegmentLayout> bsplineSegments(const CurveShape& shape, int points) {
     SegmentBasis basis{BasisForm::kBSpline, degree};
     bool uniform = degree == 3;
     for (int k = -degree; k <= degree + 1; ++k) {
-      // The outermost two knots are placeholders on which no weight depends.
+      // The first and the last knot are placeholders on which no weight depends.
       const int used = std::clamp(k, 1 - degree, degree);
       basis.numbers.push_back((knot(j + used) - start) / length);
       uniform = uniform && basis.numbers.back() == used;

@@ -3,7 +3,7 @@
 #include "curves/spec/segment_basis.h"
 
 /// The segments of a curve: the control points that each one blends, and the basis. They depend
-/// only on counts and numbers, not on the surface.
+/// only on the curve's shape and number of points, not on the surface.
 namespace karcher {
 
 struct SegmentLayout {
@@ -16,8 +16,8 @@ struct SegmentLayout {
 void catmullRomSpacings(const Array<double>& gaps, bool centripetal, Array<double>& spacings);
 
 /// The segments of a curve with a shape that `checkShape` accepts. A segment runs from t = 0 to 1,
-/// and its end is the start of the next one. The result omits empty spans. A Catmull-Rom curve's
-/// knots are even.
+/// and its end is the start of the next one. The result omits empty spans. A Catmull-Rom curve has
+/// even knots until `spaceKnots` spaces them.
 Array<SegmentLayout> layOut(const CurveShape& shape, int points);
 
 /// Spaces the knots of a Catmull-Rom curve's segments by the lengths of its spans, one for each

@@ -16,7 +16,7 @@ enum class CurveKind {
   kBezier,       ///< one segment of degree (points - 1)
   kRational,     ///< a Bezier curve with a weight for each point
   kBarycentric,  ///< one rational segment through the points, with a beta for each point
-  kCatmullRom,   ///< a segment between each two consecutive points, through them, C1
+  kCatmullRom,   ///< a C1 curve through the points, one segment between each two
   kPolyline,     ///< shortest paths from point to point
   kOwn,          ///< one segment with the caller's basis
 };

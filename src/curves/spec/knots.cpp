@@ -8,7 +8,8 @@
 namespace karcher {
 namespace {
 
-/// The largest knot. Spans are at least its inverse, so that quotients stay finite.
+/// The largest absolute value of a knot. Nonempty spans are at least its inverse long, so that
+/// quotients stay finite.
 constexpr double kMostKnot = 1e100;
 
 /// k modulo n, from 0 to n - 1.
@@ -26,7 +27,8 @@ Array<double> knotsOfSpans(double first, const Array<double>& spans) {
   return knots;
 }
 
-/// The middle span of control point i's support; for an open curve, the nearest of its spans.
+/// The span in the middle of control point i's support; for an open curve, the nearest existing
+/// span.
 int middleSpan(int i, int degree, bool closed, int spans) {
   const int middle = i - (degree + 1) / 2;
   return closed ? wrapped(middle, spans) : std::clamp(middle, 0, spans - 1);
@@ -110,7 +112,7 @@ double knotOfSpan(const Array<double>& knots, int degree, bool closed, int j) {
   const int spans = knots.count() - 1;
   const int k = wrapped(j, spans);
   const int turns = (j - k) / spans;
-  // Other turns alone add the period, so that uniform knots stay integers.
+  // Only other turns add the period, so that uniform knots stay integers.
   return turns == 0 ? knots[k] : knots[k] + turns * (knots.back() - knots.front());
 }
 

@@ -29,11 +29,12 @@ struct SegmentBasis {
   bool operator==(const SegmentBasis&) const = default;
 };
 
-/// The weights of the segment's points at t in [0, 1]; they sum to 1. Throws Error kBadWeights if
-/// those of a caller's basis do not.
+/// The weights of the segment's points at t in [0, 1]; they sum to 1. Throws Error kBadWeights if a
+/// caller's basis returns another number of weights or another sum.
 Array<double> weightsAt(const SegmentBasis& basis, double t);
 
-/// Writes to `weights` the same, times the points' weights if any, divided by their sum.
+/// Writes the same weights to `weights`. If `pointWeights` is not empty, it multiplies them by
+/// these and divides them by their sum.
 void weightsAt(const SegmentBasis& basis, const Array<double>& pointWeights, double t,
                Array<double>& weights);
 

@@ -8,7 +8,7 @@
 namespace karcher {
 namespace {
 
-/// The part of a segment below which the subdivision curve is no better than its chord.
+/// The length of an interval of t below which the subdivision curve is no better than its chord.
 constexpr double kShortInterval = 1.0 / 32;
 constexpr int kMostPieces = 8;
 
@@ -61,8 +61,8 @@ class BridgeBuilder {
     for (const PointField* point : points) points_.push_back(point->point());
   }
 
-  /// The line between the ends. A null end is that of the subdivision curve. Between neighbouring
-  /// samples the line is straight.
+  /// Builds the line between two ends. A null end stands for the end of the subdivision curve.
+  /// Between neighbouring samples the line is straight.
   const ParametricLine& build(double t0, double t1, const SurfacePoint* from,
                               const SurfacePoint* to, bool betweenNeighbours) {
     ParametricLine& line = workspace_.line;
@@ -117,8 +117,8 @@ class BridgeBuilder {
   }
 
   /// Finds the weights of the control points of the cubic Bezier curve that interpolates the basis
-  /// at four parameters of [t0, t1]. If the degree of the basis is at most 3, this is the curve
-  /// itself.
+  /// at four parameters of [t0, t1]. If the degree of the basis is at most 3, the curve has exactly
+  /// the weights of the basis.
   void findBezierWeights(double t0, double t1) {
     auto& [first, second, third, last] = workspace_.bezier;
     weightsAt(basis_, pointWeights_, t0, first);
@@ -133,9 +133,9 @@ class BridgeBuilder {
     }
   }
 
-  /// Moves the polygon's ends to the given points. Its other points move towards the path between
-  /// the ends: the more, the farther the ends move as a part of the polygon's length. So a short
-  /// bridge has no long detour.
+  /// Moves the polygon's ends to the given points. The other points move towards the path between
+  /// the ends, by an amount that grows with the motion of the ends relative to the polygon's
+  /// length. So a short bridge has no long detour.
   void pullEnds(Array<SurfacePoint>& polygon, const SurfacePoint* from, const SurfacePoint* to) {
     double length = 0;
     for (int i = 1; i < polygon.count(); ++i) length += distance(polygon[i - 1], polygon[i]);
@@ -210,8 +210,9 @@ void bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
   const bool isWhole =
       workspace.jumps.empty() && std::all_of(samples.begin(), samples.end(), isConverged);
   if (isWhole) return;
-  // The samples of a tolerance are dense enough for the branch that they follow. If a search's
-  // result depends on its start, the curve has no such branch.
+  // This step is not for adaptive samples (no table), which are dense enough only for the branch
+  // that they follow. Nor is it for the paper's method, whose result depends on the start of the
+  // search and not on a branch.
   if (table != nullptr && goesOnWhereIndefinite(method)) {
     takeBestBranches(fields, table->samples, method, samples, workspace.back);
     lookForJumps();

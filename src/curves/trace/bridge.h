@@ -29,8 +29,8 @@ inline SampleStatus statusOn(const Bridge& bridge) {
 
 /// Reusable scratch memory.
 struct BridgeWorkspace {
-  /// An interval between two samples that needs a bridge. An end that the bridge does not keep is
-  /// no center itself.
+  /// An interval between two samples that needs a bridge. If the bridge does not keep an end, this
+  /// end is no center.
   struct Interval {
     int first = 0;
     int last = 0;
@@ -69,8 +69,8 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 /// (segment_basis.h).
 ///
 /// `table` has the weights with which `traceSegment` found the samples; it is null if a tolerance
-/// placed them. With a table, the function also traces a broken segment backwards (branches.h),
-/// except by the paper's method. Samples that a tolerance placed stay where they are.
+/// placed the samples. With a table, the function also traces a broken segment backwards
+/// (branches.h), except by the paper's method. It does not retrace samples that a tolerance placed.
 void bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
                    const Array<double>& pointWeights, const PieceWeights* table, Method method,
                    Array<CurveSample>& samples, BridgeWorkspace& workspace, Array<Bridge>& bridges);

@@ -96,8 +96,8 @@ bool EdgeCrossings::appendCrossing(int h, int half, double t0, double t1, bool o
   const double after = across(valueAt(t1));
   const bool passes = (before < 0) != (after < 0);
   if (!passes && !orNearest) return false;
-  // The sample is so near the edge that the faces' own fields place it on one side of the edge, and
-  // the edge's field on the other.
+  // If the curve does not pass the edge's line, a sample is so near the edge that the fields of the
+  // faces place it on one side, and the field of the edge on the other.
   double t = std::abs(before) < std::abs(after) ? t0 : t1;
   if (passes) {
     t = signChange(t0, t1, before, after, kStepRounding,

@@ -4,13 +4,13 @@
 
 /// Crossings of a curve of centers of mass with the edges of the mesh. The faces on both sides of
 /// an edge share its frame. In it, the blended field along the edge is linear between its values
-/// X_a(t) and X_b(t) at the ends, or at one end and at its middle (cells.h). It has a zero on the
-/// edge's line where X_a(t) x X_b(t) = 0: at this t the curve passes from face to face, through the
-/// same point from either side.
+/// X_a(t) and X_b(t) at the ends, or, if faces are divided, at one end and at the middle (cells.h).
+/// It has a zero on the edge's line where X_a(t) x X_b(t) = 0: at this t the curve passes from face
+/// to face, through the same point from either side.
 ///
-/// Inside a face the field differs by its transport, so that the curve there ends a small part of
-/// an edge beside that point (crossing_study). The polyline through the crossings closes these
-/// gaps.
+/// Inside a face the field also depends on transport, so that the curve in the face ends a small
+/// fraction of an edge beside that point (crossing_study). The polyline through the crossings
+/// closes these gaps.
 namespace karcher {
 
 /// Reusable scratch memory.
@@ -28,8 +28,9 @@ class EdgeCrossings {
 
   /// Appends the crossings between two converged samples, in ascending t, and the later sample. If
   /// the samples' faces do not share an edge, the function finds more samples and appends them.
-  /// Returns false and changes nothing if parts of 2^-kMostBisections of the interval are too
-  /// coarse to decide which edges the curve crosses, as near a vertex.
+  /// Returns false and leaves `out` unchanged if a search for a sample fails, or if
+  /// 2^-kMostBisections of the interval is too coarse to decide which edges the curve crosses, such
+  /// as near a vertex.
   bool append(const CurveSample& from, const CurveSample& to, Array<SurfacePoint>& out);
 
   /// The result of the last call: the crossings, on edges, and the samples between them.
@@ -40,9 +41,9 @@ class EdgeCrossings {
  private:
   bool appendBetween(const CurveSample& from, const CurveSample& to, int bisections);
   bool appendCrossing(int h, double t0, double t1);
-  /// Appends the crossing of an edge, or of one half of it if faces are divided. Rounding alone may
-  /// take the curve past the edge's line between t0 and t1. Then the crossing is at the nearer of
-  /// them, or is omitted.
+  /// Appends the crossing of an edge, or of one half of it if faces are divided. By rounding, the
+  /// curve may not pass the edge's line between t0 and t1. With `orNearest` the crossing is then at
+  /// the nearer of the two. Returns false if there is no crossing.
   bool appendCrossing(int h, int half, double t0, double t1, bool orNearest);
 
   const Geometry& geometry_;

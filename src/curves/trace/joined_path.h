@@ -17,18 +17,20 @@ struct JoinedPath {
   SurfacePath line;
   /// The number of the sample to which each point's piece leads.
   Array<int> sample;
-  /// Whether each point's piece lies on a bridge or leads to a sample that is not converged.
+  /// Whether each point's piece lies on a bridge over a gap or leads to a sample that is not
+  /// converged. Pieces that are their own subdivision do not count.
   Array<uint8_t> unconverged;
 };
 
-/// Writes to `path`. With `crossings` the path is exact, and geodesics close the remaining gaps.
+/// Writes to `path`. With `crossings` the path follows the curve's own crossings, and geodesics
+/// close the remaining gaps.
 void joinSamples(Surface& surface, const Array<CurveSample>& samples, const Array<Bridge>& bridges,
                  EdgeCrossings* crossings, StripWorkspace& workspace, JoinedPath& path);
 JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,
                        const Array<Bridge>& bridges = {}, EdgeCrossings* crossings = nullptr);
 
-/// Appends the geodesic's points after `from` between two samples on one component, which are
-/// usually near each other.
+/// Appends the points, after `from`, of the geodesic between two samples on one component. The
+/// samples are usually near each other.
 void appendGeodesic(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                     StripWorkspace& workspace, Array<SurfacePoint>& points);
 

@@ -11,8 +11,8 @@ namespace {
 
 /// The most divisions of a step, enough for a step across a large surface.
 constexpr int kMostDivisions = 200'000;
-/// The margin of an edge, relative to the length of a step in a face. A step that comes nearer may
-/// bend across the edge.
+/// The least distance of a step from an edge, relative to the length of the step. A step that comes
+/// nearer may bend across the edge.
 constexpr double kEdgeMargin = 0.25;
 
 class JumpSearch {
@@ -28,7 +28,7 @@ class JumpSearch {
         longest_(kLongestStep * geometry_.meanEdge),
         weights_(weights) {}
 
-  /// The status if the curve from one converged sample to the next breaks, in either direction.
+  /// The reason if the curve from one converged sample to the next breaks, in either direction.
   /// `middle` has the weights in the middle, or is empty.
   std::optional<SampleStatus> run(const CurveSample& from, const CurveSample& to, Weights middle) {
     if (!middle.empty() && isContinuous(from.point, to.point, middle)) return std::nullopt;
@@ -40,8 +40,8 @@ class JumpSearch {
   }
 
  private:
-  /// Searches start at the earlier end of a step, at the later one, or at both while these find the
-  /// same center.
+  /// Searches start at the earlier end of a step, at the later one, or at both as long as both find
+  /// the same center.
   enum class Direction { kForwards, kBackwards, kBoth };
 
   /// Follows the curve along a step. With kBoth, it sets `differ` and stops where the searches find
@@ -56,7 +56,8 @@ class JumpSearch {
       const Vec3 a = position(mesh_, step.from.point);
       const Vec3 b = position(mesh_, step.to.point);
       const double length = (b - a).norm();
-      // A short step may hide a jump back that is a little longer.
+      // The limit is half of the longest step, since a step may hide a jump back that is a little
+      // longer than the step.
       if (length <= longest_ / 2) continue;
       if (step.to.t - step.from.t <= kChainRounding) {
         if (length > longest_) return SampleStatus::kJump;
@@ -163,9 +164,10 @@ class JumpSearch {
            gapAtEdge(h, zeroA) <= longest_ / 2;
   }
 
-  /// The largest distance between the zeros of both faces when the zero reaches half-edge h. The
-  /// faces turn the values at the ends relative to each other (CellZero::holonomy). If the values
-  /// are opposite, and so cancel at the edge, the rest is perpendicular to them.
+  /// The largest distance between the zeros of both faces when the zero reaches half-edge h. There
+  /// the values at the ends of h are opposite and cancel. The faces turn these values relative to
+  /// each other (CellZero::holonomy), so that a rest perpendicular to them remains and separates
+  /// the zeros.
   double gapAtEdge(int h, const CellZero& zero) const {
     const Vec2& tail = zero.field.corner[cornerOf(h)];
     const Vec2& head = zero.field.corner[cornerOf(next(h))];
@@ -188,7 +190,7 @@ class JumpSearch {
         pointInFace(geometry_, {face, bary}) - cornerInFace(geometry_, face, cornerOf(h)));
   }
 
-  /// The same point in the frame of the half-edge's twin.
+  /// A point as for `besideEdge`, but in the frame of the half-edge's twin.
   Vec2 acrossEdge(int h, const Vec3& bary) const {
     return Vec2(geometry_.edgeLength[h], 0) - besideEdge(h, bary);
   }
@@ -206,9 +208,9 @@ class JumpSearch {
     return isTheOnlyZero(zero, std::min(zero.bary[cornerOf(h)], zero.bary[cornerOf(next(h))]) / 2);
   }
 
-  /// Whether no adjacent face has a zero, by a margin: the angles between the values at the ends of
-  /// each edge are so far from 0 and pi that none would have one if these turned as much again
-  /// (isTheOnlyZero).
+  /// Whether no adjacent face has a zero, by a margin. The angle between the values at the ends of
+  /// each edge must be so far from 0 and pi that no zero would appear if the values turned twice as
+  /// much as they may (isTheOnlyZero).
   static bool turnsBesideNoEdge(const CellZero& zero) {
     const double bound = square(2 * zero.holonomy);
     for (int k = 0; k < 3; ++k) {

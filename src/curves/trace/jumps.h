@@ -22,8 +22,8 @@ inline bool isConverged(const CurveSample& sample) {
 /// Writes to `jumps` the steps between converged samples that break, in order. Steps well inside a
 /// face, or shorter than half of `kLongestStep`, need no check; the function divides others until
 /// their parts are such steps. `basis` and `pointWeights` give the weights (segment_basis.h).
-/// `table` has those at the samples and between them; it is null if a tolerance placed the samples.
-/// `weights` is scratch memory.
+/// `table` has the weights at the samples and in the middles between them; it is null if a
+/// tolerance placed the samples. `weights` is scratch memory.
 void findJumps(FieldBlend& fields, const SegmentBasis& basis, const Array<double>& pointWeights,
                const PieceWeights* table, Method method, const Array<CurveSample>& samples,
                Array<double>& weights, Array<Jump>& jumps);

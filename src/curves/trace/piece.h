@@ -17,8 +17,9 @@ struct PartOfSegment {
   bool operator==(const PartOfSegment&) const = default;
 };
 
-/// Writes to `table` the piece's parameters for evenly spaced samples of the segment: those in the
-/// piece, and both its ends. Its rows are at t in [0, 1] of the piece. `row` is scratch memory.
+/// Writes to `table` the weights at the evenly spaced samples of the segment that lie in the piece,
+/// and at both ends of the piece. The rows have the piece's own t in [0, 1]. `row` is scratch
+/// memory.
 void tabulatePiece(const SegmentBasis& basis, int samples, const PartOfSegment& part,
                    Array<double>& row, PieceWeights& table);
 
@@ -37,8 +38,8 @@ struct TracedPiece {
 using TracedSegment = TracedPiece;
 
 /// Writes a segment's pieces one after the other to `whole`. `even` is the number of evenly spaced
-/// samples of the segment, or 0 if a tolerance placed them; a joint between pieces is an even
-/// sample only if it coincides with one.
+/// samples of the segment, or 0 if a tolerance placed them; with even samples, a joint between
+/// pieces is a sample only if it coincides with one of them.
 void mergePieces(const Array<const TracedPiece*>& pieces, int even, TracedSegment& whole);
 
 }  // namespace karcher

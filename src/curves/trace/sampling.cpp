@@ -14,7 +14,8 @@ namespace {
 constexpr int kIntervalsAPoint = 2;
 constexpr int kFewestIntervals = 8;
 constexpr int kMostBisections = 20;
-/// The number of evaluations between the ends of an interval.
+/// The number of evaluations in an interval: for each face that the geodesic crosses, at least, and
+/// at most.
 constexpr int kLooksAFace = 3;
 constexpr int kFewestLooks = 12;
 constexpr int kMostLooks = 256;
@@ -22,7 +23,8 @@ constexpr int kMostLooks = 256;
 /// divides longer ones.
 constexpr double kLongestOfSteps = 1.5;
 constexpr int kMostHalvings = 4;
-/// The most bisections where samples do not converge: at the border of an interval, and inside.
+/// The most bisections where samples do not converge: at the border of such a stretch, and inside
+/// it.
 constexpr int kMostAtBorder = 8;
 constexpr int kMostInside = 2;
 
@@ -83,7 +85,7 @@ class AdaptiveTrace {
     refine(middle, to, bisections + 1);
   }
 
-  /// A point of the curve, and its place along the geodesic.
+  /// A sample, its position, and its offset from the geodesic.
   struct Look {
     CurveSample sample;
     Vec3 position = Vec3::Zero();

@@ -29,7 +29,7 @@ struct SamplingWorkspace {
 ///
 /// There is a sample at each of the `nodes` (segment_basis.h). The search for these and for the
 /// ends starts as in `traceSegment`. The border between converged samples and others is exact to
-/// 2^-11 of the segment or finer. With 100,000 samples the bisection ends. Writes to `samples`.
+/// 2^-11 of the segment or finer. The bisection ends at 100,000 samples. Writes to `samples`.
 void traceAdaptively(SegmentFields& fields, const BasisWriter& basis, const Array<double>& nodes,
                      Method method, double tolerance, SamplingWorkspace& workspace,
                      Array<CurveSample>& samples);

@@ -37,8 +37,8 @@ void findRestarts(Weights weights, Method method, bool isEnd, Array<int>& order)
   Array<double> left(weights.begin(), weights.end());
   for (size_t k = 0; k < left.size(); ++k) {
     const int next = heaviest({left.data(), left.size()});
-    // Points of weight 0 do not belong to the next segment, which must find the same center at its
-    // start.
+    // Points of weight 0 are left out: they do not belong to the next segment, which must find the
+    // same center at its start.
     if (left[next] <= kChainRounding) break;
     order.push_back(next);
     left[next] = -kInfinity;
@@ -65,8 +65,8 @@ Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table,
     const int i = backwards ? last - k : k;
     CurveSample& sample = samples[i];
     sample.t = table.t[i];
-    // The search at an end uses its control points alone, so that adjacent segments find the same
-    // point.
+    // The search at an end starts at a control point, not at the last sample, so that adjacent
+    // segments find the same point.
     const bool isEnd = i == 0 || i == last;
     if (const SurfacePoint* known = fields.known(sample.t)) {
       sample = {sample.t, *known};

@@ -60,7 +60,7 @@ struct SegmentFields {
   /// Replaces the points by those of another segment, and forgets the known ends. Keeps the memory.
   void setPoints(const Array<PointField*>& ofPoints);
 
-  /// The known center at a parameter that is an end, or null. It replaces a search.
+  /// The known center at t if t is an end, otherwise null. It replaces a search.
   const SurfacePoint* known(double t) const {
     const std::optional<SurfacePoint>& end = t == 0 ? first : last;
     return (t == 0 || t == 1) && end ? &*end : nullptr;
@@ -83,10 +83,10 @@ struct SegmentFields {
 void findRestarts(Weights weights, Method method, bool isEnd, Array<int>& order);
 
 /// One sample for each row of the table. The search for the first and the last sample starts at the
-/// control point of largest weight, each other one at the last converged sample. A failed search
-/// starts again at the control points of `findRestarts`. So the result depends only on the fields
-/// and the weights, and the end of one segment is the start of the next. If `backwards`, the search
-/// goes from the last row to the first. The result reuses the memory of `samples`.
+/// control point of largest weight. Each other search starts at the last converged sample. A failed
+/// search starts again at the control points of `findRestarts`. So the result depends only on the
+/// fields and the weights, and the end of one segment is the start of the next. If `backwards`, the
+/// search goes from the last row to the first. The result reuses the memory of `samples`.
 Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method,
                                 Array<CurveSample> samples = {}, bool backwards = false);
 
