@@ -70,11 +70,11 @@ async function minify(...names) {
 
 /**
  * Builds the facade and the command line program: wasm/*.ts to dist/*.js and .d.ts. Only the types
- * keep comments and indentation, since a page need not load them. No text of the facade has line
- * breaks, so that none changes.
+ * keep comments and indentation, since a page need not load them. No string of the facade contains
+ * line breaks, so that no string loses indentation.
  */
 export async function buildFacade() {
-  // The package has all of dist, also files whose sources are gone.
+  // The package contains all of dist, so that outputs of deleted sources must not stay there.
   for (const file of filesBelow('dist', /\.js$|\.d\.ts$/)) rmSync(file);
   const typescript = 'typescript/bin/tsc';
   await runNpmProgram(typescript, '-p', 'wasm', '--emitDeclarationOnly');
@@ -98,8 +98,8 @@ export async function buildFacade() {
 
 /**
  * Writes the decoders of compressed glTF files as modules without dependencies, for Node and
- * browsers. Draco's is a script for either: the module passes it Node's modules, and its
- * WebAssembly module as text.
+ * browsers. Draco's decoder is a script that runs in both. The module around it passes it Node's
+ * built-in modules, and its WebAssembly module from a base64 text.
  */
 function writeDecoders() {
   const from = (path) => inRoot(`node_modules/${path}`);
@@ -125,8 +125,8 @@ export async function buildPage() {
 }
 
 /**
- * Builds the book in build/page/book, from the facade's types and docs/. The page's build removes
- * it.
+ * Builds the book in build/page/book, from the facade's types and docs/. A later build of the page
+ * removes it.
  */
 export async function buildBook() {
   const { makeBook } = await import('../docs/book/make.mjs');

@@ -1,8 +1,8 @@
 // `npm run coverage`: builds the engine with gcov's counters and runs its tests. It prints the
 // share of the lines of src that they run, by folder, and each line that they do not run, with the
-// reason that docs/coverage.md gives for its function. It fails under 95 %, and if a function has
-// no reason. Ends of functions and heads of classes stand for the clean-up after an error; they
-// need no reason.
+// reason that docs/coverage.md gives for its function. It fails under 95 %, and if a function with
+// such lines has no reason. The last lines of functions and the heads of classes need none: there
+// gcov counts the clean-up after an error.
 import { spawnSync } from 'node:child_process';
 import { existsSync, readFileSync, rmSync } from 'node:fs';
 import { dirname, relative, resolve } from 'node:path';

@@ -38,7 +38,8 @@ async function timeDrag(mesh, plan, levels) {
 }
 
 /**
- * Prints a row for each polygon, at the levels of 'auto' and at level 0. Both programs are built.
+ * Prints a row for each polygon, at the levels of 'auto' and at level 0. Both programs must have
+ * been built.
  */
 export async function benchDrags(mesh, points) {
   mkdirSync(inRoot('build/bench'), { recursive: true });

@@ -1,5 +1,6 @@
-// `npm run lint`: includes and imports against ARCHITECTURE.md, the benchmarks compiled without
-// warnings, clang-tidy on the engine and its bindings, biome and the TypeScript compiler on the rest.
+// `npm run lint`: checks includes and imports against ARCHITECTURE.md and compiles the benchmarks
+// without warnings. It runs clang-tidy on the engine and its bindings, and biome and the TypeScript
+// compiler on the rest.
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { buildNative, configureWasm } from './build.mjs';
@@ -97,7 +98,8 @@ function batchesOf(commands) {
 
 /**
  * Runs clang-tidy on the files, a batch at a time, since most of its time goes into the headers
- * that all files include. If a batch fails, each of its files has a check of its own, which counts.
+ * that all files include. If a batch fails, its files are checked one by one, and these checks
+ * count.
  */
 async function clangTidy() {
   const folder = inRoot('build/clang-tidy');

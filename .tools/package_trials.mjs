@@ -71,7 +71,8 @@ const mesh = karcher.shape('torus', 2000);
 export const curve: Curve = mesh.curve({ kind: 'bspline', points: [1, 3, 5, 7].map((vertex) => ({ vertex })) });
 export const tried = [checkUp(mesh), meshFromFile, loadInWorker, KarcherError, loadPeers, huberMean, median];
 `;
-// In `DOM` and the types of Node a compiled module has no members, so that any value is one.
+// The types of `DOM` and of Node declare a compiled module without members, so that any value would
+// pass as one.
 const refused = `// @ts-expect-error
 export const wrong = load({ wasm: 3 });
 `;

@@ -1,19 +1,19 @@
-// `npm run paper`: computes the figures of the Paper page and Table 1 in Node, judges the paper's claims by
-// them and writes all of it to build/paper.md, the verdicts with their date and machine to
-// build/paper.json too.
+// `npm run paper`: computes the figures of the Paper page and Table 1 in Node, and judges the paper's claims
+// by these numbers. It writes everything to build/paper.md, and the verdicts with their date and machine also
+// to build/paper.json.
 //
 //   npm run paper -- [--figure ID|none] [--detail PART] [--table TRIANGLES] [--samples N]
 //                    [--meshes FOLDER] [--points FOLDER] [--plots] [--study NAME] [--judge] [--save] [--built]
 //
 // --figure ID     computes only one figure (or none), and then no claims
-// --detail PART   uses meshes with this part of the triangles
+// --detail PART   uses meshes with this fraction of the triangles
 // --table N       computes Table 1 on up to N triangles (20,000)
 // --samples N     takes N samples for each segment in Table 1
 // --meshes FOLDER runs every method on each OBJ file of the folder, for the claims about meshes that the
-//                 project does not have; --points has their control points
-// --plots         computes only the page's plots, beside the verdicts of the last report
-// --study NAME    computes only one study of the claims, without times, beside the other numbers of the last
-//                 report, whose rows then state their day
+//                 project does not have; the folder of --points has the control points of these meshes
+// --plots         computes only the page's plots, and keeps the verdicts of the last report
+// --study NAME    computes only one study of the claims (meant for those without times), and keeps the other
+//                 numbers of the last report; rows that depend on the study then state its day
 // --judge         computes only the verdicts, from the numbers of the last report (after a change of rules or words)
 // --save          saves the verdicts in docs/paper-report.json, from which the page shows them
 // --built         uses dist/ without a build
@@ -131,7 +131,7 @@ const tellBusy = (what) => {
   tell(what);
 };
 
-/** The digest comes first, since the sources may change meanwhile. */
+/** The digest is computed at the start, since the sources may change during the measurements. */
 const sources = sourcesDigest();
 
 const about = (seed) => aboutReport({ seed, sources, load: lookAtLoad().most });
@@ -151,7 +151,7 @@ async function plotsOnly() {
   };
 }
 
-/** Measures the plotted numbers again. The full report keeps the others. */
+/** Measures the plotted numbers again. The full report keeps its other numbers. */
 async function renewPlots({ save }) {
   const plots = await plotsOnly();
   mkdirSync(inRoot('build'), { recursive: true });
@@ -164,8 +164,8 @@ async function renewPlots({ save }) {
 }
 
 /**
- * Measures one study again. The full report keeps the others, and its rows name those of another
- * day.
+ * Measures one study again. The full report keeps the other studies, and its rows that depend on
+ * this study name its day.
  */
 async function renewStudy({ study }) {
   const { runStudies, studyNames } = await load('claims/studies.ts');
@@ -185,7 +185,7 @@ async function renewStudy({ study }) {
 
 /**
  * Judges the numbers of the last report again. A row for which they do not suffice stays unchanged.
- * Rows that depend on a newer study name it.
+ * Rows that depend on a newer study state its day and version.
  */
 async function judgeAnew(report, study, newer) {
   const { judge } = await load('claims/judge.ts');

@@ -1,12 +1,12 @@
-// Tables of docs that quote the output of a study: the place of each, and its rows by the saved
-// study. A test compares them (tests/paper/quoted.test.mjs), and `npm run study -- --save` and
-// `--again` write them.
+// Tables of docs that quote the output of a study: the place of each, and its rows, computed from
+// the saved study. A test compares both (tests/paper/quoted.test.mjs). The options `--save` and
+// `--again` of `npm run study` write the tables.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { rowsOf, savedLines } from './saved_study.mjs';
 import { inRoot } from './shell.mjs';
 
 /**
- * The parts of the output of a study of several meshes. Each follows a head with the mesh's name.
+ * The parts of the output of a study of several meshes. Each begins with a head, the mesh's name.
  */
 function meshesOf(lines) {
   const heads = lines.flatMap((line, i) => (line.startsWith('## ') ? [i] : []));
@@ -100,7 +100,8 @@ const dragged = (args) =>
   });
 
 /**
- * The median steps of a drag at all spacings for each mesh, beside those of the subdivision curve.
+ * The median times of a drag's steps at all spacings for each mesh, beside those of the subdivision
+ * curve.
  */
 const stepCosts = () =>
   [steps, roughSteps].flatMap(dragged).map(({ name, rows }) => {
@@ -116,7 +117,7 @@ const stepCosts = () =>
     ];
   });
 
-/** The steps that leap for each mesh and spacing, and whether they may. */
+/** The steps that leap for each mesh and spacing, by whether passed vertices allow the leap. */
 const leaps = () =>
   [manyDrags, roughSteps].flatMap(dragged).flatMap(({ name, rows }) => {
     const auto = rows.filter((row) => row[1] === 'auto');
@@ -124,7 +125,7 @@ const leaps = () =>
     return onceNamed(name, table);
   });
 
-/** The deviations of offsets for each mesh, as parts of their distances. */
+/** The deviations of offsets for each mesh, relative to their distances. */
 const offsets = () => {
   const rows = rowsOf(savedLines('offsets', ['of-files']));
   const names = [...new Set(rows.map(([name]) => name))];
@@ -204,7 +205,7 @@ export function quotedRows(table) {
   return rowsOf(['', ...lines.slice(...placeOf(lines, table))]);
 }
 
-/** Writes the tables by the saved studies. Returns the docs that changed. */
+/** Writes the tables from the saved studies. Returns the docs that changed. */
 export function quoteStudies() {
   const changed = new Set();
   for (const table of quotedTables) {

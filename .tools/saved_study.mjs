@@ -1,7 +1,7 @@
 // Studies whose numbers docs quote, as docs/studies keeps them: the command, time, machine and
-// sources of each, and its output. A test compares the docs with them
-// (tests/paper/quoted.test.mjs). `npm run check:long` runs the studies again and compares their
-// output with them (tests/paper/anew.test.mjs).
+// sources of each, and its output. A test compares the docs with the kept output
+// (tests/paper/quoted.test.mjs). `npm run check:long` runs the studies again and compares the new
+// output with the kept one (tests/paper/anew.test.mjs).
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
 import { basename, join, parse } from 'node:path';
@@ -10,7 +10,7 @@ import { inRoot, run } from './shell.mjs';
 import { sourcesDigest } from './sources.mjs';
 
 const folder = 'docs/studies';
-/** The digest of the sources on which a study's numbers depend. Its seeds are constants there. */
+/** The digest of the sources on which a study's numbers depend. They contain its seeds, too. */
 const sourcesOf = () => sourcesDigest(['src', 'tests/bench', 'tests/generators', 'tests/measures']);
 
 /**
@@ -31,8 +31,8 @@ const fileOf = (name, args) => {
 const program = (name) => inRoot(`build/native/tests/bench/${name}_study`);
 
 /**
- * The path of an OBJ file in build/study with the mesh of a file, as the package reads it. The
- * studies read OBJ files.
+ * The path of a mesh as an OBJ file, since the studies read OBJ files: the file itself, or one in
+ * build/study with the mesh that the package reads from the file.
  */
 async function toObj(path) {
   if (/\.obj$/i.test(path)) return path;

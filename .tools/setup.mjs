@@ -157,8 +157,8 @@ function aptSystem() {
 }
 
 /**
- * The prefix that runs a command as root: empty for root, and a sudo without a prompt if nobody
- * could answer.
+ * The prefix that runs a command as root: empty for root, sudo without a prompt if nobody could
+ * answer, and undefined without sudo.
  */
 function rootPrefix() {
   if (process.getuid?.() === 0) return [];

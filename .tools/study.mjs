@@ -1,7 +1,7 @@
 // `npm run study`: builds and runs one of the studies of tests/bench, which measure accuracy or times. They are
 // native programs, and scripts that measure the package.
 //
-//   npm run study -- [--save] NAME [ARGUMENTS]      (the names without arguments)
+//   npm run study -- [--save] NAME [ARGUMENTS]      (without arguments it prints the names)
 //   npm run study -- --again [--meshes FOLDER] [NAME …]
 //
 // --save saves the output in docs/studies, and updates the tables of docs that quote it; tests compare both.

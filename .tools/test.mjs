@@ -1,8 +1,8 @@
 // `npm test`: sets up, builds everything and runs the tests, always the same ones. --long adds the tests that
 // are too long for `npm test`, and the large numbers of random cases of KARCHER_LONG=1, except those of the
 // engine with the sanitizers, which would take hours. `--meshes FOLDER` names the folder of the meshes for
-// saved studies, which then run again. With names of files of tests/wasm, tests/paper and tests/web only these
-// run. --whole runs everything, and these files with the tests that are too long for `npm test`.
+// saved studies, which then run again. With names of files of tests/wasm, tests/paper and tests/web, only these
+// files run. With --whole, everything runs, in the named files also the tests that are too long for `npm test`.
 import { mkdirSync, readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
@@ -22,7 +22,7 @@ const longCases = {
   ...(long && { KARCHER_LONG: '1' }),
   ...(meshes && { KARCHER_MESHES: resolve(process.env.INIT_CWD ?? '.', meshes) }),
 };
-// The limit for a stage, in minutes. A longer one hangs, even on a busy machine.
+// The limit for a stage, in minutes. A stage that takes longer hangs, even on a busy machine.
 const minutes = long ? 120 : 40;
 const reports = inRoot('build/reports');
 

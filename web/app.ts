@@ -78,7 +78,7 @@ function drawingOf(
   };
 }
 
-/** The edited curve by the method of the comparison, which nobody can pick. */
+/** The edited curve as the comparison's method traces it. The user cannot pick this line. */
 function comparedDrawing(
   { active, state }: Editor,
   { shown }: Comparison,
@@ -110,9 +110,9 @@ export async function start(): Promise<void> {
   if (isMethod(method)) editor.setMethod(method);
   const session = new Session();
   const opening = new Opening(editor, session);
-  // A user who comes back to a drawing continues as before; a link opens ready for drawing.
+  // Without a link, the page restores the tool of the last visit; a link opens ready for drawing.
   const usualTool = location.hash === '' ? recall('tool') : null;
-  // The engine loads while the graphics start, which takes equally long.
+  // The engine loads while the graphics start; both take about equally long.
   const first = opening.first();
   await breathe();
 
@@ -314,7 +314,7 @@ export async function start(): Promise<void> {
     async chooseMethod(id) {
       chosen = id;
       const isReady = await opening.prepare(id);
-      // A slow preparation gives way to a newer choice.
+      // The user may have chosen another method during a slow preparation.
       if (isReady && chosen === id) editor.setMethod(id);
       else curvePanel.show(editor.state, session.view);
     },
@@ -424,7 +424,7 @@ export async function start(): Promise<void> {
     () => sheet.show(),
     () => editor.state.drawing.objects.some(({ figure }) => !isEmpty(figure)),
   );
-  // The surface of an example appears before its drawing.
+  // An example's surface appears before its drawing. The tour waits until both are there.
   editor.subscribe(() => queueMicrotask(() => tour.update()));
   const viewChanged = saveChanges(
     editor,
@@ -437,7 +437,7 @@ export async function start(): Promise<void> {
   viewer.onFrame(viewChanged);
   onKeeping((kept) => status.setKept(kept));
   window.addEventListener('hashchange', ({ newURL }) => {
-    // Meanwhile the page may have replaced the requested address by another one.
+    // `location` may differ from `newURL`, if the page has replaced the address in the meantime.
     const { hash } = new URL(newURL);
     const found = linkOf(hash);
     if (found && hash.slice(1) !== addressOf(editor.state, viewer.place)) void opening.link(found);

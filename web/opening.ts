@@ -42,7 +42,7 @@ import { EngineClient } from './worker/client';
 /** The largest file in bytes, since a larger one would not fit into the engine's memory. */
 const largestFile = 1 << 30;
 
-/** The number of new starts, for one surface, of an engine that stopped by itself. */
+/** How often the page restarts an engine that stopped by itself, for one surface. */
 const mostRestarts = 2;
 
 /** The drawing for a new surface: from a link, or by transfer from the previous one. */
@@ -55,18 +55,18 @@ type Wanted = (surface: Surface, before: Surface | null) => Drawing | null;
 export class Opening {
   #running: AbortController | null = null;
   #restarts = 0;
-  /** The number of choices of reading options, since only the last one applies. */
+  /** The number of choices of reading options so far, since only the last choice applies. */
   #turns = 0;
   #complaint: HTMLElement | null = null;
   /** Links to curves on files that this browser does not have, until the user opens the file. */
   readonly #awaited = new Map<string, string>();
   /** The last opened file, if the browser does not keep it. */
   #file: { key: string; file: File } | null = null;
-  /** The history, from before a reload, of the first drawing. */
+  /** The first drawing's history from before a reload. */
   #history: { history: History; link: Link } | null = null;
   #viewer: Viewer | null = null;
   readonly #viewerReady = withResolvers<Viewer>();
-  /** A listener for the end of an attempt, successful or not, unless another replaced it. */
+  /** A listener for the end of an attempt, successful or not, unless a newer one replaced it. */
   onEnd: () => void = () => {};
 
   constructor(
@@ -96,7 +96,7 @@ export class Opening {
 
   /**
    * Opens files that came together: a surface with the files that belong to it, and then a drawing.
-   * Of several surfaces or drawings the user chooses one. Reports the other files.
+   * If there are several surfaces or drawings, the user chooses one file. Reports unknown files.
    */
   async files(files: readonly File[]): Promise<void> {
     const { surfaces, drawings, unknown } = sorted(files);
@@ -163,8 +163,8 @@ export class Opening {
   }
 
   /**
-   * Shows the present file with the reading options in a key: other parts, or another tolerance of
-   * welding or upward axis, which keep the curve.
+   * Shows the present file with the reading options in a key. Another tolerance of welding or
+   * another upward axis keeps the drawing; other parts do not.
    */
   async reread(key: string): Promise<void> {
     const turn = ++this.#turns;
@@ -180,7 +180,7 @@ export class Opening {
     else showError(`This browser does not have ${meshLabel(key)} any more. Drop it here again.`);
   }
 
-  /** Shows the present surface with the upward axis of a key, if that is still the wanted one. */
+  /** Shows the present surface with a key's upward axis, unless the user has chosen another one. */
   async #turn(key: string, wanted: () => boolean): Promise<void> {
     const [client, viewer] = [this.session.client, this.#viewer];
     if (!client || !viewer) return;
@@ -261,8 +261,8 @@ export class Opening {
   }
 
   /**
-   * Shows the page's first surface instead of a link's, if the stage is empty and no surface is on
-   * its way.
+   * Shows the page's first surface instead of a link's, if the stage is empty and no surface is
+   * being opened.
    */
   async #fallBack(): Promise<void> {
     if (this.#running || this.editor.state.mesh !== '') return;
@@ -299,7 +299,7 @@ export class Opening {
       remember(`unit.${turned}`, recall(`unit.${mesh}`) ?? guessUnit(meshLabel(mesh)));
       const wanted = () => (came > 0 ? own.drawing : null);
       if (!(await this.#open(turned, fileSource(turned, file), wanted))) return;
-      // Later edits replace this new entry of the browser's history, and the whole keeps its own.
+      // Later edits replace this new entry of the browser's history; the entry of the whole stays.
       history.pushState(null, '', location.hash);
       const along = all === 0 ? '' : ` ${came} of ${formatCount(all, 'object')} came along.`;
       showNote(`You work on ${title}.${along} The browser’s Back leads to the whole.`);
@@ -392,7 +392,7 @@ export class Opening {
     }
   }
 
-  /** Shows why no surface is open, until one is. */
+  /** Shows why a surface or link did not open; the message stays until a surface opens. */
   #complain(sentence: string): void {
     this.#complaint?.remove();
     this.#complaint = showError(sentence);
@@ -435,13 +435,14 @@ export class Opening {
   }
 }
 
-/** A surface to draw, with the upward axis of its key, or else the guessed one. */
+/** A surface to draw, with the upward axis of its key, or the guessed axis if the key has none. */
 function drawnMesh(client: EngineClient, key: string): GeometryRequest {
   const { info, arrays } = client;
   return {
     mesh: arrays,
     colors: client.file?.colors ?? null,
-    // The page draws triangles in their original orientation.
+    // The page draws triangles in their original orientation, so that it has no outside if the
+    // engine has turned some over.
     closed: info.boundaryLoops === 0 && info.repairs.every(({ kind }) => kind !== 'turnedOver'),
     up: readingOf(key)?.up ?? client.up,
   };

@@ -28,7 +28,7 @@ function keptAddress(mesh: string, method: string): string {
 
 /**
  * Keeps a drawing and its history in the browser and in the tab, as far as there is room. Returns
- * false if neither they nor the address would restore the drawing after a reload.
+ * false if neither these copies nor the address would restore the drawing after a reload.
  */
 export function keepDrawing(
   { mesh, method, drawing }: Pick<State, 'mesh' | 'method' | 'drawing'>,
@@ -48,11 +48,12 @@ export function keepDrawing(
 }
 
 /**
- * Saves the drawing and the view for a reload: in the address and in the browser's storage, and the
- * history in that of the tab. It waits for a moment's rest, since browsers limit how often an
- * address may change. It does not save a surface that stands in for another, since the user may
- * open the original later. If a reload would lose the drawing, it calls `onLost`, once until the
- * next save. Call the returned function when the view may have changed.
+ * Saves the drawing and the view for a reload: both in the address, the drawing also in the
+ * browser's storage, and the history in the tab's storage. It waits for a pause, since browsers
+ * limit how often an address may change. It does not save a surface that stands in for another,
+ * since the user may open the original later. If a reload would lose the drawing, it calls
+ * `onLost`, but not again before a successful save. Call the returned function when the view may
+ * have changed.
  */
 export function saveChanges(
   editor: Editor,
@@ -125,8 +126,8 @@ function found(text: string | null | undefined, own: boolean): FoundLink | null 
 }
 
 /**
- * The link in a fragment, or the one that it refers to in this browser: this tab's own comes first,
- * since all tabs share the browser's storage.
+ * The link in a fragment, or the kept link to which the fragment refers. This tab's own kept link
+ * comes first, since all tabs share the browser's storage.
  */
 export function linkOf(fragment: string): FoundLink | null {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));

@@ -9,8 +9,8 @@
 declare const __KARCHER_FILES__: { readonly version: string; readonly files: readonly string[] };
 
 /**
- * The parts of a service worker's scope that this file uses; the types of a page exclude the
- * scope's own.
+ * The parts of a service worker's scope that this file uses. TypeScript's types for pages do not
+ * contain those of this scope.
  */
 interface Scope {
   readonly registration: { readonly scope: string };
@@ -34,7 +34,7 @@ const addressOf = (file: string) => new URL(file, scope.registration.scope).href
 
 async function install(): Promise<void> {
   const store = await caches.open(storeName);
-  // Pages have the same name in every version.
+  // Pages have the same name in every version, so that the browser's cache may have an older one.
   await store.addAll(
     files.map(
       (file) =>
@@ -88,7 +88,10 @@ async function keepBook(): Promise<void> {
   await Promise.all(names.map((name) => caches.delete(name)));
 }
 
-/** A file of the book: file names are the same in every version. */
+/**
+ * A file of the book, from the network if possible: file names are the same in every version, so
+ * that a stored file may be outdated.
+ */
 async function ofBook(request: Request): Promise<Response> {
   try {
     return await fetch(request, { cache: 'no-cache' });

@@ -2,12 +2,12 @@
 import { cornersOf, fittedCubics, type Planar } from '../model/cubic_fit';
 
 /**
- * Distances of a path, in pixels. Nearer vertices than the first become one, the curves keep to the
- * second, and the fitted places lie no farther apart than the third. So the path lies within a
- * quarter of a pixel of its line.
+ * Distances in pixels. Vertices nearer to each other than `together` are merged, the curves deviate
+ * from the places by at most `tolerance`, and fitted places are at most `apart` from each other. So
+ * the path lies within a quarter of a pixel of its line.
  */
 const [together, tolerance, apart] = [0.1, 0.12, 4];
-/** The least turn of a corner, within this many pixels. */
+/** A corner is a turn by at least `angle`, in radians, within `reach`, in pixels. */
 const corner = { reach: 2, angle: 0.35 };
 
 const far = (p: Planar, q: Planar) => Math.hypot(p[0] - q[0], p[1] - q[1]);

@@ -24,8 +24,8 @@ export function shortest(value: number): string {
 }
 
 /**
- * Polylines (x, y, z each) as the parts of an OBJ file's text: vertices and a line element for
- * each, then marks as a point element.
+ * The parts of an OBJ file's text: the vertices (x, y, z each) and a line element of each polyline,
+ * then the marks as one point element.
  */
 export function* partsOfObj(
   polylines: readonly Float32Array[],
@@ -54,7 +54,10 @@ export interface FileInside {
 
 /** The largest size in bytes of a file inside another; a longer one would make the page wait. */
 export const longestInside = 16 * 1024 * 1024;
-/** The number of bytes in one step: base64 turns three bytes into four letters. */
+/**
+ * The number of bytes that one step encodes, and of letters that one step decodes. Base64 turns
+ * three bytes into four letters.
+ */
 const encodedAtOnce = 3 * 256 * 1024;
 const decodedAtOnce = 4 * 256 * 1024;
 

@@ -14,8 +14,8 @@ export interface DrawnLine extends SeenLine {
 }
 
 /**
- * A region in the view: six numbers a triangle, x and y of its corners, all with the same
- * orientation.
+ * A region in the view. A triangle has six numbers, x and y of its corners; all triangles have the
+ * same orientation.
  */
 export interface DrawnFill {
   id?: number;
@@ -32,15 +32,15 @@ export interface Drawing {
   lines: DrawnLine[];
   points: { x: number; y: number; color: string; filled?: boolean; hidden?: boolean }[];
   /**
-   * The surface's outline in the view: x, y of each line's points. With it, hidden parts of lines
-   * are missing.
+   * The surface's outline in the view: x, y of each line's points. A drawing with an outline omits
+   * the hidden parts of lines.
    */
   outline?: { lines: readonly Float32Array[]; color: string };
 }
 
 /**
- * The curve as it appears, as an SVG file. Parts behind the surface are faint, or missing if the
- * drawing has an outline.
+ * The drawing as it appears, as an SVG file. Parts of lines behind the surface are faint, or
+ * missing if the drawing has an outline.
  */
 export const svgOf = (drawing: Drawing): string => [...partsOfSvg(drawing)].join('');
 

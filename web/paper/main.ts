@@ -42,7 +42,7 @@ function start(): void {
   const detail = Number(parameters.get('detail') ?? 1);
   const shown = detail < 1 ? smallFigures(detail, 17) : figures;
   const claims = new ClaimsSection();
-  // Reads all sections at once: a new one has no measurements yet.
+  // The claims need the measurements of all sections; a section without any adds none.
   const measured = () => {
     claims.show(Object.assign({}, ...sections.map((section) => section.measured())));
   };

@@ -19,7 +19,7 @@ import { runTable } from './table/run';
 const figure = (value: number | null, digits: number) =>
   value === null ? '–' : value === 0 ? '0' : value.toPrecision(digits);
 
-/** The numbers of a line as cells of a table; a failed line has its reason there. */
+/** The cells of a table for a line: its numbers, or the reason why it failed. */
 export function cells(line: LineResult): string[] {
   if (!line.ok) return [`failed: ${line.reason}`, ...heads.slice(2).map(() => '')];
   const { drag } = line;

@@ -8,13 +8,13 @@ export interface Band {
 
 const usual = 'vec4 clip = ( position.y < 0.5 ) ? clipStart : clipEnd;';
 
-/** The part of its width by which a band appears nearer to the eye. */
+/** A band appears nearer to the eye by this fraction of its width. */
 const lift = 0.25;
 
 /**
- * The vertex shader of three.js's lines. It widens a line with a width on the surface first within
- * the surface's plane, then on the screen, so that perspective and slant apply to it as to the
- * surface.
+ * The vertex shader of three.js's lines, extended by a width on the surface. It widens such a line
+ * first within the surface's plane and then on the screen, so that perspective and slant apply to
+ * the line as to the surface.
  */
 const bandShader = ShaderLib.line!.vertexShader.replace(
   'void main()',

@@ -21,10 +21,10 @@ export function barsOf({ pattern, spacing }: Pick<FillStyle, 'pattern' | 'spacin
 
 export const partPainted = ({ from, to }: Bars) => to - from;
 
-/** A place on paper, and its distance. */
+/** x and y of a place on paper, and the distance there. */
 type Valued = readonly [number, number, number];
 
-/** The most bars of a triangle; with more it is solid, being far smaller than a bar on paper. */
+/** The most bars of a triangle; one with more is painted whole, its bars being too fine to see. */
 const mostBars = 64;
 
 /**
@@ -47,7 +47,7 @@ export function paintedParts(triangle: readonly Valued[], { period, from, to }: 
   return triangles;
 }
 
-/** The part of a polygon where its distance is above a limit, or with sign -1 below it. */
+/** The part of a polygon where the distance is above a limit or, with sign -1, below it. */
 function clipped(polygon: readonly Valued[], limit: number, sign: 1 | -1): Valued[] {
   const heights = polygon.map(([, , value]) => sign * (value - limit));
   const left: Valued[] = [];

@@ -23,7 +23,7 @@ export interface SurfaceColors {
   edges: string;
 }
 
-/** The largest part of the light that a hollow loses. */
+/** The largest fraction of the light that a hollow loses. */
 const reliefShown = 0.55;
 
 /** Values from the vertex shader to the fragment shader. */
@@ -34,7 +34,7 @@ const varyings = `
     varying vec3 vTint;
     varying float vHollow;`;
 
-/** The factor between the lightening of a ridge and the darkening of a hollow. */
+/** The lightening of a ridge, relative to the darkening of a hollow of the same depth. */
 const litRidges = 0.25;
 
 /** The uniforms of the light, for the surface and the paint on it. */
@@ -46,24 +46,24 @@ const light = {
 };
 
 /**
- * The shift of the surface away from the camera for each unit of its slope, as a part of its
+ * The shift of the surface away from the camera for each unit of its slope, relative to its
  * distance. A sloped surface rises beside a line and would hide half of the line's width.
  */
 const sunk = { value: 0 };
-/** The slope as which steeper ones count. */
+/** The largest slope in this shift; steeper slopes count as this one. */
 const steepest = 4;
 
 /** The size of a CSS pixel at a distance of 1. */
 const pixel = { value: 1 };
 /**
- * The width in pixels of the neighborhoods that relief shows best; it fades out for those four
- * times as wide or narrow.
+ * The width in pixels of the neighborhoods that relief shows best. Relief fades out for
+ * neighborhoods four times as wide or as narrow.
  */
 const reliefPixels = 16;
 
 /**
- * Adapts the surface to a stage of a given height, for lines that reach this many CSS pixels to
- * both sides and must be visible in their whole width.
+ * Adapts the surface to a stage of a given height. Lines that reach up to `pixels` CSS pixels to
+ * both sides are then visible in their whole width.
  */
 export function fitSurface(pixels: number, camera: PerspectiveCamera, height: number): void {
   pixel.value = (2 * Math.tan((camera.fov * Math.PI) / 360)) / height;
@@ -179,7 +179,7 @@ export function clayMesh(geometry: BufferGeometry): Mesh {
   return new Mesh(geometry, materials);
 }
 
-/** The clay in another color, over the surface that it lies on, or over its bars. */
+/** Paint of clay in another color over the surface below it; with `bars`, only over these. */
 export function paint(color: Color, opacity: number, bars: Bars | null = null): ShaderMaterial {
   return new ShaderMaterial({
     ...clay,
@@ -243,7 +243,7 @@ export function showTint(shown: boolean): void {
   material.uniforms.colored!.value = shown;
 }
 
-/** Shows values as colors up to the greatest; 0 hides them. */
+/** Shows values from 0 to `most` as colors. With 0 for `most`, they are hidden. */
 export function showValues(most: number): void {
   material.uniforms.most!.value = most;
 }

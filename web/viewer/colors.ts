@@ -24,7 +24,7 @@ export interface ViewerColors {
   frame: string;
 }
 
-/** The brightness of most of the surface under the light, as a part of its color. */
+/** The brightness of most of the surface under the light, relative to its color. */
 const surfaceShade = 0.75;
 
 /** The color of most of the surface under the light. */
@@ -32,8 +32,8 @@ export const litSurface = ({ front }: ViewerColors): Color =>
   new Color(front).multiplyScalar(surfaceShade);
 
 /**
- * The shades of the surface as parts of its color, from its shadows to the places that face the
- * light.
+ * The brightness of the surface's shades relative to its color, from its shadows to the places that
+ * face the light.
  */
 const shades = [0.15, 0.3, 0.5, 0.75, 1, 1.2];
 
@@ -55,7 +55,7 @@ function oklab({ r, g, b }: Color): [number, number, number] {
   ];
 }
 
-/** Whether a line of this color may be lost on some shade of the surface. */
+/** Whether a line of this color is hard to see on some shade of the surface. */
 export function isAmongShades(color: string, { front }: ViewerColors): boolean {
   const line = oklab(new Color(color));
   return shades.some((part) => {

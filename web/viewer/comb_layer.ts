@@ -12,7 +12,7 @@ const [fewestTeeth, mostTeeth] = [16, 600];
  * The initial length that most teeth do not exceed, in the scene, where a surface's diagonal is 2.
  */
 const usualLength = 0.12;
-/** The part of the teeth that do not exceed that length. */
+/** The fraction of the teeth that do not exceed that length. */
 const usualShare = 0.9;
 
 /** The facts that a comb shows, in the surface's coordinates. */
@@ -41,9 +41,9 @@ export class CombLayer implements Layer {
   }
 
   /**
-   * Shows the combs of lines in the surface's coordinates. Stretches shorter than `meanEdge` have
-   * no curvature. The method fits the length of the teeth again, unless it must stay, as in a
-   * drag.
+   * Shows the combs of lines in the surface's coordinates. A tooth's curvature follows from points
+   * `meanEdge` before and behind it. With `keepScale`, as in a drag, the length of the teeth for a
+   * unit of curvature stays if it is known; otherwise the method fits it again.
    */
   show(
     surface: Surface | null,

@@ -10,7 +10,7 @@ export interface DrawnGeometry {
   /** Positions in the scene's coordinates. */
   positions: Float32Array;
   normals: Float32Array;
-  /** The depth of each vertex among its neighborhoods (`hollows.ts`). */
+  /** The depth of each vertex in its neighborhoods (`hollows.ts`). */
   hollows: Int8Array;
   triangles: Uint32Array;
   /** The colors of the vertices, in bytes of red, green and blue; null for clay. */

@@ -21,7 +21,7 @@ export interface LineStyle {
   width: number;
   /** Dash and gap in the scene's units; without them the line is solid. */
   dash?: readonly [number, number] | null;
-  /** The part of the color that remains where the surface hides the line. */
+  /** The fraction of the color that remains where the surface hides the line. */
   hidden: number;
   /** The width on the surface, in addition to the one in pixels. */
   band?: Band | null;
@@ -32,20 +32,20 @@ export interface LineStyle {
    * not opaque.
    */
   mark?: number;
-  /** An `inside` line is invisible, and reserves its pixels from lines that are `around`. */
+  /** An `inside` line is invisible. Lines with `around` leave its pixels free. */
   frames?: 'inside' | 'around' | null;
 }
 
-/** The stencil's mark of reserved pixels. */
+/** The stencil's mark of the pixels of `inside` lines. */
 const free = 255;
 
 /**
- * The part of the distance to the camera by which lines appear nearer, so that the surface does not
- * cut them.
+ * The fraction of the distance to the camera by which lines appear nearer, so that the surface does
+ * not cut them.
  */
 const nearer = 0.003;
 
-/** The part of a line's width that remains where the surface hides it. */
+/** The fraction of a line's width that remains where the surface hides the line. */
 const hiddenWidth = 0.55;
 
 /** Dash and gap of lines that replace others, such as a part of a curve without a center. */
@@ -64,8 +64,9 @@ function segmentGeometry(): LineSegmentsGeometry {
 }
 
 /**
- * Polylines of constant width on the screen, or on the surface, with faint hidden parts. Buffers
- * stay and only grow, so that a drag allocates none.
+ * Polylines of constant width on the screen, or on the surface, with faint hidden parts. Larger
+ * buffers replace the present ones only if the polylines do not fit, so that a drag rarely
+ * allocates.
  */
 export class FatLine {
   readonly object = new Group();
@@ -79,7 +80,7 @@ export class FatLine {
   #geometry = new LineSegmentsGeometry();
   #ends = new Float32Array(0);
   #distances = new Float32Array(0);
-  /** Directions across the line, along the segments, if it has a width on the surface. */
+  /** The surface's normals at the segments' ends, if the line has a width on the surface. */
   #asides = new Float32Array(0);
   #segments = 0;
 
@@ -88,8 +89,8 @@ export class FatLine {
     const common = { transparent: true, depthWrite: false };
     const made = [0, 1].map(() => withBand(new LineMaterial(common)));
     const [hidden, seen] = made.map(({ material }) => material) as [LineMaterial, LineMaterial];
-    // The color is a mixture beforehand: transparent segments would show their overlapping round
-    // ends as beads.
+    // The hidden part's color is mixed with the surface's in advance: transparent segments would
+    // show their overlapping round ends as beads.
     hidden.depthFunc = GreaterDepth;
     hidden.visible = style.hidden > 0;
     this.#materials = [hidden, seen];

@@ -2,8 +2,8 @@ import type { Vector } from '../model/figure';
 import type { UpAxis } from '../model/meshes';
 
 /**
- * The map of a surface's coordinates to the scene's: the bounding box's center to 0, its diagonal
- * to 2, and its axis up to y.
+ * The map of a surface's coordinates to the scene's: it takes the bounding box's center to 0, its
+ * diagonal to length 2, and the upward axis to y.
  */
 export interface Frame {
   center: Vector;
@@ -11,7 +11,7 @@ export interface Frame {
   up: UpAxis;
 }
 
-/** The surface's coordinate and its sign for each coordinate of the scene. */
+/** For each coordinate of the scene, the surface's coordinate and its sign. */
 type Turn = readonly (readonly [axis: number, sign: number])[];
 
 const [x, y, z]: Turn[] = [
@@ -32,7 +32,7 @@ const [x, y, z]: Turn[] = [
   ],
 ] as const;
 
-/** The turn by half a circle around the scene's last axis: up becomes down. */
+/** A turn, followed by half a turn about the scene's z axis: up becomes down. */
 const over = (turn: Turn): Turn => turn.map(([axis, sign], i) => [axis, i < 2 ? -sign : sign]);
 
 /** The turns for each axis, all of which are rotations. */

@@ -20,8 +20,9 @@ import type { ViewerColors } from './colors';
 import type { Surface } from './surface';
 
 /**
- * The heights above the ground, an octave apart, of which each has a shadow. They are in the scene,
- * where a surface is at most 2 wide. Below the first height all shadows are as sharp as its own.
+ * The heights above the ground, an octave apart, each with its own shadow. They are in the scene,
+ * where a surface is at most 2 wide. Everything below the first height has a shadow as sharp as
+ * that of the first height.
  */
 const heights = [0.06, 0.12, 0.24, 0.48] as const;
 /**
@@ -32,32 +33,33 @@ const heights = [0.06, 0.12, 0.24, 0.48] as const;
 const bellWidths = heights.map((height) => height / Math.sqrt(2 * Math.log(2)));
 const widest = Math.max(...bellWidths);
 /**
- * Half the side of the square of ground with a shadow: no surface is longer than 1, and its shadow
- * is wider.
+ * Half the side of the square of ground with a shadow: a surface reaches at most 1 from the middle,
+ * and its shadow reaches farther.
  */
 const reach = 1 + 2 * widest;
 /** The resolution of the square's side: four points in the width of the sharpest bell. */
 const side = Math.ceil((4 * 2 * reach) / Math.min(...bellWidths));
 /**
- * The number of samples of a bell on each side of its middle: those of more than a tenth of a
- * percent.
+ * The number of samples of a bell on each side of its middle. The others are below a tenth of a
+ * percent of the middle's value.
  */
 const bellSteps = Math.ceil((3.7 * widest * side) / (2 * reach));
 /**
- * The largest part of the ground's color that shadow removes, where the sky is hidden completely.
+ * The largest fraction of the ground's color that shadow removes, where the sky is hidden
+ * completely.
  */
 const darkest = 0.7;
 /**
- * The largest part of a black background's color that the lit ground's own replaces. A background
- * without light shows no shadow; the brighter a background is, the less light it needs.
+ * The largest opacity of the lit ground over a black background. A black background itself would
+ * show no shadow; the brighter a background is, the less light the ground needs.
  */
 const lit = 0.5;
 
 const list = (values: readonly number[]) => values.map((value) => value.toFixed(6)).join(', ');
 
 /**
- * The amount of surface above a place at each height, seen from below: four numbers, two of which
- * are 0.
+ * The amount of surface above a place at each of the four heights, seen from below. At most two
+ * neighboring amounts are above 0.
  */
 const castMaterial = () =>
   new ShaderMaterial({

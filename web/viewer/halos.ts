@@ -7,11 +7,11 @@ import type { Surface } from './surface';
 type Drawn = Omit<ObjectDrawing, 'id' | 'locked'>;
 
 /**
- * The width of the halo of a selected object beyond its line, in CSS pixels; a seam lies between
- * them.
+ * The CSS pixels by which the halo of a selected object, and the seam between halo and line, are
+ * wider than the line. The halo of an object under the pointer is as wide as the seam.
  */
 const [haloWider, seamWider] = [8, 3];
-/** The width of the rim beyond its line, if the line's color is among the surface's shades. */
+/** The CSS pixels by which the rim of a line that is hard to see is wider than the line. */
 const rimWider = 2.5;
 
 const plain = { id: 0, locked: true };

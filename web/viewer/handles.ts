@@ -14,8 +14,8 @@ export interface Handle {
 
 export interface HandleEvents {
   /**
-   * The start of a drag, its next position (of the handle's middle, in the window's pixels) and its
-   * end.
+   * The start of a drag, each further step, and the end. The place is that of the handle's middle,
+   * in the window's pixels.
    */
   grab(id: string, clientX: number, clientY: number): void;
   drag(id: string, clientX: number, clientY: number): void;
@@ -68,7 +68,7 @@ export class Handles {
     const ids = new Set(handles.map(({ id }) => id));
     const shows = ++this.#shows;
     if (this.#held && !ids.has(this.#held.id)) this.letGo();
-    // Handles that remain are already in the page.
+    // The end of the drag may have shown other handles in the meantime, which are newer.
     if (shows !== this.#shows) return;
     for (const [id, { button }] of this.#buttons) {
       if (ids.has(id)) continue;
@@ -79,7 +79,7 @@ export class Handles {
     for (const handle of handles) {
       const known = this.#buttons.get(handle.id);
       const entry = known ?? { button: this.#make(handle.id), handle };
-      // Tab leads from one to the next in their order.
+      // The Tab key visits the handles in their order.
       if (!known && before) before.after(entry.button);
       before = entry.button;
       entry.handle = handle;
@@ -94,8 +94,8 @@ export class Handles {
   }
 
   /**
-   * Marks the place of a point that a click would add: on the surface, in the curve, or on the
-   * target to which it snaps, with its name; or the measured place.
+   * Marks a place: a measured one, or that of a point that a click would add on the surface, in the
+   * curve, or on a target to which it snaps. `name` is the target's name.
    */
   showPreview(
     position: Vector3 | null,

@@ -6,14 +6,14 @@ import { type Mesh, outlineOf } from './outline';
 /** The step along lines between tests of visibility, in the scene; a surface's diagonal is 2. */
 const step = 0.008;
 /**
- * The distance by which a face must be nearer than a line to hide it, in the scene: the faces under
- * the line must not.
+ * The distance by which a face must be nearer than a line to hide it, in the scene. The faces on
+ * which the line lies must not hide it.
  */
 const grain = 0.004;
 /**
- * The distance, in edges, of two places beside a contour whose visibility decides its own. Facets
- * may hide the contour itself where the surface turns away, and on one side the place is off the
- * surface.
+ * The distance, in mean edges, from a contour to two places beside it. The contour counts as
+ * visible if one of the places is. Facets may hide the contour itself where the surface turns away,
+ * and the place on one side is off the surface.
  */
 const asideEdges = 0.4;
 const [leastAside, mostAside] = [0.002, 0.02];
@@ -45,8 +45,8 @@ export function seenOutline(mesh: Mesh, tree: MeshBVH, sight: Sight): Float32Arr
 }
 
 /**
- * The parts of a line in front of the camera that are visible, either on the line or at `aside`
- * from it on one side.
+ * The visible parts of a line in front of the camera. If `aside` is positive, places at this
+ * distance on both sides are tested instead of the line, and one of the two suffices.
  */
 export function visibleParts(
   line: Float32Array,

@@ -1,9 +1,9 @@
 /**
- * The bending of the surface at each vertex, for relief: the depth of its neighborhoods of the
- * `hollowRadii`, as `hollowWidths` bytes a vertex. It is positive in hollows, negative on ridges,
- * and 0 where the surface is flat or a saddle bends equally to both sides. A triangle's bend is the
- * flux of its normals through its border: the integral of twice the mean curvature, for any shape
- * of the triangle. Heat that flows along the surface spreads it to a radius, so that the result
+ * The depth of each vertex in its neighborhoods of the `hollowRadii`, for relief: `hollowWidths`
+ * bytes for each vertex. The depth is positive in hollows, negative on ridges, and 0 where the
+ * surface is flat or a saddle bends equally to both sides. A triangle's bend is the flux of its
+ * normals through its border. This is the integral of twice the mean curvature, for any shape of
+ * the triangle. Heat that flows along the surface spreads the bends to a radius, so that the result
  * does not depend on the size of the triangles. Positions are in the scene, where a surface is
  * about 2 wide.
  */
@@ -36,8 +36,8 @@ export const hollowWidths = 4;
  */
 export const hollowRadii = [0.2, 0.05, 0.0125, 0.003125] as const;
 /**
- * The factor of the darkness: inside, a ball of four times a neighborhood's radius is then nearly
- * as dark as possible.
+ * The factor of the darkness. With it, the inside of a ball of four times a neighborhood's radius
+ * is three quarters as dark as possible.
  */
 const steepness = 2;
 /** The number of steps of conjugate gradients. Each extends relief by one edge. */

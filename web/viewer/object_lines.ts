@@ -44,7 +44,7 @@ export function fatStyle(style: LineStyle, surface: Surface | null, wider = 0) {
   };
 }
 
-/** The part of the color that remains where the surface hides a line. */
+/** The fraction of the color that remains where the surface hides a line. */
 const usuallyHidden = 0.22;
 /** The number of stencil marks that separate transparent lines; the edited object has one more. */
 export const mostMarks = 253;
@@ -72,8 +72,8 @@ export class ObjectLines {
   constructor(
     private readonly order: number,
     /**
-     * The part of the color that remains where the surface hides a line, and an addition to its
-     * style's width.
+     * `hidden` is the fraction of the color that remains where the surface hides a line. `wider`
+     * adds CSS pixels to the width of the line's style.
      */
     private readonly looks: Partial<Pick<FatLineStyle, 'hidden' | 'frames'>> & {
       wider?: number;

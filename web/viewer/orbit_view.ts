@@ -8,32 +8,35 @@ const fieldOfView = 30;
 const halfSlope = Math.tan((fieldOfView * Math.PI) / 360);
 /** The radius of the ball around the scene's middle that holds the surface. */
 const ballRadius = 1;
-/** The part of its bounding sphere that a surface rarely leaves, with a margin. */
+/** The fraction of its bounding sphere's radius that a surface rarely exceeds, with a margin. */
 const margin = 0.88;
-/** The part of the stage's width that a surface may take. */
+/** The fraction of the stage's width that a surface may take. */
 const widthTaken = 0.94;
 const startDirection = new Vector3(0.34, 0.22, 1).normalize();
 const flightMilliseconds = 260;
 /** The largest distance from which the camera looks at a place. */
 const closeDistance = 1.6;
 /**
- * The range of the camera's distance from its target. At the nearest one a pixel is as large as the
- * rounding of a coordinate of the scene on the graphics card.
+ * The range of the camera's distance from its target. At the smallest distance a pixel is as large
+ * as the rounding of a coordinate of the scene on the graphics card.
  */
 const [nearest, farthest] = [2e-4, 20];
-/** The least distance from which a ball is visible in whole. */
+/** The least distance from which the camera shows a whole ball. */
 const nearestWhole = 0.16;
 /** The smallest reach of a view's place. */
 const leastReach = 1e-4;
-/** The range of the distance at which the camera begins to see. */
+/** The range of the distance of the camera's near plane. */
 const [leastNear, mostNear] = [1e-5, 0.002];
-/** The divisor of distances for a turn of the wheel by a pixel. */
+/** The factor on distances for a turn of the wheel by one pixel. */
 const wheelFactor = 0.95 ** -0.01;
-/** The pixels of a wheel that counts lines, or pages, and of a pinch on a touchpad. */
+/** The pixels of a wheel's line and of its page, and the factor for a pinch on a touchpad. */
 const [pixelsOfLine, pixelsOfPage, pixelsOfPinch] = [16, 100, 10];
-/** The search for the surface around a place: the first ring's radius in pixels, the next ring's part, the rays. */
+/**
+ * The rings of the search for the surface around a place: the first radius in pixels, the ratio of
+ * a radius to the previous one, and the number of rays of a ring.
+ */
 const [firstRing, nextRing, raysOfRing] = [4, 1.3, 32];
-/** The factor of the room around the target of a zoom. */
+/** The factor on a fitted ball's radius, for some room around the ball. */
 const roomAround = 1.25;
 
 /** The place that the camera looks at, and the camera's offset from it. */
@@ -49,8 +52,8 @@ export class OrbitView {
   surface: Surface | null = null;
   readonly #controls: OrbitControls;
   /**
-   * The camera's place for the whole view, until a user moves the view; it follows the stage's
-   * size.
+   * The camera's direction while the whole surface is in view; null after the user has moved the
+   * view. The whole surface stays in view when the stage's size changes.
    */
   #whole: Vector3 | null = startDirection;
   #flight: { from: Place; to: Place; started: number } | null = null;
@@ -73,7 +76,8 @@ export class OrbitView {
       ...{ capture: true, passive: false },
     });
     window.addEventListener('pointermove', (event) => this.#pinch(event), { capture: true });
-    // This listener follows the controls, which do not report the small changes of a near view.
+    // This listener runs after those of the controls, which do not report small changes of a near
+    // view.
     window.addEventListener('pointermove', () => {
       if (this.#pointers.size > 0 && !this.#told.equals(this.camera.position)) this.#tell();
     });
@@ -146,8 +150,9 @@ export class OrbitView {
   }
 
   /**
-   * Moves the controls' target to the depth of the surface at a place of the window, or else in the
-   * middle. The view does not change, but steps of a move are parts of the distance to the target.
+   * Moves the controls' target to the depth of the surface at a place of the window or, if there is
+   * none, in the middle. The view does not change, but the controls move it in proportion to the
+   * target's distance. Returns the surface's point.
    */
   #turnTo(x: number, y: number): Vector3 | null {
     const { x: h, y: v } = this.#middle;
@@ -165,9 +170,9 @@ export class OrbitView {
   }
 
   /**
-   * Multiplies distances from the visible point at a place of the window, or beside the surface
-   * from one near it. The point stays in place in the window, and no step passes through the
-   * surface.
+   * Multiplies the distances of the camera and its target from the surface's visible point at a
+   * place of the window. Beside the surface, it takes a visible point nearby. The point stays in
+   * place in the window, and no step passes through the surface.
    */
   #zoomAt(x: number, y: number, factor: number): void {
     this.#flight = null;
@@ -214,7 +219,7 @@ export class OrbitView {
     this.#zoomAt((one!.x + other!.x) / 2, (one!.y + other!.y) / 2, before / after);
   }
 
-  /** Adapts the nearest depth that the camera sees to the surface, before a frame is drawn. */
+  /** Adapts the camera's near plane to the surface's distance, before a frame is drawn. */
   fitDepth(): void {
     const away = this.surface?.distanceWithin(this.camera.position, 2 * mostNear) ?? null;
     const near = away === null ? mostNear : Math.min(mostNear, Math.max(leastNear, away / 2));
@@ -228,7 +233,8 @@ export class OrbitView {
     this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     const found = this.#turnTo(event.clientX, event.clientY);
     const isBeside = !this.#at(event.clientX, event.clientY);
-    // Beside a surface in sight as a whole, the turn is about its middle: all of it stays in sight.
+    // Beside a surface that is completely in sight, the turn is about the surface's middle, so that
+    // the whole surface stays in sight.
     const isWhole = isBeside && this.camera.position.length() > ballRadius;
     const point = isWhole ? new Vector3() : found;
     const { mouseButtons } = this.#controls;
@@ -246,8 +252,8 @@ export class OrbitView {
   }
 
   /**
-   * Moves the camera until the pivot is back at its place in the view: the controls turn about the
-   * middle of the stage.
+   * Moves the camera so that the pivot is back at its place in the view. The controls alone turn
+   * about the middle of the stage.
    */
   #keepPivot(): void {
     if (!this.#pivot) return;
@@ -335,7 +341,7 @@ export class OrbitView {
     };
   }
 
-  /** Shows the scene from a place: a ball with its reach as radius fits into the stage. */
+  /** Shows the scene from a place. The ball around its target with radius `reach` just fits. */
   show(place: ViewPlace, { animated }: { animated: boolean }): void {
     if (typeof place === 'string') {
       this.#whole = views[place];
@@ -403,7 +409,7 @@ export class OrbitView {
     return Math.atan(halfSlope * Math.min(1, this.camera.aspect));
   }
 
-  /** The distance from which the bounding sphere, of radius 1, just fits into the stage. */
+  /** The distance from which the surface, in a bounding sphere of radius 1, fits into the stage. */
   #wholeDistance(direction: Vector3): number {
     const narrow = this.#narrowAngle;
     const wide = widthTaken * halfSlope * this.camera.aspect;

@@ -1,8 +1,8 @@
 /**
  * The outline of a mesh in a camera's view. On smooth parts it is the line on which normals are at
- * right angles to the view (Hertzmann and Zorin, Illustrating smooth surfaces). Normals at the
- * triangles' corners are linear in between, so that the line is smoother than the edges between
- * front and back faces. Creases and the boundary belong to it, too.
+ * right angles to the view (Hertzmann and Zorin, Illustrating smooth surfaces). Normals are linear
+ * between the corners of a triangle, so that the line is smoother than the edges between front and
+ * back faces. Creases and the boundary belong to the outline, too.
  */
 import { joinedSegments } from 'karcher/statistics';
 import { levelLines } from '../model/level_lines';
@@ -77,11 +77,11 @@ function faceNormals({ positions, triangles }: Mesh): Float64Array {
 
 /**
  * The opposite side of each side, in the triangle beyond it; -1 on the boundary. Where more than
- * two triangles meet at an edge, the others form pairs among themselves.
+ * two triangles meet at an edge, their sides form pairs, and an odd last one has -1.
  */
 function sidesAcross({ positions, triangles }: Mesh): Int32Array {
   const across = new Int32Array(triangles.length).fill(-1);
-  // Unpaired sides, in a list for each vertex: at the end of the side with the lower index.
+  // Each vertex has a list of unpaired sides. A side is in the list of its end with lower index.
   const firstAt = new Int32Array(positions.length / 3).fill(-1);
   const behind = new Int32Array(triangles.length);
   for (let side = 0; side < triangles.length; side++) {
@@ -117,8 +117,8 @@ function isSharp(normals: Float64Array, side: number, other: number): boolean {
 }
 
 /**
- * Unit normals at each corner: the sum of the normals of the faces that meet there without a
- * crease.
+ * The unit normal at each corner: the direction of the sum of the normals of the faces that meet
+ * there without a crease.
  */
 function smoothNormals({ triangles }: Mesh, normals: Float64Array, across: Int32Array) {
   // Corners that share a normal form a set; each leads to the first of its set.

@@ -2,7 +2,7 @@ import type { WebGLRenderer } from 'three';
 
 /**
  * A PNG of the drawing by `render`, with `scale` pixels for each CSS pixel. Without a background it
- * is transparent around the drawing. The renderer's canvas then needs another frame.
+ * is transparent around the drawing. Afterwards the renderer's canvas needs another frame.
  */
 export function pictureOf(
   renderer: WebGLRenderer,

@@ -28,7 +28,7 @@ export class Regions {
   #color = new Color();
   readonly #geometries = new Map<Region | Pattern, BufferGeometry>();
 
-  /** The color of lines without their own. */
+  /** Sets the color of lines without a color of their own. */
   setColor(color: Color): void {
     this.#color = color;
     this.#paint();
@@ -69,7 +69,7 @@ export class Regions {
       const { style, color, pattern } = one;
       const own = style.fillColor ?? color;
       const bars = barsOf(style);
-      // Before the computation of its pattern, a fill is as dark on average as the pattern.
+      // Until its pattern is computed, a fill is solid and as dark as the pattern on average.
       const opacity = bars && pattern === undefined ? partPainted(bars) * style.fill : style.fill;
       const mesh = new Mesh(
         this.#geometryOf(one),

@@ -181,8 +181,8 @@ export class Surface {
     };
     for (const face of whole) for (const corner of unitWeights) add(face, corner);
     for (const [i, face] of parts.entries()) {
-      // Both faces of an edge sum its ends in one order: a point of it is at the same place in
-      // both, to the last bit.
+      // The sum over the corners is in the order of the vertex indices, so that a point of an edge
+      // is at the same place in both faces, to the last bit.
       const vertexOf = (corner: number) => this.#triangles[3 * face + corner]!;
       const order = [0, 1, 2].sort((a, b) => vertexOf(a) - vertexOf(b));
       for (let at = 6 * i; at < 6 * i + 6; at += 2) {
@@ -300,7 +300,7 @@ export class Surface {
     return directionFromScene(this.frame.up, direction.toArray());
   }
 
-  /** The turn of directions from a point to another one, by the rotation between the normals. */
+  /** Takes directions at a point to those at another one, by the rotation between the normals. */
   carry(from: SurfacePoint, to: SurfacePoint): (direction: Vector) => Vector {
     const turning = new Quaternion().setFromUnitVectors(this.normal(from), this.normal(to));
     return (direction) =>
@@ -308,8 +308,8 @@ export class Surface {
   }
 
   /**
-   * Moves a point along with another one: by the same distance, in the same direction along the
-   * surface.
+   * The point to which `other` moves when `from` moves to `to`: by the same distance, in the same
+   * direction along the surface.
    */
   along(from: SurfacePoint, to: SurfacePoint, other: SurfacePoint): SurfacePoint {
     const turning = new Quaternion().setFromUnitVectors(this.normal(from), this.normal(other));
@@ -335,8 +335,8 @@ export class Surface {
   /** The surface's extent in a direction, times the direction's length. */
   #reach(direction: Vector3): number {
     let farthest = -Infinity;
-    // The search skips boxes that reach less than this farther, since all boxes of a plane have the
-    // same extent.
+    // The search skips boxes that would increase the extent by less than this, since all boxes of a
+    // plane have the same extent.
     const grain = 1e-6 * direction.length();
     const corner = new Vector3();
     const reachOf = (box: Box3) =>

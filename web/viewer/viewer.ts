@@ -51,7 +51,7 @@ export class Viewer {
   #edges = false;
   #fileColors = true;
   #relief = true;
-  /** The stage's size in CSS pixels, kept here since a read from the page is a slow layout. */
+  /** The stage's size in CSS pixels, kept here since a read from the page forces a slow layout. */
   #size = { width: 1, height: 1 };
   /** The stage's place in the window; null until the next measurement. */
   #box: DOMRect | null = null;

@@ -1,6 +1,6 @@
 import type { Build } from './saved';
 
-// vite.config.ts replaces this name by the value.
+// vite.config.ts replaces these names by their values.
 declare const __KARCHER_BUILD__: string;
 declare const __KARCHER_SOURCES__: string;
 

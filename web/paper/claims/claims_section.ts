@@ -10,7 +10,7 @@ const order: readonly Verdict[] = [
   ...(['holds', 'depends', 'does not', 'settled here', 'open', 'not measured here'] as const),
 ];
 
-/** Words for verdicts on several claims, where they differ from those on one. */
+/** The words for a verdict on several claims, if they differ from those for one claim. */
 const ofSeveral: Partial<Record<Verdict, string>> = {
   ...{ holds: 'hold', depends: 'depend', 'does not': 'do not' },
 };
@@ -20,7 +20,7 @@ const unmeasured: Pick<JudgedClaim, 'verdict' | 'measured'> = {
   measured: '',
 };
 
-/** The paper's claims, and the measurements for them by the report or later on the page. */
+/** The paper's claims, with the measurements of the report or later ones of the page. */
 export class ClaimsSection {
   readonly element = make('section', '', { className: 'figure', id: 'claims' });
   readonly #report: SavedReport | null;
@@ -34,7 +34,7 @@ export class ClaimsSection {
     this.show({});
   }
 
-  /** Judges the claims that the report leaves open by the panels that the page has measured. */
+  /** Judges the claims that the report does not judge, by the panels that the page has measured. */
   show(panels: Measured['panels']): void {
     const live = judge({ panels, table: [], studies: {}, meshes: null, load: null });
     const rows = live.map((row): ShownClaim => {

@@ -13,7 +13,7 @@ export interface ConvergencePoint {
   method: LineId;
   triangles: number;
   meanEdge: number;
-  /** The root mean square distance of converged samples from the true curve; null without any. */
+  /** The root mean square distance of converged samples from the true curve; null without them. */
   error: number | null;
   lost: number;
   samples: number;
@@ -49,8 +49,8 @@ const weightedSum = (places: readonly Vector[], weights: ArrayLike<number>): Vec
 const unit = (a: Vector): Vector => scaled(a, 1 / length(a));
 
 /**
- * A sphere's curve. Its logarithm and exponential have closed forms, and a fixed-point iteration
- * finds the mean.
+ * A curve on the unit sphere. The sphere's logarithm and exponential have closed forms, and a
+ * fixed-point iteration finds the mean.
  */
 export function sphereCurve(): SmoothCurve {
   const points = [0, 1, 2, 3].map((i) =>
@@ -112,7 +112,7 @@ function pointAbove(mesh: Mesh, nearest: NearestPoints, curve: SmoothCurve, plac
   return found;
 }
 
-/** The error of every method on meshes of growing size, on each surface for the same curve. */
+/** The error of every method on ever finer meshes of each surface, always for the same curve. */
 export async function convergence(
   peers: Peers,
   {

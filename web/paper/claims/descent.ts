@@ -63,7 +63,7 @@ function randomPoint({ mesh }: Scene, random: () => number): SurfacePoint {
   return { face, bary: [1 - a, a * (1 - b), a * b] };
 }
 
-/** The median distance of each path from the exact one; null if a search for one failed. */
+/** The median distance of each path from the exact one; null if the search for a path failed. */
 async function distances(
   peers: Peers,
   scene: Scene,

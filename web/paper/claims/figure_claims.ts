@@ -10,7 +10,7 @@ const median = (evidence: Evidence, panel: string, id: LineId) =>
 
 /**
  * The angle in radians up to which turning noise looks smooth: samples are a pixel or two apart, so
- * a degree for each is not visible.
+ * that a turn by a degree at each sample is not visible.
  */
 const smoothTurning = Math.PI / 180;
 

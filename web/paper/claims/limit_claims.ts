@@ -9,7 +9,7 @@ const lost = (evidence: Evidence, panel: string, id: LineId) => evidence.lost(pa
 const breaks = (evidence: Evidence, panel: string, id: LineId) =>
   evidence.line(panel, id).breaks ?? 0;
 
-/** The turning in radians a sample below which a curve on the plane does not wiggle. */
+/** The turning noise, in radians for each sample, above which a curve on the plane wiggles. */
 const wiggle = 0.01;
 
 interface Stability {
@@ -35,7 +35,7 @@ function isSteadier(a: Stability, b: Stability): boolean {
   return a.residual !== null && b.residual !== null && a.residual < b.residual;
 }
 
-/** The largest part of its samples that a resilient method may lose. */
+/** The largest fraction of its samples that a resilient method may lose. */
 const mostLost = 0.05;
 
 /**

@@ -43,7 +43,7 @@ export function nearer(evidence: Evidence, first: LineId, second: LineId) {
 }
 
 /**
- * The ratio of the times for a curve with its fields: the paper's method over weighted averages.
+ * The time for a curve with its fields by the paper's method, relative to weighted averages.
  */
 function slowerThanAverages(evidence: Evidence) {
   const isWhole = (panel: string) =>
@@ -64,8 +64,8 @@ function slowerThanAverages(evidence: Evidence) {
 }
 
 /**
- * The same on the meshes of a folder, once with each solver of the paper's distances; an empty list
- * without a folder.
+ * The same comparison as in `nearer` on the meshes of a folder, of the paper's method with each
+ * solver of its distances against weighted averages. There are no cases without a folder.
  */
 function nearerOnMeshes({ all: { meshes } }: Evidence) {
   const shown = (meshes ?? []).flatMap((mesh) => {

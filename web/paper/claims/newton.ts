@@ -13,7 +13,7 @@ export interface NewtonFinding {
   triangles: number;
   distances: 'exact' | 'k = 6';
   /**
-   * The start of a search: the place of the curve's last sample, or the point with the largest
+   * The start of a search: the place of the curve's previous sample, or the point with the largest
    * weight.
    */
   start: 'warm' | 'cold';
@@ -25,8 +25,9 @@ export interface NewtonFinding {
   nearlyAll: number;
   most: number;
   /**
-   * The numbers of geodesics: all, those shortened to a joint, those that needed it, and those
-   * without a better joint.
+   * The numbers of geodesics along Newton steps: all; those that the search cut at a joint; among
+   * these, those whose uncut end has no smaller gradient than their start; and those on which no
+   * joint has a smaller gradient than their start.
    */
   traced: number;
   shortened: number;
@@ -42,7 +43,7 @@ const curvesAMesh = 12;
 const samplesACurve = 65;
 /** The distance from a control point to the next, in diagonals. */
 const leg = 0.1;
-/** The number of searches below which they show no order of convergence. */
+/** The least number of searches that give an order of convergence. */
 const leastOrders = 20;
 
 /** The meshes of the study; the noise is in mean edges. */
@@ -70,7 +71,7 @@ function polygon(mesh: Mesh, random: () => number): SurfacePoint[] {
   while (points.length < 4) {
     const direction = [0, 1, 2].map(() => 2 * random() - 1) as [number, number, number];
     const walked = mesh.straightest(points.at(-1)!, direction, leg * mesh.info.diagonal);
-    // Most directions stay within the surface, wherever the point lies.
+    // The loop ends, since most directions stay within the surface, wherever the point lies.
     if (walked.stop === 'complete') points.push(walked.end);
   }
   return points;

@@ -8,14 +8,15 @@ import { studySeed } from './seed';
 const { at, cross, dot, length, subtract } = vectors;
 
 /**
- * Statistics of four random points in a geodesic ball, on a surface with bumps of some mean edges:
- * the number of cases in which the paper's method finds a center of mass from each of them, and of
- * those in which all four find the same one.
+ * Statistics of sets of four random points in a geodesic ball, on a surface with bumps of `noise`
+ * mean edges. The paper's method searches for the center of mass from each of the four points.
+ * `found` counts the sets for which a search converges, and `same` those for which all four
+ * searches converge to the same center.
  */
 export interface RadiusPoint {
   surface: 'sphere' | 'torus';
   noise: number;
-  /** The radius at which Karcher's condition ends on the bumpy surface. */
+  /** The radius up to which Karcher's condition holds on the bumpy surface. */
   condition: number;
   radius: number;
   cases: number;
@@ -25,7 +26,7 @@ export interface RadiusPoint {
 
 const triangles = 5_000;
 const noises = [0, 0.2, 0.4];
-/** The radii, in units of the one at which Karcher's condition ends on the smooth surface. */
+/** The radii, in units of the one up to which Karcher's condition holds on the smooth surface. */
 const radii = [0.5, 0.75, 1, 1.25, 1.5, 1.75, 2, 2.5];
 const casesARadius = 12;
 
@@ -110,8 +111,8 @@ function count(mesh: Mesh, radius: number, cases: number, random: () => number) 
 }
 
 /**
- * Four points in the geodesic ball around a random one, uniform in the disk of its polar
- * coordinates.
+ * Four points in the geodesic ball around a random point, in random directions and at the distances
+ * of uniform points in a disk.
  */
 function ball(mesh: Mesh, radius: number, random: () => number): SurfacePoint[] {
   const [a, b] = [Math.sqrt(random()), random()];

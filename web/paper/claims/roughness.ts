@@ -25,7 +25,10 @@ export interface RoughnessPoint {
 
 export const noises: readonly number[] = [0, 0.05, 0.1, 0.2, 0.4];
 
-/** A copy of a mesh with random moves of the vertices, even within a ball of `noise` mean edges. */
+/**
+ * A copy of a mesh whose vertices move at random, uniformly within a ball with a radius of `noise`
+ * mean edges.
+ */
 export function roughened(karcher: Karcher, mesh: Mesh, noise: number, seed: number): Mesh {
   const random = randomFrom(seed);
   const positions = mesh.positions();

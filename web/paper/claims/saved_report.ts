@@ -1,6 +1,6 @@
 import type { SavedReport } from './saved';
 
-/** The report in this checkout; a page needs none. */
+/** The saved report, if this checkout has one; a page works without it. */
 const found = import.meta.glob<SavedReport>('../../../docs/paper-report.json', {
   eager: true,
   import: 'default',

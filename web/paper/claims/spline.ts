@@ -30,7 +30,10 @@ export async function splineBy(
   return { samples, lost, of: samples.count };
 }
 
-/** The accuracy of a spline's samples by exact paths, and their turning beside a true curve. */
+/**
+ * The accuracy of a spline's samples by exact paths, and their turning noise compared with the true
+ * curve, if there is one.
+ */
 export async function measured(
   mesh: Mesh,
   ruler: Ruler,

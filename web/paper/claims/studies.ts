@@ -31,8 +31,9 @@ export interface Studies {
    */
   arcs: { arcs: number; worst: number; byDefault: number }[];
   /**
-   * Weights of random points. In `back` of the cases, the search for weights of the points' center
-   * of mass finds the original weights.
+   * Weights for which a random point is critical for four points around it: in `minima` of the
+   * cases a minimum. In `back` of these, the search for the center of mass with these weights
+   * returns to the point; `farthest` is the largest distance of its end, in mean edges.
    */
   inverse: { cases: number; minima: number; back: number; farthest: number };
   /** B-splines on a torus with noise of growing height, in mean edges. */

@@ -67,7 +67,7 @@ export interface JudgedClaim extends Finding {
 
 export class NotMeasured extends Error {}
 
-/** The measurements for the claims. Every reader throws `NotMeasured` if they lack the number. */
+/** The measurements for the claims. A method throws `NotMeasured` if its number is missing. */
 export class Evidence {
   /** Methods that failed, with the reasons: all of their samples count as lost. */
   readonly failed = new Map<string, string>();

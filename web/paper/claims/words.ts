@@ -1,6 +1,6 @@
 /** Numbers in sentences. */
 
-/** A number with two digits. */
+/** A number with two digits; an integer from 10 on, one digit with a power of ten below 1e-4. */
 export function num(value: number | null): string {
   if (value === null) return 'not measured';
   if (value === 0) return '0';

@@ -10,7 +10,8 @@ const quoted: Record<string, (line: LineNumbers | undefined) => string | undefin
 };
 
 /**
- * The caption with the measurements in place of `{panel/line what}`. Nobody writes numbers in it.
+ * The caption with the measurements in place of `{panel/line what}`, so that nobody has to write
+ * numbers into the caption.
  */
 function filled({ id, caption }: Figure, panels: Measured['panels']): string {
   return caption.replace(/\{(\w+)\/(\w+) (\w+)\}/g, (_, panel, name, what) => {

@@ -1,7 +1,7 @@
 import { onTorus } from './surfaces';
 import type { MeshSpec, Vector } from './types';
 
-/** A side of the figure that carries a drawing among control points to another surface. */
+/** One of the two surfaces between which the figure carries a drawing, and its control points. */
 export interface CarriedSide {
   title: string;
   mesh: MeshSpec;

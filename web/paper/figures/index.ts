@@ -19,7 +19,7 @@ export const figures: readonly Figure[] = [
   planeFigure,
 ];
 
-/** The same figures with a part of the triangles and fewer samples, for quick tests. */
+/** The same figures with a fraction of the triangles and fewer samples, for quick tests. */
 export function smallFigures(part: number, samples: number): Figure[] {
   const smaller = (panel: Panel): Panel => ({
     ...panel,

@@ -19,7 +19,7 @@ export function onTorus(longitude: number, around: number): Vector {
   return [ring * Math.cos(u), ring * Math.sin(u), minor * Math.sin(v)];
 }
 
-/** A place on the unit sphere by its degrees to the right and up from the foot of the z axis. */
+/** A place on the unit sphere by its angles from (0, 0, 1), in degrees: to the right, and up. */
 export function onSphere(right: number, up: number): Vector {
   const [a, b] = [right, up].map((degrees) => (degrees * Math.PI) / 180) as [number, number];
   return [Math.cos(b) * Math.sin(a), Math.sin(b), Math.cos(b) * Math.cos(a)];

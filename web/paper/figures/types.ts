@@ -84,7 +84,7 @@ export interface Figure {
 export interface LineNumbers {
   id: LineId;
   ok: boolean;
-  /** The reason why the method failed or why numbers are missing; null for neither. */
+  /** The reason why the method failed or why numbers are missing; null if neither is the case. */
   reason: string | null;
   prepareMs: number | null;
   traceMs: number | null;

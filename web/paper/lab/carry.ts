@@ -32,7 +32,7 @@ function drawingOn({ mesh, nearest }: Scene, middle: Vector): SurfacePoint[][] {
   );
 }
 
-/** A line through points, split where one is missing, without parts of one point. */
+/** The parts of a line through points, which stops at missing points; single points are omitted. */
 function partsOf(mesh: Mesh, points: readonly (SurfacePoint | null)[]): Float32Array[] {
   const parts: Vector[][] = [[]];
   for (const point of points) {

@@ -80,7 +80,7 @@ function turningNoiseOf(
   return scene.meter.measure(measured, samples(truth)).turningNoise;
 }
 
-/** Rational quadratic arcs. At level 0 each is a center of mass of three points. */
+/** A circle of rational quadratic arcs. At level 0 a sample is a center of mass of three points. */
 function arcsAt(task: Task, id: LineId, levels: 0 | 'auto'): LineResult {
   const radius = radiusOf(task);
   const arcs = task.curve.kind === 'circle' ? task.curve.arcs : 7;

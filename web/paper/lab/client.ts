@@ -30,7 +30,7 @@ export class LabClient {
   #slow: WorkerClient | null = null;
   readonly #meshes = new Map<string, Promise<DrawnMesh>>();
 
-  /** A mesh for drawing. The worker creates each only once. */
+  /** A mesh for drawing. The worker creates each mesh only once. */
   mesh(mesh: MeshSpec): Promise<DrawnMesh> {
     const key = madeKey(mesh);
     const known = this.#meshes.get(key);

@@ -30,7 +30,7 @@ type Maker = (
   work: LongWorkOptions,
 ) => LineResult | TracedLine | Promise<LineResult | TracedLine>;
 
-/** Traces one line of a panel. The result of a failure has its reason. Rejects if aborted. */
+/** Traces one line of a panel. After a failure, the result has the reason. Rejects if aborted. */
 export async function traceLine(
   task: Task,
   id: LineId,
@@ -202,7 +202,10 @@ const makers: Partial<Record<LineId, Maker>> = {
     }
   },
 
-  /** Our curve of all points at once, with bridges where it is no center of mass. */
+  /**
+   * Our curve without levels, from all control points at once, with bridges where no center of mass
+   * is found.
+   */
   bridged: engineCurve,
 
   /** Our default, as in the editor: levels refine the control polygon as often as necessary. */

@@ -45,8 +45,8 @@ export class Scene {
   }
 
   /**
-   * Prepares a method once, on its own copy of the mesh. It finds no work of another method there,
-   * so that its time is its own. The scene keeps failures, too, unless they are aborts.
+   * Prepares a method once, on its own copy of the mesh. The method cannot use the work of another
+   * one there, so that its measured time is complete. The scene keeps failures, too, but no aborts.
    */
   async method(options: MethodOptions, work: LongWorkOptions): Promise<PreparedCurves> {
     const key = JSON.stringify(options);

@@ -47,8 +47,8 @@ export const roughnessPlot = (points: readonly RoughnessPoint[]): Plot =>
   );
 
 /**
- * The order of convergence: the slope of the error's logarithm, by least squares; null for one
- * mesh.
+ * The order of convergence: the least-squares slope of the error's logarithm against the edge's;
+ * null for fewer than two errors.
  */
 export function orderOf({ x }: Plot, values: readonly (number | null)[]): number | null {
   const logs = x.flatMap((edge, i) => {

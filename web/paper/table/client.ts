@@ -28,7 +28,7 @@ const startWorker = () => new Worker(new URL('./worker.ts', import.meta.url), { 
 
 /**
  * Measures a table in a worker. A worker may fail, for example because memory runs out, or stay too
- * long in a step. If so, the cell has the reason, and a new worker does the next.
+ * long in a step. If so, the cell shows the reason, and a new worker measures the next cell.
  */
 export class TableClient {
   readonly #left: { row: TableRow; methods: TableMethod[] }[];

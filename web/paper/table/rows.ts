@@ -75,11 +75,11 @@ export const tableRows: readonly TableRow[] = [
   { id: 'knot-500k', name: 'Knotted tube', mesh: shape('knot', 500_000), points: knot! },
 ];
 
-/** The rows on meshes with a part of the triangles, for quick tests. */
+/** The rows on meshes with a fraction of the triangles, for quick tests. */
 export const smallRows = (part: number): TableRow[] =>
   tableRows.map((row) => ({ ...row, mesh: smallerMesh(row.mesh, part) }));
 
-/** The approximate number of a row's triangles, without its mesh. */
+/** The approximate number of a row's triangles, before its mesh exists. */
 export function expectedTriangles(mesh: MeshSpec): number {
   return mesh.kind === 'bunny' ? 3_674 * 4 ** mesh.levels : mesh.triangles;
 }

@@ -12,7 +12,7 @@ import { makeMesh } from '../../model/made_mesh';
 import { NearestPoints } from '../lab/nearest';
 import { type TableCell, type TableMethod, type TableRow, tableMethods } from './rows';
 
-/** The most triangles for exact paths: beyond, they would take longer than the methods. */
+/** The most triangles for exact paths; on larger meshes they would take longer than the methods. */
 const mostMeasured = 60_000;
 
 export interface TableOptions {
@@ -34,7 +34,7 @@ export interface TableEvents {
   cell(cell: TableCell): void;
 }
 
-/** The options for the table. Our method has exact distances for two points, as the paper's. */
+/** The options for the table. For two points, our method has exact distances, like the paper's. */
 function tableOptions(method: TableMethod, plan: CurvePlan): MethodOptions {
   const exact = method === 'karcher' && plan.points.length === 2;
   return exact ? { method, solver: 'exact' } : standardOptions(method, plan);

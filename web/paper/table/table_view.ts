@@ -16,7 +16,7 @@ import {
 const parts = ['prepareMs', 'traceMs', 'dragMs'] as const;
 const partNames = ['prepare', 'trace', 'update'];
 
-/** The line below a time: its parts, or an additional figure. */
+/** The small line below a time: a part of this time, or an additional number. */
 const details: Record<(typeof parts)[number], (result: MethodResult) => string | null> = {
   prepareMs: ({ memory }) => (memory ? formatBytes(memory) : null),
   traceMs: (result) => {
@@ -43,8 +43,8 @@ function measuresOf({ ruler, lost, lostByOwnRule, samples }: MethodResult): stri
 }
 
 /**
- * The table itself: three times for each method, in milliseconds, and below them the distance of
- * its curve from the centers.
+ * The table. For each method, a row has three durations in milliseconds; the line below has the
+ * accuracy of the method's curve and the number of its lost samples.
  */
 export class TableView {
   readonly element = make('div', '', { className: 'timings' });

@@ -41,8 +41,8 @@ function figureOf(curve: CurveSpec, points: readonly SurfacePoint[]): Figure | n
 }
 
 /**
- * The curve with weights and betas in the editor's range. Only their ratios matter, so that they
- * can be scaled.
+ * The points with weights or betas in the editor's range; null if they do not fit. Only the ratios
+ * matter, so that all numbers can be scaled.
  */
 function withNumbers(
   points: readonly SurfacePoint[],

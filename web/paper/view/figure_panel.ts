@@ -90,7 +90,7 @@ export class FigurePanel {
     private readonly panel: Panel,
     points: readonly Vector[],
     private readonly events: PanelEvents,
-    /** Earlier measurements, for show until the panel has its own. */
+    /** Earlier measurements, which the panel shows until it has its own. */
     saved: SavedNumbers | null = null,
   ) {
     this.#points = points;
@@ -264,7 +264,7 @@ export class FigurePanel {
 
   #progress(done: number, stage: string): void {
     const what = { graph: 'building the graph', landmarks: 'embedding' }[stage];
-    // The samples are quick, or the lines arrive one by one.
+    // Other stages are short, or their lines arrive one by one.
     if (!what) return;
     this.#note.dataset.kind = 'progress';
     this.#note.textContent = `Computes: ${what}, ${Math.round(100 * done)} %`;

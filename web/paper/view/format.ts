@@ -1,6 +1,6 @@
 /** Numbers as people read them. */
 
-/** A number with three digits; rounding errors are powers of ten. */
+/** A number with two decimals, four below 0.1; a tiny one with one digit and a power of ten. */
 export function formatDeviation(value: number | null): string {
   if (value === null) return '–';
   if (value === 0) return '0';
@@ -8,7 +8,7 @@ export function formatDeviation(value: number | null): string {
   return value < 0.1 ? value.toFixed(4) : value.toFixed(2);
 }
 
-/** The same for a number of either sign. */
+/** The same as `formatDeviation`, for a number of either sign. */
 export function formatDifference(value: number | null): string {
   if (value === null || value >= 0) return formatDeviation(value);
   return `−${formatDeviation(-value)}`;

@@ -29,7 +29,7 @@ const height = 320;
 /** The factor of room at either end of a logarithmic axis. */
 const roomAtEnds = 1.08;
 
-/** Lines over an axis; it follows its element's width. */
+/** A chart of lines over an axis, as wide as its element. */
 export class LineChart {
   readonly element = document.createElement('div');
   readonly #axes: { x: ChartAxis; y: ChartAxis };
@@ -113,7 +113,7 @@ const around = (_: uPlot, least: number, most: number): uPlot.Range.MinMax => [
   most * roomAtEnds,
 ];
 
-/** The labels of a logarithmic axis. Of its marks, ten for each decade, 1, 2 and 5 have numbers. */
+/** The labels of a logarithmic axis. In each decade, only the marks at 1, 2 and 5 have numbers. */
 const onlyRound = (_: uPlot, splits: number[]): (number | null)[] =>
   splits.map((value) => ('125'.includes(value.toExponential()[0]!) ? value : null));
 

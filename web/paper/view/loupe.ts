@@ -3,8 +3,8 @@ import { type Dot, showDots } from './panel_markers';
 import type { PanelView } from './panel_view';
 
 /**
- * The factor by which the loupe enlarges distances; lines keep their width, so that near ones
- * separate.
+ * The factor by which the loupe enlarges distances. Lines keep their width, so that lines near to
+ * each other separate.
  */
 const times = 8;
 

@@ -17,11 +17,11 @@ import type { LineResult, Panel, Vector } from '../figures/types';
 import type { SharedRenderer } from './shared_renderer';
 
 const fieldOfView = 30;
-/** The part of its bounding sphere that a surface rarely leaves, with a margin. */
+/** The fraction of its bounding sphere's radius that a surface rarely exceeds, with a margin. */
 const margin = 0.86;
 /** The widest line of a figure, in CSS pixels. */
 const widestLine = 4;
-/** The surface's color under the most common lighting. */
+/** The brightness of most of the surface under the light, relative to its color. */
 const surfaceShade = 0.75;
 
 export interface LineLook {
@@ -37,7 +37,7 @@ interface ShownLine {
 }
 
 /**
- * The view of one panel: a surface and its lines. It draws only changes, and only while it is
+ * The view of one panel: a surface and its lines. It draws only after changes, and only while it is
  * visible.
  */
 export class PanelView {
@@ -227,7 +227,7 @@ export class PanelView {
     return { x, y, hidden: hidden || place.z > 1 };
   }
 
-  /** Restores the panel's own view; `places` are its points, for a view of one of them. */
+  /** Restores the panel's own view. `places` are its points, one of which may be shown closely. */
   resetView(places: readonly Vector[]): void {
     const { from = [0.34, 0.22, 1], at, distance = 1 } = this.panel.view ?? {};
     const target = new Vector3();

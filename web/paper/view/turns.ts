@@ -5,7 +5,7 @@ export interface Work {
   run(signal: AbortSignal): Promise<void>;
 }
 
-/** The time out of sight until an interruption: a reader who scrolls past soon comes back. */
+/** The time out of sight until an interruption: readers who scroll past often come back soon. */
 const patienceMs = 300;
 
 /** The distance of an element from the visible part of the page, in pixels; 0 if it is visible. */
