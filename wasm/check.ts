@@ -3,12 +3,14 @@ import type { MeshInfo } from './types.js';
 
 /**
  * Checks of arguments that only JavaScript can get wrong: types, lengths, numbers that are not
- * integers. The engine checks what depends on the mesh. Results are frozen, so that they need no
- * check when they come back.
+ * integers. The engine checks what depends on the mesh.
  */
 
 const largestInteger = 0x7fffffff;
-/** The most entries of 4 doubles each, such as points. More do not fit into 4 GB. */
+/**
+ * The largest number of entries of a list, such as points. An entry takes four doubles, and more
+ * entries do not fit into 4 GB.
+ */
 const mostEntries = 2 ** 27;
 
 /** The error for an argument that cannot be right. */
@@ -110,7 +112,7 @@ export function toFloat64(value: unknown, what: string): Float64Array {
   return new Float64Array(array as ArrayLike<number>);
 }
 
-/** A copy in 32-bit integers. Each number must be one. */
+/** A copy in 32-bit integers. Throws for a number that is not a 32-bit integer. */
 export function toInt32(value: unknown, what: string): Int32Array {
   const array = checkArrayLike(value, what);
   if (!(array instanceof Int32Array)) {
@@ -119,7 +121,7 @@ export function toInt32(value: unknown, what: string): Int32Array {
   return new Int32Array(array as ArrayLike<number>);
 }
 
-/** An options object that has only options of these names. */
+/** Throws unless the options are an object with options of these names only. */
 export function checkOptions(options: unknown, names: readonly string[]): void {
   if (typeof options !== 'object' || options === null || Array.isArray(options)) {
     throw badArgument(`the options must be an object, not ${shown(options)}`);
@@ -130,7 +132,7 @@ export function checkOptions(options: unknown, names: readonly string[]): void {
   }
 }
 
-/** An array whose entries are not numbers. */
+/** An array of entries that need not be numbers. Throws if it has more than `mostEntries`. */
 export function checkArray(value: unknown, what: string): unknown[] {
   if (!Array.isArray(value)) throw badArgument(`${what} must be an array, not ${shown(value)}`);
   if (value.length <= mostEntries) return value;
@@ -160,7 +162,9 @@ export function toVector(value: unknown, what: string): Float64Array {
   return vector;
 }
 
-/** A point in the form for the engine: face and weights, or NaN, the vertex, 0, 0. */
+/**
+ * A point as four numbers for the engine: its face and weights; for a vertex NaN, its number, 0, 0.
+ */
 export function checkPointLike(value: unknown, what: string): Float64Array {
   const point = value as Partial<{ vertex: unknown; face: unknown; bary: unknown }> | null;
   if (typeof point !== 'object' || point === null) {
@@ -177,7 +181,7 @@ export function checkPointLike(value: unknown, what: string): Float64Array {
 export const namesOf = <Options>(all: Record<keyof Options, true>): readonly string[] =>
   Object.keys(all);
 
-/** The numbers and repairs of a mesh, which nobody can change. */
+/** Freezes the numbers and repairs of a mesh, so that nobody can change them. */
 export function frozenInfo(info: MeshInfo): MeshInfo {
   info.repairs.forEach(Object.freeze);
   Object.freeze(info.repairs);

@@ -42,19 +42,19 @@ import { CurveView } from './view.js';
 
 const pointNumber = (i: number) => checkInteger(i, 'the number of the control point');
 
-/** The properties that take no work. */
+/** The properties that a curve keeps from its last view. */
 type Facts = Pick<CurveView, 'length' | 'segmentCount' | 'levels' | 'times'>;
 
 /**
- * A curve on a mesh, with control points that can be edited. An edit traces only the part that it
- * affects again. The curve is then equal to a new one with the same points.
+ * A curve on a mesh, with control points that can be edited. An edit retraces only the part that it
+ * affects. The curve then equals a new one with the same points.
  *
- * The parameter runs from 0 to `segmentCount`: the number of a segment plus t in [0, 1]. On a
- * closed curve it may be negative or exceed a turn.
+ * A parameter runs from 0 to `segmentCount`: it is the number of a segment plus t in [0, 1]. On a
+ * closed curve it may also be negative or larger than `segmentCount`.
  *
- * Every edit throws `KarcherError`, and changes nothing, if the result would be no curve
- * (tooFewPoints, unreachable, and the errors of a point). Everything throws disposed after
- * `dispose`.
+ * If the result would not be a valid curve, an edit changes nothing and throws `KarcherError`
+ * (tooFewPoints, unreachable, and the errors of a point). After `dispose`, all methods and
+ * properties throw disposed.
  */
 export class Curve {
   static {
@@ -67,7 +67,7 @@ export class Curve {
   readonly #handle: Handle<EngineCurve>;
   #options: CurveOptions;
   #basis: OwnBasis | undefined;
-  /** The curve's data, and the properties that take no work, until the next edit. */
+  /** The curve's data, and the properties from its last view; undefined after an edit. */
   #parts: EngineCurveParts | undefined;
   #facts: Facts | undefined;
   #edits = 0;
@@ -84,8 +84,8 @@ export class Curve {
   }
 
   /**
-   * The curve's value: options from which it can be created again. It omits defaults, and numbers
-   * that the curve's kind does not use.
+   * The curve's value: options from which the curve can be created again. It omits numbers that the
+   * kind does not use, and options for samples, levels and fields that were not given.
    */
   value(): CurveValue {
     const parts = this.#shape;
@@ -95,9 +95,9 @@ export class Curve {
   }
 
   /**
-   * Changes the curve to that of a value, and returns its view. The fields of unchanged points
-   * stay, and so do the segments with the same points and numbers. All other edits are calls of
-   * this one. For the curve with dragged points, pass the `drawnLegs` of the previous view as
+   * Changes the curve into the curve of a value, and returns its view. It keeps the fields of
+   * unchanged points, and the segments whose points and numbers are unchanged. All other edits have
+   * the effect of a call of `set`. To drag points, pass the `drawnLegs` of the previous view as
    * `legs`. Throws what `Mesh.curve` throws.
    */
   set(value: CurveOptions, options: PolylineOptions = {}): CurveView {
@@ -116,7 +116,7 @@ export class Curve {
     return this.#seen(bytes);
   }
 
-  /** All data for drawing the curve, its polyline in 32 bits by default, in one buffer. */
+  /** All data for drawing the curve, in one buffer. The polyline has 32 bits by default. */
   view(options: PolylineOptions = {}): CurveView {
     return this.#view({ inDouble: inDouble(options), withPoints: false });
   }
@@ -134,7 +134,7 @@ export class Curve {
   }
 
   /**
-   * The intervals in which the curve is no center of mass, with the reasons.
+   * The intervals in which the curve's points are not centers of mass, with the reasons.
    *
    * @example
    * ```ts
@@ -167,8 +167,8 @@ export class Curve {
   }
 
   /**
-   * A number for each point of the path: 1 if the piece that leads to it is no center of mass, as
-   * on a bridge.
+   * A number for each point of the path: 1 if the piece before it does not consist of centers of
+   * mass, such as on a bridge; else 0.
    */
   unconverged(): Uint8Array {
     return this.view().unconverged.slice();
@@ -226,15 +226,15 @@ export class Curve {
 
   /**
    * The estimated largest distance, in the mesh's units, between the curve and the curve with
-   * `levels: 0`; 0 without levels. It is null if that curve is not safe, so that the distance has
-   * no meaning.
+   * `levels: 0`; 0 without levels. Null if the latter is not safe, so that the distance has no
+   * meaning.
    */
   get deviation(): number | null {
     const deviation = this.#handle.call((curve) => curve.deviation());
     return deviation >= 0 ? deviation : null;
   }
 
-  /** The number of fields computed since the curve was created. A good edit adds few. */
+  /** The number of fields computed since the curve was created. Most edits add few. */
   get fieldsComputed(): number {
     return this.#handle.call((curve) => curve.fieldsComputed());
   }
@@ -245,7 +245,8 @@ export class Curve {
   }
 
   /**
-   * Moves control point `i`: the curve computes its field and the segments that it touches again.
+   * Moves control point `i`. The curve recomputes the point's field and the segments that the point
+   * affects.
    *
    * @example
    * ```ts
@@ -257,10 +258,10 @@ export class Curve {
   }
 
   /**
-   * Moves control point `i` as a hand does. The legs of the control polygon that meet at it
-   * continue from their present course, whether or not they stay the shortest, so that the curve
+   * Moves control point `i` as a hand drags it. The legs of the control polygon that meet at the
+   * point continue from their present course, even if they are then not shortest, so that the curve
    * moves with the point. They keep this course until another kind of edit moves a point at one of
-   * their ends, and are part of the curve's value.
+   * their ends. The legs are part of the curve's value.
    */
   dragPoint(i: number, point: PointLike): void {
     this.#edit('dragPoint', pointNumber(i), wirePoint(point));
@@ -282,7 +283,9 @@ export class Curve {
     );
   }
 
-  /** Inserts the point as number `i`. The numbers of the points from there on grow by one. */
+  /**
+   * Inserts a control point with the number `i`. The numbers of the points after it grow by one.
+   */
   insertPoint(i: number, point: PointLike): void {
     this.#edit('insertPoint', pointNumber(i), wirePoint(point));
   }
@@ -293,23 +296,23 @@ export class Curve {
   }
 
   /**
-   * Inserts a control point on the curve at a parameter, and returns its number. The curve stays
-   * unchanged on a plane, and nearly unchanged elsewhere. A B-spline has a new knot there, and its
-   * knots are custom ones from then on. The degree of a curve of one segment grows by one, so that
-   * all inner points are new. Curves through their points have one more, which changes a
-   * Catmull-Rom curve a little. Throws `KarcherError` badArgument if the curve cannot have such a
-   * point.
+   * Adds a control point for a parameter, and returns its number. The curve stays unchanged on a
+   * plane, and nearly so elsewhere. A B-spline gets a knot there, and its knots are custom ones
+   * from then on. The degree of a curve of one segment grows by one, so that all its inner points
+   * are new. A Catmull-Rom curve or polyline gets a point on itself, which changes a Catmull-Rom
+   * curve a little. Throws `KarcherError` badArgument if the curve cannot have such a point.
    */
   insertOnCurve(parameter: number): number {
     return this.#edit('insertOnCurve', checkNumber(parameter, 'the parameter'));
   }
 
   /**
-   * New curves along this one before and after a parameter. A closed B-spline, Catmull-Rom curve or
-   * polyline becomes one curve, opened there. On a plane they are the curve's own parts, and nearly
-   * so elsewhere. Those of a Catmull-Rom curve deviate a little next to the cut, since they do not
-   * depend on the points beyond it. This curve stays unchanged. Throws `KarcherError` badArgument
-   * at the ends of an open curve.
+   * Two new curves: the parts of this one before and after a parameter; or only one, open there,
+   * for a closed B-spline, Catmull-Rom curve or polyline. They equal these parts exactly on a
+   * plane, and nearly elsewhere. Next to the cut, those of a Catmull-Rom curve deviate a little,
+   * since they do not depend on the points beyond it. This curve stays unchanged. Throws
+   * `KarcherError` badArgument at the ends of an open curve or of a curve of one segment, and for
+   * the kind `custom`.
    */
   split(parameter: number): Curve[] {
     checkNumber(parameter, 'the parameter');
@@ -319,11 +322,12 @@ export class Curve {
   }
 
   /**
-   * A new curve along this one and then along another of its kind, with a geodesic between them if
-   * they do not meet. Bezier curves become a B-spline. Barycentric curves and curves through their
-   * points become the curve through the points of both, with this one's parametrization. It
-   * deviates a little from both where they meet. Both curves stay unchanged. Throws `KarcherError`
-   * badArgument if the kinds or degrees differ, or one is closed.
+   * A new curve along this one and then along another one of the same kind. B-splines and Bezier
+   * curves become one B-spline, with a geodesic between the two if they do not meet. Other curves
+   * become the curve through the points of both, with this one's parametrization; it deviates a
+   * little from both where they meet. Both curves stay unchanged. Throws `KarcherError` badArgument
+   * if the kinds, or the degrees of B-splines, differ, a Bezier degree exceeds 5, a curve is
+   * closed, or the kind is `custom`; unreachable if the curves lie on different components.
    */
   join(other: Curve): Curve {
     if (!(other instanceof Curve) || other.#mesh !== this.#mesh) {
@@ -348,9 +352,9 @@ export class Curve {
   }
 
   /**
-   * Changes the kind, and keeps the properties that the new kind uses, but not degree and knots.
-   * Weights stay only if a B-spline becomes rational, or a rational curve a B-spline. `custom` is
-   * only for curves that began with a basis.
+   * Changes the kind. Weights stay only between the kinds `bspline` and `rational`; degree, knots
+   * and parametrization become the defaults. `custom` is only for curves that were created with a
+   * basis.
    */
   setKind(kind: CurveKind): void {
     this.#edit('setKind', checkKind(kind));
@@ -412,15 +416,15 @@ export class Curve {
     return this.#call((curve) => curve.lengthAt(parameter));
   }
 
-  /** The point at a length from the start, on the polyline. */
+  /** The point of the polyline at a length from the start. */
   pointAtLength(length: number): CurvePoint {
     checkNumber(length, 'the length');
     return withPoint(this.#call((curve) => curve.pointAtLength(length)));
   }
 
   /**
-   * `count` points with equal lengths of curve between them, on the polyline. They include both
-   * ends of an open curve, and begin at the start of a closed one.
+   * `count` points of the polyline, with equal lengths between neighbors. They include both ends of
+   * an open curve, and begin at the start of a closed one.
    *
    * @example
    * ```ts

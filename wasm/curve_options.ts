@@ -76,7 +76,10 @@ function engineSampling(options: CurveOptions): EngineSampling {
   return { samples: defaultSamples, tolerance: part, exact, ...levels };
 }
 
-/** Options that only one kind uses. The engine rejects weights and betas itself. */
+/**
+ * Options that only one kind uses, and this kind. The engine itself rejects weights and betas of
+ * other kinds.
+ */
 const ownOptions = [
   ['degree', 'bspline'],
   ['knots', 'bspline'],
@@ -91,7 +94,7 @@ function checkOwnOptions(options: CurveOptions): void {
   }
 }
 
-/** The options that determine a curve's trace, unchanged: its samples and fields. */
+/** The given options for samples, levels and fields, which determine a curve's trace. */
 export function tracingOf(options: CurveOptions): Partial<Omit<CurveOptions, 'legs'>> {
   const { method, solver, rings, star, samples, tolerance, geometry, levels, leastLevels } =
     options;
@@ -99,7 +102,7 @@ export function tracingOf(options: CurveOptions): Partial<Omit<CurveOptions, 'le
   return Object.fromEntries(Object.entries(all).filter(([, value]) => value !== undefined));
 }
 
-/** The options for a curve of the engine's data: those that its kind uses. */
+/** The options of a curve from the engine's data: only those that its kind uses. */
 export function optionsOfParts(parts: EngineCurveParts): CurveValue {
   const { kind, closed, degree, clamped, centripetal, points, legs = [] } = parts;
   const given = <Name extends string>(name: Name, values: Float64Array) =>
@@ -146,7 +149,10 @@ function wireLeg(leg: LegPoints | DrawnLeg, i: number): Float64Array {
   return isDrawn(leg) ? wirePointArrays(leg) : wirePoints(leg, `the points of leg ${i}`);
 }
 
-/** Numbers of a list that is not empty: for the engine, an empty array stands for the default. */
+/**
+ * The numbers of a list. Throws for an empty list, since in the engine an empty array stands for
+ * the default.
+ */
 export function givenNumbers(values: ArrayLike<number>, what: string): Float64Array {
   const array = toFloat64(values, what);
   if (array.length > 0) return array;

@@ -12,8 +12,9 @@ import type {
 /**
  * The kind of a curve:
  *
- * - `bspline`: a B-spline of degree 1 to 5, with weights a NURBS curve; uniform by default, so that
- *   it starts and ends near the middle of its first and last points;
+ * - `bspline`: a B-spline of degree 1 to 5; with weights, a NURBS curve. Its knots are uniform by
+ *   default, so that an open curve starts near the middle of its first points and ends near the
+ *   middle of its last ones;
  * - `bezier`: one segment of degree (points - 1);
  * - `rational`: a Bezier curve with a weight for each point;
  * - `barycentric`: one rational segment through all points, with a beta for each point
@@ -23,9 +24,9 @@ import type {
  * - `polyline`: paths from point to point, the exact shortest ones unless `legs` gives others;
  * - `custom`: one segment with a basis of your own.
  *
- * A curve through a control point passes it exactly on a plane, at the ends of an open curve, and
- * if it is a `polyline`. Elsewhere on a curved mesh its fields are estimates, and it passes within
- * a few hundredths of a mean edge.
+ * A curve through its control points meets them exactly on a plane, at the ends of an open curve,
+ * and if it is a `polyline`. Elsewhere it passes within a few hundredths of a mean edge of them,
+ * since fields on a curved mesh are estimates.
  */
 export type CurveKind =
   | 'bspline'
@@ -37,7 +38,8 @@ export type CurveKind =
   | 'custom';
 
 /**
- * The spacing of a Catmull-Rom curve's knots: by the root of the distance between points, or even.
+ * The spacing of a Catmull-Rom curve's knots: proportional to the square root of the distance
+ * between points (`centripetal`), or equal (`uniform`).
  */
 export type Parametrization = 'centripetal' | 'uniform';
 
@@ -58,23 +60,24 @@ export type CurveLevels = number | 'auto' | 'limit';
 /** The tolerance for levels that a curve chooses itself. */
 export interface LevelsTolerance {
   /**
-   * The largest move by levels, in mean edges, of a curve that is a safe center of mass without
-   * them. `auto` stands for .02. With 0 the curve does not move; with Infinity it is the quickest
-   * draft.
+   * The largest distance, in mean edges, by which levels may move a curve that is safe without them
+   * (see `CurveOptions.levels`). `auto` uses .02. With 0 the curve does not move; with Infinity it
+   * is the draft that is quickest to compute.
    */
   tolerance: number;
 }
 
 /**
- * The points that a leg of a control polygon passes; null for the shortest path. The points may
- * themselves be the leg, unchanged: then they lie on edges, and each shares a face with the next,
- * as do the leg's ends with theirs.
+ * The points through which a leg of a control polygon passes; null for the shortest path. If the
+ * points lie on edges, and consecutive points share a face (also those at the leg's ends), they are
+ * the leg itself, unchanged.
  */
 export type LegPoints = readonly PointLike[] | null;
 
 /**
- * All points of a drawn leg, with its ends. If the ends are not at the control points, the leg
- * continues to them as if a hand had dragged it there. It need not stay the shortest.
+ * All points of a drawn leg, with its ends. If an end is not at its control point, the leg
+ * continues to the point as if a hand had dragged the end there. The leg need not stay the shortest
+ * path.
  */
 export type DrawnLeg = PointArrays;
 
@@ -85,20 +88,21 @@ export interface CurveOptions extends FieldOptions {
   points: readonly PointLike[];
   /**
    * The legs of the control polygon, from each point to the next, and for a closed curve also from
-   * the last to the first. Each is the shortest path, or a path along a few points that is pulled
-   * tight. Curves with levels follow them, and polylines consist of them. By default all are the
-   * shortest. `drawnLegs` of a view are those that its curve had.
+   * the last to the first. Each is the shortest path, or a path through a few points, pulled tight.
+   * Curves with levels follow the legs, and polylines consist of them. By default all legs are
+   * shortest paths. The `drawnLegs` of a view are the legs of its curve.
    */
   legs?: readonly (LegPoints | DrawnLeg)[] | undefined;
   /**
-   * The number of samples for each segment, at t = i / (samples - 1), both ends included; 2 to
-   * 100,000. 128 by default. With `adaptive` it is as many as the tolerance needs.
+   * The number of samples of each segment, both ends included: 2 to 100,000; 128 by default. Sample
+   * i lies at t = i / (samples - 1). With `adaptive`, each segment has as many samples as the
+   * tolerance requires.
    */
   samples?: number | 'adaptive' | undefined;
   /**
-   * The largest distance of the curve from the geodesics between adaptive samples, as a fraction of
-   * the bounding box's diagonal, from 1e-7 to 1; 1e-4 by default. The check is at a dozen or more
-   * places between two samples.
+   * The largest distance of the curve from the geodesics between adaptive samples, relative to the
+   * bounding box's diagonal: 1e-7 to 1; 1e-4 by default. It is checked at a dozen or more places
+   * between two samples.
    */
   tolerance?: number | undefined;
   /**
@@ -107,21 +111,22 @@ export interface CurveOptions extends FieldOptions {
    */
   geometry?: CurveGeometry | undefined;
   /**
-   * The number of subdivisions of the control polygon, by averages of two points along its legs: 0
-   * to 8. The curve then averages the near points of each piece. More levels make a curve of
-   * distant points steadier on rough surfaces. On a plane all levels give the same curve.
+   * The number of subdivisions of the control polygon, 0 to 8. A subdivision takes averages of two
+   * points along the legs. Each piece of the curve is then a center of mass of the subdivided
+   * points near it. On rough surfaces, more levels make a curve of distant points steadier. On a
+   * plane all levels give the same curve.
    *
-   * - 0: the curve of Mancinelli and Puppo, one center of mass of all the points that a segment
-   *   blends;
-   * - `auto`, the default: the curve of level 0 if that is safe, as on smooth surfaces: its points
-   *   move continuously, and no more roughly than the surface. If the curves of all levels lie
-   *   within .02 mean edges of it by estimate, the curve takes the number of levels that makes it
-   *   quickest instead. If level 0 is not safe, as on scans with distant points, the curve takes as
-   *   many levels as make it so;
+   * - 0: the curve of Mancinelli and Puppo: each point is one center of mass of all control points
+   *   that its segment blends;
+   * - `auto`, the default: the curve of level 0 if it is safe, such as on smooth surfaces. It is
+   *   safe if its points move continuously, and no more roughly than the surface. If the curves of
+   *   all levels lie within .02 mean edges of it by estimate, the curve takes instead the number of
+   *   levels with which it is computed fastest. If level 0 is not safe, such as on scans with
+   *   distant points, the curve takes as many levels as make it safe;
    * - `{ tolerance }`: the same with another tolerance;
    * - `limit`: the subdivision curve that many levels approach, which needs no fields. Its points
-   *   lie at `samples` even parameters, joined by geodesics, whatever `tolerance` and `geometry`
-   *   are.
+   *   lie at `samples` equally spaced parameters and are joined by geodesics; `tolerance` and
+   *   `geometry` have no effect.
    *
    * The method `paper` takes only 0, its default. The kinds `barycentric`, `polyline` and `custom`
    * always have 0.
@@ -129,8 +134,8 @@ export interface CurveOptions extends FieldOptions {
   levels?: CurveLevels | LevelsTolerance | undefined;
   /**
    * The fewest levels that `auto` takes, 0 to 8; 0 by default. A curve moves a little when its
-   * number of levels changes. For steady levels in the drag of a point, pass the largest number
-   * that the curve has had during the drag.
+   * number of levels changes. To avoid this while a point is dragged, pass the largest number of
+   * levels that the curve has had during the drag.
    */
   leastLevels?: number | undefined;
   /**
@@ -142,9 +147,10 @@ export interface CurveOptions extends FieldOptions {
   /** The degree of a B-spline, 1 to 5; 3 by default. */
   degree?: number | undefined;
   /**
-   * The knots of a B-spline of n points and degree p: `uniform`, evenly spaced; `clamped`, repeated
-   * at the ends, so that the curve runs from its first to its last point; or numbers that do not
-   * decrease, n + p + 1 of them, for a closed curve n + 1 for its n spans. `uniform` by default.
+   * The knots of a B-spline with n points and degree p. `uniform` (the default): equally spaced.
+   * `clamped`: repeated at the ends, so that the curve runs from its first to its last point. A
+   * list: n + p + 1 numbers that do not decrease; for a closed curve n + 1, which bound its n
+   * spans.
    */
   knots?: 'uniform' | 'clamped' | ArrayLike<number> | undefined;
   /** One positive weight for each point, for `bspline` and `rational`. All 1 by default. */
@@ -177,7 +183,7 @@ export interface CurvePoint {
 
 /** The derivative of a curve by its parameter. */
 export interface CurveTangent extends CurvePoint {
-  /** The derivative as changes of the weights of the face's corners; they sum to 0. */
+  /** The derivatives of the three barycentric weights in the point's face; their sum is 0. */
   inFace: [number, number, number];
   /** The derivative as a vector in space: x, y, z. */
   inSpace: [number, number, number];
@@ -222,9 +228,10 @@ export interface CurveSamples {
 }
 
 /**
- * An interval of a segment's parameter in which a curve is no center of mass. To stay continuous,
- * it follows a subdivision curve of the segment's control points there. The samples inside have the
- * status `bridged`, or `subdivided` if that is the reason.
+ * An interval of a segment's parameter in which the points of a curve are not centers of mass.
+ * There the curve follows a subdivision curve of the segment's control points, so that it stays
+ * continuous. The samples in the interval have the status `bridged`, or `subdivided` if that is the
+ * reason.
  */
 export interface BridgedInterval {
   /** The number of the segment that contains the interval. */
@@ -241,9 +248,10 @@ export interface CircleOptions extends ArcOptions {
   /** The radius, in units of the mesh, measured on the surface. */
   radius: number;
   /**
-   * The largest distance of samples from the radius, relative to the radius, without `arcs`; .001
-   * by default. `deviation` of the circle is larger if no arcs keep nearer: beyond the center's cut
-   * locus, and where saddles spread the geodesics from the center apart.
+   * The largest error of the samples' distances from the center, relative to the radius; .001 by
+   * default. It determines the number of arcs unless `arcs` is given. The circle's `deviation` is
+   * larger where no arcs come nearer: beyond the center's cut locus, and where saddles spread the
+   * geodesics from the center apart.
    */
   tolerance?: number | undefined;
 }
@@ -252,7 +260,7 @@ export interface CircleOptions extends ArcOptions {
 export interface ArcOptions extends FieldOptions {
   /**
    * The number of rational quadratic arcs, 3 to 64, all of the same width. By default a circle has
-   * as many as its `tolerance` takes, up to 128, and an ellipse 7.
+   * as many arcs as its `tolerance` requires, up to 128, and an ellipse has 7.
    */
   arcs?: number | undefined;
   /**

@@ -18,8 +18,9 @@ export class Engine {
   }
 
   /**
-   * Throws `KarcherError` `busy` if the engine is at work: a caller's basis or progress runs within a call,
-   * which reads the data that the basis would change.
+   * Throws `KarcherError` `busy` if the engine is at work. A caller's basis or progress function
+   * runs within a call of the engine. Another call from there could change the data that the first
+   * one reads.
    */
   checkIdle(): void {
     if (!this.#atWork) return;
@@ -54,15 +55,15 @@ export class Engine {
 export interface Callback<Args extends unknown[], Result> {
   call(...args: Args): Result;
   /**
-   * Returns what `work` returns. If the function threw, throws its exception instead of the
-   * resulting error.
+   * Returns what `work` returns. If the caller's function threw, throws its exception instead of
+   * the engine's resulting error.
    */
   guard<Returned>(work: () => Returned): Returned;
 }
 
 /**
- * Exceptions must not pass through the engine: the callback keeps one, and the engine rejects
- * `failed` in place of a result.
+ * Exceptions must not pass through the engine. So the callback keeps the first one, and returns
+ * `failed`, which the engine rejects.
  */
 export function callback<Args extends unknown[], Result>(
   own: (...args: Args) => Result,
@@ -91,8 +92,8 @@ export function callback<Args extends unknown[], Result>(
 }
 
 /**
- * An object of the module, and the objects created from it, which read it. The lease deletes the
- * object when nobody holds it and none of the others remains.
+ * The lease of an object of the module. Objects created from it read it, and so hold it, too. The
+ * lease deletes the object when nobody holds it any more.
  */
 class Lease {
   readonly #target: { delete(): void };
@@ -124,7 +125,7 @@ const forgotten = new FinalizationRegistry<Lease>((lease) => {
 });
 
 /**
- * The number of objects created from one object before a first clean-up removes those that are
+ * The number of objects created from one object at which a first clean-up forgets those that are
  * gone.
  */
 const leastMost = 16;

@@ -30,7 +30,10 @@ export async function instantiate<Module>(
   });
 }
 
-/** The compiled module of a source, which may be one itself. Rejects as `instantiate` does. */
+/**
+ * The compiled module of a source; the source may itself be a compiled module. Rejects as
+ * `instantiate` does.
+ */
 export async function compiled(source: WasmSource): Promise<WebAssembly.Module> {
   if (source instanceof WebAssembly.Module) return source;
   if (typeof source === 'string' || source instanceof URL) return compiledFrom(source);
@@ -46,7 +49,10 @@ export async function compiled(source: WasmSource): Promise<WebAssembly.Module> 
   return compiledBytes(bytes, 'the array of bytes');
 }
 
-/** A copy of bytes. WebAssembly takes none in shared memory, where another thread may write. */
+/**
+ * A copy of a source's bytes; undefined if it has none. WebAssembly takes no bytes in shared
+ * memory, since another thread may change them.
+ */
 function bytesOf(source: unknown): Uint8Array<ArrayBuffer> | undefined {
   if (ArrayBuffer.isView(source)) {
     return new Uint8Array(source.buffer, source.byteOffset, source.byteLength).slice();
@@ -84,7 +90,7 @@ async function compiledResponse(response: Response, what: string): Promise<WebAs
       `the engine cannot be loaded from ${what}: the answer is ${response.status} ${response.statusText}`.trim(),
     );
   }
-  // `compileStreaming` takes only this type, without a charset, and in Node not in capitals.
+  // `compileStreaming` takes only this type, without a charset, and in Node only in lower case.
   if (response.headers.get('content-type') !== 'application/wasm') {
     return compiledBytes(await response.arrayBuffer(), what);
   }

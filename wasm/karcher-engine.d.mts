@@ -17,9 +17,9 @@ import type {
 
 /**
  * The WebAssembly module as the facade sees it: the exports of bindings/*.cpp. A point is four
- * numbers: face, b0, b1, b2, and to the engine also NaN, vertex, 0, 0. Faces and vertices are the
- * caller's. After a failed call `takeFailure` returns the reason, once, and the call's own result
- * has no meaning.
+ * numbers: face, b0, b1, b2. An argument may also have NaN, vertex, 0, 0. Faces and vertices have
+ * the caller's numbers. After a failed call, `takeFailure` returns the reason once, and the result
+ * of the call has no meaning.
  */
 export interface EngineModule {
   takeFailure(): { code: string; message: string } | undefined;
@@ -60,11 +60,14 @@ export interface EngineRegion {
   area: number;
   perimeter: number;
   boundary: EnginePath[];
-  /** The part of each triangle that lies in the region: 0 for none, 1 for all, 2 for some. */
+  /** A number for each triangle: 0 outside the region, 1 inside, 2 if it is partly inside. */
   share: Uint8Array;
-  /** The triangles of the sides of partial triangles, in order. */
+  /** The triangle of each entry of `sides`, in ascending order. */
   triangles: Int32Array;
-  /** Four numbers for each side: the second and third weight of one end, and those of the other. */
+  /**
+   * The sides of the region within partial triangles, four numbers for each: the second and third
+   * weight of one end, and of the other.
+   */
   sides: Float64Array;
   /** For a region of one shape, whether it lies left of its first outline. */
   isLeft?: boolean;
@@ -104,7 +107,10 @@ export interface EngineMesh {
   mirror(line: Float64Array, points: Float64Array, directions: Float64Array): EngineMapped;
   transport(from: Float64Array, to: Float64Array, vectors: Float64Array): Float64Array;
   transportAlong(line: Float64Array, vectors: Float64Array): Float64Array;
-  /** The points at lengths from the start, and `count` even ones. A length of 0 stands for that of the chords. */
+  /**
+   * The points at `lengths` from the start, and then `count` equally spaced ones. A `length` of 0
+   * stands for the sum of the chords.
+   */
   pointsAlong(
     line: Float64Array,
     lengths: Float64Array,
@@ -135,7 +141,6 @@ export interface EngineMesh {
     certifies: boolean,
     field: EngineFieldOptions,
   ): EngineMean;
-  /** `given` is empty for equal weights. */
   centersOfMass(
     points: Float64Array,
     rows: Float64Array,
@@ -144,6 +149,7 @@ export interface EngineMesh {
     isChecked: boolean,
     field: EngineFieldOptions,
   ): { point: Float64Array; position: Float64Array; energy: Float64Array; status: Status[] };
+  /** `given` is empty for equal weights. */
   weightsOf(
     point: Float64Array,
     points: Float64Array,
@@ -193,8 +199,9 @@ export interface EngineMesh {
   ): EnginePath[];
   distanceFromPaths(outlines: Float64Array[], points: Float64Array): Float64Array;
   /**
-   * The regions of shapes. `counts` has the number of outlines of each shape. `insides` has a point,
-   * nothing, or the side of its first outline: 1 for the left, 0 for the right.
+   * The regions of shapes. For each shape, `counts` has the number of its outlines, and `insides`
+   * has a point inside, nothing, or the side of its first outline that is inside: 1 for the left, 0
+   * for the right.
    */
   regions(
     outlines: Float64Array[],
@@ -212,7 +219,7 @@ export interface EngineCurveValue {
   points: Float64Array;
   /** The points that each leg passes, none for the shortest; an empty list if all are shortest. */
   legs: Float64Array[];
-  /** Whether a leg's points are all of its points, with its ends. */
+  /** For each leg, 1 if its points are all points of a drawn leg, with the ends; else 0. */
   areDrawn: Int32Array;
   shape: EngineCurveShape;
   sampling: EngineSampling;
@@ -224,7 +231,7 @@ export interface EngineSampling {
   samples: number;
   /** The tolerance, or 0 for a fixed number of samples. */
   tolerance: number;
-  /** Whether crossings of edges lie between the samples, instead of geodesics. */
+  /** Whether the curve's own crossings of edges join the samples, instead of geodesics. */
   exact: boolean;
   /** The number of levels, -1 for `auto`, or -2 for the limit. */
   levels: number;
@@ -234,7 +241,7 @@ export interface EngineSampling {
   levelsTolerance: number;
 }
 
-/** The shape of a curve. Arrays without use are empty. */
+/** The shape of a curve. Arrays that its kind does not use are empty. */
 export interface EngineCurveShape {
   kind: CurveKind;
   closed: boolean;
@@ -271,7 +278,10 @@ export interface EnginePath {
   lengths: Float64Array;
 }
 
-/** The data of a path in a view: positions in 64 bits, and the faces and weights of its points. */
+/**
+ * Whether a view has its positions in 64 bits, and whether it has the faces and weights of the
+ * path's points.
+ */
 export interface EngineViewOptions {
   inDouble: boolean;
   withPoints: boolean;
@@ -329,7 +339,7 @@ export interface EngineCurve extends EngineCurveEdits {
   /** Changes the curve to that of a value, and returns its view (view.ts). */
   set(value: EngineCurveValue, options: EngineViewOptions): Uint8Array;
   view(options: EngineViewOptions): Uint8Array;
-  /** The curve's value. Arrays without use are empty. */
+  /** The curve's value. Arrays that its kind does not use are empty. */
   value(): EngineCurveParts;
   legs(): { path: EnginePath; shorter?: EnginePath }[];
   splitAt(parameter: number): EngineCurveParts[];
@@ -349,12 +359,12 @@ export interface EngineCurve extends EngineCurveEdits {
   equallySpaced(count: number): CurvePoints;
 }
 
-/** The graph of the graph solver, which slices of work build. */
+/** A builder of the graph of the solver `graph`, in slices of work. */
 export interface EngineGraphBuilder {
   delete(): void;
-  /** Returns true when all is done. */
+  /** Adds the next vertices, of this number. Returns true when the graph is complete. */
   advance(vertices: number): boolean;
-  /** The completed part, from 0 to 1. */
+  /** The completed fraction, from 0 to 1. */
   progress(): number;
 }
 

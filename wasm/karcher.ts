@@ -36,8 +36,8 @@ export class Karcher {
    *
    * It cuts polygons into triangles, drops vertices of no face, and repairs defects where that is
    * safe (`MeshOptions`, `RepairKind`). `info.repairs` lists the repairs, and `fileMarks` the
-   * file's parts, materials and colors. Vertices and faces keep the file's order, and faces count
-   * triangles. A point keeps its place, even if its face changed.
+   * file's parts, materials and colors. Vertices and faces keep the file's order; a polygon counts
+   * as its triangles. A point keeps its place, even if its face changed.
    *
    * Throws `KarcherError`: badFile (no OBJ, or no faces), badIndex, notFinite, badArgument (a
    * coordinate beyond 1e30, a mesh smaller than 1e-30), degenerateFace, notOrientable, and with
@@ -88,9 +88,9 @@ export class Karcher {
   }
 
   /**
-   * Creates a mesh from polygons: `corners` holds the vertices of one after the other, `sizes` the
-   * number of corners of each, at least 3. They become triangles like those of an OBJ file, and
-   * faces count triangles.
+   * Creates a mesh from polygons. `corners` has the vertices of one polygon after the other, and
+   * `sizes` the number of corners of each, at least 3. The polygons are cut into triangles, as
+   * those of an OBJ file are, and each triangle is a face.
    */
   meshFromPolygons(
     positions: ArrayLike<number>,

@@ -24,11 +24,11 @@ import type {
   VectorsLike,
 } from './types.js';
 
-/** Points seen from another one, in its tangent plane: x, y, z for each, in space. */
+/** Points as vectors of the tangent plane of another point: x, y, z for each, in space. */
 export interface LogMap {
   /** The log vectors, as long as the paths to the points. */
   vectors: Float64Array;
-  /** The directions at the points, transported along these paths. */
+  /** The directions at the points, transported to the other point along these paths. */
   directions: Float64Array;
 }
 
@@ -36,7 +36,9 @@ export interface LogMap {
 export interface MappedPoints {
   /** The points of the surface, one for each vector. */
   points: SurfacePoint[];
-  /** The directions transported to them: x, y, z for each, in the plane of the point's face. */
+  /**
+   * The directions transported to these points: x, y, z for each, in the plane of the point's face.
+   */
   directions: Float64Array;
   /** The remaining length of each geodesic that met the boundary; else 0, or nearly 0. */
   remaining: Float64Array;

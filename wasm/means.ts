@@ -1,4 +1,7 @@
-/** Centers of mass on a mesh, and weights for which a point is one. `Mesh` documents them. */
+/**
+ * Centers of mass on a mesh, and weights for which a point is the center of mass. `Mesh` documents
+ * them.
+ */
 import { badArgument, checkArray, checkBoolean, checkOptions, toFloat64 } from './check.js';
 import { numbersOrNone } from './curve_options.js';
 import type { MeshHandle } from './engine.js';
@@ -119,8 +122,8 @@ function toRows(rows: unknown, width: number): Float64Array {
 }
 
 /**
- * Arrays of one length in one array, one after the other. `named` names an array in errors, and
- * `wrong` is the error for another length.
+ * Rows of equal length in one array, one after the other. `named` returns the name of a row for
+ * errors, and `wrong` the error for a row of another length.
  */
 function rowsInOne(
   rows: readonly unknown[],

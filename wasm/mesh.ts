@@ -44,8 +44,8 @@ import type {
  * `dispose`, or until nobody can reach them any more and JavaScript collects them.
  *
  * Every method throws `KarcherError`: disposed after `dispose`; badIndex for a face or vertex that
- * does not exist or a dropped vertex; badPoint for weights outside the face; notFinite for NaN or
- * infinity; badArgument for an unknown option and any other value out of range.
+ * does not exist, and for a dropped vertex; badPoint for weights outside the face; notFinite for
+ * NaN or infinity; badArgument for an unknown option and any other value out of range.
  */
 export class Mesh extends MeshPlaces {
   static {
@@ -56,9 +56,9 @@ export class Mesh extends MeshPlaces {
   declare readonly [Symbol.dispose]: () => void;
 
   /**
-   * The mesh refined by Loop subdivision: four triangles for each, `levels` times (1 to 6). The new
-   * mesh has its own numbers and a `dispose` of its own. Throws `KarcherError` outOfMemory if it
-   * cannot fit.
+   * A new mesh, refined by Loop subdivision: each of the `levels` (1 to 6) divides every triangle
+   * into four. The new mesh has its own numbers and a `dispose` of its own. Throws `KarcherError`
+   * outOfMemory if it cannot fit into memory.
    */
   subdivide(levels = 1): Mesh {
     checkInteger(levels, 'the number of levels');
@@ -73,7 +73,8 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * Points of this mesh on the one that `subdivide(levels)` returns: the same weights of the same corners.
+   * The points of the mesh `subdivide(levels)` that correspond to points of this one. They have the
+   * same weights with respect to the corners of the original face.
    *
    * @throws {KarcherError} badArgument for another number of levels than 1 to 6.
    * @example
@@ -86,28 +87,30 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * Prepares the mesh's data for the given fields, and the graph of the graph solver in slices of a
-   * few milliseconds. Otherwise other methods compute missing data at once. Rejects with the
-   * signal's reason when it is aborted, and with `KarcherError` disposed and outOfMemory. The
-   * latter comes as soon as it is clear that a graph cannot fit.
+   * Prepares the mesh's data for fields with these options. It builds the graph of the solver
+   * `graph` in slices of a few milliseconds. Without this call, the first method that needs missing
+   * data computes all of it at once. Rejects with the signal's reason when the signal is aborted,
+   * and with `KarcherError` disposed, or outOfMemory as soon as it is clear that a graph cannot fit
+   * into memory.
    */
   async prepare(options: FieldOptions = {}, work: LongWorkOptions = {}): Promise<void> {
     return prepareFields(this.handle, this.info.triangles, options, work);
   }
 
   /**
-   * The Riemannian center of mass of points with weights, one for each point, that sum to 1 within
-   * 1e-9 (or are divided by their sum with `normalize`). Some may be negative. The result is a
-   * center of mass only if the status is `converged`; see `Status`. Fields of up to half a million
-   * values stay until the next call: other weights need no new fields, and a moved point only its
-   * own. With `karcher` and the solvers `fast` and `exact`, 64 different points or more need no
-   * fields, except for `uniqueness`, for a negative weight, or if the search ends at a boundary.
-   * The search then starts at some of the points, and takes about as long for thousands as for
-   * hundreds.
+   * The Riemannian center of mass of points with weights. Each point has a weight; some may be
+   * negative. Their sum is 1 within 1e-9, unless `normalize` divides them by it. The result is a
+   * center of mass only if the status is `converged`; see `Status`.
    *
-   * Throws `KarcherError` badWeights (not one for each point, or another sum), tooFewPoints (none),
-   * unreachable (the points lie on several components), badArgument (the limits of exact distances;
-   * see `distance`).
+   * Fields of up to half a million values stay until the next call. So other weights need no new
+   * fields, and a moved point needs only its own. With the method `karcher` and the solvers `fast`
+   * and `exact`, 64 different points or more need no fields, except for `uniqueness`, for a
+   * negative weight, or if the search ends at a boundary. The search then starts at some of the
+   * points, and takes about as long for thousands of points as for hundreds.
+   *
+   * Throws `KarcherError` badWeights (the number or the sum of the weights is wrong), tooFewPoints
+   * (there are none), unreachable (the points lie on several components), badArgument (the limits
+   * of exact distances; see `distance`).
    */
   centerOfMass(
     points: readonly PointLike[],
@@ -118,11 +121,12 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The centers of mass of one set of points for many rows of weights, with one weight for each
-   * point: a list of rows, or all of them one after the other. The call computes fields once, and
-   * each search costs as little as that for a sample of a curve. A search starts at the center of
-   * equal weights, and then at points near which a lower minimum may lie. The result of a row does
-   * not depend on the other rows. Throws what `centerOfMass` throws, with the row.
+   * The centers of mass of one set of points for many rows of weights. A row has one weight for
+   * each point. The rows are a list, or one array of all rows, one after the other. The call
+   * computes the fields once; each search then costs as little as that for a sample of a curve. It
+   * starts at the center of equal weights, and then at points near which a lower minimum may lie.
+   * The result of a row does not depend on the other rows. Throws what `centerOfMass` throws, and
+   * names the row.
    */
   centersOfMass(
     points: readonly PointLike[],
@@ -133,14 +137,15 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The inverse of `centerOfMass`: weights of sum 1 for which a point is the center of mass of the
-   * points. They are the nearest to the given weights; for three points they are unique. So a
-   * drawing among some points transfers to others: the weights here, `centerOfMass` there.
+   * The inverse of `centerOfMass`: weights with sum 1 for which `point` is the center of mass of
+   * the points. Of all such weights they are the nearest to the given ones; for three points they
+   * are unique. They transfer a drawing from some points to others: `weightsOf` returns the weights
+   * among the first, and `centerOfMass` the place among the second.
    *
    * Throws `KarcherError` badArgument if no such weights exist: seen from `point`, the points lie
-   * along one line that misses it, or with `nonNegative` it lies outside their convex hull. Also
-   * throws badWeights (given ones that are not one for each point, or without a positive sum),
-   * tooFewPoints (none), unreachable.
+   * along one line that misses it, or, with `nonNegative`, `point` lies outside their convex hull.
+   * Also throws badWeights (the number of given weights is wrong, or their sum is not positive),
+   * tooFewPoints (there are none), unreachable.
    */
   weightsOf(
     point: PointLike,
@@ -151,9 +156,9 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The center of mass of points by their distances to all vertices, from any source. Each point
-   * has an array in the caller's vertex order; entries at dropped vertices have no effect. Weights
-   * are as in `centerOfMass`; the method is the paper's.
+   * The center of mass of points that are given by their distances to all vertices, whatever
+   * computed these. Each point has an array in the caller's vertex order; entries at dropped
+   * vertices have no effect. Weights are as in `centerOfMass`; the method is `paper`.
    *
    * Throws `KarcherError` badArgument (an array of another length), notFinite (a distance that is
    * negative or not finite), badWeights, tooFewPoints.
@@ -185,11 +190,12 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The geodesic circle about a center, by rational quadratic arcs: as many as keep its samples within a
-   * thousandth of the radius, or a given number. `deviation` is the largest error.
+   * The geodesic circle about a center, made of rational quadratic arcs. Unless their number is
+   * given, there are as many as keep the samples within a thousandth of the radius. `deviation` is
+   * the largest error.
    *
-   * Throws `KarcherError` boundary (naming the arc whose geodesic from the center meets the boundary),
-   * radiusTooLarge (no vertex of the component lies as far from the center).
+   * Throws `KarcherError` boundary (naming the arc whose geodesic from the center meets the
+   * boundary), radiusTooLarge (no vertex of the component lies as far from the center).
    *
    * @example
    * ```ts
@@ -201,17 +207,18 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The ellipse about a center, by rational quadratic arcs: those of the plane's ellipse, mapped to the
-   * surface along geodesics from the center. Throws as `circle` does, and badArgument if the direction is
-   * perpendicular to the center's face.
+   * The ellipse about a center, made of the rational quadratic arcs of a planar ellipse. Geodesics
+   * from the center map their control points to the surface. Throws as `circle` does, and
+   * badArgument if the direction is perpendicular to the center's face.
    */
   ellipse(center: PointLike, options: EllipseOptions): Ellipse {
     return distances.ellipse(this.handle, center, options);
   }
 
   /**
-   * The points at one geodesic distance from a center, as lines: none, or several beyond the center's cut locus.
-   * A line that is not closed ends on the boundary. Throws `KarcherError` badArgument if the radius is not positive.
+   * The lines of the points at one geodesic distance from a center. There may be none, or several
+   * beyond the center's cut locus. A line that is not closed ends on the boundary. Throws
+   * `KarcherError` badArgument if the radius is not positive.
    *
    * @example
    * ```ts
@@ -223,12 +230,13 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The points at a distance from the nearest of paths (or lists of their points), without the
-   * parts where an offset intersects itself. Lines on one side have the direction of the paths;
-   * there may be no line, or several. The inside of a region lies left of its boundary. Places keep
-   * the distance to a thousandth. With several distances the error is up to a thousandth of the
-   * least, or of a tenth of the greatest if that is more. Throws `KarcherError` badArgument for a
-   * distance out of range, a path without length, and consecutive points without a common face.
+   * The lines at a distance from the nearest of several paths (or lists of their points), without
+   * the parts where an offset intersects itself. There may be no line, or several. Lines on one
+   * side have the direction of the paths. The inside of a region lies to the left of its boundary.
+   * Points keep the distance to within a thousandth. With several distances, the error is at most a
+   * thousandth of the smallest one, or of a tenth of the largest one if that is more. Throws
+   * `KarcherError` badArgument for a distance out of range, a path without length, and consecutive
+   * points without a common face.
    *
    * @example
    * ```ts
@@ -258,24 +266,24 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The regions that shapes enclose, one for each shape, or with `combine` one for all: union,
-   * intersection, difference or exclusion. A shape is an outline, or several with the choice of
-   * their inside. All outlines may cross, touch and follow each other, the mesh's edges and its
-   * boundary. Points nearer to each other than 2^-32 of an edge become one. Outlines from boundary
-   * to boundary enclose a side, too.
+   * The regions that shapes enclose: one for each shape, or with `combine` one for all, their
+   * union, intersection, difference or exclusion. A shape is one outline, or several with a choice
+   * of their inside. Outlines may cross, touch and follow each other, the mesh's edges and its
+   * boundary. Points nearer to each other than 2^-32 of an edge are merged. An outline from
+   * boundary to boundary encloses one of its sides.
    *
-   * Throws `KarcherError` badArgument if outlines enclose no region: one alone round a handle of
-   * the surface, or an open one that ends inside; and for consecutive points without a face in
-   * common.
+   * Throws `KarcherError` badArgument if outlines enclose no region (a single one round a handle of
+   * the surface, or an open one that ends inside the surface), and for consecutive points without a
+   * face in common.
    */
   regions(shapes: readonly (Outline | RegionShape)[], options: RegionOptions = {}): Region[] {
     return regions(this.handle, shapes, options);
   }
 
   /**
-   * The mesh cut apart along paths or lists of their points (for their conditions see `regions`): a
-   * part for each remaining piece of the surface. On both sides of a path positions are equal to
-   * the last bit. A path that ends inside a part leaves a slit. `progress` may abort the signal.
+   * The parts into which paths, or lists of their points, cut the mesh; for their conditions see
+   * `regions`. Positions on both sides of a path are equal to the last bit. A path that ends inside
+   * a part leaves a slit. `progress` may abort the signal.
    *
    * Throws `KarcherError` badArgument for consecutive points without a face in common, and the
    * signal's reason.
@@ -292,13 +300,13 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * Geodesic distances from a point, or from the nearest of several points, to the vertices, in the caller's
-   * order; NaN at dropped and unreachable vertices. They are exact by default.
+   * Geodesic distances from a point, or from the nearest of several points, to the vertices, in the
+   * caller's order; NaN at dropped and unreachable vertices. They are exact by default.
    *
-   * Exact distances have two limits: the longest edge is at most 1e12 times the shortest, and a field takes
-   * at most 10,000 windows for each face, where 10 to 100 are usual. Beyond them it throws `KarcherError`
-   * badArgument. The solver `graph` has neither limit. With a `radius` vertices beyond it are NaN, and the
-   * time is that of the disk.
+   * Exact distances have two limits: the longest edge is at most 1e12 times the shortest, and a
+   * field takes at most 10,000 windows for each face, where 10 to 100 are usual. Beyond them the
+   * call throws `KarcherError` badArgument. The solver `graph` has neither limit. With a `radius`,
+   * the distances of vertices beyond it are NaN, and the call takes only the time for the disk.
    */
   distance(
     from: PointLike | readonly PointLike[],
@@ -322,9 +330,10 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The straightest geodesic that leaves a point along a direction in space, which is projected
-   * onto the point's face, for the given length. It stops at the boundary, and after a million
-   * edges. `stop` is the reason, and `remaining` the rest of the length.
+   * The straightest geodesic of a given length from a point in a direction. The direction is a
+   * vector in space, which is projected onto the point's face. The path ends early at the boundary,
+   * or after a million edges. `stop` is the reason for its end, and `remaining` the rest of the
+   * length.
    *
    * Throws `KarcherError` badArgument if the direction is perpendicular to the face or the length
    * is negative.
@@ -339,18 +348,18 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The log map: points as vectors of the tangent plane at `from`, which is that of its face. Each
-   * has the direction in which the path to the point leaves, and its length. The paths are locally
-   * shortest, and seldom longer than the shortest by a thousandth. The map transports `directions`
-   * in parallel along the paths: one for each point, in the plane of the point's face; 0, 0, 0 for
-   * none.
+   * The log map: points as vectors of the tangent plane at `from`, which is the plane of its face.
+   * A vector has the direction in which the path to its point leaves `from`, and the length of the
+   * path. The paths are locally shortest, and seldom longer than the shortest by a thousandth. The
+   * map also transports `directions` in parallel along the paths to `from`. There is one for each
+   * point, in the plane of the point's face; 0, 0, 0 stands for none.
    *
-   * Without points the vectors are those of all vertices, in the caller's order, at about the cost
-   * of one field of distances; with `{ radius }` in place of points, those of the vertices within
-   * it. Their paths are those of the solver `fast`, with directions interpolated between those of
-   * neighbours. These are exact on surfaces that unroll. Elsewhere they differ from those of the
-   * paths by some thousandths of a radian. Vectors are NaN at dropped and unreachable vertices, and
-   * beyond the radius.
+   * Without points, the map has the vectors of all vertices, in the caller's order, at about the
+   * cost of one field of distances. With `{ radius }` in place of points, it has only those of
+   * vertices within the radius. Their paths are those of the solver `fast`. Their directions are
+   * interpolated between neighbors; they are exact on surfaces that unroll into a plane, and
+   * elsewhere some thousandths of a radian off. Vectors are NaN at dropped and unreachable
+   * vertices, and beyond the radius.
    *
    * Throws `KarcherError` unreachable if no path exists, and badArgument unless there is one
    * direction for each point.
@@ -365,22 +374,25 @@ export class Mesh extends MeshPlaces {
 
   /**
    * The exp map: the ends of the straightest geodesics from a point along vectors of its tangent
-   * plane (without components perpendicular to it). It transports directions at `from` along them.
-   * It is the inverse of `logMap` where these geodesics are the paths that `logMap` finds to their
-   * ends. Throws what `logMap` throws.
+   * plane. Components of a vector perpendicular to the plane have no effect. The map transports
+   * directions at `from` along the geodesics. It is the inverse of `logMap` where the geodesics are
+   * the paths that `logMap` finds to their ends. Throws what `logMap` throws.
    */
   expMap(from: PointLike, vectors: VectorsLike, directions?: VectorsLike): MappedPoints {
     return maps.expMap(this.handle, from, vectors, directions);
   }
 
-  /** Vectors of the tangent plane at `from`, transported along the log map's path to `to`: x, y, z for each. */
+  /**
+   * Vectors of the tangent plane at `from`, transported along the log map's path to `to`: x, y, z
+   * for each.
+   */
   transport(from: PointLike, to: PointLike, vectors: VectorsLike): Float64Array {
     return maps.transport(this.handle, from, to, vectors);
   }
 
   /**
-   * Vectors of the tangent plane at the start of a path, transported along it to its end: x, y, z for each.
-   * The path may turn, such as that of a curve.
+   * Vectors of the tangent plane at the start of a path, transported along it to its end: x, y, z
+   * for each. The path may have turns, such as the path of a curve.
    *
    * @throws {KarcherError} badArgument for consecutive points without a face in common.
    * @example
@@ -393,11 +405,11 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * Points mirrored in a geodesic, a list of its points, as `path.points()` returns them. A point
-   * moves along the perpendicular to the geodesic, and by the same length beyond it. Directions are
-   * reflected. Throws what `logMap` throws, and `KarcherError` badArgument for a line without
-   * length, for consecutive points without a face in common, and if the line's nearest point is one
-   * of its ends.
+   * The mirror images of points in a geodesic, which is a list of its points, as `path.points()`
+   * returns them. A point moves along the perpendicular to the geodesic, and on by the same length
+   * beyond it. Directions are reflected. Throws what `logMap` throws, and `KarcherError`
+   * badArgument for a line without length, for consecutive points without a face in common, and for
+   * a point whose nearest point of the line is one of its ends.
    */
   mirror(
     line: readonly PointLike[],

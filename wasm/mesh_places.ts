@@ -28,14 +28,14 @@ export class MeshPlaces {
     this.info = frozenInfo(this.#handle.call((mesh) => mesh.info()));
   }
 
-  /** @internal The mesh in that engine's memory. */
+  /** @internal The mesh in the engine's memory. */
   get handle(): MeshHandle {
     return this.#handle;
   }
 
   /**
-   * x, y, z of each vertex, in the caller's order, as a new array. Welded vertices repeat their place;
-   * dropped ones keep theirs.
+   * x, y, z of each vertex, in the caller's order, as a new array. Welded vertices have the same
+   * place; dropped ones keep theirs.
    *
    * @example
    * ```ts
@@ -117,8 +117,8 @@ export class MeshPlaces {
   }
 
   /**
-   * Three unit vectors at a point: along the first edge of its face, at right angles to it in the face, and
-   * the normal.
+   * Three unit vectors at a point: along the first edge of its face, at right angles to this edge
+   * in the face, and the normal.
    *
    * @example
    * ```ts
@@ -145,8 +145,9 @@ export class MeshPlaces {
   }
 
   /**
-   * `count` points with equal lengths of a path between them, as `Curve.equallySpaced` gives those of a
-   * curve. They include both ends of an open path, and begin at the start of a closed one.
+   * `count` points of a path, with equal lengths between neighbors, as `Curve.equallySpaced`
+   * returns them for a curve. They include both ends of an open path, and begin at the start of a
+   * closed one.
    *
    * @throws {KarcherError} as `transportAlong` does, and badArgument for a count below 1.
    * @example
@@ -159,7 +160,8 @@ export class MeshPlaces {
   }
 
   /**
-   * The points at lengths from the start of a path; beyond its ends they are the ends.
+   * The points at lengths from the start of a path. For a length beyond the path, the point is its
+   * end.
    *
    * @throws {KarcherError} as `transportAlong` does.
    * @example

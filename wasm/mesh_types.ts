@@ -48,14 +48,14 @@ export interface FileMarks {
 }
 
 /**
- * The kinds of repairs of a mesh, in this order; `count` counts what is in brackets.
+ * The kinds of repairs of a mesh, in this order. `count` is the number of the elements in brackets.
  *
  * - `triangulated`: polygons were cut into triangles (polygons);
  * - `leftOut`: faces that have fewer than three corners, cross themselves or have no area were left
  *   out; the message names the first (faces);
  * - `contracted`: edges of at most 1e-14 of the diagonal, or 1e-12 of their face's longest edge,
  *   were contracted to a point (vertices);
- * - `welded`: vertices at one place became one where their faces share an edge (vertices);
+ * - `welded`: vertices at one place were merged where their faces share an edge (vertices);
  * - `keptApart`: vertices at one place stayed apart because the parts only touch there (vertices);
  * - `repeatedCorner`: faces with one vertex at two corners were dropped (faces);
  * - `duplicate`: faces with the same corners as another were dropped (faces);
@@ -64,7 +64,8 @@ export interface FileMarks {
  * - `turnedOver`: faces oriented against their neighbours were turned over (faces);
  * - `branching`: where more than two faces share an edge, the pairs with the widest angle between
  *   them stayed together, and each other face got an edge of its own (edges);
- * - `bowTie`: vertices where several fans of faces met became one vertex for each fan (vertices);
+ * - `bowTie`: vertices where several fans of faces met were divided into one for each fan
+ *   (vertices);
  * - `dropped`: vertices of no face were dropped (vertices).
  */
 export type RepairKind =

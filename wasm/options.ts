@@ -125,7 +125,7 @@ export function engineFieldOptions(options: FieldOptions): EngineFieldOptions {
   return { method, solver, rings, star };
 }
 
-/** The radius up to which something is computed; by default all of it. */
+/** The radius up to which a result is computed; Infinity by default. */
 export const checkRadius = ({ radius = Infinity }: RadiusOptions): number =>
   radius === Infinity ? radius : checkPositive(radius, 'the radius');
 

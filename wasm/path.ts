@@ -14,9 +14,9 @@ export const listed = <Listed>(data: object): Listed =>
   ) as Listed;
 
 /**
- * A path on the surface: its points from the start to the end. Two neighbours share a face,
- * possibly on its sides. Between them the path is straight, or an arc that is nearly straight. A
- * path keeps its points, needs no mesh and has no `dispose`.
+ * A path on the surface: its points from the start to the end. Two consecutive points share a face;
+ * they may lie on its sides. Between them the path is straight, or an arc that is nearly straight.
+ * A path keeps its points, needs no mesh and has no `dispose`.
  */
 export class Path {
   readonly #data: EnginePath;
@@ -52,17 +52,17 @@ export class Path {
     return this.#data.length;
   }
 
-  /** Whether it ends where it starts. */
+  /** Whether the path ends where it starts. */
   get closed(): boolean {
     return this.#data.closed;
   }
 
-  /** The number of its points. */
+  /** The number of the path's points. */
   get count(): number {
     return this.#data.face.length;
   }
 
-  /** The points of the path. Between two of them it is straight, in a face that both share. */
+  /** The points of the path. Two consecutive ones share a face. */
   points(): SurfacePoint[] {
     const { face, bary } = this.#data;
     return Array.from(face, (number, i) => ({
@@ -86,8 +86,8 @@ export class Path {
   }
 
   /**
-   * The path as a value for JSON. Methods that take paths take it, too, and `Path.from` makes it a
-   * path again.
+   * The path as a value for JSON. Methods that take paths also take this value, and `Path.from`
+   * returns its path.
    *
    * @example
    * ```ts

@@ -5,9 +5,9 @@ import type { BridgedInterval, CurveSamples, PointLike, SurfacePoint } from './t
 
 /** A leg of a curve's control polygon. */
 export interface CurveLeg {
-  /** The path from one point to the other. */
+  /** The path of the leg, from one control point to the next. */
   path: Path;
-  /** The shortest path between its ends, if the leg is another one. */
+  /** The shortest path between the leg's ends, if the leg is a longer one. */
   shorter?: Path;
 }
 
@@ -34,9 +34,9 @@ export interface RegionShape {
   /** The closed paths that bound the shape. */
   outlines: readonly Outline[];
   /**
-   * A point that must lie inside, or the inner side of the first outline, at the first place where
-   * its two sides differ. The side stays the same when the outline moves. By default the smaller
-   * side is inside.
+   * A point that must lie inside, or the side of the first outline that is inside. The side is that
+   * at the first place where the outline's two sides differ; it stays the same when the outline
+   * moves. By default the smaller side is inside.
    */
   inside?: PointLike | 'left' | 'right';
 }
@@ -52,15 +52,18 @@ export interface Circle extends Ellipse {
 
 /** An ellipse on a surface, as a path and as the traced curve. */
 export interface Ellipse {
-  /** `segment` is the number of the arc. */
+  /** The samples; `segment` is the number of the arc. */
   samples: CurveSamples;
-  /** `segment` is the number of the arc. */
+  /** The bridged intervals; `segment` is the number of the arc. */
   bridged: BridgedInterval[];
   /** The samples joined by geodesics. */
   path: Path;
-  /** A number for each point of the path: 1 if the piece that leads to it is no center of mass. */
+  /**
+   * A number for each point of the path: 1 if the piece before it does not consist of centers of
+   * mass, else 0.
+   */
   unconverged: Uint8Array;
-  /** The number of levels of the arcs, also if `levels` lets them choose it. */
+  /** The number of levels of the arcs, also if they chose it themselves (see `levels`). */
   levels: number;
   /** The numbers of the arcs for which a geodesic from the center is not a shortest path. */
   notShortest: number[];

@@ -1,6 +1,6 @@
 /** Paths and regions as values that survive JSON. */
 
-/** A path as a value that survives JSON. `Path.from` makes it a path again. */
+/** A path as a value that survives JSON. `Path.from` returns the path. */
 export interface PathValue {
   /** Whether the path ends where it starts. */
   closed: boolean;
@@ -16,7 +16,7 @@ export interface PathValue {
   lengths: readonly number[];
 }
 
-/** A region as a value that survives JSON. `Region.from` makes it a region again. */
+/** A region as a value that survives JSON. `Region.from` returns the region. */
 export interface RegionValue {
   /** The area, in squared units of the mesh. */
   area: number;
@@ -26,9 +26,12 @@ export interface RegionValue {
   boundary: readonly PathValue[];
   /** A number for each triangle: 0 outside the region, 1 inside, 2 if it is partly inside. */
   share: readonly number[];
-  /** The triangles of the sides of partial triangles, in order. */
+  /** The triangle of each entry of `sides`, in ascending order. */
   triangles: readonly number[];
-  /** The second and third weight of both ends of each side. */
+  /**
+   * The sides of the region within partial triangles, four numbers for each: the second and third
+   * weight of one end, and of the other.
+   */
   sides: readonly number[];
   /** Whether the region lies left of its first outline, for a region of one shape. */
   isLeft?: boolean | undefined;

@@ -3,7 +3,7 @@
  * no growth takes long.
  */
 const tableBits = 8;
-/** The bits for the vertices in one array of positions. */
+/** The number of bits of a vertex's number that are its place in a chunk. */
 const chunkBits = 14;
 const chunkMask = (1 << chunkBits) - 1;
 
@@ -20,8 +20,8 @@ interface Chunk {
 }
 
 /**
- * Vertices by their place, for files that repeat a vertex in each of its faces. Equal coordinates
- * are one vertex; vertices have numbers in the order of their first occurrence.
+ * Vertices by their place, for files that repeat a vertex in each of its faces. Places with equal
+ * coordinates are one vertex. Vertices have numbers in the order of their first occurrence.
  */
 export class Places {
   readonly #chunks: Chunk[] = [];
@@ -31,7 +31,7 @@ export class Places {
   }));
   count = 0;
 
-  /** The number of the vertex at a place. */
+  /** The number of the vertex at a place; a new place gets the next number. */
   number(x: number, y: number, z: number): number {
     const { positions, words } = this.#chunkOf(this.count);
     const at = 3 * (this.count & chunkMask);

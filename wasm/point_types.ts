@@ -38,14 +38,14 @@ export interface NearestPoint {
 export type VectorLike = ArrayLike<number> | { x: number; y: number; z: number };
 
 /**
- * Vectors as an argument: numbers one after the other, three for each, or a list of `VectorLike`. A
- * single one may be an object with x, y and z.
+ * Vectors as an argument: three numbers for each, one vector after the other, or a list of
+ * `VectorLike`. A single vector may be an object with x, y and z.
  */
 export type VectorsLike = VectorLike | readonly VectorLike[];
 
 /** The format of the coordinates x, y, z of a line's vertices. */
 export interface PolylineOptions {
-  /** The number of bits: 32, as graphics take them (the default), or 64. */
+  /** The number of bits of a coordinate: 32 (the default), as in graphics, or 64. */
   bits?: 32 | 64 | undefined;
 }
 
@@ -55,17 +55,17 @@ export interface PolylineOptions {
  * - `fast`: on all meshes tried, the mean error is within .1 % of the exact distances, and errors
  *   are within 1 % except at single vertices; exact on a plane;
  * - `exact`: by windows on the edges, exact on every mesh;
- * - `graph`: along the edges of a graph that joins each vertex to those of its k-ring that it sees
- *   in a straight line across the faces. The graph of the paper's authors also has edges that turn
- *   round saddles: their curves lie .02 to .08 mean edges from these, and their fields take half
- *   the time.
+ * - `graph`: along the edges of a graph. The graph joins each vertex to the vertices of its k-ring
+ *   that it sees in a straight line across the faces. The graph of the paper's authors also has
+ *   edges that turn round saddles. Curves with that graph lie .02 to .08 mean edges from those with
+ *   this one, and need half the time for their fields.
  */
 export type Solver = 'fast' | 'exact' | 'graph';
 
 /**
  * The method for a control point's field, and for centers of mass.
  *
- * - `karcher`: by the log vectors of the solver, only where the search needs them. It is exact on
+ * - `karcher`: by log vectors from the solver, only where the search needs them. It is exact on
  *   every triangulation of a plane;
  * - `paper`: by gradients of squared distances at all vertices, and Newton's method along geodesics
  *   (Mancinelli, Puppo, Algorithm 1). It takes the solvers `exact` and `graph`.
@@ -73,37 +73,38 @@ export type Solver = 'fast' | 'exact' | 'graph';
 export type Method = 'karcher' | 'paper';
 
 /**
- * The faces, for the method `paper`, whose gradients its Eq. 3 averages at a vertex.
+ * The faces whose gradients the method `paper` averages at a vertex (Eq. 3 of the paper).
  *
- * - `wide`, the default: those around the vertex and those across their outer edges, as in the
- *   program of the paper's authors, which gave the paper's curves and figures;
- * - `ring`: those around the vertex, the 1-ring, as the paper prints it. On fine smooth meshes the
- *   curves of both lie a few hundredths of a mean edge apart; on coarse and uneven ones farther,
- *   and either may be nearer to the truth.
+ * - `wide`, the default: the faces around the vertex and the faces across their outer edges, as in
+ *   the program with which the paper's authors made its curves and figures;
+ * - `ring`: the faces around the vertex (the 1-ring), as the paper says. On fine smooth meshes, the
+ *   curves with the two stars lie a few hundredths of a mean edge apart. On coarse and uneven
+ *   meshes they lie farther apart, and either may be nearer to the truth.
  */
 export type Star = 'wide' | 'ring';
 
 /**
- * The end of the search for a center of mass. Only a `converged` point is one; any other point is
- * where the search stopped.
+ * The outcome of the search for a center of mass. Only a `converged` point is a center of mass; any
+ * other point is where the search stopped.
  *
- * - `converged`: of `centerOfMass`, with the method `karcher` and the solvers `fast` and `exact`, a
- *   local minimum of the energy by exact distances: no point on a circle of 0.3 mean edges about it
- *   has a lower energy by more than a thousandth of a square mean edge. Of samples of curves, of
- *   other solvers and of the method `paper`: the gradient of the energy, as the fields estimate it,
- *   vanishes there, and its Hessian is positive definite;
+ * - `converged`: for `centerOfMass` with the method `karcher` and the solvers `fast` and `exact`,
+ *   the point is a local minimum of the energy by exact distances. That is, no point on a circle of
+ *   0.3 mean edges around it has an energy lower by more than a thousandth of a squared mean edge.
+ *   For samples of curves, other solvers and the method `paper`, the gradient of the energy, as the
+ *   fields estimate it, vanishes at the point, and the Hessian is positive definite;
  * - `indefinite`: the Hessian is not positive definite; the points lie too far apart;
  * - `boundary`: the minimum lies on the boundary, where the gradient does not vanish;
  * - `noProgress`: no point along the Newton step has a smaller gradient;
  * - `limit`: the search reached its bound on iterations;
- * - `lowerNearby`, only of `centerOfMass`: the estimated gradient vanishes, but points near by have
- *   a lower energy by exact distances, and a search from there found no minimum, as on a surface
- *   that is rough or creased where the center lies;
+ * - `lowerNearby`, only for `centerOfMass`: the estimated gradient vanishes, but points nearby have
+ *   a lower energy by exact distances, and a search from there found no minimum. This happens if
+ *   the surface is rough or creased there;
  * - `jump`, only as the reason of a bridge: the curve would jump from one local minimum to another;
  * - `bridged`: the sample of a curve lies on a bridge, see `BridgedInterval`;
- * - `subdivided`: the sample lies on a piece of a refined curve that is its own subdivision, as it
- *   crosses faces larger than itself that are out of sight of its points (slivers of CAD parts).
- *   The curve is as good there; it is also the reason of the interval.
+ * - `subdivided`: the sample lies on a piece of a curve with levels that follows its subdivision
+ *   curve instead of centers of mass. Such a piece crosses a face that is larger than the piece,
+ *   and its points do not see all corners of the faces (slivers of CAD parts). The curve is as good
+ *   there. Also the reason of the interval.
  */
 export type Status =
   | 'converged'
@@ -125,7 +126,7 @@ export interface FieldOptions {
   method?: Method | undefined;
   /** The solver of distances; `fast` by default, or `exact` for the method `paper`. */
   solver?: Solver | undefined;
-  /** The k of the solver `graph` (see `Solver`, also for the authors' graph), 1 to 10; 6 by default. */
+  /** The k of the k-rings of the solver `graph` (see `Solver`), 1 to 10; 6 by default. */
   rings?: number | undefined;
   /**
    * The star of the method `paper`: `wide` (the default), as in its authors' program, or `ring`.
@@ -138,11 +139,14 @@ export type DistanceOptions = Pick<FieldOptions, 'solver' | 'rings'>;
 
 /** The part of a surface for which something is computed. */
 export interface RadiusOptions {
-  /** The greatest distance, in units of the mesh; by default none. */
+  /** The largest distance of this part, in units of the mesh; unlimited by default. */
   radius?: number | undefined;
 }
 
-/** Unit vectors at a point: the first edge of its face, the direction across it, and the normal. */
+/**
+ * Three unit vectors at a point: along the first edge of its face, across this edge in the face,
+ * and along the normal.
+ */
 export type Frame = [
   along: [number, number, number],
   across: [number, number, number],

@@ -7,7 +7,7 @@ import type { PointArrays, PointLike, SurfacePoint } from './types.js';
 export const wirePoint = (point: PointLike, what = 'the point'): Float64Array =>
   checkPointLike(point, what);
 
-/** Points one after the other, as four numbers each. */
+/** Points as four numbers each, one after the other. */
 export function wirePoints(points: unknown, what = 'the points'): Float64Array {
   const array = checkArray(points, what);
   const all = new Float64Array(4 * array.length);
@@ -17,7 +17,7 @@ export function wirePoints(points: unknown, what = 'the points'): Float64Array {
   return all;
 }
 
-/** Points of flat arrays one after the other, as four numbers each. */
+/** The points of flat arrays as four numbers each, one after the other. */
 export function wirePointArrays({ face, bary }: PointArrays): Float64Array {
   const faces = toInt32(face, 'the faces of the points');
   const weights = toFloat64(bary, 'the weights of the points');
@@ -63,7 +63,10 @@ export const withPoint = <At extends { point: Float64Array }>(
   at: At,
 ): Omit<At, 'point'> & { point: SurfacePoint } => ({ ...at, point: toSurfacePoint(at.point) });
 
-/** The corner after the point's nearest one in its face: a drag by about an edge. */
+/**
+ * The corner that follows the nearest one in the point's face, as the end of a drag by about an
+ * edge.
+ */
 export function nextCorner({ face, bary }: SurfacePoint): SurfacePoint {
   const heaviest = bary.indexOf(Math.max(...bary));
   const corner: [number, number, number] = [0, 0, 0];

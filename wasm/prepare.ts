@@ -9,7 +9,7 @@ export const sliceTime = 8;
 /** The number of vertices between two looks at the clock. */
 const batch = 32;
 
-/** The part of a graph between two looks at its memory. */
+/** The fraction of a graph that is built between two looks at its memory. */
 const lookEvery = 0.1;
 
 /** Lets the thread do its waiting tasks, such as messages and drawing. */

@@ -61,19 +61,21 @@ export class Region {
     return this.#data.area;
   }
 
-  /** The length of its boundary, which includes parts of the surface's boundary. */
+  /** The length of the region's boundary, which includes parts of the surface's boundary. */
   get perimeter(): number {
     return this.#data.perimeter;
   }
 
-  /** Closed paths with the region to their left: its outline, and those of its holes. */
+  /**
+   * Closed paths with the region to their left: its outer outlines, and the outlines of its holes.
+   */
   boundary(): Path[] {
     return this.#data.boundary.map((path) => new Path(path));
   }
 
   /**
-   * Whether a point (as `mesh.surfacePoint` returns it) lies in it. On the boundary the result may
-   * be either.
+   * Whether a point (as `mesh.surfacePoint` returns it) lies in the region. For a point on the
+   * boundary, the result may be either.
    */
   contains(point: SurfacePoint): boolean {
     const [face, , x, y] = checkPointLike(point, 'the point') as unknown as number[];
@@ -101,7 +103,7 @@ export class Region {
   }
 
   /**
-   * The region as a value for JSON, which `Region.from` makes a region again.
+   * The region as a value for JSON, from which `Region.from` creates the region again.
    *
    * @example
    * ```ts
@@ -135,7 +137,7 @@ function firstOf(sorted: Int32Array, value: number): number {
   return low;
 }
 
-/** Whether a value is that of a path. */
+/** Whether a value is a `PathValue`. */
 const isPath = (value: unknown): value is PathValue => Object(value).face !== undefined;
 
 export const wireOutline = (outline: unknown, what: string): Float64Array => {
@@ -168,8 +170,8 @@ export function regions(
 }
 
 /**
- * Shapes in the form for the engine: all outlines, their number in each shape, and a point inside
- * each or none.
+ * Shapes in the form for the engine: all outlines, their number in each shape, and for each shape a
+ * point inside, the side that is inside, or nothing.
  */
 function wireShapes(shapes: unknown) {
   const outlines: Float64Array[] = [];

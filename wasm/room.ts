@@ -2,27 +2,30 @@ import { KarcherError } from './errors.js';
 
 /** The largest size of the engine's memory, with 32 bits of addresses. */
 const memoryBytes = 2 ** 32;
-/** The least size of data for a check of used memory. Smaller data needs no check. */
+/** The size of data above which the free memory is checked. Smaller data needs no check. */
 const largeBytes = 2 ** 26;
 
 /**
- * The least bytes of memory for a triangle, with the data derived from it at once, beside its
+ * The least number of bytes for a triangle, with the data derived from it at once, without its
  * vertices. A GLB file of 500 instances of a torus of 20,000 triangles grows the engine's memory to
  * 419 bytes for each triangle, of which half a vertex takes 36.
  */
 const triangleBytes = 380;
 /**
- * The least bytes of memory for a vertex that no face uses: its place, three times during the
+ * The least number of bytes for a vertex that no face uses: three copies of its place during the
  * creation of the mesh.
  */
 const vertexBytes = 72;
 
 /**
- * The least bytes of memory that a solver with its result keeps for a vertex, after it has covered
- * the whole surface.
+ * The least number of bytes for each vertex that a solver and its result keep after the solver has
+ * covered the whole surface.
  */
 const distanceBytes = 56;
-/** The least bytes of the graph of the k-rings for a triangle: arcs along its edges, of 16 bytes. */
+/**
+ * The least number of bytes for each triangle in a graph of k-rings: arcs of 16 bytes along its
+ * edges.
+ */
 const graphBytes = 48;
 
 const meshBytes = (vertices: number, triangles: number) =>
@@ -45,7 +48,10 @@ export function checkFits(bytes: number, what: string, inUse: () => number = () 
   );
 }
 
-/** Throws what `checkFits` throws for a mesh: "the glTF file makes" 12 triangles of 8 vertices. */
+/**
+ * Throws what `checkFits` throws, for a mesh. `what` is the beginning of the sentence: "the glTF
+ * file makes".
+ */
 export function checkMeshFits(
   vertices: number,
   triangles: number,
@@ -59,20 +65,20 @@ export function checkMeshFits(
   );
 }
 
-/** Throws what `checkFits` throws for distances to all vertices, all in memory at once. */
+/** Throws what `checkFits` throws, for distances to all vertices. */
 export function checkDistancesFit(vertices: number, inUse: () => number): void {
   const what = `distances to ${counted(vertices)} vertices take`;
   checkFits(distanceBytes * vertices, what, inUse);
 }
 
-/** Throws what `checkFits` throws for a graph, by a lower bound on its size. */
+/** Throws what `checkFits` throws, for a lower bound on the size of a graph. */
 export function checkGraphFits(triangles: number, rings: number, inUse: () => number): void {
   checkFits(graphBytes * triangles, graphTakes(triangles, rings), inUse);
 }
 
 /**
- * Throws what `checkFits` throws for a graph of which the part `done`, from 0 to 1, takes this
- * number of bytes. The rest may be a fifth smaller than this suggests.
+ * Throws what `checkFits` throws, for the rest of a graph. The completed fraction `done` takes
+ * `bytes`. The check assumes a fifth less for the rest than this suggests, since it may be smaller.
  */
 export function checkGraphGoesOn(
   triangles: number,

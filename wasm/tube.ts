@@ -1,9 +1,9 @@
 import { badArgument, checkInteger, checkPositive } from './check.js';
 
 /**
- * Tubes along polylines, as plain arrays. A ring of vertices stands at each point, across the mean
- * direction of its two sides. Its first vertex lies across the given normals, or else across a
- * direction transported along the polyline, so that the tube does not twist.
+ * Tubes along polylines, as plain arrays. Each point has a ring of vertices, across the mean
+ * direction of the two sides there. The direction to the ring's first vertex is at right angles to
+ * the given normal, or else transported along the polyline, so that the tube does not twist.
  */
 
 export interface TubeLine {
@@ -48,7 +48,7 @@ function unit(a: Vec3): Vec3 | null {
   return length > 0 ? [a[0] / length, a[1] / length, a[2] / length] : null;
 }
 
-/** A unit vector across a unit vector: across the axis that is least along it. */
+/** A unit vector at right angles to a unit vector, and to the axis of its smallest coordinate. */
 function anyAcross(a: Vec3): Vec3 {
   const sizes = a.map(Math.abs);
   const axis = sizes.indexOf(Math.min(...sizes));
@@ -56,9 +56,9 @@ function anyAcross(a: Vec3): Vec3 {
 }
 
 /**
- * A tube along a polyline, without points nearer than a thousandth of the radius to the previous
- * one. The tube of a closed polyline is closed; the ends of others are open, or have flat caps. A
- * polyline of a single place has no triangles.
+ * A tube along a polyline. Points nearer than a thousandth of the radius to the previous one are
+ * left out. The tube of a closed polyline is closed; the ends of other tubes are open, or have flat
+ * caps. The tube of a single place has no triangles.
  */
 export function tubeAlong(
   line: TubeLine,
@@ -85,7 +85,10 @@ export function tubeAlong(
   return { positions, normals, triangles: trianglesOf(rings, sides, closed, caps) };
 }
 
-/** The places of a polyline that are apart, with unit vectors along and across it. */
+/**
+ * The places of a polyline that are farther than `apart` from the previous one, with unit vectors
+ * along and across the polyline.
+ */
 function framesAlong(line: TubeLine, apart: number) {
   const kept = distinct(line, apart);
   const closed = line.closed && kept.length > 2;
@@ -160,7 +163,7 @@ function trianglesOf(rings: number, sides: number, closed: boolean, caps: boolea
   return triangles;
 }
 
-/** The numbers of the points that are apart from the previous one. */
+/** The numbers of the points that are farther than `apart` from the previous one. */
 function distinct({ places, closed }: TubeLine, apart: number): number[] {
   const kept: number[] = [];
   const away = (i: number, j: number) => Math.hypot(...minus(at(places, i), at(places, j)));
@@ -190,8 +193,9 @@ function uprightFrames(tangents: readonly Vec3[], normals: readonly Vec3[]): Vec
 }
 
 /**
- * Unit vectors across the tangents: the smallest rotation leads from each to the next. On a closed
- * polyline they may not meet after a turn. All points share the difference.
+ * Unit vectors across the tangents. The smallest rotation from a tangent to the next leads from
+ * each vector to the next. After a turn around a closed polyline, the last vector may not lead to
+ * the first. The difference is distributed over all points.
  */
 function carriedFrames(tangents: readonly Vec3[], closed: boolean): Vec3[] {
   const [first] = tangents;

@@ -4,8 +4,8 @@
  * A method returns new arrays and objects, which the caller may change, keep or transfer. Reading a
  * property takes no work. The engine copies the options, points and arrays that it receives.
  *
- * Vertices, faces and control points have numbers from 0 in the caller's own order. Faces count
- * triangles, also those of polygons. Lengths are in the units of the mesh.
+ * Vertices, faces and control points have numbers from 0, in the caller's own order. Faces are
+ * triangles: a polygon counts as its triangles. Lengths are in the units of the mesh.
  */
 
 import type { AddressObject, CompiledModule, FetchedResponse, StopSignal } from './platform.js';
@@ -55,21 +55,22 @@ export interface CenterOfMass {
   /** The number of steps of the search. */
   iterations: number;
   /**
-   * The sum of weight times squared distance, in squared units of the mesh. It is an estimate by
-   * the fields, not comparable with another method's. For very many points (see `centerOfMass`) it
-   * is by exact distances. `certificate` has the exact one.
+   * The sum of weight times squared distance over the points, in squared units of the mesh. It is
+   * an estimate from the fields, which is not comparable with that of another method. For very many
+   * points (see `centerOfMass`) it comes from exact distances. `certificate` has the exact energy.
    */
   energy: number;
   /**
    * The quality of the point by exact shortest paths, if `CenterOptions.certificate` requests it.
    */
   certificate?: Certificate;
-  /** The knowledge of whether the center is the only one. */
+  /** Whether the center is the only one, as far as is known. */
   uniqueness: Uniqueness;
   /**
    * The other minima at which searches ended, the lowest first. Each is a minimum in the same sense
-   * as the center, and more than a tenth of the mean edge from the others. `notLooked` if searches
-   * started at most at the control points, and found no other minimum.
+   * as the center, and lies more than a tenth of the mean edge from all others. `notLooked` if no
+   * other minimum was found and no search looked for one all over the surface
+   * (`CenterOptions.uniqueness`).
    */
   otherMinima: OtherMinimum[] | 'notLooked';
 }
@@ -82,23 +83,25 @@ export interface Certificate {
   /** The sum of weight times squared distance, in squared units of the mesh. */
   energy: number;
   /**
-   * The length of the weighted sum of the vectors along the paths to the points, half of the
-   * energy's slope: 0 at a center of mass of a smooth surface. On a mesh it is seldom 0, since the
-   * energy has creases: where a path changes sides of a vertex, its direction jumps.
+   * The length of the weighted sum of the points' log vectors, which is half of the energy's slope.
+   * It is 0 at a center of mass of a smooth surface. On a mesh it is seldom 0, since the energy has
+   * creases: the direction of a path jumps where the path changes from one side of a vertex to the
+   * other.
    */
   residual: number;
 }
 
 /**
- * The knowledge of other minima of the energy.
+ * The state of knowledge about other minima of the energy.
  *
- * - `certain`: none is lower, and none is as near as the farthest point: this is proved. The proof
- *   needs weights of at least 0 and a ball that holds the points and in which squared distances are
- *   convex. On a mesh no vertex in or near the ball may have positive curvature. On the built-in
- *   sphere and torus the ball must be small beside their curvature (Karcher 1977); this proof is of
- *   the smooth surface;
- * - `likely`: searches from all points and from 32 places spread over the surface ended there;
- * - `notUnique`: some of them ended elsewhere;
+ * - `certain`: it is proved that no other minimum is lower, and that none is as near to the center
+ *   as the farthest point. The proof needs weights of at least 0, and a ball that contains the
+ *   points and in which squared distances are convex. On a mesh, no vertex in or near the ball may
+ *   have positive curvature. On the built-in sphere and torus, the ball must be small compared with
+ *   the radius of curvature (Karcher 1977); this proof holds for the smooth surface;
+ * - `likely`: searches from all points and from 32 places spread over the surface ended at the
+ *   center;
+ * - `notUnique`: some searches ended at other minima;
  * - `notLooked`: see `CenterOptions.uniqueness`.
  */
 export type Uniqueness = 'certain' | 'likely' | 'notUnique' | 'notLooked';
@@ -111,18 +114,18 @@ export interface MeanWeights {
   /** One weight for each point; their sum is 1. */
   weights: Float64Array;
   /**
-   * Whether a search for the center of mass of these weights that starts at the point stays there.
-   * It does not if the energy's Hessian is not positive definite, which happens with negative
-   * weights and with distant points. Nor does it if the energy by exact distances is lower near by,
-   * see `Status`.
+   * Whether a search for the center of mass with these weights stays at the point if it starts
+   * there. It leaves the point if the energy's Hessian is not positive definite, which happens with
+   * negative weights and with distant points, or if the energy by exact distances is lower nearby
+   * (see `Status`).
    */
   isMinimum: boolean;
 }
 
 export interface WeightsOptions extends FieldOptions {
   /**
-   * The target weights, divided by their sum. The result has the least sum of squared differences
-   * from them. By default they are equal.
+   * The target weights, which the call divides by their sum. Of all possible weights, the result
+   * has the least sum of squared differences from them. By default they are equal.
    */
   weights?: ArrayLike<number> | undefined;
   /** Whether no weight may be below 0. */
@@ -132,26 +135,30 @@ export interface WeightsOptions extends FieldOptions {
 /** The start of the search for a center of mass. */
 export interface StartOptions {
   /**
-   * The start of the search. By default it is an average of averages, followed by the points near
-   * which the energy may be lower (`karcher`), or the point of the largest weight (`paper`).
+   * The point where the search starts. By default the method `karcher` starts at an average of
+   * averages, and then searches again from the points near which the energy may be lower. The
+   * method `paper` starts at the point with the largest weight.
    */
   start?: PointLike | undefined;
-  /** Whether to divide the weights by their sum. If false, a sum other than 1 is an error. */
+  /**
+   * Whether to divide the weights by their sum. If false (the default), a sum other than 1 is an
+   * error.
+   */
   normalize?: boolean | undefined;
 }
 
 export interface CenterOptions extends FieldOptions, StartOptions {
   /**
    * Whether to look for other minima all over the surface, and to decide whether the center is the
-   * only one. This reads the whole field of each point: about a microsecond for each vertex and
-   * point with the fast solver.
+   * only one. This reads the whole field of each point, which takes about a microsecond for each
+   * vertex and point with the solver `fast`.
    */
   uniqueness?: boolean | undefined;
   /**
-   * Whether to measure the point by exact shortest paths, whatever the method and the status. This
-   * takes the exact distances from the point to the farthest of the points, about as long as one
-   * field of the solver `exact`. For a center on an edge or at a vertex, it takes a shortest path
-   * to each point.
+   * Whether to measure the center by exact shortest paths, whatever the method and the status. This
+   * computes exact distances from the center up to the farthest point, which takes about as long as
+   * one field of the solver `exact`. For a center on an edge or at a vertex, it computes a shortest
+   * path to each point.
    */
   certificate?: boolean | undefined;
 }
@@ -159,8 +166,8 @@ export interface CenterOptions extends FieldOptions, StartOptions {
 export interface CentersOptions extends FieldOptions, StartOptions {
   /**
    * Whether to check each center by exact distances, as `centerOfMass` does. Each then costs as
-   * much as one call of `centerOfMass`. Without it `converged` means the same as for a curve's
-   * samples.
+   * much as one call of `centerOfMass`. Without this check, `converged` means the same as for a
+   * curve's samples.
    */
   check?: boolean | undefined;
 }
@@ -185,14 +192,15 @@ export interface CentersOfMass {
 }
 
 /**
- * The rule for the inside of outlines: the points that an odd number of crossings separates from
- * the outside, or those around which the outlines wind a nonzero number of times.
+ * The rule for the inside of outlines. `evenOdd`: the points that an odd number of crossings
+ * separates from the outside. `nonZero`: the points around which the outlines wind a nonzero number
+ * of times.
  */
 export type FillRule = 'evenOdd' | 'nonZero';
 
 /**
- * The combination of several shapes: their union, intersection, difference, or the points in an odd
- * number of them.
+ * The combination of several shapes: their union, intersection, difference or exclusion, which has
+ * the points in an odd number of shapes.
  */
 export type BooleanOperation = 'union' | 'intersection' | 'difference' | 'exclusion';
 
@@ -205,30 +213,36 @@ export interface CutPart {
   positions: Float64Array;
   /** Three vertices for each triangle. */
   triangles: Int32Array;
-  /** The mesh's triangle to which each triangle of the part belongs. */
+  /** For each triangle of the part, the mesh's triangle in which it lies. */
   faces: Int32Array;
 }
 
 /** The distance, the sides and the corners of an offset. */
 export interface OffsetOptions {
   /**
-   * The distance from the paths, above 0, in units of the mesh; or several, at equal parts of each
-   * path's length and linear between. Some of these may be 0. The offset is then the border of the
-   * disks around all places of a path, with these radii and round corners. The first and the last
-   * are for the ends of an open path; on a closed one the first follows the last.
+   * The distance from the paths, in units of the mesh: a number above 0; or a list of distances at
+   * equally spaced places along each path, interpolated linearly by length. Some numbers of a list
+   * may be 0.
+   *
+   * With a list, the offset is the boundary of the union of disks around all points of a path, with
+   * these radii and round corners. On an open path, the first and the last distance belong to its
+   * ends. On a closed path, the first distance follows the last.
    */
   distance: number | readonly number[];
-  /** The side; `both` by default, which also goes round the ends of open paths. */
+  /**
+   * The side of the paths on which the offset lies. With `both`, the default, it also goes round
+   * the ends of open paths.
+   */
   side?: 'left' | 'right' | 'both';
   /**
    * The shape of corners on their outer side: `round` (the default), `miter`, which continues the
    * sides as geodesics until they meet, or `bevel`. Turns of less than 3.6 degrees are round, and
-   * so are corners whose offset comes to the boundary of the mesh.
+   * so are corners whose offset reaches the boundary of the mesh.
    */
   corners?: 'round' | 'miter' | 'bevel';
   /**
-   * The largest distance between a mitre's tip and its corner, in distances, as in SVG. Beyond it
-   * the corner has a bevel. At least 1; 4 by default.
+   * The largest distance between a miter's tip and its corner, relative to the distance of the
+   * offset, as in SVG. Beyond it the corner has a bevel. At least 1; 4 by default.
    */
   miterLimit?: number;
 }
@@ -238,8 +252,8 @@ export interface RegionOptions {
   /** The rule; `evenOdd` by default. */
   rule?: FillRule;
   /**
-   * The operation that combines the regions of all shapes into one. A difference is the first
-   * without all others.
+   * The operation that combines the regions of all shapes into one. A difference is the first shape
+   * without all others. By default each shape has a region of its own.
    */
   combine?: BooleanOperation;
 }
@@ -249,9 +263,10 @@ export interface IsolineOptions extends DistanceOptions {
   /** The distance of the lines from the center, in units of the mesh. */
   radius: number;
   /**
-   * The type of the lines. `exact` (the default): the circular arcs of the points at this distance
-   * in each triangle. `linear`: straight lines in each triangle, between the points of its edges at
-   * which the interpolated distance is the radius. The solver gives the vertices' distances.
+   * The type of the lines. `exact` (the default): circular arcs in each triangle, whose points have
+   * exactly this distance. `linear`: straight lines in each triangle, between points of its edges.
+   * At these points, the distance interpolated between the vertices is the radius. The solver
+   * computes the distances of the vertices.
    */
   type?: 'exact' | 'linear' | undefined;
 }
@@ -272,9 +287,9 @@ export type WasmSource =
 /** The source of the engine's module. */
 export interface LoadOptions {
   /**
-   * By default the file beside the package's own, which bundlers that know `import.meta.url` find.
-   * For others the package exports it as `karcher/karcher-engine.wasm`, and that of `karcher/peers`
-   * as `karcher/karcher-peers.wasm`.
+   * By default it is the file beside the package's code, which bundlers that know `import.meta.url`
+   * find. For other bundlers, the package exports the file as `karcher/karcher-engine.wasm`, and
+   * the file of `karcher/peers` as `karcher/karcher-peers.wasm`.
    */
   wasm?: WasmSource | undefined;
 }

@@ -14,7 +14,10 @@ export interface ViewData {
 export class CurveView {
   /** x, y, z of the path's points, in the requested 32 or 64 bits. */
   readonly polyline: Float32Array | Float64Array;
-  /** A number for each point of the path: 1 if the piece that leads to it is no center of mass. */
+  /**
+   * A number for each point of the path: 1 if the piece before it does not consist of centers of
+   * mass, else 0.
+   */
   readonly unconverged: Uint8Array;
   /** The length from the start to each point of the path. */
   readonly lengths: Float64Array;
@@ -22,14 +25,14 @@ export class CurveView {
   readonly length: number;
   /** The samples, with the status of the search for each. */
   readonly samples: CurveSamples;
-  /** The intervals in which the curve is no center of mass, with the reasons. */
+  /** The intervals in which the curve's points are not centers of mass, with the reasons. */
   readonly bridged: BridgedInterval[];
   /**
-   * The drawn legs of the control polygon, if the curve uses them. A value with these legs and
-   * other points is the curve whose points were dragged there.
+   * The drawn legs of the control polygon, if the curve uses them. For the curve after a drag of
+   * its points, set a value with these legs and the new points.
    */
   readonly drawnLegs: readonly DrawnLeg[];
-  /** x, y, z of the same points, leg by leg. */
+  /** x, y, z of the points of the drawn legs, leg by leg. */
   readonly legs: readonly (Float32Array | Float64Array)[];
   /** The knots of a B-spline; empty for other kinds. */
   readonly knots: Float64Array;
@@ -108,7 +111,7 @@ export class CurveView {
   }
 }
 
-/** A reader of arrays one after the other, those of wide numbers first. */
+/** A reader of consecutive arrays. Arrays of wide numbers come first, so that all are aligned. */
 class Reader {
   readonly #bytes: Uint8Array;
   #at = 0;

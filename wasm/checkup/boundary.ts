@@ -1,18 +1,19 @@
 import { batchMask, type Slices } from '../slices.js';
 import { facesOnOthers } from './doubled.js';
 
-/** The boundary: the edges of one face only. */
+/** The boundary: the edges that belong to only one face. */
 export interface Boundary {
-  /** The numbers of both ends, two for each edge. */
+  /** The numbers of the two ends of each edge, one edge after the other. */
   ends: Int32Array;
-  /** A vertex for each number. */
+  /** For each number, a vertex that has it. */
   vertexAt: Int32Array;
 }
 
 /**
- * Finds the boundary. `numbers` has the number of each corner's vertex, equal for vertices that
- * count as one. At an edge with more than two faces, pairs of faces stay together, so that one face
- * of an odd number is alone. With `doubled`, it omits faces that lie on others, as the engine does.
+ * Finds the boundary. `numbers` has a number for each corner; vertices that count as one have the
+ * same number. Where more than two faces meet at an edge, they stay together in pairs. If their
+ * number is odd, one face is left over, and the edge is on the boundary. With `doubled`, the search
+ * omits faces that lie on others, as the engine does.
  */
 export async function boundaryEdges(
   triangles: Int32Array,
@@ -23,7 +24,8 @@ export async function boundaryEdges(
   const count = numbers.reduce((most, number) => Math.max(most, number), 0) + 1;
   const onOthers = doubled ? await facesOnOthers(triangles, numbers, count, slices) : null;
   const vertexAt = new Int32Array(count);
-  // The edges from each vertex to those of larger numbers, one list after the other.
+  // The list of each number has the larger numbers at the other ends of its edges. The lists follow
+  // one another.
   const starts = new Int32Array(count + 1);
   const others = new Int32Array(numbers.length);
   const forEachEdge = async (done: number, visit: (low: number, high: number) => void) => {

@@ -1,17 +1,20 @@
 import { batchMask, type Slices } from '../slices.js';
 
-/** The faces that lie on an earlier one. */
+/** The faces that lie on an earlier face. */
 export interface FacesOnOthers {
-  /** 1 for each face that lies on another one with the same orientation. The engine omits it. */
+  /** 1 for each face that lies on an earlier one with the same orientation. The engine omits it. */
   same: Uint8Array;
   /**
-   * Faces that lie on another one with the opposite orientation and have no other neighbor, or the
-   * same vertices. The engine omits them at edges of more than two faces.
+   * Faces that lie on an earlier one with the opposite orientation, if they have the same vertices,
+   * or share no vertex with any other face. The engine omits them at edges of more than two faces.
    */
   turned: number[];
 }
 
-/** Finds these faces by the numbers of the corners, which are less than `count`. */
+/**
+ * Finds the faces that lie on others, by the numbers of their corners. All numbers are below
+ * `count`.
+ */
 export async function facesOnOthers(
   triangles: Int32Array,
   numbers: Int32Array,
@@ -23,7 +26,7 @@ export async function facesOnOthers(
     const at = 3 * face;
     return Math.min(numbers[at]!, numbers[at + 1]!, numbers[at + 2]!);
   };
-  // The faces of each number that is the lowest of their corners', one list after the other.
+  // The list of each number has the faces whose lowest corner it is. The lists follow one another.
   const starts = new Int32Array(count + 1);
   for (let face = 0; face < faces; face++) starts[lowest(face)]!++;
   for (let i = 1; i <= count; i++) starts[i]! += starts[i - 1]!;
@@ -42,7 +45,7 @@ export async function facesOnOthers(
   for (let i = 0; i < count; i++) {
     if ((i & batchMask) === 0 && slices.over) await slices.rest(0.7);
     if (starts[i + 1]! < starts[i]! + 2) continue;
-    /** The first face for each pair of the other two corners, the lower one first. */
+    /** The first face with each pair of other corners. A key has the lower corner first. */
     const first = new Map<string, { face: number; rises: boolean }>();
     for (const face of listed.subarray(starts[i], starts[i + 1])) {
       const k = [0, 1, 2].find((corner) => numbers[3 * face + corner] === i)!;

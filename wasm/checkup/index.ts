@@ -19,11 +19,11 @@ export interface CheckUp {
   smallestAngle: number;
   /** The largest angle of a triangle, in degrees. */
   largestAngle: number;
-  /** The indices of triangles with an angle below 2 degrees but without one above 170. */
+  /** The indices of triangles with an angle below 2 degrees and none above 170 degrees. */
   needles: Int32Array;
   /** The indices of triangles with an angle above 170 degrees. */
   caps: Int32Array;
-  /** Edges of one face only: x, y, z of both ends, six numbers for each edge. */
+  /** The edges that belong to only one face: x, y, z of both ends, six numbers for each edge. */
   boundary: Float64Array;
   /** Boundaries that lie near each other without being joined; null if none do. */
   nearBoundaries: NearBoundaries | null;
@@ -43,15 +43,15 @@ export interface CheckedMesh {
 
 /**
  * Checks a mesh, in slices of some milliseconds. Two million triangles take two seconds. Faces have
- * the caller's numbers; the check skips those that the import omitted or flipped away. Rejects with
- * the signal's reason when it is aborted, and with `KarcherError` disposed.
+ * the caller's numbers; the check skips faces that the import omitted or flipped away. Rejects with
+ * the signal's reason when the signal is aborted, and with `KarcherError` disposed.
  */
 export async function checkUp(mesh: CheckedMesh, work: LongWorkOptions = {}): Promise<CheckUp> {
   checkLongWork(work);
   const slices = new Slices(work, 'checking');
   const [positions, triangles] = [await mesh.positions(), await mesh.triangles()];
   const { info } = mesh;
-  // Without welded vertices, vertices at one place are separate in the engine, too.
+  // If the import welded no vertices, those at one place are separate in the engine, and here, too.
   const byPlace = info.repairs.some(({ kind }) => kind === 'welded');
   const doubled = info.repairs.some(({ kind }) => kind === 'duplicate');
   const { numbers, shortest, ...shapes } = await shapesOf(positions, triangles, byPlace, slices);
@@ -75,7 +75,7 @@ function placesOf(positions: Float64Array, { ends, vertexAt }: Boundary): Float6
 }
 
 /**
- * The largest ratio of edges that does not cost distances correct digits (the gallery of
+ * The largest ratio of edge lengths at which distances keep all correct digits (see the gallery in
  * `docs/gallery.md`).
  */
 const widestRange = 1e8;

@@ -4,9 +4,9 @@ import type { Boundary } from './boundary.js';
 /** Boundaries that nearly touch, and the `weld` that would join them. */
 export interface NearBoundaries {
   /**
-   * The coordinates x, y, z of boundary vertices near another boundary vertex: within 1e-4 of the
-   * diagonal, and within a third of the shortest edge at either of both, so that the import can
-   * weld them.
+   * x, y, z of the boundary vertices that lie near another one, so that the import can weld the
+   * two. Their distance is at most 1e-4 of the diagonal and a third of the shortest edge at either
+   * vertex.
    */
   places: Float64Array;
   /** The tolerance that joins the boundaries, as `weld` of `MeshOptions`. */
@@ -15,16 +15,21 @@ export interface NearBoundaries {
 
 /** The distance, relative to the diagonal, within which boundaries are near each other. */
 const nearness = 1e-4;
-/** The part of the shortest edge at either vertex up to which the engine welds vertices. */
+/**
+ * The largest distance of vertices that the engine welds, relative to the shortest edge at either.
+ */
 const partOfEdge = 1 / 3;
 /** The least tolerance in the advice, relative to the diagonal. */
 const leastWeld = 1e-9;
-/** The number of halvings of the nearness. Shorter edges share the last one. */
+/**
+ * The largest number of times that the width of cells is halved. Vertices with even shorter edges
+ * lie in the narrowest cells.
+ */
 const mostLevels = 40;
 
 /**
- * The mesh in the form that the check-up uses: places by the numbers of vertices, and their
- * shortest edges.
+ * The mesh as this search uses it: positions of vertices, the boundary, and the shortest edge at
+ * each number.
  */
 interface Places {
   positions: Float64Array;
@@ -34,9 +39,10 @@ interface Places {
 }
 
 /**
- * Finds boundaries that lie on each other: a vertex of one is within 1e-4 of the diagonal of a
- * vertex of the other, and within a third of the shortest edge at either. Vertices at one place
- * need neighbors at one place, too: the import welds no vertices that only touch.
+ * Finds boundaries that lie on each other. The distance between a vertex of one and a vertex of the
+ * other is then at most 1e-4 of the diagonal, and at most a third of the shortest edge at either.
+ * If the two are at the same place, they must also have neighbors at the same place, since the
+ * import does not weld vertices where parts only touch.
  */
 export async function nearBoundaries(
   { positions, boundary, shortest, diagonal }: Places,
@@ -49,8 +55,8 @@ export async function nearBoundaries(
   const distance = (i: number, j: number) =>
     Math.sqrt((at(i, 0) - at(j, 0)) ** 2 + (at(i, 1) - at(j, 1)) ** 2 + (at(i, 2) - at(j, 2)) ** 2);
   const limitOf = (number: number) => Math.min(reach, partOfEdge * shortest[number]!);
-  // Cells are as wide as the reach of their vertices, so that few vertices without a neighbour
-  // share one.
+  // A cell is one to two times as wide as the limits of its vertices, so that few vertices that are
+  // not near each other share it.
   const levelOf = (limit: number) =>
     Math.min(mostLevels, Math.max(0, Math.floor(Math.log2(reach / limit))));
   const first = new Map<number, number>();
@@ -145,7 +151,10 @@ async function neighboursOf(ends: Int32Array, slices: Slices): Promise<Map<numbe
   return neighbours;
 }
 
-/** The length rounded up to two digits, slightly more than itself. */
+/**
+ * The length, increased by 1 % and rounded up to two significant digits, so that the result is
+ * always larger.
+ */
 function roundedUp(length: number): number {
   const unit = 10 ** (Math.floor(Math.log10(length)) - 1);
   return Number((Math.ceil((1.01 * length) / unit) * unit).toPrecision(2));

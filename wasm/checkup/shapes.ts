@@ -4,8 +4,8 @@ import { batchMask, type Slices } from '../slices.js';
 /** The angles, in degrees, below which a triangle is a needle, and above which it is a cap. */
 const [needleAngle, capAngle] = [2, 170];
 /**
- * The least height of a triangle, relative to its longest edge. Corners of a lower one lie on a
- * line, and the engine flips or rejects it.
+ * The least height of a triangle, relative to its longest edge. The corners of a lower triangle
+ * count as points of a line, and the engine flips or rejects it.
  */
 const leastHeight = 1e-12;
 const degrees = 180 / Math.PI;
@@ -17,15 +17,18 @@ interface Shapes {
   largestAngle: number;
   needles: Int32Array;
   caps: Int32Array;
-  /** The number of each corner's vertex, equal for vertices that count as one. */
+  /** A number for each corner; vertices that count as one have the same number. */
   numbers: Int32Array;
-  /** The length of the shortest edge of any face at each number. */
+  /**
+   * The length of the shortest edge at each number, over all faces, including those of no height.
+   */
   shortest: Float64Array;
 }
 
 /**
- * The lengths and angles of triangles, without triangles with two corners at one place, or with
- * corners on a line by the engine's rule. With `byPlace`, vertices at one place count as one.
+ * The lengths and angles of triangles. With `byPlace`, vertices at one place count as one. The
+ * result omits triangles in which two corners are one vertex, and those whose corners lie on a line
+ * by the engine's rule.
  */
 export async function shapesOf(
   positions: Float64Array,
@@ -86,7 +89,8 @@ export async function shapesOf(
 }
 
 /**
- * Twice a triangle's area, by the product of two edges, which keeps the digits of thin triangles.
+ * Twice a triangle's area: the length of the cross product of two edges, which is accurate for thin
+ * triangles, too.
  */
 function twiceArea(positions: Float64Array, p: number, q: number, r: number): number {
   const along = (vertex: number, axis: number) =>

@@ -1,7 +1,7 @@
 import { checkNumber } from '../check.js';
 import { KarcherError } from '../errors.js';
 
-/** A closed shell round triangles. */
+/** A closed shell: triangles, a moved copy of them, and walls. */
 export interface Thickened {
   /**
    * x, y, z for each vertex: first the given vertices, then the same vertices moved by the
@@ -14,7 +14,7 @@ export interface Thickened {
    */
   triangles: Int32Array;
   /**
-   * The largest thickness that the shape allows, beyond which the shell intersects itself; null if
+   * The largest thickness that the shape allows, since a thicker shell intersects itself; null if
    * the given thickness fits.
    */
   most: number | null;
@@ -28,12 +28,13 @@ interface Triangles {
 type Vector = [number, number, number];
 
 /**
- * The closed shell between triangles and their copy, moved along the vertices' normals by a
- * thickness: outwards, or inwards if it is negative. Open sides have walls. Triangles must be
- * oriented, as `mesh.cut` returns them. For a part of a mesh, as `mesh.cut` returns it, `whole` is
- * that mesh, whose normals the part then has. Along the cut the part's own triangles are so small
- * that their normals would not describe the shape. Throws `KarcherError` badArgument for a
- * thickness of 0.
+ * The closed shell between triangles and a copy of them. The copy is moved along the vertices'
+ * normals by the thickness: outwards, or inwards if the thickness is negative. Walls close the open
+ * sides. The triangles must be oriented, as `mesh.cut` returns them.
+ *
+ * For a part that `mesh.cut` returned, pass the mesh as `whole`: the part then has the normals of
+ * the mesh. Along the cut, the part's own triangles are so small that their normals would not
+ * describe the shape. Throws `KarcherError` badArgument for a thickness of 0.
  */
 export function thickened(part: Triangles, thickness: number): Thickened;
 export function thickened(
@@ -59,7 +60,7 @@ export function thickened(
   const both = new Float64Array(2 * positions.length);
   both.set(Float64Array.from(positions));
   both.set(moved, positions.length);
-  // The outer one of the two keeps its orientation.
+  // The outer one of the two sheets keeps the orientation of the triangles.
   const [outer, inner] = thickness > 0 ? [count, 0] : [0, count];
   const all: number[] = [];
   for (let i = 0; i < triangles.length; i += 3) {
@@ -79,7 +80,8 @@ export function thickened(
 }
 
 /**
- * Triangles in which the vertices at one place are one: files and meshes may have several there.
+ * The same triangles, with one vertex at each place. Files and meshes may have several vertices
+ * there.
  */
 function united({ positions, triangles }: Triangles): Triangles {
   const order = Int32Array.from({ length: positions.length / 3 }, (_, vertex) => vertex);
@@ -103,8 +105,8 @@ const facesOf = (triangles: ArrayLike<number>, faces: ArrayLike<number>): Int32A
   );
 
 /**
- * The normals at a part's vertices, interpolated in a face of the whole, so that they change
- * evenly.
+ * The normals at a part's vertices. They are interpolated from the normals at the corners of the
+ * whole's faces, so that they vary continuously.
  */
 function carried(
   part: Triangles,
@@ -230,8 +232,8 @@ function firstRoot(c: number, b: number, a: number): number {
 }
 
 /**
- * The radius of the least ball that touches a vertex, from the side to which it moves, and reaches
- * another vertex.
+ * The radius of the smallest ball that touches the surface at a vertex, on the side to which the
+ * vertex moves, and passes through another vertex. The result is at most the thickness.
  */
 function ballBound(
   positions: ArrayLike<number>,
@@ -244,7 +246,8 @@ function ballBound(
   let least = Math.abs(thickness);
   const size = 2 * least;
   const cellOf = (vertex: number, axis: number) => Math.floor(positions[3 * vertex + axis]! / size);
-  // Cells may share a bucket. A comparison of more vertices gives the same least radius.
+  // Several cells may share a bucket. A comparison with vertices of further cells does not change
+  // the least radius.
   const buckets = 2 ** Math.ceil(Math.log2(used.length + 1));
   const bucketOf = (x: number, y: number, z: number) =>
     (Math.imul(x, 73856093) ^ Math.imul(y, 19349663) ^ Math.imul(z, 83492791)) & (buckets - 1);

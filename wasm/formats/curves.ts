@@ -2,7 +2,7 @@ import { shown } from '../check.js';
 import { KarcherError } from '../errors.js';
 import type { CurveSamples, SurfacePoint } from '../types.js';
 
-/** The properties of a path in files; a `Path` has them. */
+/** The properties of a path that files need; a `Path` has them. */
 export interface FilePath {
   /** Whether the path ends where it starts. */
   readonly closed: boolean;
@@ -26,18 +26,18 @@ export interface FileCurve {
   parameters?: ArrayLike<number> | null | undefined;
   /** Red, green and blue, 0 to 255. */
   color?: readonly [number, number, number] | undefined;
-  /** The radius of a tube along the curve; without one the curve is a line. */
+  /** The radius of a tube along the curve; without a radius the curve is a line. */
   radius?: number | undefined;
   /** The number of sides of the tube's cross section, 3 to 64; 8 by default. */
   sides?: number | undefined;
 }
 
 /**
- * Curves as text of comma-separated values, a row for each point of their paths, after a row with
- * the names of the columns: the place, the normal of the surface in the point's face, the face and
- * the barycentric weights in it, and the length from the start. Numbers are written to the last
- * bit. Curves of which one has parameters have a column for these, and several curves one for
- * their names. `surface` has the positions and triangles of the curves' mesh.
+ * Curves as text of comma-separated values. The first row has the names of the columns; each other
+ * row has a point of a path: its place, the normal of its face, the face, the barycentric weights
+ * in it, and the length from the start. Numbers are written to the last bit. If a curve has
+ * parameters, there is a column for them; if there are several curves, there is one for their
+ * names. `surface` has the positions and triangles of the curves' mesh.
  *
  * Throws `KarcherError` badArgument and badIndex.
  *

@@ -1,7 +1,9 @@
 import type { DracoAttribute, DracoModule } from './draco_decoder.mjs';
 import { badFile } from './failures.js';
 
-/** The type of a column's numbers, as in glTF, and the number of them in a row. */
+/**
+ * A column to read: its Draco id, the type of its numbers as in glTF, and their number in a row.
+ */
 export interface DracoColumn {
   id: number;
   type: number;

@@ -1,6 +1,6 @@
 /**
- * The used part of the package `draco3d`: its decoder. The build writes it, with its WebAssembly
- * module inside, beside its reader.
+ * The part of the package `draco3d` that is used: the decoder. The build writes the decoder, with
+ * its WebAssembly module inside, beside the reader.
  */
 export interface DracoModule {
   readonly HEAPU8: Uint8Array;

@@ -71,7 +71,7 @@ export function withoutMark(bytes: Uint8Array): Uint8Array {
 
 /**
  * The format of bytes, by their beginning, or else by the name's ending. Throws `KarcherError`
- * badFile, with the kind of the bytes, if they are no mesh of a supported format.
+ * badFile, which names the kind of the file, if it is no mesh of a supported format.
  */
 export function formatOf(bytes: Uint8Array, name = ''): MeshFormat {
   const start = startOf(withoutMark(bytes));

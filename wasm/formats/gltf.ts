@@ -15,7 +15,9 @@ import type { FilePart, Polygons } from './types.js';
 /** A matrix's 16 numbers, column by column. */
 type Matrix = readonly number[];
 
-/** The limit for the parts of a file. Instances may repeat a mesh. */
+/**
+ * The largest number of parts of a file. A small file may have many, since instances repeat a mesh.
+ */
 const mostParts = 250_000;
 
 const identity: Matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
@@ -26,13 +28,16 @@ const harmless =
 
 const modes = ['points', 'lines', 'lines', 'lines', 'triangles', 'strip', 'fan'] as const;
 
-/** The files that contain a glTF file's buffers, by names relative to its own. Throws badFile. */
+/**
+ * The names of the files that contain a glTF file's buffers, relative to the glTF file. Throws
+ * badFile.
+ */
 export const gltfBeside = (bytes: Uint8Array) => buffersBeside(gltfContent(bytes).json);
 
 /**
- * Reads the triangles of a glTF 2 file's scene, GLB or text with its buffers beside it, at the
- * places where its nodes put them. Each primitive of a node's mesh is a part. Skins and morph
- * targets stay at rest. Draco or meshoptimizer may have compressed the data. Rejects with
+ * Reads the triangles of a glTF 2 file's scene, at the places where its nodes put them. The file is
+ * GLB, or text with its buffers beside it. Each primitive of a node's mesh is a part. Skins and
+ * morph targets stay at rest. Draco or meshoptimizer may have compressed the data. Rejects with
  * `KarcherError` badFile, badIndex or notLoaded, or the signal's reason.
  */
 export async function readGltf(
@@ -62,17 +67,20 @@ export async function readGltf(
   return { positions: scene.positions, corners: scene.corners, sizes: null, info };
 }
 
-/** The triangles of a mesh. All nodes that place the mesh share them. */
+/** A primitive of a mesh that has triangles. All nodes that place the mesh share it. */
 interface Primitive {
   mode: 'triangles' | 'strip' | 'fan';
   places: Accessor;
-  /** The numbers of its vertices; null if they follow one another. */
+  /** The vertex numbers that form the triangles; null if they are 0, 1, 2, and so on. */
   indices: Accessor | null;
   triangles: number;
   colors: Accessor | null;
   /** The number of its material, -1 for none. */
   material: number;
-  /** The number among the mesh's primitives, from 1; empty if the mesh has only one. */
+  /**
+   * The end of the part's name: a comma and the number among the mesh's primitives, from 1; empty
+   * if the mesh has only one primitive.
+   */
   number: string;
 }
 
@@ -83,7 +91,10 @@ interface Strip {
   primitive: Primitive;
 }
 
-/** The triangles of a mesh, and notes on the omitted content. */
+/**
+ * The primitives of a mesh that have triangles, and counts of what is not read: sets of points,
+ * sets of lines, and morphs.
+ */
 interface Primitives {
   triangles: Primitive[];
   points: number;
@@ -315,17 +326,20 @@ class Scene {
   readonly #slices: Slices;
   readonly positions: Float64Array;
   readonly corners: Int32Array;
-  /** Three bytes for each vertex, white for primitives without colors; null if no primitive has any. */
+  /**
+   * Three bytes for each vertex, white for primitives without colors; null if no primitive has any.
+   */
   readonly colors: Uint8Array | null;
   #vertices = 0;
   #corner = 0;
   /**
-   * The number of the first vertex of each accessor for the last node, whose primitives share them.
+   * For the last node, the number of the first vertex of each accessor. The node's primitives share
+   * these vertices.
    */
   #starts = new Map<Accessor, number>();
   #node: PlacedMesh | null = null;
 
-  /** Reserves memory for all of these. Throws `KarcherError` outOfMemory if they do not fit. */
+  /** Reserves memory for all strips. Throws `KarcherError` outOfMemory if they do not fit. */
   constructor(slices: Slices, strips: readonly Strip[]) {
     this.#slices = slices;
     let [triangles, vertices] = [0, 0];
@@ -378,7 +392,10 @@ class Scene {
     }
   }
 
-  /** The number of the first of a node's vertices, which the scene adds once. */
+  /**
+   * Adds the vertices of a node's primitive to the scene, unless an earlier primitive of the node
+   * has added them. Returns the number of the first one.
+   */
   async #start(node: PlacedMesh, places: Accessor, colors: Accessor | null): Promise<number> {
     if (node !== this.#node) this.#starts = new Map();
     this.#node = node;

@@ -13,7 +13,7 @@ const componentBytes = new Map([
   [5125, 4],
   [5126, 4],
 ]);
-/** The divisor of whole numbers that represent numbers from -1 or 0 to 1. */
+/** The divisors of normalized whole numbers, which stand for numbers from -1 or 0 to 1. */
 const most = new Map([
   [5120, 127],
   [5121, 255],
@@ -61,7 +61,7 @@ export class Accessors {
     return this.#json;
   }
 
-  /** The places of a primitive's vertices, and their numbers if it lists these. */
+  /** The places of a primitive's vertices, and its indices if it has any. */
   ofPrimitive(primitive: Json): { places: Accessor; indices: Accessor | null } {
     const { POSITION } = objectOf(primitive, 'attributes');
     const draco = this.#draco && dracoOf(primitive);
@@ -95,12 +95,12 @@ export class Accessors {
   }
 
   /**
-   * The places and triangles of a primitive that Draco compressed. Its accessors have their
-   * numbers, which are checked first. The first read of a row decodes the data. Without an accessor
-   * of triangles, which the data contains nevertheless, it is decoded at once.
+   * The places and triangles of a primitive that Draco compressed. Its accessors declare how many
+   * there are, and are checked first. The first read of a row decodes the data. If there is no
+   * accessor of triangles, the data is decoded at once, since only the data has their number.
    */
   #ofDraco(of: Json, places: unknown, indices: unknown): { places: Accessor; indices: Accessor } {
-    // This check comes first, since a value that is no number may not convert to text.
+    // This check comes before `what`, since a value that is no number may not convert to text.
     entryOf(this.#json, 'bufferViews', of.bufferView);
     const place = entryOf(this.#json, 'accessors', places);
     const index = indices === undefined ? null : entryOf(this.#json, 'accessors', indices);
@@ -141,7 +141,10 @@ export class Accessors {
     return made;
   }
 
-  /** The colors, which the first read decodes; white if the decoded data has none of this type. */
+  /**
+   * The colors of a primitive that Draco compressed. The first read decodes them. They are white if
+   * the data has no colors of this type.
+   */
   #colorsOfDraco(of: Json, accessor: Json, what: string, rowType: 'VEC3' | 'VEC4'): Accessor {
     const id = countOf(objectOf(of, 'attributes'), 'COLOR_0', what);
     const type = accessor.componentType as number;
@@ -202,7 +205,10 @@ export class Accessors {
     return { count, fill: fillRow };
   }
 
-  /** Rows that replace others. `find` returns a row's place among `values`, or -1. */
+  /**
+   * The rows of a sparse accessor, which replace others; null for other accessors. `find` returns a
+   * row's place among `values`, or -1.
+   */
   #sparse(accessor: Json, what: string, type: RowType, componentType: number, rows: number) {
     if (accessor.sparse === undefined) {
       if (accessor.bufferView === undefined && rows > 0) throw badFile(`${what} has no values`);

@@ -4,7 +4,10 @@ import { meshoptOf } from './gltf_decoders.js';
 import { countOf, entryOf, isJson, type Json, listOf } from './gltf_json.js';
 import type { MeshoptDecoder } from './meshopt_decoder.mjs';
 
-/** Bytes of a buffer; `stride` is that of a row, if the file states it. */
+/**
+ * The bytes of a buffer view, and the number of bytes from one row to the next if the file states
+ * it.
+ */
 export interface View {
   bytes: Uint8Array;
   stride: number | undefined;
@@ -110,7 +113,10 @@ export class Buffers {
   }
 }
 
-/** Whether the decoder takes rows of this length, which it does not check itself. */
+/**
+ * Whether the decoder takes this mode, filter, length of rows and number of rows, which it does not
+ * check itself.
+ */
 function isMeshopt(mode: unknown, filter: unknown, stride: number, count: number): boolean {
   const filtered: Readonly<Record<string, boolean>> = {
     NONE: true,

@@ -15,7 +15,7 @@ const meshoptNames = ['KHR_meshopt_compression', 'EXT_meshopt_compression'];
 export const compressions: readonly unknown[] = ['KHR_draco_mesh_compression', ...meshoptNames];
 
 /**
- * The extension of an object with this name. It describes how meshoptimizer or Draco compressed the
+ * An object's extension with this name, which describes how meshoptimizer or Draco compressed the
  * object.
  */
 const extension = (of: unknown, name: string): Json | undefined => {

@@ -5,7 +5,7 @@ export type Json = Readonly<Record<string, unknown>>;
 export const isJson = (value: unknown): value is Json =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** Member `name` of an object, or an empty one. */
+/** The object in member `name`; an empty object if there is none. */
 export const objectOf = (json: Json, name: string): Json => {
   const value = json[name];
   return isJson(value) ? value : {};

@@ -22,8 +22,8 @@ export class GrowingInts {
 }
 
 /**
- * The corners of polygons. The numbers of corners begin with the first polygon that is not a
- * triangle.
+ * The corners of polygons. The list of the polygons' sizes exists only after the first polygon that
+ * is not a triangle.
  */
 export class GrowingPolygons {
   readonly #corners = new GrowingInts();
@@ -35,7 +35,10 @@ export class GrowingPolygons {
     this.#corners.push(vertex);
   }
 
-  /** Ends a polygon with a number of corners, which must be at least three. */
+  /**
+   * Ends a polygon with a number of corners. A polygon of fewer than three counts as left out; its
+   * corners must not be added.
+   */
   end(size: number): void {
     if (size < 3) {
       this.#leftOut++;
@@ -57,7 +60,7 @@ export class GrowingPolygons {
     return this.#sizes?.values ?? null;
   }
 
-  /** A sentence about faces that are points and lines, if any. */
+  /** A sentence about faces that are points or lines, if there are any. */
   get notRead(): string[] {
     if (this.#leftOut === 0) return [];
     return [`${counted(this.#leftOut)} points and lines were left out.`];

@@ -59,10 +59,10 @@ const optionNames = namesOf<FileOptions>({
  * (GLB, or text with its buffers in `beside`). The content determines the format, or else the
  * name's ending does.
  *
- * Vertices and faces keep the file's order, and faces count triangles. In an STL file, which has no
- * vertices, corners at exactly the same place are one vertex. Reading takes slices of a few
- * milliseconds, between which the thread does other work. The creation of the mesh is one call,
- * which also reads OBJ.
+ * Vertices and faces keep the file's order; a polygon counts as its triangles. In an STL file,
+ * which has no vertices, corners at exactly the same place are one vertex. Files are read in slices
+ * of a few milliseconds, between which the thread does other work. The creation of the mesh is one
+ * call; for OBJ this call also reads the file.
  *
  * Rejects with the signal's reason when it is aborted, and with `KarcherError`: badFile (with the
  * line or byte, or with the kind of the file), badIndex, badArgument (options, and a part that the
@@ -85,7 +85,7 @@ export async function meshFromFile<Mesh extends MarkedMesh>(
   const bytes = withoutMark(given);
   const format = formatOf(bytes, name);
   if (format === 'obj') {
-    // The engine itself reads these, in one call.
+    // The engine itself reads OBJ files, in one call.
     signal?.throwIfAborted();
     progress?.(0, 'making');
     const mesh = await karcher.meshFromObj(bytes, {

@@ -35,7 +35,7 @@ export function materialsOf(
 /** A number from 0 to 1 as a byte; NaN becomes 0. */
 export const colorByte = (value: number) => Math.round(255 * Math.min(1, Math.max(0, value || 0)));
 
-/** A linear color of glTF in sRGB, which other formats and screens use. */
+/** The sRGB value of a linear value of glTF. Other formats and screens use sRGB. */
 export const encodedLight = (light: number) =>
   light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055;
 

@@ -1,4 +1,4 @@
-/** The decoder of the package `meshoptimizer`, which the build copies beside its reader. */
+/** The decoder of the package `meshoptimizer`. The build copies it beside the reader. */
 export const MeshoptDecoder: {
   readonly supported: boolean;
   readonly ready: Promise<void>;

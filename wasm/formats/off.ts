@@ -24,8 +24,8 @@ interface Source {
   /** Ends the counts. `rows` is the number of rows that follow. */
   endHeader(rows: number): void;
   /**
-   * Ends a vertex of three coordinates, and returns its color as in the file, if the numbers after
-   * them include one.
+   * Ends a vertex after its three coordinates. Returns its color as in the file; null if it has
+   * none.
    */
   endVertex(): readonly number[] | null;
   /** Ends a face by reading its color. */
@@ -50,8 +50,8 @@ interface Beside {
 
 /**
  * The colors of vertices as bytes; null if no vertex has one. A vertex without a color, whose
- * numbers are NaN, is white. The numbers are whole ones to 255, or, if none is more than 1, parts
- * of 1.
+ * numbers are NaN, is white. In the file, colors range up to 255 if a number exceeds 1, else up to
+ * 1.
  */
 function colorBytes(colors: Float64Array): Uint8Array | null {
   if (colors.every(Number.isNaN)) return null;
@@ -133,7 +133,9 @@ class TextSource implements Source {
   /** Whether each vertex and face begins on a separate line; otherwise only the numbers count. */
   #inRows = true;
   #longer = 0;
-  /** A vertex takes three digits and the characters between them, a face of no corners one. */
+  /**
+   * A vertex takes at least three digits, and a face without corners one; a separator follows each.
+   */
   readonly least = { vertex: 6, face: 2 };
 
   constructor(bytes: Uint8Array, words: Words, beside: Beside) {
@@ -152,7 +154,10 @@ class TextSource implements Source {
     return this.#words.asCount(what);
   }
 
-  /** Ends the counts. Rows on lines may lack the number of edges, which does not matter. */
+  /**
+   * Ends the counts. If they stand on one line, the number of edges may be missing, since it has no
+   * effect.
+   */
   endHeader(rows: number): void {
     if (this.#rows.isSplit) this.#words.skip('the number of edges');
     else this.#words.nextInLine();
@@ -162,7 +167,7 @@ class TextSource implements Source {
 
   /**
    * Ends a vertex. The line's end shows whether a color has three or four numbers. If rows do not
-   * follow lines, this is unknown.
+   * follow lines, this is unknown, and the color is left out.
    */
   endVertex(): readonly number[] | null {
     const what = 'a number of a vertex';

@@ -3,11 +3,13 @@ import type { CutPart } from '../types.js';
 import type { FileMarks, Triangles } from './types.js';
 
 /**
- * The marks of a part of a file's surface. Each vertex has the color of its place, interpolated in
- * its old triangle, and each triangle the part of its old one. Spread them into the argument of
- * `meshFile`. `surface` has the mesh's positions and triangles, `file` the file's marks. If the
- * part is a shell, its outside lies on the same places. With `sheets` of 2, colors occur twice, and
- * parts are missing, since walls belong to none.
+ * The marks of one part of a cut surface. A vertex gets the file's color at its place, interpolated
+ * in the original triangle. A triangle gets the part of the file to which the original triangle
+ * belongs. Spread the result into the argument of `meshFile`. `surface` has the positions and
+ * triangles of the mesh that was cut; the third argument has the marks of its file.
+ *
+ * For a shell of the part, pass `sheets: 2`. The colors are then repeated for the second sheet, and
+ * the result has no parts of the file, since the walls belong to none.
  *
  * Throws `KarcherError` badArgument if the colors are not those of this surface.
  *
@@ -66,8 +68,8 @@ function colorsOfPart(
 export type Place = readonly [number, number, number];
 
 /**
- * The weights of a triangle's corners at a place in it; those of its first corner if it has no
- * area.
+ * The barycentric weights of a place in a triangle; those of the first corner if the triangle has
+ * no area.
  */
 export function weightsIn(corners: readonly Place[], place: Place): [number, number, number] {
   const [a, b, c] = corners as [Place, Place, Place];

@@ -12,24 +12,24 @@ interface Surface {
 }
 
 /**
- * The distance, as a part of an edge or of a face's height, below which the engine merges points. A
- * point that near to a part is on its border.
+ * The distance below which the engine merges points, relative to an edge's length or a face's
+ * height. A point this near to a part is on its border.
  */
 const together = 2 ** -32;
 
 /** Coordinates in a face: the second and third weight. */
 type Flat = readonly [x: number, y: number];
 
-/** A triangle of a part in its face. */
+/** A triangle of a part, in the coordinates of its face. */
 interface Piece {
   triangle: number;
   corners: readonly [Flat, Flat, Flat];
 }
 
 /**
- * Points of a surface as points of a part that was cut out of it; null for those that lie elsewhere.
- * A point on the part's border lies on the part. `surface` has the positions and triangles of the
- * mesh that was cut.
+ * Points of a surface as points of a part that was cut out of it; null for those that lie
+ * elsewhere. A point on the part's border lies on the part. `surface` has the positions and
+ * triangles of the mesh that was cut.
  *
  * @example
  * const surface = { positions: mesh.positions(), triangles: mesh.triangles() };
@@ -83,7 +83,10 @@ export function pointsOnPart(
   });
 }
 
-/** Returns for a point on an edge or at a vertex the other ones of these faces that have it. */
+/**
+ * Returns a function that finds, for a point on an edge or at a vertex, the other faces of this
+ * list that contain the point.
+ */
 function facesAround(faces: readonly number[], cornersOf: (face: number) => number[]) {
   let facesOf: Map<number, number[]> | null = null;
   return ({ face, bary }: SurfacePoint): number[] => {
@@ -110,7 +113,10 @@ interface Found {
   outside: number;
 }
 
-/** The place of a triangle that is nearest to a place, up to rounding if it lies in the triangle. */
+/**
+ * The point of a triangle at a place, with the distance of the place from the triangle. For a place
+ * outside, negative weights become 0.
+ */
 function inPiece({ triangle: face, corners: [a, b, c] }: Piece, place: Flat): Found {
   const across = (p: Flat, q: Flat, r: Flat) =>
     (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
@@ -138,8 +144,8 @@ const at = (of: ArrayLike<number>, vertex: number): Place => [
 ];
 
 /**
- * The pieces of curves that lie on a part that was cut out of their surface, for `meshFile`. A curve
- * that leaves the part and comes back has several pieces; each has the name and look of its curve.
+ * The pieces of curves on a part that was cut out of their surface, for `meshFile`. A curve that
+ * leaves the part and comes back has several pieces; each has the name and look of its curve.
  *
  * @example
  * const surface = { positions: mesh.positions(), triangles: mesh.triangles() };
@@ -168,7 +174,9 @@ export function curvesOnPart(
   });
 }
 
-/** The runs of at least two points that are not null: the first index, and the one after the last. */
+/**
+ * The runs of at least two points that are not null: the first index, and the one after the last.
+ */
 function runsOf(points: readonly (SurfacePoint | null)[]): [first: number, end: number][] {
   const runs: [number, number][] = [];
   for (let first = 0; first < points.length; first++) {

@@ -53,7 +53,7 @@ const encodings = new Map<string, PlyHeader['encoding']>([
   ['binary_big_endian', 'big'],
 ]);
 
-/** The largest length of a header: a longer text is none. */
+/** The largest length of a header, in bytes. A longer text is not a header. */
 const longestHeader = 1 << 16;
 
 /** Reads a PLY file's header. Throws `KarcherError` badFile with the line. */
@@ -116,7 +116,9 @@ function property(words: Words, of: PlyElement | undefined): void {
   element.properties.push({ name: words.word, type: last, length: isList ? first : null });
 }
 
-/** Rejects counts for which the rest of the file is too short, before it allocates memory. */
+/**
+ * Rejects a count for which the rest of the file is too short, before memory is allocated for it.
+ */
 function checkRoom({ encoding }: PlyHeader, { name, count, properties }: PlyElement, room: number) {
   if (properties.length === 0 && count > 0) {
     throw badFile(`the PLY file's element '${name}' has no properties`);

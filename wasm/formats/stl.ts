@@ -11,7 +11,10 @@ import type { FilePart, Polygons } from './types.js';
 const headerBytes = 84;
 const triangleBytes = 50;
 
-/** Whether bytes are a binary STL file, by their number; text may have any beginning. */
+/**
+ * Whether bytes are a binary STL file. Their number shows it, since the first 80 bytes are
+ * arbitrary and may look like a text file.
+ */
 export function isBinaryStl(bytes: Uint8Array): boolean {
   if (bytes.length < headerBytes) return false;
   const count = viewOf(bytes).getUint32(80, true);

@@ -2,16 +2,19 @@ import { badFile, counted } from './failures.js';
 
 const [newline, space, hash, carriageReturn] = [10, 32, 35, 13];
 const longestWord = 200;
-/** Powers of ten that are doubles. */
+/** The powers of ten that are exact doubles. */
 const powers = Float64Array.from({ length: 23 }, (_, power) => Number(`1e${power}`));
 const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
-/** The words that C, Python and Windows print for numbers that are not finite: nan, -nan(ind), inf, 1.#QNAN. */
+/**
+ * The words that C, Python and Windows print for numbers that are not finite: nan, -nan(ind), inf,
+ * 1.#QNAN.
+ */
 const notFinite = /^[+-]?(nan|inf$|infinity$|1\.#)/i;
 
 /** Whether a byte ends a line. Systems end lines with \n, \r\n or \r. */
 export const isLineEnd = (byte: number | undefined) => byte === newline || byte === carriageReturn;
 
-/** The length of the line end there: 0 to 2. */
+/** The length of the line end at a place, 0 to 2 bytes. */
 export function lineEndAt(bytes: Uint8Array, at: number): number {
   if (bytes[at] === newline) return 1;
   if (bytes[at] !== carriageReturn) return 0;
@@ -19,9 +22,9 @@ export function lineEndAt(bytes: Uint8Array, at: number): number {
 }
 
 /**
- * The words of a text, one after the other from its bytes, since a text of many megabytes does not
- * become a string. A `#` that begins a word starts a comment. Inside a word it is an ordinary
- * character, as in `1.#QNAN`, which some programs write for NaN.
+ * The words of a text. They are read from its bytes, one after the other, so that a text of many
+ * megabytes need not become a string. A `#` that begins a word starts a comment. Inside a word it
+ * is an ordinary character, as in `1.#QNAN`, which some programs write for NaN.
  */
 export class Words {
   readonly #bytes: Uint8Array;
@@ -96,7 +99,7 @@ export class Words {
     return ascii(this.#bytes, this.#from, this.#to);
   }
 
-  /** Throws `KarcherError` badFile with the line, and the word expected there. */
+  /** Throws `KarcherError` badFile with the line, and with what must be there. */
   fail(wanted: string): never {
     const met = this.#to > this.#from ? `not '${shortened(this.word)}'` : 'but the file ends';
     throw badFile(`line ${this.line}: there must be ${wanted}, ${met}`);
@@ -137,8 +140,9 @@ export class Words {
   }
 
   /**
-   * Reads a number of at most 15 digits with a small power of ten. Both are exact doubles, so that
-   * their quotient or product is the nearest one. Returns NaN for any other number.
+   * Reads a number of at most 15 digits with a small power of ten. Its digits and the power are
+   * exact doubles, so that their quotient or product is the double nearest to the number. Returns
+   * NaN for any other number.
    */
   #shortNumber(): number {
     const bytes = this.#bytes;
@@ -181,14 +185,17 @@ export class Words {
 }
 
 /**
- * The rows of a table in a text. A row may be one line, and words after its numbers have no effect.
- * Or it spans several lines and ends with the last of them. If that line has more words, the row
- * lacks a number.
+ * The rows of a table in a text. If a row is one line, words after its numbers have no effect. If
+ * it spans several lines, it ends at the end of the last one. If further words follow there, the
+ * row's first line lacks a number.
  */
 export class TextRows {
   readonly words: Words;
   #inRow = false;
-  /** The value missing at the end of the row's first line, if the row continues on others. */
+  /**
+   * The error for a value that is missing at the end of the row's first line; null unless the row
+   * continues on other lines.
+   */
   #missing: string | null = null;
   /** The number of rows with more than their numbers. */
   longer = 0;

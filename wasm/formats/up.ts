@@ -1,17 +1,20 @@
 import type { MeshFormat, UpAxis } from './types.js';
 
-/** The height of the sole above the lowest place, as a part of the whole height. */
+/**
+ * The height up to which triangles belong to the sole, above the lowest place and relative to the
+ * whole height.
+ */
 const soleHeight = 0.02;
 /** The cosine of the largest angle by which a sole's triangle leans. */
 const flat = 0.94;
 /**
- * The least share of a sole in the face of the box, and the ratio by which it must exceed that of
- * another axis.
+ * The least area of a sole, relative to the face of the bounding box, and the factor by which it
+ * must exceed the sole of the other axis.
  */
 const [leastSole, muchMore] = [0.06, 2];
 
 /**
- * The axis that points up if the shape does not show it: the one that most programs use with the
+ * The axis that points up if the shape does not show it: the axis that most programs use with the
  * format.
  */
 const usual: Readonly<Record<MeshFormat, UpAxis>> = {
@@ -23,9 +26,9 @@ const usual: Readonly<Record<MeshFormat, UpAxis>> = {
 };
 
 /**
- * The axis of a file's coordinates that points up, y or z: the one along which the surface stands, on a flat
- * sole or on the rim of a hole that is open below. If neither is clear, it is the usual one of the format; for
- * glTF, which prescribes it, y.
+ * The axis of a file's coordinates that points up, y or z. It is the axis along which the surface
+ * stands on a flat sole, or on the rim of an opening at its bottom. If this is not clear, it is the
+ * usual axis of the format. For glTF, which prescribes the axis, it is y.
  */
 export function guessUp(
   positions: ArrayLike<number>,
@@ -40,8 +43,8 @@ export function guessUp(
 }
 
 /**
- * The areas on which the surface stands along y and z, as parts of the bounding box's face there:
- * the area of flat triangles at the bottom, and the area inside boundary edges there.
+ * The areas on which the surface stands along y and along z, relative to the face of the bounding
+ * box. An area consists of flat triangles at the bottom and of openings there.
  */
 function soles(positions: ArrayLike<number>, triangles: ArrayLike<number>): [number, number] {
   const low = [Infinity, Infinity, Infinity];
@@ -86,7 +89,7 @@ function flatArea(p: Place, q: Place, r: Place): number {
   return along >= flat * Math.hypot(...normal) ? along / 2 : 0;
 }
 
-/** The area that closed loops of boundary edges at the bottom go around, seen from below. */
+/** The area that closed loops of boundary edges at the bottom enclose, seen from below. */
 function openArea(
   positions: ArrayLike<number>,
   triangles: ArrayLike<number>,
@@ -108,8 +111,8 @@ function openArea(
     }
   }
   let twice = 0;
-  // Places are relative to the box's corner, so that the area is that of the loops wherever the
-  // mesh lies.
+  // Places are relative to the box's corner, so that the sum does not depend on where the mesh
+  // lies.
   const at = (vertex: number, along: number) => positions[3 * vertex + along]! - low[along]!;
   for (const { from, to } of inLoops([...open.values()])) {
     twice += at(from, b) * at(to, c) - at(from, c) * at(to, b);

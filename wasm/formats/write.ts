@@ -15,13 +15,13 @@ export const writtenFormats = Object.keys(writers) as readonly WrittenFormat[];
 
 /**
  * Triangles as a file: OBJ, or PLY, STL or GLB in binary. OBJ and PLY keep positions to the last
- * bit. STL and GLB hold single precision: positions on both sides of a cut are still equal. A file
- * has no triangles of which two corners become one.
+ * bit. STL and GLB have single precision. Positions on both sides of a cut are then still equal,
+ * and triangles in which rounding merges two corners are left out.
  *
- * Curves with a radius are tubes, closed by flat ends. Others are lines: of GLB line strips, of OBJ
- * `l` elements, of PLY edges; STL has only tubes. In OBJ and GLB each is an object of its own name.
- * In GLB a curve's color is that of its material. In OBJ and PLY colors are those of vertices, of
- * which all have one if the mesh or a curve has; white is for those without.
+ * Curves with a radius are tubes with flat ends. Other curves are lines: line strips in GLB, `l`
+ * elements in OBJ, edges in PLY. STL has no lines. In OBJ and GLB each curve is an object with its
+ * name. In GLB the color of a curve is that of its material. In OBJ and PLY vertices have colors if
+ * the mesh or a curve has one; they are white where none is given.
  *
  * Throws `KarcherError` badArgument and badIndex.
  *
@@ -103,7 +103,9 @@ const partName = ({ name }: { name: string }) => name.replace(/\p{Cc}+/gu, ' ').
 
 const white = [255, 255, 255] as const;
 
-/** The mesh with the tubes of its curves, of which each is a part, and the curves that are lines. */
+/**
+ * The mesh with the tubes of its curves, each as a part of its own; and the curves that are lines.
+ */
 function withTubes(mesh: Triangles): { solid: Triangles; lines: readonly FileCurve[] } {
   const { curves = [] } = mesh;
   const tubes = curves.filter(({ radius }) => radius !== undefined);

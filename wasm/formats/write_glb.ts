@@ -5,7 +5,7 @@ import { binaryChunk, glbMagic, jsonChunk } from './glb.js';
 import { linearLight } from './marks.js';
 import type { Triangles } from './types.js';
 
-/** The triangles in single precision, without those of which rounding unites two corners. */
+/** The triangles in single precision, without those in which rounding merges two corners. */
 export function single({ positions, triangles, partOf }: Triangles) {
   const rounded = Float32Array.from(positions);
   const isOne = (v: number, w: number) =>
@@ -32,7 +32,9 @@ function cornersOfParts(kept: readonly number[], keptParts: readonly number[]) {
   return [...ofParts].sort(([a], [b]) => a - b);
 }
 
-/** The numbers that glTF has for types of components, targets of buffers and modes of primitives. */
+/**
+ * The numbers that glTF has for types of components, targets of buffers and modes of primitives.
+ */
 const [float, unsignedInt, ofVertices, ofIndices, lineStrip] = [5126, 5125, 34962, 34963, 3];
 
 /** The buffer of a GLB file, with an accessor for each array. */
@@ -80,8 +82,8 @@ interface GlbObject {
 }
 
 /**
- * A GLB file with a mesh and a node for each part, all with the same vertices, and for each curve,
- * which has vertices and a material of its own.
+ * A GLB file with a mesh and a node for each part and for each curve. All parts share their
+ * vertices. A curve has vertices of its own and, if it has a color, a material of its own.
  */
 export function glbFile(mesh: Triangles): Uint8Array<ArrayBuffer> {
   const buffer = new Buffer();

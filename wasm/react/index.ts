@@ -22,7 +22,7 @@ import type {
 export { KarcherError } from '../errors.js';
 export type * from './types.js';
 
-/** The newest of a value, for effects that must not run again because of it. */
+/** The newest value, for effects that must not run again when it changes. */
 function useNewest<Value>(value: Value): { readonly current: Value } {
   const newest = useRef(value);
   useEffect(() => {
@@ -70,8 +70,8 @@ export function useKarcher({
 
 /**
  * The surface of a geometry, as `surfaceFromGeometry` returns it; undefined until it exists, and
- * without a geometry. Another geometry has another surface. When the component unmounts, it frees
- * the memory of the mesh.
+ * without a geometry. Another geometry gets another surface. When the component unmounts, the hook
+ * frees the memory of the mesh.
  */
 export function useSurface(
   geometry: BufferGeometry | undefined,
@@ -110,7 +110,7 @@ function release({ mesh }: Surface<AnyMesh>): void {
  * A curve on a surface, as an object of three.js; undefined until a surface and options exist. Put
  * it into the scene as a child of the object that draws the surface, `<primitive object={curve}
  * />`. Options that differ from those of the previous render change the curve. Equal options leave
- * it as a hand has dragged it since.
+ * it as it is, even if the user has dragged its points since.
  */
 export function useSurfaceCurve(
   surface: Surface<AnyMesh> | undefined,

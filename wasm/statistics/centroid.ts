@@ -8,7 +8,10 @@ import type { AnyMesh } from './energy.js';
 
 /** The options of the search for a centroid. */
 export interface CentroidOptions {
-  /** The point where the search starts; by default the one nearest to the region's centroid in space. */
+  /**
+   * The point where the search starts; by default the surface's point nearest to the region's
+   * centroid in space.
+   */
   start?: PointLike | undefined;
   /** The largest number of points that represent the region; 1000 by default. */
   samples?: number | undefined;
@@ -56,15 +59,16 @@ interface Patch {
 }
 
 /**
- * The centroid of a region, or with `'all'` of the whole surface: the center of mass of its area,
- * or of a density on it, where the integral of the squared distances to all of the region has a
- * minimum.
+ * The centroid of a region, or with `'all'` of the whole surface. It is the center of mass of the
+ * area, or of a density on it: the point where the integral of the squared distance over the region
+ * has a minimum.
  *
- * The mass of each triangle, or of its part in the region, lies at its own centroid. This is exact
- * to rounding on a plane and good to the square of the edges on smooth surfaces. If the points are
- * more than `samples`, neighbors form groups, which is good to the square of the groups' size. On
- * the unit sphere of 20,000 triangles, centroids of caps were up to .0015 off with 1000 samples,
- * and 6e-5 with all. Distances are those of locally shortest paths (`Mesh.logMap`).
+ * The computation puts the mass of each triangle, or of its part in the region, at the centroid of
+ * the triangle or part. This is exact to rounding on a plane; on smooth surfaces the error is of
+ * the order of the squared edge length. If there are more points than `samples`, neighbors form
+ * groups, and the error is of the order of the groups' squared size. On the unit sphere of 20,000
+ * triangles, centroids of caps were up to .0015 off with 1000 samples, and 6e-5 with all. Distances
+ * are those of locally shortest paths (`Mesh.logMap`).
  *
  * Rejects with `KarcherError` badArgument for a region without area or mass, for a density that is
  * negative or does not have one value for each vertex, and for samples below 1, and as
@@ -184,7 +188,8 @@ function patchesOf(
     });
     const [d, dx, dy] = [0, 1, 2].map((k) => density[triangles[3 * face + k]!]!) as Three;
     const at = (x: number, y: number) => d + x * (dx - d) + y * (dy - d);
-    // Each side adds the triangle between it and the first corner (Green's theorem), in the coordinates of the face.
+    // Each side adds the triangle between it and the first corner (Green's theorem), in the
+    // coordinates of the face.
     let [mass, x, y] = [0, 0, 0];
     for (let i = 0; i < around.length; i += 4) {
       const [ax, ay, bx, by] = around.subarray(i, i + 4) as unknown as Four;
@@ -255,7 +260,9 @@ function extremes(patches: readonly Patch[], k: number): [number, number] {
   return within;
 }
 
-/** A place in the unit cube along Morton's curve: bits of its coordinates in turn. */
+/**
+ * The number of a place in the unit cube along Morton's curve: the bits of its coordinates in turn.
+ */
 function codeOf(place: readonly number[]): number {
   let code = 0;
   for (let bit = 9; bit >= 0; bit--) {

@@ -29,8 +29,8 @@ export interface Hessian {
 /**
  * The energy and its gradient at a point, by locally shortest paths (`Mesh.logMap`). The gradient
  * is that on the polyhedron. On an edge and at a vertex it is in the plane of the face that the
- * point names. At a center of mass inside a face it is small but not zero, since fields that smooth
- * these paths find centers. Rejects as `Mesh.logMap` does.
+ * point names. At a center of mass inside a face it is small but not zero, since the search for
+ * centers uses fields, which smooth these paths. Rejects as `Mesh.logMap` does.
  */
 export async function energyAt(
   mesh: AnyMesh,
@@ -52,9 +52,10 @@ export async function energyAt(
 }
 
 /**
- * The Hessian of the energy at a point inside a face, by differences of gradients on both sides. On a plane its
- * matrix is twice the sum of the weights times the identity. The energy has no Hessian where several shortest
- * paths lead to one of the points, or where they turn from one side of a vertex to the other.
+ * The Hessian of the energy at a point inside a face, by differences of gradients on both sides. On
+ * a plane its matrix is twice the sum of the weights times the identity. The energy has no Hessian
+ * where several shortest paths lead to one of the points, or where they turn from one side of a
+ * vertex to the other.
  *
  * Rejects with `KarcherError` badArgument for a point on an edge or at a vertex.
  */
@@ -80,12 +81,12 @@ export async function hessianAt(
 }
 
 /**
- * The derivatives of a center of mass with respect to each weight, with the others fixed: a vector
- * in the plane of its face for each, in units of the mesh. `center` is the center of mass with
- * these weights.
+ * The derivatives of a center of mass with respect to each weight, with the other weights fixed.
+ * Each is a vector in the plane of the center's face, in units of the mesh. `center` is the center
+ * of mass with these weights.
  *
- * They are derivatives on the polyhedron and exact on a plane. On a torus of 2,000 triangles,
- * differences of centers, whose fields are smoothed, were up to 15 % off.
+ * They are derivatives on the polyhedron, and exact on a plane. Differences of computed centers,
+ * whose fields are smoothed, deviated from them by up to 15 % on a torus of 2,000 triangles.
  *
  * Rejects as `hessianAt` does, and with badArgument where the Hessian is not positive definite.
  */
@@ -109,17 +110,17 @@ export interface PointDerivative {
 }
 
 /**
- * The derivatives of a center of mass with respect to each of its points, the others being fixed.
- * `center` is the center of mass of the points with these weights; it and all points lie inside
- * faces. The log vector of a point changes as the point moves, and the Hessian of the energy says
- * how far the center follows. The changes are differences between both sides; along a path that
- * crosses edges only they are the moves, transported to the center.
+ * The derivatives of a center of mass with respect to each of its points, with the other points
+ * fixed. `center` is the center of mass of the points with these weights; it and all points lie
+ * inside faces. The log vector of a point changes as the point moves, and the Hessian of the energy
+ * determines how far the center follows. The change is a difference between both sides. For a path
+ * that only crosses edges, it is the move of the point, transported to the center.
  *
- * They are derivatives on the polyhedron, as those of `weightDerivatives`. On a plane the center
- * moves by the point's share of the weights.
+ * They are derivatives on the polyhedron, as those of `weightDerivatives`. On a plane, the center
+ * moves by the move of the point times its fraction of the weights.
  *
- * @throws {KarcherError} badArgument for a point on an edge or at a vertex, and where the Hessian is not
- * positive definite; otherwise as `Mesh.logMap`.
+ * @throws {KarcherError} badArgument for a point on an edge or at a vertex, and where the Hessian
+ *   is not positive definite; otherwise as `Mesh.logMap`.
  * @example
  * ```ts
  * const [{ axes, moves }] = await pointDerivatives(mesh, points, weights, center);
@@ -153,7 +154,7 @@ export async function pointDerivatives(
   });
 }
 
-/** A function that returns the move of a center of mass by a pull with a weight. */
+/** A function that returns the move of a center of mass under a pull with a weight. */
 async function pulled(
   mesh: AnyMesh,
   points: readonly PointLike[],

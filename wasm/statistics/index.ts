@@ -39,7 +39,10 @@ export interface RobustOptions {
 
 /** The options of `huberMean`. */
 export interface HuberOptions extends RobustOptions {
-  /** The threshold, in units of the mesh: a point beyond it pulls no more than a point at it. */
+  /**
+   * The threshold of the distance, in units of the mesh. A point beyond it pulls no more than a
+   * point at this distance.
+   */
   threshold: number;
 }
 
@@ -85,11 +88,13 @@ export function median(
 }
 
 /**
- * Huber's mean: a center of mass to which points beyond a threshold pull no more than points at it. It minimizes
- * the weighted sum of d²/2 for distances d within the threshold t, and of t (d - t/2) beyond. With a threshold
- * larger than all distances it is the center of mass, and with a very small one it comes close to the median.
+ * Huber's mean: a center of mass for which points beyond a threshold distance pull no more than
+ * points at this distance. It minimizes the weighted sum of d²/2 for distances d within the
+ * threshold t, and of t (d - t/2) beyond. With a threshold larger than all distances it is the
+ * center of mass; with a very small one it comes close to the median.
  *
- * Rejects as `median` does, and with `KarcherError` badArgument for a threshold that is not positive.
+ * Rejects as `median` does, and with `KarcherError` badArgument for a threshold that is not
+ * positive.
  */
 export function huberMean(
   mesh: AnyMesh,
@@ -175,8 +180,8 @@ async function search(
 }
 
 /**
- * Whether one of the points is the median: the joint pull of all others there is no more than its
- * own weight.
+ * Whether one of the points is the median: the joint pull of all others at this point is no more
+ * than its own weight.
  */
 async function isMedian(
   mesh: AnyMesh,

@@ -5,9 +5,9 @@ import type { AnyMesh } from './energy.js';
 import { type LevelCrossing, levelLines } from './level_lines.js';
 
 /**
- * The lines on which values have given levels, for one value for each vertex, linear in triangles:
- * a list of paths for each level. Lines that are not closed end on the boundary, or at triangles
- * with a value that is not finite. A level without points has no line.
+ * The lines on which a function has given levels: a list of paths for each level. The function has
+ * one value for each vertex and is linear in triangles. Lines that are not closed end on the
+ * boundary, or at triangles with a value that is not finite. A level without points has no line.
  *
  * Lines of distances are those of `mesh.isolines` with the type `linear`.
  *
@@ -33,8 +33,7 @@ export async function isolines(
     const sentence = `there are ${positions.length / 3} vertices but ${given.length} values`;
     throw new KarcherError('badArgument', sentence);
   }
-  // Welded vertices count as the first of them if their values are equal, so that no line ends at a
-  // seam.
+  // Of welded vertices with equal values, only the first counts, so that no line ends at a seam.
   const known = new Map<string, number>();
   const first = Array.from(given, (value, v) => {
     const name = `${positions.subarray(3 * v, 3 * v + 3).join()},${value}`;
@@ -49,7 +48,7 @@ export async function isolines(
   return wanted.map((level) => lines[ascending.indexOf(level)]!);
 }
 
-/** A line as a path, without points that repeat; nothing for a line of no length. */
+/** A line as a path, without points that repeat; undefined for a line of no length. */
 function pathOf(
   line: readonly LevelCrossing[],
   positions: Float64Array,

@@ -9,18 +9,19 @@ export interface SegmentEnd {
   edge: number;
 }
 
-/** A point of a line of equal value: where it crosses an edge. */
+/** A point where a line of equal value crosses an edge. */
 export interface LevelCrossing extends SegmentEnd {
-  /** The triangle, of the two at the edge, whose segment ends here. */
+  /** The triangle whose segment ends here, one of the two at the edge. */
   face: number;
   /** The weights of that triangle's corners. */
   bary: [number, number, number];
 }
 
 /**
- * The lines of each level, by the edges that they cross; closed ones end at their start. `valueAt`
- * returns the function at corner 3 * triangle + i. Its values may differ across an edge; lines then
- * end there. Levels ascend. Triangles with a value that is not a number have no lines.
+ * The lines of each level, as the points where they cross edges; closed ones end at their start.
+ * `valueAt` returns the function's value at corner 3 * triangle + i. The values of two triangles
+ * may differ at their common edge; lines may then end there. Levels must ascend. Triangles with a
+ * value that is not finite have no lines.
  *
  * @example
  * ```ts

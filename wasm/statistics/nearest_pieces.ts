@@ -1,11 +1,11 @@
 /**
- * A surface divided by the nearest of several sites, with squared distances linear in each
- * triangle. Sites come one after the other. From the convex pieces that the earlier ones have in a
- * triangle, the new site takes the part that is nearer to it by more than rounding.
+ * A surface divided into the parts that are nearest to each of several sites. Squared distances are
+ * linear in each triangle. Sites are added one after the other. From the convex pieces of earlier
+ * sites in a triangle, a new site takes the part that is nearer to it by more than rounding.
  *
- * A corner of a piece is a vertex of the mesh, or lies on an edge between two corners, since a site
- * took one of them. These two name it. So pieces on both sides of an edge, also in two triangles,
- * have the same corner, and no gap opens whatever the rounding.
+ * A corner of a piece is a vertex of the mesh, or lies on an edge between two other corners, of
+ * which a site took one. The two corners identify it. So pieces on both sides of an edge share this
+ * corner, even if they lie in two triangles, and no gap opens, whatever the rounding.
  */
 
 /** A convex part of a triangle, counterclockwise by its corners. */
@@ -26,11 +26,11 @@ const rounding = 1e-12;
 export class NearestPieces {
   /** x, y, z of each vertex. */
   readonly positions: Float64Array;
-  /** The vertices of each triangle. Welded vertices count as the first of them. */
+  /** The vertices of each triangle. Of welded vertices, only the first counts. */
   readonly triangles: Int32Array;
   /**
-   * The site to which all of a triangle belongs; -1 if none, or -2 for a triangle with pieces of
-   * several.
+   * The site to which a whole triangle belongs; -1 for no site, -2 for a triangle with pieces of
+   * several sites.
    */
   readonly whole: Int32Array;
 
@@ -49,7 +49,8 @@ export class NearestPieces {
   #sites = 0;
 
   /**
-   * `distances` are those from some point. If these are equal, too, vertices at one place are one.
+   * `distances` are the distances of the vertices from some point. Vertices at one place count as
+   * one if these distances are equal, too.
    */
   constructor(positions: Float64Array, triangles: Int32Array, distances: Float64Array) {
     this.positions = positions;
@@ -103,7 +104,10 @@ export class NearestPieces {
     return this.#pieces.get(face) ?? [{ site: this.whole[face]!, corners: this.#cornersOf(face) }];
   }
 
-  /** Keeps the pieces of a triangle. Those of one site become one, with the corners on its edges, which others share. */
+  /**
+   * Keeps the pieces of a triangle. If all belong to one site, they are merged into one piece. It
+   * keeps the corners on the triangle's edges, since neighbors share them.
+   */
   #keep(face: number, pieces: Piece[]): void {
     const [{ site }] = pieces as [Piece];
     if (pieces.some((piece) => piece.site !== site)) {
@@ -129,8 +133,8 @@ export class NearestPieces {
   }
 
   /**
-   * Whether a corner is the one with number `k` of a triangle, or lies on the edge from there to
-   * the next.
+   * Whether a corner is corner `k` of a triangle, or lies on the edge from it to the triangle's
+   * next corner.
    */
   #isOnEdge(face: number, corner: number, k: number): boolean {
     const at = this.#cornersOf(face);
@@ -166,15 +170,15 @@ export class NearestPieces {
   }
 
   /**
-   * The two parts of a piece: without the points that are nearer to the new site, and with these
-   * alone.
+   * The two parts of a piece: one without the points that are nearer to the new site, and one with
+   * only these.
    */
   #divided(piece: Piece, site: number, own: number[], isNearer: readonly boolean[]): Piece[] {
     const { corners } = piece;
     if (!corners.some((corner) => isNearer[corner])) return [piece];
     if (corners.every((corner) => isNearer[corner])) return [{ site, corners }];
-    // Without a path to a corner the piece stays whole, as at a corner between parts that only
-    // touch there.
+    // If no path leads to a corner, such as one between parts that only touch there, the piece
+    // stays whole.
     if (corners.some((corner) => !Number.isFinite(own[corner]! - this.#least[corner]!))) {
       return [piece];
     }
@@ -193,7 +197,9 @@ export class NearestPieces {
     ];
   }
 
-  /** The corner between two others where the new site is as near as the nearest of the earlier ones. */
+  /**
+   * The corner between two others where the new site is as near as the nearest of the earlier ones.
+   */
   #put(one: number, other: number, own: number[]): number {
     const name = this.key(one, other);
     const known = this.#between.get(name);

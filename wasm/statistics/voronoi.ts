@@ -23,7 +23,7 @@ export interface VoronoiDiagram {
   areas: Float64Array;
   /** The lines between cells. */
   borders: VoronoiBorder[];
-  /** The cell of a site as a region, whose centroid `centroid` finds. */
+  /** The cell of a site as a region; `centroid` finds its centroid. */
   cell(site: number): Region;
 }
 
@@ -31,9 +31,10 @@ export interface VoronoiDiagram {
  * The Voronoi diagram of sites: the surface divided into cells, each with the points that are
  * nearest to one site.
  *
- * In every triangle, squared distances are linear between those of the vertices. On a plane the
- * borders are then exact, and on smooth surfaces good to the square of the edges. Each site takes
- * one field of distances. If sites coincide, the first has the cell and the others have empty ones.
+ * In every triangle, squared distances are interpolated linearly between the vertices. So the
+ * borders are exact on a plane; on smooth surfaces their error is of the order of the squared edge
+ * length. Each site takes one field of distances. If sites coincide, the first has the cell and the
+ * others have empty ones.
  *
  * Rejects with `KarcherError` tooFewPoints without sites, or for a site without points, and as
  * `Mesh.distance` does.

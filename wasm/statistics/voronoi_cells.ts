@@ -108,7 +108,9 @@ function sidesOf(pieces: NearestPieces): Map<number, Side[]> {
   return all;
 }
 
-/** Sides joined to paths: open ones from their ends, then closed ones; none without length. */
+/**
+ * Sides joined into paths: open paths first, then closed ones. Paths without length are left out.
+ */
 function joined(pieces: NearestPieces, sides: readonly Side[]): Path[] {
   const at = new Map<number, Side[]>();
   const ends = new Map<number, number>();

@@ -14,9 +14,9 @@ import { liftMaterial } from './fat_line.js';
 import type { SurfaceCurve } from './surface_curve.js';
 
 /**
- * The part of the distance to the camera by which a control point appears nearer, and by which the
- * surface may lie in front of a visible point. It is larger than a line's, since a square hides
- * more of a slope.
+ * The fraction of the distance to the camera by which a control point appears nearer. The surface
+ * may lie in front of a visible point by the same fraction. It is larger than that of a line, since
+ * a slope would hide more of a square.
  */
 const nearer = 0.01;
 
@@ -37,8 +37,8 @@ export interface CurveDragOptions {
 
 /**
  * Lets the user drag the control points of a curve over its surface: draws the visible ones, and
- * listens to the pointer on an element. Nobody else there hears a press that takes hold of a point,
- * so that camera controls leave the view alone.
+ * listens to the pointer on an element. It stops the event of a press that takes hold of a point,
+ * so that camera controls on the same element leave the view alone.
  */
 export class CurveDrag {
   /**

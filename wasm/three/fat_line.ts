@@ -18,17 +18,17 @@ export interface LineLook {
 }
 
 /**
- * The part of the distance to the camera by which a line appears nearer, so that its surface does
- * not cut it.
+ * The fraction of the distance to the camera by which a line appears nearer, so that its surface
+ * does not cut it.
  */
 export const nearer = 0.003;
 
-/** The color of a line without another one. */
+/** The color of a line for which none is given. */
 export const lineColor = 0xd03a1e;
 
 /**
- * Brings a material's depth nearer to the camera by a part of the distance. `after` is the line of
- * the shader after which the place is known.
+ * Brings a material's depth nearer to the camera by the fraction `part` of the distance. `after` is
+ * the line of the vertex shader after which the place is known.
  */
 export function liftMaterial(material: Material, after: string, part: number): void {
   material.onBeforeCompile = (shader) => {
@@ -51,8 +51,8 @@ export function lineMaterial({ width = 3, color = lineColor }: LineLook): LineMa
 }
 
 /**
- * A geometry of segments without an index. With one, software rendering in Chromium 156 draws only
- * the first instance.
+ * A geometry of segments without an index. With an index, software rendering in Chromium 156 draws
+ * only the first instance.
  */
 function segmentGeometry(): LineSegmentsGeometry {
   const geometry = new LineSegmentsGeometry();
@@ -62,7 +62,8 @@ function segmentGeometry(): LineSegmentsGeometry {
 }
 
 /**
- * Draws a polyline as a fat line. Its buffers stay and only grow, so that a drag allocates none.
+ * Draws a polyline as a fat line. It reuses the line's buffers, and replaces them by larger ones
+ * only if the polyline does not fit, so that a drag seldom allocates memory.
  */
 export function drawLine(line: LineSegments2, polyline: ArrayLike<number>): void {
   const count = Math.max(0, polyline.length / 3 - 1);
@@ -80,7 +81,7 @@ export function drawLine(line: LineSegments2, polyline: ArrayLike<number>): void
   for (let i = 0; i < count; i++) {
     for (let k = 0; k < 6; k++) places[6 * i + k] = polyline[3 * i + k]!;
   }
-  // Bounds count the whole array, so its rest repeats the end.
+  // Bounds include the whole array, so its unused rest repeats the last point.
   for (let i = 6 * count; i < places.length; i++) places[i] = places[i - 3]!;
   ends.needsUpdate = true;
   line.geometry.instanceCount = count;

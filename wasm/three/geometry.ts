@@ -17,9 +17,9 @@ export interface GeometryGroup {
 
 /**
  * The geometry of a surface: positions in 32 bits, an index of 32 bits in the order of the mesh's
- * faces, and normals. Vertices keep their numbers. Of several at one place the index names the
+ * faces, and normals. Vertices keep their numbers. If several lie at one place, the index names the
  * first, so that normals are smooth across seams. The geometry has the given `groups`, such as
- * those of the original one.
+ * those of the original geometry.
  */
 export function geometryOf(
   surface: Surface<AnyMesh>,
@@ -46,9 +46,9 @@ export interface TubeOptions {
 }
 
 /**
- * A tube along a path on the surface: a ring at each of its points, upright on the surface. It
- * needs no frames of its own, and so does not twist. Tubes of closed paths are closed; others are
- * open at their ends.
+ * A tube along a path on the surface. It has a ring at each point of the path. The surface's
+ * normals orient the rings, so that the tube does not twist. Tubes of closed paths are closed;
+ * others are open at their ends.
  */
 export function tubeGeometry(
   surface: Surface<AnyMesh>,
@@ -69,9 +69,10 @@ export interface RibbonOptions {
 }
 
 /**
- * A flat ribbon along a path. It lies across the path, in the plane of the surface at each point.
- * Where the surface bends across the path, the sides of a wide ribbon leave it. Texture coordinates
- * `uv` run along the ribbon, with 1 for each width, and from its left to its right side.
+ * A flat ribbon along a path. At each point it lies across the path, in the plane of the surface.
+ * Where the surface bends across the path, the sides of a wide ribbon leave the surface. The
+ * texture coordinate u grows by 1 for each width along the ribbon; v runs from 0 on its left side
+ * to 1 on its right side.
  *
  * @throws {KarcherError} badArgument for a width that is not positive.
  * @example
@@ -109,11 +110,11 @@ function geometryOfBand({ positions, normals, triangles }: Tube): BufferGeometry
 /** The options for colors of numbers. */
 export interface ColorOptions {
   /**
-   * A function that sets the color of a fraction, 0 to 1, of the largest distance. By default from
-   * yellow to blue.
+   * A function that sets the color for a number, given as a fraction from 0 to 1 of the largest. By
+   * default the colors run from yellow to blue.
    */
   ramp?: (part: number, color: Color) => void;
-  /** The number with the last color; the largest distance by default. */
+  /** The number that has the last color; by default the largest of all. */
   most?: number;
 }
 
@@ -147,9 +148,9 @@ const yellowToBlue = (part: number, color: Color) => color.lerpColors(yellow, bl
 
 /**
  * Log vectors of the vertices as an attribute `uv`, which lays a picture round the point where the
- * vectors start. The picture is twice `radius` wide, upright along the y axis of `frame`: the frame
- * of the point (`Surface.frame`), turned as you like. Beyond the picture uv leaves 0 to 1; vertices
- * without a vector (NaN) lie far outside.
+ * vectors start. The picture is twice `radius` wide, and upright along the y axis of `frame`. This
+ * is the frame of the point (`Surface.frame`), turned as you like. Outside the picture, uv lies
+ * outside 0 to 1, and far outside for vertices without a vector (NaN).
  */
 export function logMapUvs(
   vectors: ArrayLike<number>,
@@ -186,8 +187,8 @@ export interface DecalOptions {
  * The part of a surface that a picture round a point covers, as a separate geometry with normals
  * and the `uv` of `logMapUvs`. Lay it over the surface with a transparent material. It has the
  * triangles that the picture reaches, except those whose corners have shortest paths on different
- * sides, which would show the picture as a streak. Triangles at its edge are whole. There the
- * texture repeats its outermost pixels, which should be transparent.
+ * sides, which would show the picture as a streak. Triangles at the picture's edge are whole. There
+ * the texture repeats its outermost pixels, which should be transparent.
  */
 export function decalGeometry(
   surface: Surface<AnyMesh>,

@@ -1,4 +1,7 @@
-/** Karcher with three.js: surfaces of geometries, curves as objects, distances and log maps as attributes. */
+/**
+ * Karcher with three.js: surfaces of geometries, curves as objects, distances and log maps as
+ * attributes.
+ */
 export { KarcherError } from '../errors.js';
 export { CurveDrag, type CurveDragOptions } from './curve_drag.js';
 export type { LineLook } from './fat_line.js';

@@ -18,7 +18,8 @@ export type Followed = Path | PathValue | SurfaceCurve;
 
 /**
  * An object along a path. Make it a child of the object that draws the surface. An object along a
- * curve follows each of the curve's edits; of several edits during a drawing, only the newest.
+ * curve follows the curve's edits. Of several edits that arrive while it is drawn, it follows only
+ * the newest.
  */
 class ObjectAlong extends Mesh<BufferGeometry, Material> {
   /** The surface on which the path lies. */
@@ -40,8 +41,8 @@ class ObjectAlong extends Mesh<BufferGeometry, Material> {
   }
 
   /**
-   * Follows another path or curve. The promise resolves when the object is drawn: along a path at
-   * once, along a curve when the curve is.
+   * Follows another path or curve. The promise resolves when the object is drawn: for a path at
+   * once, for a curve when the curve is drawn.
    *
    * @throws {KarcherError} badArgument for what is no path; rejects with the error of `Curve.path`.
    * @example
@@ -159,7 +160,7 @@ export class RibbonOnSurface extends ObjectAlong {
   ) {
     super(surface, material ?? ribbonMaterial(), (path) => ribbonGeometry(surface, path, shape));
     this.ready = this.follow(along);
-    // Those who wait for it receive its failure; nobody has to wait.
+    // A caller that waits for `ready` receives the failure, but no caller has to wait.
     this.ready.catch(() => {});
   }
 }

@@ -62,11 +62,11 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
   }
 
   /**
-   * The surface point at which a raycast hit an object that draws this surface. The places of its
-   * corners identify the triangle. So the numbers of vertices and the order of the triangles do not
-   * matter; a `MeshBVH` may have changed that order before or after. Throws `KarcherError` badPoint
-   * if the hit is on another surface, or on this one in another shape (skinned, morphed, or edited
-   * since). The point's place is the hit's, within 1e-6 of the diagonal, or the hit is refused.
+   * The surface point at which a raycast hit an object that draws this surface. The places of the
+   * triangle's corners identify it, so that vertex numbers and the order of triangles do not
+   * matter; a `MeshBVH` may change this order at any time. Throws `KarcherError` badPoint if the
+   * hit is on another surface, or on this one in another shape (skinned, morphed, or edited since):
+   * the place of the point and that of the hit may differ by at most 1e-6 of the diagonal.
    */
   pointAt(hit: SurfaceHit): SurfacePoint {
     const place = placeOf(hit);
@@ -103,8 +103,8 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
   }
 
   /**
-   * The frame of a point: its place, and as axes two unit vectors of the face and the normal. An object
-   * with this matrix stands on the surface, its z axis upright.
+   * The frame of a point. Its origin is the place of the point; its axes are two unit vectors in
+   * the face and the normal. An object with this matrix stands on the surface, its z axis upright.
    */
   frame(point: PointLike, target = new Matrix4()): Matrix4 {
     const { face } = this.#inFace(point);
@@ -154,7 +154,10 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
     return Float64Array.from(places, (x) => x ?? Number.NaN);
   }
 
-  /** The weights of the point of a face that is nearest to a place in or near it. */
+  /**
+   * The barycentric weights of a place in a face. For a place slightly outside, negative weights
+   * become 0.
+   */
   #weightsAt(face: number, place: Vector3): [number, number, number] {
     const sides = [0, 1, 2].map((k) => this.#corner(face, k).sub(place));
     const from = this.#corner(face, 0);
@@ -192,13 +195,13 @@ function placeOf({ point, object, instanceId, batchId }: SurfaceHit): Vector3 {
 }
 
 /**
- * The surface of a geometry. It copies the positions and triangles, which may have another order
- * afterwards, as by a `MeshBVH`. It welds vertices at one place where their faces meet, as along
- * seams of texture coordinates. The geometry, with its groups, does not change. Vertex i of the
- * mesh is vertex i of the geometry.
+ * Creates the surface of a geometry. The surface has copies of the positions and triangles, so that
+ * a `MeshBVH` may later change their order in the geometry. The engine welds vertices at one place
+ * where their faces meet, such as along seams of texture coordinates. The geometry itself, with its
+ * groups, does not change. Vertex i of the mesh is vertex i of the geometry.
  *
- * With the engine of `loadInWorker` it is a promise. Throws what `Karcher.meshFromArrays` throws,
- * and `KarcherError` badArgument for a geometry without positions.
+ * With the engine of `loadInWorker`, the result is a promise. Throws what `Karcher.meshFromArrays`
+ * throws, and `KarcherError` badArgument for a geometry without positions.
  */
 export function surfaceFromGeometry(
   karcher: Karcher,
@@ -230,7 +233,7 @@ export function surfaceFromGeometry(
   return mesh instanceof Promise ? mesh.then(surface<RemoteMesh>) : surface<Mesh>(mesh);
 }
 
-/** The surface of a mesh from another source, which `geometryOf` draws. */
+/** The surface of a mesh from another source. `geometryOf` returns a geometry that draws it. */
 export function surfaceFromMesh(mesh: Mesh): Surface<Mesh>;
 export function surfaceFromMesh(mesh: RemoteMesh): Promise<Surface<RemoteMesh>>;
 export function surfaceFromMesh(mesh: AnyMesh): Surface<Mesh> | Promise<Surface<RemoteMesh>> {
@@ -243,6 +246,8 @@ export function surfaceFromMesh(mesh: AnyMesh): Surface<Mesh> | Promise<Surface<
   return new Surface(mesh as Mesh, trianglesOf(positions, corners));
 }
 
-/** The triangles in 32 bits, as the graphics card has them. Hits refer to these places. */
+/**
+ * The triangles with places in 32 bits, as the graphics card has them, since hits refer to these.
+ */
 const trianglesOf = (positions: Float64Array, corners: Int32Array) =>
   new Triangles(Float64Array.from(positions, Math.fround), corners);

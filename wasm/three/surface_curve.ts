@@ -53,7 +53,10 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
   #isBusy = true;
   #isDisposed = false;
 
-  /** The options are those of `Mesh.curve`. The look is the width in pixels and the color, or a material. */
+  /**
+   * The options are those of `Mesh.curve`. The look is the width in pixels and the color, or a
+   * material.
+   */
   constructor(
     surface: Surface<AnyMesh>,
     options: CurveOptions,
@@ -83,8 +86,8 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
   }
 
   /**
-   * The path of the newest curve that is drawn, or about to be. Rejects as `ready` does, and with
-   * `KarcherError` disposed.
+   * The path of the drawn curve, or of the next one if its edit has begun. Rejects as `ready` does,
+   * and with `KarcherError` disposed.
    *
    * @example
    * ```ts
@@ -96,7 +99,7 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
     return this.#curve!.path();
   }
 
-  /** Moves a control point. The promise is that of `set`. */
+  /** Moves a control point. The promise has the same meaning as that of `set`. */
   movePoint(number: number, point: PointLike): Promise<boolean> {
     if (!Number.isInteger(number) || number < 0 || number >= this.#value.points.length) {
       const error = new KarcherError('badIndex', `there is no control point ${number}`);

@@ -10,7 +10,10 @@ export class Triangles {
   readonly #table: Int32Array;
   /** The first vertex at the place of each vertex. */
   readonly #first: Int32Array;
-  /** The triangles at each vertex that is the first at its place, one vertex after the other. */
+  /**
+   * The triangles at each place, one list after the other. `#starts` has the beginning of each list,
+   * by the first vertex at the place.
+   */
   readonly #starts: Int32Array;
   readonly #around: Int32Array;
 
@@ -49,8 +52,8 @@ export class Triangles {
   }
 
   /**
-   * The triangle with corners at three places, as nine numbers, or -1. If there are several, those
-   * with the same order come first, and among these the one with the number `likely`.
+   * The triangle whose corners lie at three places (nine numbers), or -1. Of several triangles, it
+   * prefers those with the same orientation, and among these the one with the number `likely`.
    */
   find(places: ArrayLike<number>, likely: number): number {
     const [a, b, c] = [0, 3, 6].map((i) => this.#at(places[i]!, places[i + 1]!, places[i + 2]!));

@@ -65,9 +65,9 @@ const leastPatience = 200;
  * The calls into one worker that runs `serve`. A client with a function that starts workers can
  * interrupt a running call. If the worker does not acknowledge a cancellation in time, the client
  * terminates and replaces it. It sends the other calls to the new worker, which creates each mesh
- * and curve again before the first call that needs it. The client waits for about as long as the
- * creation of all of them takes, so that little is lost if the call was about to end. No other data
- * of `serve` may depend on earlier calls.
+ * and curve again before the first call that needs it. Before the client terminates a worker, it
+ * waits for about as long as the creation of all meshes and curves takes, so that little is lost if
+ * the call was about to end. No other data of `serve` may depend on earlier calls.
  */
 export class WorkerClient {
   readonly #start: (() => WorkerLike) | null;
@@ -78,7 +78,7 @@ export class WorkerClient {
   readonly #origins = new WeakMap<object, Origin>();
   /** The origins of the objects that a new worker would have to create again. */
   readonly #kept = new Set<Origin>();
-  /** Whether a new worker could create all of them again. */
+  /** Whether a new worker could create all objects again. */
   #keepsAll = true;
   #hasAnswered = false;
   #calls = 0;
@@ -87,11 +87,11 @@ export class WorkerClient {
   #end: KarcherError | null = null;
 
   /**
-   * A callback for a worker that ended by itself, or whose engine broke. Every call fails from then
-   * on.
+   * A callback that runs if the worker ended by itself, or its engine broke. Every call fails from
+   * then on.
    */
   onFatal: ((error: KarcherError) => void) | null = null;
-  /** A callback for a worker that replaced one with an interrupted call. */
+  /** A callback that runs after a new worker has replaced one whose call was interrupted. */
   onRestart: (() => void) | null = null;
 
   constructor(worker: WorkerLike | (() => WorkerLike)) {
@@ -126,8 +126,8 @@ export class WorkerClient {
    * Calls a method of an object in the worker, by default of the root object that `serve` received.
    * A signal among the arguments, or in an object among them, rejects the call with its reason at
    * once. Rejects with the `KarcherError` of the engine, or with `disposed`. `work` is for calls
-   * that do not take signals and progress themselves. Its signal does the same; its progress is 0
-   * when the worker begins the call, and 1 when it has ended it.
+   * that do not take signals and progress themselves. Its signal has the same effect; its progress
+   * is 0 when the worker begins the call, and 1 when the call has ended.
    */
   call(
     name: string,
@@ -166,8 +166,8 @@ export class WorkerClient {
   }
 
   /**
-   * Cancels every pending call, as a signal would, except those that dispose of an object. They
-   * reject with the reason.
+   * Cancels every pending call, as a signal would, except those that dispose of an object. The
+   * cancelled calls reject with the reason.
    */
   giveUp(reason: unknown): void {
     for (const [id, { call }] of this.#pending) {
@@ -274,7 +274,8 @@ export class WorkerClient {
   }
 
   /**
-   * The number of an object in the present worker, which creates it again if it does not have it.
+   * The number of an object in the present worker. If the worker does not have the object, it
+   * creates it again first.
    */
   #targetOf(origin: Origin): number {
     if (isGone(origin)) throw gone();
@@ -297,7 +298,7 @@ export class WorkerClient {
     origin.target = -++this.#remade;
     origin.worker = this.#worker;
     send({ call, args, makes: origin.target });
-    // The object from which it was created had been disposed of.
+    // `of` had been disposed of before, so it is disposed of again.
     if (!isWithout || !of.isDisposed) return;
     of.worker = null;
     send({ call: 'dispose', args: [] });
@@ -369,7 +370,7 @@ export class WorkerClient {
         if (!this.#start || Array.isArray(part) || isPlain(part)) return undefined;
         return structuredClone(part);
       });
-    // A value that contains itself has no end, and a transferred buffer is empty.
+    // The copy fails for a value that contains itself, and for a transferred buffer.
     return sending(() => args.map(copied));
   }
 
@@ -385,7 +386,7 @@ export class WorkerClient {
     });
   }
 
-  /** Receives a result. If nobody waits for it, it is disposed of. */
+  /** Receives a result. If nobody waits for it, its meshes and curves are disposed of. */
   #received(result: unknown, pending: Pending | undefined): unknown {
     let meshes = 0;
     return replaced(result, (part) => {

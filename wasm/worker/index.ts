@@ -50,7 +50,7 @@ export interface WorkerOptions {
 const workerOptionNames = namesOf<WorkerOptions>({ worker: true, wasm: true, signal: true });
 
 /**
- * Loads the engine in a new worker. All names are those of `load`'s engine. Methods return
+ * Loads the engine in a new worker. All names are those of the engine of `load`. Methods return
  * promises, and a curve's properties are promises. Results belong to the caller; the worker
  * transfers large arrays.
  *
@@ -93,8 +93,8 @@ export async function loadInWorker(options: WorkerOptions = {}): Promise<RemoteK
 }
 
 /**
- * A caller's worker, with the engine's module as its first message. Its client rejects a value that
- * is no worker.
+ * Sends the engine's module to a caller's worker as its first message, and returns the worker. The
+ * client rejects a value that is no worker.
  */
 function supplied(worker: WorkerLike, wasm: WebAssembly.Module | undefined): WorkerLike {
   const { postMessage } = (worker ?? {}) as Partial<WorkerLike>;
@@ -104,8 +104,8 @@ function supplied(worker: WorkerLike, wasm: WebAssembly.Module | undefined): Wor
 }
 
 /**
- * `startWorker`, with a replacement for pages that may not call it: `Worker` throws for an address
- * of another origin.
+ * Calls `startWorker`, and throws an error with advice if that fails: `Worker` throws if the
+ * script's address has another origin than the page.
  */
 function startOwnWorker(): WorkerLike {
   try {
@@ -116,8 +116,8 @@ function startOwnWorker(): WorkerLike {
 }
 
 /**
- * The error of a worker that has never answered. Browsers have no reason for a script that is
- * missing or blocked.
+ * The error of a worker that has never answered. Browsers give no reason if the script is missing
+ * or blocked.
  */
 function notStarted(isOwn: boolean, cause: unknown): unknown {
   if (cause instanceof KarcherError && cause.code !== 'internal') return cause;
@@ -130,7 +130,10 @@ function notStarted(isOwn: boolean, cause: unknown): unknown {
   );
 }
 
-/** The advice for a script whose name a bundler chooses and whose address it would bundle again. */
+/**
+ * The advice for the package's own script. A bundler may have chosen another name for it. The
+ * address is computed as text, since a bundler would bundle the script again for a `new URL`.
+ */
 function adviceOnOwn(): string {
   const here = import.meta.url;
   const address = here.replace(/\/worker\/index\.js([?#].*)?$/, '/worker/thread.js');

@@ -18,9 +18,9 @@ export interface WorkerLike {
 
 /**
  * A call. With `tells`, the worker announces the start of the call to the first function among the
- * arguments. With `keeps`, it announces it to the client, too, together with the values of curves
- * that the call creates or edits. With `makes`, the call creates another worker's mesh or curve
- * again under this number; its only answer is a failure.
+ * arguments. With `keeps`, it announces the start to the client, too, and its answer includes the
+ * values of curves that the call creates or edits. With `makes`, the call creates a mesh or curve
+ * of an earlier worker again, under this number; it is answered only if it fails.
  */
 export interface Call {
   id: number;

@@ -19,7 +19,10 @@ interface Caller {
   ): Promise<unknown>;
 }
 
-/** The methods of an object that stays in the worker. */
+/**
+ * The type of a value on this side: meshes and curves, which stay in the worker, have remote
+ * methods.
+ */
 type Remote<Value> = Value extends Mesh
   ? RemoteMesh
   : Value extends Curve

@@ -30,10 +30,11 @@ export function ownScope(): Scope {
 }
 
 /**
- * Answers the calls of a client from within its worker. Calls are methods of `root`, and methods
- * and properties of the meshes and curves that these return, which stay here. The call may use
- * functions among its arguments while it runs; these return nothing. The client aborts a signal
- * among them. The worker transfers the arrays of results, so the methods must not keep them.
+ * Answers the calls of a client from within its worker. A call is a method of `root`, or a method
+ * or property of a mesh or curve that an earlier call returned; these objects stay here. A call may
+ * use functions among its arguments while it runs; they return nothing. A signal among its
+ * arguments is aborted when the client cancels the call. The worker transfers the arrays of
+ * results, so the methods must not keep them.
  */
 export function serve(root: object | Promise<object>): void {
   const server = new Server(root, ownScope());
@@ -42,7 +43,9 @@ export function serve(root: object | Promise<object>): void {
 
 const arraysOf = ({ face, bary, position, lengths }: EnginePath) => [face, bary, position, lengths];
 
-/** The names of what a class has for its users, with those of the class that it extends. */
+/**
+ * The names of a class's public methods and properties, with those of the class that it extends.
+ */
 function namesIn(prototype: object, internal: string): ClassNames {
   const base = Object.getPrototypeOf(prototype) as object;
   const all = [...(base === Object.prototype ? [] : [base]), prototype];
@@ -84,7 +87,7 @@ class Server {
     });
   }
 
-  /** Executes the waiting calls. Between them it receives cancellations of the others. */
+  /** Executes the waiting calls. Between two calls it receives cancellations of the others. */
   async #begin(): Promise<void> {
     if (this.#beginning) return;
     this.#beginning = true;
@@ -96,7 +99,10 @@ class Server {
     this.#beginning = false;
   }
 
-  /** Creates an object of another worker again. Without it the client's calls have no meaning. */
+  /**
+   * Creates an object of an earlier worker again. A failure is fatal, since the client's later
+   * calls need the object.
+   */
   async #make({ id, target, call, args }: Call, number: number): Promise<void> {
     try {
       const owner = target === 0 ? await this.#root : this.#object(target);
