@@ -4,7 +4,7 @@
 #include "curves/polygon/deviation.h"
 #include "curves/polygon/levels.h"
 
-/// The number of levels of a curve that does not set it:
+/// The number of levels of a curve whose options do not set it:
 ///
 /// - A curve is safe at a number of levels if all its pieces are safe: their centers of mass move
 ///   continuously, and turn little more than the surface does (convexity.h).

@@ -24,7 +24,7 @@ struct CircleOptions {
 };
 
 struct GeodesicCircle {
-  /// The samples of each arc and their joined path.
+  /// The samples and the bridges of each arc, and the path that joins the samples.
   Array<Array<CurveSample>> samples;
   Array<Array<Bridge>> bridges;
   Array<JoinedPath> paths;

@@ -73,7 +73,7 @@ class Curve {
   /// the number of legs), what `checkGivenShape` throws, and what a basis of the caller's throws.
   void set(CurveValue value);
 
-  // Edits set the value that results from them.
+  // Each edit sets the value that results from it.
   void movePoint(int i, const SurfacePoint& point) { set(withPointPlaced(value_, i, point)); }
   /// Moves a point as a drag does: the legs that meet at it are extended, not searched anew.
   void dragPoint(int i, const SurfacePoint& point) {
@@ -124,7 +124,7 @@ class Curve {
 
   /// The numbers of the control points that a segment blends, at level 0.
   const Array<int>& pointsOf(int segment) const { return segments_[segment].points; }
-  /// The weights of these points at t, at level 0.
+  /// The weights of a segment's control points at t, at level 0.
   Array<double> weights(int segment, double t) const { return piece(segment, 0).weights(t); }
 
   /// The number of fields that edits have created or moved so far. A good edit adds few.

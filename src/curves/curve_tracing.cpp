@@ -200,7 +200,7 @@ void Curve::layBridges(const Next& next, Piece& piece) {
 
 void Curve::join(const Next& next, Piece& piece) {
   const CurveOptions& options = next.value.options;
-  // The search for a polyline's samples has found its paths.
+  // `findSamples` has already written a polyline's path.
   if (options.shape.kind == CurveKind::kPolyline) return;
   const BasisWriter basis = basisOf(piece);
   std::optional<EdgeCrossings> crossings;

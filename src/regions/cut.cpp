@@ -216,7 +216,7 @@ class Cutter {
       addTriangle(f, first, first + 1, first + 2);
       return;
     }
-    // Corners have the first numbers.
+    // The face's corners have the numbers 0 to 2.
     std::map<int, int> numberOf;
     Array<Vec2> places;
     Array<Vec2> frame;

@@ -368,7 +368,7 @@ class Drawer {
 
   const TriangleMesh& mesh_;
   Drawing drawing_;
-  Array<uint8_t> waits_;  ///< whether each face of the drawing waits
+  Array<uint8_t> waits_;  ///< whether each face of the drawing is in `waiting_`
   Array<int> waiting_;
   // The state of the current face.
   Array<std::pair<int, int>> ends_;

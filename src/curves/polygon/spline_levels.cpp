@@ -196,7 +196,7 @@ class SplineLevelStep {
     int left = 0;
     int right = parents.weights.count() - 1;
     const auto weight = [&](int k) {
-      // Each side takes half of the middle parent.
+      // Each side takes half of the middle parent's weight.
       const double share = left == right ? 0.5 : 1;
       return share * parents.weights[k] * pointAt(parents.first + k).weight;
     };
@@ -249,7 +249,7 @@ class SplineLevelStep {
     side.point = average.point;
   }
 
-  /// The leg from new point j to new point `to`.
+  /// Writes the leg from new point j to new point `to`.
   void writeLeg(int to, int j, SplineLevel& next) {
     const Anchor& start = next.anchors[2 * j + 1];
     const Anchor& end = next.anchors[2 * to];

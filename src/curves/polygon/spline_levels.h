@@ -31,7 +31,7 @@ struct SplineLevel {
 /// Scratch memory of a B-spline's levels. It keeps knots and weights for the next curve of the same
 /// shape, since a drag changes neither.
 struct SplineWorkspace {
-  /// The average so far, from one end of the parents.
+  /// The average of the parents so far, from one end of their row.
   struct Side {
     WeightedPoint point;
     int parent = 0;        ///< the number of the last parent averaged

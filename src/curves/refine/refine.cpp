@@ -223,7 +223,7 @@ void lengthen(const Curve& curve, CurveParts& part, bool atStart, const SurfaceP
   if (followsLegs(curve)) part.legs.insert(atStart ? part.legs.begin() : part.legs.end(), leg);
 }
 
-/// The parts of a Catmull-Rom curve or polyline.
+/// The parts of a Catmull-Rom curve or polyline before and after a parameter.
 Array<CurveParts> splitThroughPoint(Curve& curve, const SegmentParameter& at) {
   const int before = at.segment + (at.t == 1 ? 1 : 0);
   const bool atPoint = at.t == 0 || at.t == 1;
@@ -232,7 +232,7 @@ Array<CurveParts> splitThroughPoint(Curve& curve, const SegmentParameter& at) {
   if (!atPoint) cut = cutThroughPoints(curve, at);
   Array<CurveParts> parts;
   if (curve.shape().closed) {
-    // The part leads from the cut once around to the cut.
+    // The part leads from the cut once around the curve, back to the cut.
     parts.push_back(partThrough(curve, atPoint ? before : before + 1, before + last + 1));
   } else {
     parts.push_back(partThrough(curve, 0, before));

@@ -29,7 +29,7 @@ void bsplineBasis(const Array<double>& knots, int degree, int span, double u,
 
 /// A rational basis: w_i N_i / sum_j w_j N_j, where N is another basis. All w_i are positive.
 Array<double> rationalBasis(Array<double> basis, const Array<double>& pointWeights);
-/// The same, in place of the given basis.
+/// The same weights, written over the given basis.
 void makeRational(const Array<double>& pointWeights, Array<double>& basis);
 
 /// Rational interpolation in barycentric form: weights proportional to (-1)^i beta_i / (t - i / n)

@@ -41,7 +41,7 @@ Array<double> reversedKnots(const Array<double>& knots, int degree, bool closed)
 /// join.
 Array<double> closedKnots(const Array<double>& open, int degree);
 
-/// Open knots: the first spans of the closed ones.
+/// Open knots with the first spans of the closed ones.
 Array<double> openKnots(const Array<double>& closed, int degree);
 
 }  // namespace karcher

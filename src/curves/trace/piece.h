@@ -29,7 +29,7 @@ PieceWeights weighted(const PieceWeights& weights, const Array<double>& pointWei
 /// A traced piece.
 struct TracedPiece {
   Array<CurveSample> samples;  ///< the samples in t of the piece, both ends included
-  /// The intervals in which it is no center of mass.
+  /// The intervals in which the piece is no center of mass.
   Array<Bridge> bridges;
   JoinedPath path;
 };

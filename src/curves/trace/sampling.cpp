@@ -71,7 +71,7 @@ class AdaptiveTrace {
   }
 
  private:
-  /// Appends the necessary samples between two.
+  /// Appends the samples that are needed between two others.
   void refine(const CurveSample& from, const CurveSample& to, int bisections) {
     const CurveSample middle = sample((from.t + to.t) / 2, from);
     const int lost = (from.status != SampleStatus::kConverged) +

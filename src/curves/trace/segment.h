@@ -23,7 +23,7 @@ inline constexpr int kMostSamples = 100'000;
 /// A function from t in [0, 1] to the weights of a segment's control points, which sum to 1.
 using Basis = std::function<Array<double>(double t)>;
 
-/// The same, written to an existing array.
+/// The same function, but it writes the weights to an existing array.
 using BasisWriter = std::function<void(double t, Array<double>& weights)>;
 
 /// A basis at given parameters. All segments with the basis share a table of even parameters.
