@@ -25,7 +25,7 @@ struct PathStep {
   double part = 0;  ///< a number in [0, 1]
 };
 
-/// The purpose of paths: they lead to a ball in space, and none is longer than `mostLength`.
+/// The aim of paths: they lead to a ball in space, and none is longer than `mostLength`.
 struct PathAim {
   Vec3 center = Vec3::Zero();
   double radius = 0;
@@ -55,7 +55,7 @@ class DistanceSolver {
   /// Works until a vertex is final. Returns its distance; kInfinity if no path leads there.
   virtual double growTo(int vertex) = 0;
 
-  /// The distance up to which all vertices are final; kInfinity once the whole component is.
+  /// The distance up to which all vertices are final; kInfinity once the whole component is final.
   virtual double reached() const = 0;
 
   /// Whether a vertex's values are final. Final values depend on the source alone, not on where the

@@ -175,8 +175,8 @@ void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, double
   }
 }
 
-/// Sends out the fans of a point where a path turns or ends: the directions between the fronts of
-/// its pieces there.
+/// Sends out the fans of a point where a path turns or ends. A fan has the directions between the
+/// fronts of the path's pieces there.
 void PathDistance::leaveTurn(const SurfacePath& path, int index) {
   struct Piece {
     double angle = 0;    ///< the piece's direction

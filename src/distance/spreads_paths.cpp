@@ -7,8 +7,8 @@
 namespace karcher {
 namespace {
 
-/// The angle of a corner, in radians, below which all of it may lie in the shadow of a vertex that
-/// is flat up to kChainRounding.
+/// If a corner at a vertex that is flat up to kChainRounding has an angle below this, in radians,
+/// the whole corner may lie in the vertex's shadow.
 constexpr double kSliver = 1e-8;
 
 }  // namespace

@@ -5,9 +5,9 @@
 
 /// Log and exp maps of points with directions, by parallel transport. The paths of the log map are
 /// the fast ones (find_path.h): locally shortest, and the same in both directions. The maps are
-/// inverse if the straightest geodesic of the exp map is the path that the log map finds to its
-/// end. Vectors and directions are those of tangent planes (tangent.h). A direction of length 0
-/// stands for no direction.
+/// inverse to each other if the straightest geodesic of the exp map is the path that the log map
+/// finds to its end. Vectors and directions are those of tangent planes (tangent.h). A direction of
+/// length 0 stands for no direction.
 namespace karcher {
 
 /// The path of the log map. Throws Error kUnreachable if the points lie on different components.

@@ -68,9 +68,10 @@ FaceSides sidesOver(const Geometry& geometry, int h) {
           geometry.edgeLength[right] * Vec2(-atHead.x(), atHead.y())};
 }
 
-/// An edge to which windows cross a face, seen from its end on the previous edge.
+/// An edge that windows reach across a face. It is seen from the end that it shares with the
+/// previous edge, through which the windows came.
 struct SideEdge {
-  int twin;  ///< the half-edge where they will wait; -1 at the boundary
+  int twin;  ///< the half-edge where the windows will wait; -1 at the boundary
   double length;
   Vec2 along;           ///< a unit vector along the edge, in the frame of the previous edge
   double leftLength;    ///< the length of the previous edge

@@ -53,9 +53,9 @@ struct StripWorkspace {
   Strip motion;  ///< the motion of a path's end (straighten.h)
 };
 
-/// Appends to `out` the path from `from`, in the strip's first face, to `to`, in its last: its
-/// crossings of edges, the vertices at which it bends, and `to`, but not `from`. Consecutive points
-/// share a face. Returns the length of the appended path.
+/// Appends to `out` the path from `from`, in the strip's first face, to `to`, in its last face. The
+/// appended points are the path's crossings of edges, the vertices at which it bends, and `to`, but
+/// not `from`. Consecutive points share a face. Returns the length of the appended path.
 double appendStripPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                        StripWorkspace& workspace, Array<SurfacePoint>& out);
 

@@ -64,7 +64,7 @@ bool Tightening::shortenLeg(int leg) {
   }
   for (int i = 0; i < std::min(passages.count(), kPassages); ++i) {
     if (passagesLeft_-- <= 0) return false;
-    // Moves the best of the rest forward.
+    // Moves the passage with the greatest remaining gain to place i.
     std::iter_swap(passages.begin() + i, std::max_element(passages.begin() + i, passages.end(),
                                                           [](const Passage& a, const Passage& b) {
                                                             return a.gain < b.gain;

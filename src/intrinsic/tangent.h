@@ -6,9 +6,9 @@
 
 /// Log and exp maps at a point of the surface, and parallel transport along given paths.
 ///
-/// The tangent plane of a point in a face or on an edge is that of its face, point.face; that of a
-/// vertex is its rescaled frame (geometry.h), in which opposite directions have equal angles on
-/// both sides.
+/// At a point in a face or on an edge, the tangent plane is the plane of the point's face,
+/// `point.face`. At a vertex, it is the vertex's rescaled frame (geometry.h), in which opposite
+/// directions have equal angles on both sides.
 namespace karcher {
 
 /// The log vector of a path at its start: its initial direction, scaled to its length.

@@ -171,7 +171,7 @@ class ManifoldRepair {
     }
   }
 
-  /// Splits vertices of several fans. The fan with the file's first face keeps the vertex. The
+  /// Splits vertices with several fans. The fan with the file's first face keeps the vertex. The
   /// engine's face numbers must not decide, since they depend on the mesh's position in space.
   void splitFans() {
     const int before = mesh_.vertexCount();

@@ -64,8 +64,8 @@ struct ImportedMesh {
 ///   between several fans (`connectRepaired`). A mesh without such defects stays unchanged, to the
 ///   last bit.
 ///
-/// Throws what `buildMesh` throws, and Error kNotOrientable, kBadArgument (a weld that is not
-/// finite); errors name the caller's vertices and triangles. Vertices that no face uses may have
+/// Throws what `buildMesh` throws, and Error kNotOrientable, kBadArgument (a weld that is not a
+/// number); errors name the caller's vertices and triangles. Vertices that no face uses may have
 /// any position.
 ImportedMesh importMesh(TriangleSoup soup, const ImportOptions& options = {});
 

@@ -45,8 +45,8 @@ class Seams {
   /// Half-edges grouped by the places of their vertices.
   struct Edges {
     Array<int> boundary;                 ///< edges of one half-edge
-    Array<int> branching;                ///< edges of more than two
-    Array<std::array<int, 2>> mirrored;  ///< edges of two in the same direction
+    Array<int> branching;                ///< edges of more than two half-edges
+    Array<std::array<int, 2>> mirrored;  ///< edges of two half-edges in the same direction
   };
 
   int placeAt(int h) const { return place_[faces_.corners[h / 3][h % 3]]; }

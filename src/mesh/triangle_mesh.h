@@ -114,8 +114,9 @@ struct MeshNames {
 /// Throws Error: kNonManifoldEdge, kNonManifoldVertex, kBadIndex (a vertex without a face).
 TriangleMesh connectMesh(Array<Vec3> positions, Array<Triangle> faces, const MeshNames& names);
 
-/// Fills `outgoing` and `onBoundary` from `twin`. If a vertex has several fans of faces, it takes
-/// one of them, at the boundary if possible. Every vertex must belong to a face.
+/// Fills `outgoing` and `onBoundary` from `twin`. If a vertex has several fans of faces, its
+/// half-edge belongs to one of them, at the boundary if possible. Every vertex must belong to a
+/// face.
 void connectVertices(TriangleMesh& mesh);
 
 /// The length of the bounding box's diagonal.
