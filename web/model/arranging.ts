@@ -27,7 +27,7 @@ import { withSourceIds } from './sources';
 const together = (steps: readonly Command[]): Command | null =>
   steps.length > 0 ? { type: 'steps', steps } : null;
 
-/** Selects another object for editing. If the one before is empty, it is deleted. */
+/** Selects another object for editing. If the previous one is empty, it is deleted. */
 export function activation(drawing: Drawing, to: number): Command | null {
   const { active } = drawing;
   if (to === active || !objectOf(drawing, to)) return null;
@@ -117,8 +117,8 @@ function withOrphans({ objects }: Drawing, ids: readonly number[]): Set<number> 
 }
 
 /**
- * Removes objects, and those that have no other sources. If it removes the edited one, an empty one
- * of its kind begins.
+ * Removes objects, and the objects that have no other sources. If the edited one is removed, an
+ * empty object of its kind begins.
  */
 export function deletion(drawing: Drawing, wanted: readonly number[]): Command | null {
   if (!drawing.objects.some(({ id }) => wanted.includes(id))) return null;
@@ -175,7 +175,7 @@ export function addition(
   return { command: { type: 'steps', steps }, ids: objects.map(({ id }) => id) };
 }
 
-/** A name for each group of added objects that no group of the drawing has. */
+/** For each group of the added objects, a name that no group of the drawing has. */
 function freshGroups(drawing: Drawing, added: readonly DrawnObject[]): Map<string, string> {
   const taken = new Set(drawing.objects.map(({ group }) => group));
   const fresh = new Map<string, string>();
@@ -188,7 +188,7 @@ function freshGroups(drawing: Drawing, added: readonly DrawnObject[]): Map<strin
   return fresh;
 }
 
-/** The name, with the first number that makes it unique if another has it. */
+/** The name; if another object or group has it, with the first number that makes it unique. */
 function freeName(name: string, taken: ReadonlySet<string | null>): string {
   if (!taken.has(name)) return name;
   const stem = name.replace(/ \d+$/, '');
@@ -212,7 +212,10 @@ export function duplication(drawing: Drawing, ids: readonly number[]) {
   return addition(drawing, named);
 }
 
-/** The place of the lowest neighbor that belongs to the same group as the object at a place. */
+/**
+ * The lowest place among the consecutive members of a group around a place; without a group, the
+ * place itself.
+ */
 function footOfGroup({ objects }: Drawing, place: number): number {
   const { group } = objects[place]!;
   let foot = place;
@@ -257,8 +260,9 @@ export function restyling(
 }
 
 /**
- * Moves an object up in the order by a number of places, or down by a negative number. Members of a group stay
- * with each other: one moves among them only, and other objects move past the whole group.
+ * Moves an object up in the order by a number of places, or down by a negative number. Members of a
+ * group stay together: a member moves only among the others, and other objects move past the whole
+ * group.
  */
 export function reordering(drawing: Drawing, id: number, steps: number): Command | null {
   const from = indexOf(drawing, id);
@@ -314,7 +318,7 @@ export function groupNaming(drawing: Drawing, from: string, name: string): Comma
   return restyling(drawing, ids, { group: freeName(wanted, others) });
 }
 
-/** Makes one group of objects, above all others of them in the order. */
+/** Groups objects. They move directly below the topmost of them in the order. */
 export function grouping(drawing: Drawing, ids: readonly number[]): Command | null {
   const members = drawing.objects.filter(({ id }) => ids.includes(id));
   if (members.length < 2) return null;
@@ -336,7 +340,7 @@ export function grouping(drawing: Drawing, ids: readonly number[]): Command | nu
   return together(steps);
 }
 
-/** The ids with those of all members of their groups. */
+/** The ids, and those of all other objects in the same groups. */
 export function withGroups({ objects }: Drawing, ids: readonly number[]): number[] {
   const groups = new Set(
     objects.flatMap(({ id, group }) => (ids.includes(id) && group !== null ? [group] : [])),

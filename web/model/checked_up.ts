@@ -1,6 +1,6 @@
 import type { CheckUp } from 'karcher/checkup';
 
-/** The largest number of places of a kind in one drawing. */
+/** The largest number of places of one kind that the page draws at once. */
 export const mostPlaces = 20_000;
 
 /** A check-up, with its triangles as they are drawn. */

@@ -1,11 +1,11 @@
-/** The effects of the handles and the numbers of a circle or an ellipse on its shape. */
+/** How the handles and the number fields of a circle or an ellipse change its shape. */
 import type { SurfacePoint } from 'karcher';
 import type { CircleShape, RoundKind, Vector } from './figure';
 import { cross, minus } from './vectors';
 
-/** The radius of a new circle as a part of the surface's diagonal. */
+/** The radius of a new circle, relative to the surface's diagonal. */
 const newRadius = 0.08;
-/** The default radius across, as a part of the first one. */
+/** The default radius across, relative to the first radius. */
 export const defaultAcross = 0.6;
 
 const handles = ['center', 'rim', 'across'] as const;
@@ -53,7 +53,7 @@ export function withHandle(
   point: SurfacePoint,
 ): CircleShape {
   if (handle === 'center') return { ...grabbed, center: point };
-  // A turn of an ellipse changes only its radius to the rim.
+  // A turn of an ellipse does not change its radius across.
   return handle === 'rim' ? { ...grabbed, rim: point } : { ...shape, across: point };
 }
 
@@ -75,7 +75,7 @@ export function acrossDirection(direction: Vector, [a, b, c]: [Vector, Vector, V
   return length > 0 ? (across.map((value) => value / length) as Vector) : minus(b, a);
 }
 
-/** The reach in another direction of a geodesic with this initial direction and length. */
+/** How far a geodesic with this length and initial direction reaches along another direction. */
 export function reachAlong(length: number, direction: Vector, along: Vector): number {
   return length * direction.reduce((sum, value, axis) => sum + value * along[axis]!, 0);
 }

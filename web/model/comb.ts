@@ -1,7 +1,7 @@
 /**
  * A curvature comb: teeth along a curve, whose lengths show its curvature within the surface. The
- * circle through a point and the points a window before and behind has its curvature. The part
- * within the tangent plane is the geodesic curvature, exact for circles in space.
+ * curvature at a point is that of the circle through it and the points a window before and behind
+ * it. Its component in the tangent plane is the geodesic curvature, exact for circles in space.
  */
 import type { Vector } from './figure';
 import { cross, dot, minus, scaled } from './vectors';
@@ -30,8 +30,8 @@ const cornerAngle = Math.PI / 6;
 /**
  * The teeth of a polyline, x, y, z each, evenly spaced by length; `countOn` returns the number of
  * teeth for a length. The curvature of a tooth follows from the points `window` before and behind
- * it, at most a quarter of the length. An open curve has no teeth nearer to its ends. `normalAt`
- * returns the surface's unit normal.
+ * it, at most a quarter of the length. There are no teeth nearer to a corner or to an end of an
+ * open curve. `normalAt` returns the surface's unit normal.
  */
 export function combOf(
   polyline: ArrayLike<number>,
@@ -64,7 +64,7 @@ export function combOf(
   return { teeth, corners: corners.length, closed };
 }
 
-/** The curvature that a share of the teeth do not exceed; 0 without teeth. */
+/** The curvature that the given share of all teeth do not exceed; 0 without teeth. */
 export function usualCurvature(combs: readonly Comb[], share: number): number {
   const sizes = combs.flatMap(({ teeth }) => teeth.map(({ curvature }) => Math.abs(curvature)));
   sizes.sort((a, b) => a - b);
@@ -126,7 +126,7 @@ class Arclength {
       if (!this.#turns(from, i, to)) continue;
       const at = this.#vertex(i);
       const [before, after] = [minus(at, this.#vertex(from)), minus(this.#vertex(to), at)];
-      // A bend over an edge of the surface is no curvature within it.
+      // A bend over an edge of the surface does not count, since it is no turn within the surface.
       const normal = normalAt(at);
       const within = (p: Vector) => minus(p, scaled(normal, dot(p, normal)));
       if (turns(within(before), within(after))) corners.push(this.#lengths[i]!);

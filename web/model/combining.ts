@@ -1,5 +1,5 @@
 /**
- * Commands that derive objects from others, or change how they do; null if they would change
+ * Commands that derive objects from others, or change a derivation; null if they would change
  * nothing.
  */
 import { onTop } from './arranging';
@@ -19,8 +19,8 @@ const hasLines = (object: DrawnObject) => {
 };
 
 /**
- * Whether other objects can be derived from these once they are complete: the user sees it from the
- * first point.
+ * Whether other objects can be derived from these, now or once they have all their points. The page
+ * offers the commands from the first point on.
  */
 export const willCombine = ({ objects }: Drawing, ids: readonly number[]): boolean =>
   objects.some((object) => ids.includes(object.id) && mayHaveLines(object));

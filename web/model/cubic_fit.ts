@@ -23,7 +23,10 @@ export interface Piece {
 const mostSteps = 24;
 /** The largest deviation, in tolerances, at which better parameters may suffice. */
 const worthBettering = 16;
-/** The least length of a handle, as a part of the chord. A shorter or backward one is dropped. */
+/**
+ * The least length of a handle in a given direction, relative to the chord. A third of the chord
+ * replaces a shorter or backward one.
+ */
 const leastHandle = 1e-6;
 
 const add = (p: Planar, q: Planar, factor = 1): Planar => [
@@ -125,7 +128,9 @@ function chordParameters(points: readonly Planar[]): number[] {
   return lengths.map((length) => length / whole);
 }
 
-/** Takes one Newton step for each parameter, towards the place where the curve is nearest to its point. */
+/**
+ * Improves each parameter by one Newton step, towards the place of the curve nearest to its point.
+ */
 function bettered(points: readonly Planar[], parameters: readonly number[], cubic: Cubic) {
   return parameters.map((t, i) => {
     const off = add(cubicAt(cubic, t), points[i]!, -1);
@@ -151,7 +156,8 @@ function worstOf(
 }
 
 /**
- * The one curve near points, from the first to the last, and its largest deviation, in tolerances.
+ * The best curve found from the first point to the last, its largest deviation in tolerances, and
+ * the index of the point there.
  */
 export function nearestCubic(
   points: readonly Planar[],
@@ -172,7 +178,10 @@ export function nearestCubic(
   return best!;
 }
 
-/** The direction in which the points before or after an index leave its point. */
+/**
+ * The unit direction from the point at an index towards the points before it (step -1) or after it
+ * (step 1).
+ */
 function directionAt(points: readonly Planar[], at: number, step: 1 | -1, reach: number): Planar {
   const from = points[at]!;
   let to = at + step;
@@ -187,7 +196,7 @@ export interface FitOptions {
   tolerances: readonly number[];
   /** The indices of points, beside the ends, where the curve may have a corner. */
   corners: readonly number[];
-  /** The length along the points that determines a direction. */
+  /** The distance between two points that determine a direction. */
   reach: number;
   /**
    * For a closed line, whose first and last points are the same: the angle of directions at the

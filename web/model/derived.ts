@@ -1,7 +1,7 @@
 /**
  * Derived objects, which follow other objects of their drawing: offsets, booleans and cuts. They
- * store only the ids of these, called their sources, and their settings; only the sources have
- * places on the surface.
+ * store only their settings and the ids of these objects, called their sources; their lines follow
+ * from the lines of the sources.
  */
 import type { SurfacePoint } from 'karcher';
 

@@ -1,7 +1,4 @@
-/**
- * A drawing on one surface: objects in an order, one of which is edited. It is a value, which
- * nobody changes in place.
- */
+/** A drawing on one surface: objects in an order, one of which is edited. It is immutable. */
 import type { SurfacePoint } from 'karcher';
 import { emptyFigure, type Figure, isEmpty, withPlaces } from './figure';
 
@@ -133,10 +130,10 @@ export const othersOf = ({ objects, active }: Drawing) => objects.filter(({ id }
 export const freeId = ({ objects }: Drawing) =>
   1 + objects.reduce((most, { id }) => Math.max(most, id), 0);
 
-/** Whether the surface is empty. */
+/** Whether all objects of the drawing are empty. */
 export const isBlank = ({ objects }: Drawing) => objects.every(({ figure }) => isEmpty(figure));
 
-/** An empty object of the same kind, style and settings, to draw next. */
+/** A new object of a figure, in the look of the edited object. */
 export function successorOf(drawing: Drawing, figure: Figure): DrawnObject {
   return newObject(freeId(drawing), figure, lookOf(activeObject(drawing)));
 }

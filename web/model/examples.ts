@@ -1,4 +1,4 @@
-/** Finished drawings, by code on generated surfaces. */
+/** Finished drawings, made by code. */
 import type { SurfacePoint } from 'karcher';
 import { type Drawing, newObject, type Properties } from './drawing';
 import type { Tangents } from './figure';
@@ -91,7 +91,10 @@ function flower(x: number, y: number, radius: number, petals: number): Anchor[] 
 
 type Place = [x: number, y: number];
 
-/** An anchor of the pen with its handles as steps from it; a corner has two. */
+/**
+ * An anchor of the pen, with its handles as steps from it. A smooth anchor has only `after`, and
+ * its other handle is opposite; a corner with handles has both.
+ */
 interface Anchor {
   at: Place;
   after?: Place;

@@ -1,4 +1,4 @@
-/** The figure of one object of a drawing: a value, which nobody changes in place. */
+/** The figure of one object of a drawing: an immutable value. */
 import type { CurveKind, CurveLevels, Parametrization, SurfacePoint } from 'karcher';
 import { type Derived, type DerivedKind, isDerived } from './derived';
 
@@ -9,7 +9,7 @@ export type Inside = 'left' | 'right';
 export const fillRules = ['evenOdd', 'nonZero'] as const;
 export type FillRule = (typeof fillRules)[number];
 
-/** A curve with control points. A basis of the user's own is for programs only. */
+/** A curve with control points. Curves with a basis of the user's own are for programs only. */
 export type SplineKind = Exclude<CurveKind, 'custom'>;
 /**
  * The kind of a figure. `pen` is a curve of anchors with handles; `center` is no curve but the
@@ -20,24 +20,25 @@ export type Kind = SplineKind | 'pen' | RoundKind | 'center' | 'points' | Derive
 export type RoundKind = 'circle' | 'ellipse';
 export type Vector = [number, number, number];
 
-/** The place where a circle ends: a point of the surface, or a length along a direction. */
+/** The end of a circle's radius: a point of the surface, or a length along a direction. */
 export type Rim = SurfacePoint | { radius: number; direction: Vector };
 
 /**
- * An ellipse's radius across its first one: a length, or the distance of a point of the surface in
- * that direction.
+ * An ellipse's radius across its first one: a length, or a point of the surface whose distance in
+ * that direction is the radius.
  */
 export type Across = SurfacePoint | { radius: number };
 
-/** The name of a control point's number besides its place. */
+/** The name of a control point's parameter besides its place. */
 export type ParameterName = 'weight' | 'beta';
 
 /** The side of a pen anchor on which a handle lies. */
 export type Side = 'before' | 'after';
 
 /**
- * The place of a handle: a point of the surface, the end of a vector in the anchor's tangent plane, or opposite
- * to the anchor's other handle, at a given length or (null) at the same one.
+ * The place of a handle: a point of the surface, the end of a vector in the anchor's tangent plane,
+ * or the place opposite to the anchor's other handle. An opposite handle has a length of its own,
+ * or the other one's length if its `length` is null.
  */
 export type Tangent =
   | SurfacePoint
@@ -46,16 +47,16 @@ export type Tangent =
 
 export type Tangents = { readonly [Which in Side]?: Tangent };
 
-/** A point that the user placed. Its numbers default to 1. */
+/** A point that the user placed. Its weight and its beta default to 1. */
 export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: number } & {
   /**
    * Points on the path to the next point, if it is not the shortest. For the pen it is the path
-   * from the handle after this anchor to the one before the next.
+   * from the handle after this anchor to the handle before the next anchor.
    */
   readonly leg?: readonly SurfacePoint[];
   /** The handles of an anchor of the pen. */
   readonly tangents?: Tangents;
-  /** The origin of the piece to the next point, of a curve that other objects became. */
+  /** The origin of the piece to the next point, if the curve has replaced other objects. */
   readonly origin?: Origin;
 };
 
@@ -73,7 +74,7 @@ export interface Origin {
 export interface CircleShape {
   center: SurfacePoint;
   rim: Rim;
-  /** The radius across of an ellipse; the default is a part of the radius to the rim. */
+  /** The radius across of an ellipse; the default is a fixed fraction of the radius to the rim. */
   across?: Across;
 }
 
@@ -98,16 +99,16 @@ export interface CurveSettings {
   /** Whether an open B-spline's knots repeat at its ends, which the curve then reaches. */
   readonly clamped: boolean;
   /**
-   * The knots of a B-spline, if they are neither uniform nor clamped; their number follows from
-   * that of the points.
+   * The B-spline's own knots; null if they are uniform or clamped. Their number follows from the
+   * number of points.
    */
   readonly knots: readonly number[] | null;
   /** The parametrization of a Catmull-Rom curve. */
   readonly parametrization: Parametrization;
-  /** The number of samples a segment without a tolerance. */
+  /** The number of samples for each segment, if there is no tolerance. */
   readonly samples: number;
   /**
-   * The tolerance between samples, as a part of the surface's size, or null. The engine takes as
+   * The tolerance between samples, relative to the surface's size, or null. The engine takes as
    * many samples as the tolerance needs.
    */
   readonly tolerance: number | null;
@@ -120,7 +121,10 @@ export interface CurveSettings {
   readonly levels: CurveLevels;
   /** The least number of levels during a drag, so that the number never falls; never in files. */
   readonly leastLevels?: number;
-  /** Whether a drag is under way: levels may then move the curve freely; never in files. */
+  /**
+   * Whether the curve is a draft of a drag: its levels may then move it by any distance. Never in
+   * files.
+   */
   readonly draft?: boolean;
 }
 
@@ -137,7 +141,7 @@ export interface Operand {
   readonly figure: Figure;
 }
 
-/** A curve, a circle, a center or points. The kind decides which part the page draws. */
+/** A figure of any kind. The kind decides which of the other fields the page uses. */
 export interface Figure {
   readonly kind: Kind;
   readonly settings: CurveSettings;
@@ -145,7 +149,7 @@ export interface Figure {
   readonly points: readonly ControlPoint[];
   readonly circle: CircleShape | null;
   readonly circleForm: CircleForm;
-  /** The side that the figure encloses. Until a choice or a drag it is the smaller one. */
+  /** The side that the figure encloses; by default the smaller one. A choice or a drag sets it. */
   readonly inside?: Inside;
   /** The rule by which the figure encloses a region; even-odd, the default, is not stored. */
   readonly rule?: 'nonZero';
@@ -266,16 +270,16 @@ export function isUnfinished(figure: Figure): boolean {
   return points.length > 0 && points.length < pointsNeeded(figure);
 }
 
-/** The number that points of a kind have besides their places. */
+/** The parameter that points of a kind have besides their places; null if they have none. */
 export function parameterOf(kind: Kind): ParameterName | null {
   if (kind === 'barycentric') return 'beta';
   return kind === 'center' || kind === 'rational' || kind === 'bspline' ? 'weight' : null;
 }
 
-/** The range of sliders for numbers of points: the same factor below 1 and above. */
+/** The range of sliders for weights and betas of points: the same factor below 1 and above. */
 export const parameterRange = { least: 1 / 16, most: 16 };
 
-/** The point with one of its numbers changed; the default, 1, is not stored. */
+/** The point with another value of a parameter; the default, 1, is not stored. */
 export function withParameter(
   point: ControlPoint,
   name: ParameterName,

@@ -22,7 +22,7 @@ export type FigureCommand =
   | { type: 'remove'; index: number; point: ControlPoint }
   /** Moves a point to another index. */
   | { type: 'reorder'; from: number; to: number }
-  /** Changes a point's place or one of its numbers. */
+  /** Changes a point's place, parameters, handles or leg. */
   | { type: 'change'; index: number; from: ControlPoint; to: ControlPoint }
   | { type: 'kind'; from: Kind; to: Kind }
   | { type: 'settings'; from: CurveSettings; to: CurveSettings }

@@ -7,7 +7,8 @@ import { type ControlPoint, type Figure, isEmpty, withFittingKnots, withLeg } fr
 import { withTangents } from './pen';
 
 /**
- * The points on such a surface, with their legs that lie on it, too, and join the same neighbours.
+ * The points that lie on such a surface. They keep the legs that also lie on it and join the same
+ * neighbours as before.
  */
 function fittingPoints(points: readonly ControlPoint[], triangles: number): ControlPoint[] {
   const fits = ({ face }: SurfacePoint) => face < triangles;
@@ -27,7 +28,7 @@ function fittingPoints(points: readonly ControlPoint[], triangles: number): Cont
     .filter(fits);
 }
 
-/** The figure, if every place of it is on a surface with this many triangles. */
+/** The figure without what lies outside a surface with this many triangles. */
 function fittingFigure(figure: Figure, triangles: number): Figure {
   const fits = (place: object) => !('face' in place) || (place as SurfacePoint).face < triangles;
   const { circle, derived } = figure;
@@ -42,13 +43,19 @@ function fittingFigure(figure: Figure, triangles: number): Figure {
   });
 }
 
-/** The parts of objects on a surface with this many triangles, without objects that have none. */
+/**
+ * The objects without what lies outside a surface with this many triangles. Those of which nothing
+ * is left disappear.
+ */
 export const fittingObjects = (objects: readonly DrawnObject[], triangles: number) =>
   objects
     .map((object) => ({ ...object, figure: fittingFigure(object.figure, triangles) }))
     .filter(({ figure }) => !isEmpty(figure));
 
-/** The drawing, if every place of it is on a surface with this many triangles. */
+/**
+ * The drawing without what lies outside a surface with this many triangles. Objects of which
+ * nothing is left disappear, except the edited one.
+ */
 export function fitting(drawing: Drawing, triangles: number): Drawing {
   const { active } = drawing;
   const objects = drawing.objects.map((object) => ({

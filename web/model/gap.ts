@@ -1,6 +1,6 @@
 /** The distance of two curves from each other, by their polylines. */
 export interface Gap {
-  /** The mean distance along both curves, from each to the other. */
+  /** The mean distance of the points of each curve from the other curve. */
   mean: number;
   /** The Hausdorff distance: the largest distance of a point of one curve from the other. */
   largest: number;

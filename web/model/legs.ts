@@ -1,6 +1,6 @@
 /**
- * The legs of a control polygon: each is the shortest path to the next point, unless its point has
- * another.
+ * The legs of a control polygon. Each leads from a point to the next one, along the shortest path
+ * unless the point stores another path.
  */
 import type { CurveOptions, DrawnLeg, SurfacePoint } from 'karcher';
 import type { Side } from './figure';
@@ -46,8 +46,8 @@ export interface DrawnBefore {
 }
 
 /**
- * The value with its drawn legs at the dragged points, unless it has legs there itself. The engine
- * continues them.
+ * The value with the drawn legs that meet the dragged points, which the engine continues. The
+ * value's own legs stay.
  */
 export function withDrawnLegs(value: CurveOptions, before: DrawnBefore): CurveOptions {
   const { points, closed = false, legs = [] } = value;
@@ -69,8 +69,8 @@ const legsAt = (count: number, at: readonly number[]): number[] => [
 export type ToldLegs = readonly (readonly SurfacePoint[] | null)[];
 
 /**
- * The figure after a drag, with the drawn legs that meet its dragged points, where it has none
- * itself.
+ * The figure after a drag. It stores the drawn legs that meet its dragged points, unless it has
+ * legs there itself.
  */
 export function withTold<Of extends Polygon>(
   figure: Of,

@@ -150,8 +150,8 @@ export function lostOf({ drawing: said, unread }: Link, drawing: Drawing): Lost 
 }
 
 /**
- * The objects in a fragment. Older links kept the circle behind a curve's points, or the points
- * behind a circle: these become another object, which is hidden.
+ * The objects in a fragment. In older links a curve could also have a circle, and a circle also
+ * points. What is not of the object's kind becomes another object, which is hidden.
  */
 function parseObjects(fragment: string): DrawnObject[] {
   const figure = parseFigure(fragment);

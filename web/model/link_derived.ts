@@ -12,8 +12,8 @@ import type { Kind } from './figure';
 import { formatPoint, parsePoint } from './link_numbers';
 
 /**
- * The fields of a figure's sources and settings; `numberOf` returns an object's position among all,
- * from 1, for its id.
+ * The fields of a figure's sources and settings. `numberOf` returns the position of the object with
+ * an id among all objects, from 1.
  */
 export function derivedFields(
   { sources, offset, parts = [], thickness = 0 }: Derived,
@@ -30,7 +30,9 @@ export function derivedFields(
   ];
 }
 
-/** The sources of a figure in a fragment. The ids of objects are their positions, from 1. */
+/**
+ * The derivation of a figure in a fragment, where the ids of objects are their positions, from 1.
+ */
 export function parseDerived(kind: Kind, fields: URLSearchParams): Derived {
   const texts = (fields.get('of') ?? '').split(',').slice(0, mostSources);
   const sources = texts.filter((text) => /^[1-9]\d{0,8}$/.test(text)).map(Number);

@@ -50,7 +50,7 @@ export function writtenFields<Values>(fields: Fields<Values>, values: Values): s
 
 export const shown = (value: number) => (value >= 1 ? value.toLocaleString('en') : `${value}`);
 
-/** A number within a range, or an integer within it. */
+/** A number within a range; with `whole`, an integer. */
 export const within = <Unsaid>(
   { least, most }: { least: number; most: number },
   unsaid: Unsaid,
@@ -115,8 +115,8 @@ const { type, arcs } = defaultCircleForm;
 const arcsRange = { least: fewestArcs, most: mostArcs };
 export const circleFields = {
   circletype: oneOf<CircleType>(['arcs', 'linear', 'exact'], type),
-  // Older links did not name the default of seven arcs: these circles now keep nearer to their
-  // radius.
+  // Older links omitted seven arcs, the default of that time. Their circles now keep nearer to
+  // their radius.
   arcs: within(arcsRange, arcs, 'as many as keep to the radius', true),
 };
 
@@ -127,8 +127,8 @@ export const kindFields = {
 };
 
 /**
- * The look of an object: `band` is a width in the surface's unit, and the field of a pattern its
- * spacing.
+ * The look of an object. The value of `band` is a width in the surface's unit, and the value of a
+ * pattern is its spacing.
  */
 export const lookFields = {
   color: color('the default color'),

@@ -86,7 +86,7 @@ function tangentsFields(points: readonly ControlPoint[]): string[] {
 
 /**
  * The origins of pieces: the names of the objects, encoded once more, and for each piece the index
- * of its point, that of the name, and its ends.
+ * of its point, the index of its object's name, and its ends.
  */
 function originsFields(points: readonly ControlPoint[]): string[] {
   const names = [...new Set(points.flatMap(({ origin }) => (origin ? [origin.of] : [])))];
@@ -205,7 +205,9 @@ function parseControlPoint(text: string): ControlPoint | null {
   return weighted && withParameter(weighted, 'beta', parseParameter(beta));
 }
 
-/** The number of a point. Those of a cut curve's parts may exceed the range of the sliders. */
+/**
+ * A point's weight or beta. For the parts of a cut curve it may exceed the range of the sliders.
+ */
 function parseParameter(text: string): number {
   const [value] = parseNumbers(text, 1) ?? [1];
   return Math.min(1e12, Math.max(1e-12, value!));

@@ -25,7 +25,7 @@ type Rule = Pick<Field<unknown>, 'read' | 'range' | 'instead'>;
 
 const number = (text: string) => (text.trim() === '' ? Number.NaN : Number(text));
 
-/** The rule for a text of several parts. */
+/** A rule that checks a text as a whole. */
 const all = (allows: (text: string) => boolean, range: string, instead: string): Rule => ({
   read: (text) => allows(text) || null,
   range,

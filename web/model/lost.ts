@@ -20,7 +20,7 @@ type Samples = Pick<CurveSamples, 'segment' | 't' | 'position' | 'status'>;
 
 /**
  * The parts of a curve without centers of mass, bridged or not, in the curve's order. Pieces that
- * are their own subdivision are right and do not count.
+ * subdivision alone defines are right and do not count.
  */
 export function lostIntervals(
   samples: Samples,

@@ -1,4 +1,4 @@
-/** A mesh with the numbers of its origin. */
+/** A mesh, with vertices and triangles in the order of its source. */
 export interface MeshArrays {
   /** Coordinates x, y, z of the vertices. */
   positions: Float64Array;

@@ -110,7 +110,7 @@ export function parseKey(key: string): ParsedKey | null {
   return sample && detail !== null ? { sample, detail } : null;
 }
 
-/** A tessellation; for an anisotropic one with its stretch if the text has one. */
+/** A tessellation, with the stretch of an anisotropic one if the text contains it. */
 function parsePlane(text: string): { tessellation: Tessellation; stretch?: number } | null {
   const [name, times, ...more] = text.split('*');
   const tessellation = tessellations.find((one) => one === name);

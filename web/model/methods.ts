@@ -43,7 +43,7 @@ interface MethodEntry {
   label: string;
   /** The options during an edit. They are also the final ones unless `refined` exists. */
   options: FieldOptions;
-  /** The quality that follows in the background once the edit ends. */
+  /** The options of the final computation, in the background once the edit ends. */
   refined?: FieldOptions;
 }
 
@@ -59,12 +59,14 @@ export function methodOptions(id: MethodId): FieldOptions {
   return find(id).options;
 }
 
-/** The quality that a method computes in the background; null if its first answer is final. */
+/**
+ * The options with which a method computes in the background; null if its first answer is final.
+ */
 export function refinedOptions(id: MethodId): FieldOptions | null {
   return find(id).refined ?? null;
 }
 
-/** The quality of a method's first answer; null if neither word describes it. */
+/** The quality of a method's first answer; null for the paper's methods. */
 export function qualityOf(id: MethodId): Quality | null {
   const { method, solver } = find(id).options;
   if (method !== 'karcher') return null;

@@ -1,4 +1,4 @@
-/** Moves of whole figures: of their places and of their directions there. */
+/** Moves whole figures: their places, and their directions there. */
 import type { SurfacePoint } from 'karcher';
 import type { Tangent, Tangents } from './figure';
 import { type CircleShape, type Figure, type Vector, withPlaces } from './figure';
@@ -70,7 +70,10 @@ export function movedFigures(
   });
 }
 
-/** The figure with other directions at the places of its original, and scaled lengths. */
+/**
+ * The figure with turned directions and scaled lengths. `turn` receives each direction with its
+ * place in the original figure, `from`.
+ */
 function withDirections(figure: Figure, from: Figure, scale: number, turn: Turn): Figure {
   const tangentAt = (at: SurfacePoint, tangent: Tangent): Tangent => {
     if ('face' in tangent) return tangent;

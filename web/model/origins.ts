@@ -16,7 +16,7 @@ export interface LinePieces {
   originOf(from: number, to: number): Origin | undefined;
 }
 
-/** The distance, as a part of the surface's diagonal, within which lines are the same. */
+/** The distance, relative to the surface's diagonal, within which lines count as the same. */
 const together = 1e-9;
 
 /**
@@ -48,7 +48,7 @@ export function piecesOf(
     return best;
   });
   const idAt = (piece: number) => lines[found[piece]!.line]?.id;
-  /** The place of a point at an end of a piece along its object's line, from 0 to 1. */
+  /** How far along its object's line a piece's end lies, from 0 to 1. */
   const along = (piece: number, point: number) => {
     const { line: number, segment } = found[piece]!;
     const { lengths, places: own } = lines[number]!;

@@ -5,7 +5,7 @@ import { type Drawing, type DrawnObject, emptyDrawing } from './drawing';
 import { isEmpty, withPlaces } from './figure';
 import { placesOf } from './moving';
 
-/** All places of a drawing, those of choices for the parts of cuts included. */
+/** All places of a drawing, including the places of choices for the parts of cuts. */
 export const placesOfDrawing = ({ objects }: Drawing): SurfacePoint[] =>
   objects.flatMap(({ figure }) => [
     ...placesOf(figure),
@@ -14,14 +14,14 @@ export const placesOfDrawing = ({ objects }: Drawing): SurfacePoint[] =>
 
 export interface PartDrawing {
   drawing: Drawing;
-  /** The number of objects that came along, and of all that could. */
+  /** The number of objects that came along, and the number of all objects that could. */
   came: number;
   all: number;
 }
 
 /**
- * The objects whose every place has a point in `onPart`, and those that derive from such objects,
- * except the cut to which the part belongs.
+ * The objects whose every place has a point in `onPart`, and the objects derived from these alone,
+ * without the cut to which the part belongs.
  */
 export function drawingOnPart(
   { objects, active }: Drawing,

@@ -8,7 +8,7 @@ export interface Shell {
   triangles: Int32Array;
   area: number;
   closed: boolean;
-  /** The volume that it encloses; null if it is open. */
+  /** The volume that the triangles enclose; null if they are not closed. */
   volume: number | null;
 }
 
@@ -67,7 +67,7 @@ export function isInTriangle(
   return signs.every((sign) => sign >= 0) || signs.every((sign) => sign <= 0);
 }
 
-/** The choices, changed for the part that contains a point. */
+/** The choices with a new one for a part. */
 export function withChoice(
   choices: readonly PartChoice[],
   part: SurfacePart,

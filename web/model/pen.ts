@@ -43,7 +43,10 @@ export function withTangents(point: ControlPoint, tangents: Tangents | undefined
 /** A drawn handle as a vector at its anchor. */
 const vectorOf = ({ direction, length }: DrawnTangent): Tangent => ({ direction, length });
 
-/** The handles of a joint as vectors, which move with the anchor. One of them leads. */
+/**
+ * The handles of an anchor as vectors, which move with the anchor. A handle that is opposite to the
+ * other one stays so.
+ */
 export function byVectors(
   tangents: Tangents | undefined,
   drawn: DrawnTangents,
@@ -58,8 +61,9 @@ export function byVectors(
 }
 
 /**
- * The handles after a drag of one of them. The other one keeps its length and stays opposite; at a
- * corner or a broken joint it stays in place.
+ * The handles after a drag of one of them. The other one stays opposite and keeps its length; at a
+ * symmetric joint it takes the length of the dragged one. At a corner or a broken joint it stays in
+ * place.
  */
 export function withHandleAt(
   tangents: Tangents | undefined,
@@ -142,8 +146,8 @@ export function penOptions(
 }
 
 /**
- * The indices of the control points of an anchor: its own and those of its handles. Where the curve
- * closes, these are at both of its ends.
+ * The indices of the control points of an anchor: its own and those of its handles. The anchor
+ * where the curve closes has control points at both ends.
  */
 export function controlPointsOf(figure: Figure, anchor: number): number[] {
   const last = 3 * segmentsOf(figure);
@@ -169,10 +173,10 @@ export function withHandleLength(
 }
 
 /**
- * The anchors with a new one at the curve's place at a parameter: by de Casteljau's algorithm, so
- * that on a plane the curve does not change. `derivative` is the curve's derivative there, and
- * `samples` are the curve's. If the old segment had a leg, the legs of the two new segments lie
- * along the samples.
+ * The anchors with a new one on the curve at a parameter. De Casteljau's algorithm gives the
+ * handles, so that on a plane the curve does not change. `derivative` is the curve's derivative
+ * there, and `samples` are the curve's. If the old segment had a leg, the legs of the two new
+ * segments lie along the samples.
  */
 export function withAnchorAt(
   { points }: Figure,

@@ -27,7 +27,7 @@ const middle = 1;
 export const anchorOfLeg = (leg: number): number | null =>
   leg % legsOfSegment === middle ? (leg - middle) / legsOfSegment : null;
 
-/** The legs that anchors store, out of those of the whole control polygon. */
+/** Selects the legs that anchors store from all legs of the control polygon. */
 export const legsOfAnchors = <Leg>(legs: readonly Leg[]): Leg[] =>
   legs.filter((_, i) => anchorOfLeg(i) !== null);
 
@@ -48,7 +48,7 @@ export function penLegs(
 const wayOf = (handle: DrawnTangent | undefined): readonly SurfacePoint[] | null =>
   handle?.through.length ? handle.through : null;
 
-/** The points along the two parts of a segment, cut at t. */
+/** The points along the two parts into which a cut at `t` divides a segment. */
 export function waysAlong(
   samples: Omit<CurveSamples, 'status'>,
   segment: number,
@@ -66,8 +66,8 @@ export function waysAlong(
 }
 
 /**
- * The number of points that describe a path. Its parts are then so short that they are shortest
- * paths even on rough surfaces.
+ * The largest number of points that describe a path. The pieces between them are so short that they
+ * are shortest paths even on rough surfaces.
  */
 const mostThrough = 3;
 

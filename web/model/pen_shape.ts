@@ -19,10 +19,7 @@ export function segmentAt({ points }: Figure, parameter: number): OnSegment {
   return { from, to: (from + 1) % points.length, t: parameter - from };
 }
 
-/**
- * The shifts of the two handles for a unit shift of the segment's point at a parameter: the
- * smallest that move the point there.
- */
+/** The smallest shifts of a segment's two handles that shift its point at a parameter by 1. */
 export function bendingParts(t: number): [number, number] {
   const [first, second] = [3 * t * (1 - t) ** 2, 3 * t ** 2 * (1 - t)];
   const whole = first ** 2 + second ** 2;
@@ -62,11 +59,11 @@ export function withBentSegment(
   return { ...figure, points: points.with(to, bent(to, 'before', second)) };
 }
 
-/** The number of places on each of two segments to which the fit of one curve is held. */
+/** The number of places on each of two segments that the fit of one curve takes into account. */
 const placesHeld = 24;
 
 /**
- * The one curve in place of two consecutive ones, with these directions into it from its ends. If
+ * One curve that replaces two consecutive ones, with the given directions into it from its ends. If
  * the two are halves of one curve, it is that curve.
  */
 export function mergedCubic(

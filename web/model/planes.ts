@@ -54,7 +54,9 @@ const fairPoints: Scatter = (flat, count, least, random) => {
   }
 };
 
-/** A grid. With `jitter`, inner vertices move by up to so many cells, and diagonals are random. */
+/**
+ * A grid. With `jitter`, inner vertices move by up to that many cells, and diagonals are random.
+ */
 function grid(columns: number, rows: number, jitter: number): Arrays {
   const random = randomFrom(seed);
   const positions: number[] = [];

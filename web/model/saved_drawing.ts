@@ -1,6 +1,6 @@
 /**
- * A drawing as JSON, and its check. A value must be a correct drawing in every part and of bounded
- * size; otherwise a sentence refuses it.
+ * A drawing as JSON, and its check. The check throws a sentence unless a value is a correct drawing
+ * in every part and of bounded size.
  */
 import type { SurfacePoint } from 'karcher';
 import {
@@ -87,7 +87,7 @@ export function readDrawing(value: unknown): Drawing {
   return { objects: read, active };
 }
 
-/** Objects copied here or in another tab. */
+/** Reads objects that were copied here or in another tab. */
 export function readObjects(value: unknown): DrawnObject[] {
   return list(value, 'the objects', mostObjects).map((object, i) =>
     readObject(object, `object ${i + 1}`),
@@ -347,7 +347,7 @@ function list(value: unknown, what: string, most: number): unknown[] {
   return value;
 }
 
-/** A finite number. */
+/** A finite number within a range. */
 function number(value: unknown, least: number, most: number, what: string): number {
   if (typeof value !== 'number' || !Number.isFinite(value) || value < least || value > most) {
     throw new Error(`${what} is ${shown(value)}`);

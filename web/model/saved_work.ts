@@ -10,7 +10,7 @@ import { drawingVersion, readDrawing, savedDrawing } from './saved_drawing';
  */
 const mostLetters = 1_500_000;
 
-/** Commands as text, which need only one conversion. */
+/** The texts of commands, so that each command is converted only once. */
 const texts = new WeakMap<Command, string>();
 
 function textOf(command: Command): string {

@@ -26,7 +26,9 @@ export const withSpline = (figure: Figure, spline: Spline): Figure => ({
   ...spline,
 });
 
-/** Whether a kind allows levels. The others are a mean of all their points, or paths. */
+/**
+ * Whether a kind allows levels. Curves of the other kinds are means of all their points, or paths.
+ */
 export const mayHaveLevels = (kind: Kind) =>
   ['bspline', 'bezier', 'rational', 'catmullrom', 'pen'].includes(kind);
 
@@ -48,7 +50,7 @@ export function curveOptions(spline: Spline, options: FieldOptions): CurveOption
     ...(tolerance === null ? { samples } : { tolerance }),
     closed,
     ...(usesLegs(kind) && legsOf(spline)),
-    // The paper's method has one mean a segment.
+    // The paper's method allows no levels.
     ...(options.method !== 'paper' && askedLevels(settings)),
     ...(kind === 'bspline' && { degree, knots: knots ? [...knots] : rule }),
     ...(kind === 'catmullrom' && { parametrization }),

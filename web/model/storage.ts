@@ -101,8 +101,8 @@ async function openFiles(mode: IDBTransactionMode): Promise<IDBObjectStore> {
 type StoredFile = ({ content: Blob } | { bytes: Uint8Array<ArrayBuffer> }) & { opened: number };
 
 /**
- * Keeps a file and removes the oldest one; false if it is too long, or if the browser keeps no
- * files.
+ * Keeps a file, and removes the oldest one if there are too many; false if the file is too long, or
+ * if the browser keeps no files.
  */
 export async function keepFile(key: string, content: Blob): Promise<boolean> {
   if (content.size > longestFile) return false;

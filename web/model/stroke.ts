@@ -1,7 +1,7 @@
 /**
- * A stroke by hand as few smooth anchors of the pen. The surface along it unrolls onto a plane,
- * where the stroke has the same lengths and turns as on the surface. There the fit of cubic curves
- * takes place: near an anchor, places of the plane are its log coordinates.
+ * Turns a stroke by hand into a few smooth anchors of the pen. The surface along the stroke unrolls
+ * onto a plane, where the stroke has the same lengths and turns as on the surface. Cubic curves are
+ * fitted there: near an anchor, the plane's coordinates are the anchor's log coordinates.
  */
 import type { SurfacePoint } from 'karcher';
 import { cornersOf, fittedCubics, type Planar } from './cubic_fit';
@@ -23,8 +23,8 @@ export interface StrokeSample {
 }
 
 /**
- * The length of a stroke, in pixels, that decides its direction, and the least turn of a corner, in
- * radians.
+ * The distance over which the direction of a stroke is measured, in pixels, and the least turn of a
+ * corner, in radians.
  */
 const reachPixels = 10;
 const cornerAngle = 1;
@@ -89,8 +89,8 @@ function handleAt(
 
 /**
  * The anchors of a curve near a stroke of at least two samples, with corners at its sharp turns and
- * at `breaks`; the curve is closed if the last sample is the first one. The piece after an anchor
- * has the origin of its samples, if `originOf` gives one.
+ * at `breaks`. The last sample of a closed curve is the first one. The piece after an anchor has
+ * the origin of its samples, if `originOf` gives one.
  */
 export function anchorsOf(
   samples: readonly StrokeSample[],
@@ -105,7 +105,8 @@ export function anchorsOf(
   const corners = [...new Set([...turns, ...breaks])].sort((a, b) => a - b);
   const tolerances = samples.map(({ tolerance }) => tolerance);
   const [first, end] = [frames[0]!, frames[last]!];
-  // At the seam, a direction has another angle in the plane after one turn of the stroke.
+  // In the plane, the same direction at the seam has different angles at the start and the end of
+  // the stroke.
   const turn = end.angle + angleFrom(end.direction, first.direction, samples[last]!.normal);
   const options = { tolerances, corners, reach, ...(closed && { loop: { turn, cornerAngle } }) };
   const { pieces, isSmoothSeam } = fittedCubics(places, options);

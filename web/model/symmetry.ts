@@ -43,7 +43,7 @@ export function planeThrough(a: Vector, b: Vector, c: Vector): Plane | null {
 }
 
 /**
- * The part of the mirrored samples that must lie near: the rest may be damaged, or missing at a
+ * The fraction of the mirrored samples that must lie near: the rest may be damaged, or missing at a
  * boundary.
  */
 const near = 0.7;
@@ -57,9 +57,10 @@ const asGood = { times: 1.25, more: 1e-4 };
 
 /**
  * The plane in which evenly spread samples of a surface have mirror images nearest to the surface.
- * The search tries many planes through the samples' center and refines the best ones: it draws each
- * mirror image to the tangent plane at its nearest place. The first of the `preferred` directions
- * wins unless others are better. The search awaits `pause` now and then.
+ * The search tries many planes through the samples' center and refines the best ones: each
+ * refinement brings the mirror images nearer to the tangent planes at their nearest places. The
+ * first of the `preferred` directions wins unless others are better. The search awaits `pause` now
+ * and then.
  */
 export async function symmetryOf(
   samples: readonly Vector[],
@@ -113,8 +114,8 @@ function apartOf(plane: Plane, samples: readonly Vector[], nearest: NearestPlace
 }
 
 /**
- * The plane, turned and shifted so that the mirrored samples lie nearest: Gauss-Newton steps,
- * without the few farthest samples.
+ * The plane, turned and shifted so that the mirrored samples lie nearest: Gauss-Newton steps in
+ * which far samples have little weight.
  */
 function fittedPlane(begin: Plane, samples: readonly Vector[], nearest: NearestPlace): Plane {
   let plane = begin;

@@ -4,8 +4,8 @@ import { placesOf } from './moving';
 import { withSources } from './sources';
 
 /**
- * The objects in parts that move as one: those that share a place of the surface, and the sources
- * of an object that has several, such as a union.
+ * Divides objects into parts that move as one. Objects that share a place of the surface belong
+ * together, and so do all sources of one object, such as a union.
  */
 export function togetherOf(drawing: Drawing, objects: readonly DrawnObject[]): DrawnObject[][] {
   const partOf = new Map(objects.map((object) => [object, [object]]));

@@ -17,7 +17,9 @@ export interface Region {
   side: Inside | null;
 }
 
-/** A region's triangles with distances at their corners; these are linear in each triangle. */
+/**
+ * A region's triangles with distances at their corners. The distances are linear in each triangle.
+ */
 export interface Pattern {
   faces: Int32Array;
   /** Corners as in a region. */
@@ -26,7 +28,8 @@ export interface Pattern {
 }
 
 /**
- * The largest number of lines or bands of a pattern across the square root of its region's area.
+ * The largest number of a pattern's lines or bands in a length that is the square root of its
+ * region's area.
  */
 export const mostLines = 1000;
 
@@ -73,7 +76,7 @@ export interface ShorterLeg {
   /** The index of the control point. */
   index: number;
   polyline: Float32Array;
-  /** The path's length as a part of the leg's. */
+  /** The path's length relative to the leg's length. */
   part: number;
 }
 

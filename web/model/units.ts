@@ -4,7 +4,10 @@ export type Unit = (typeof units)[number];
 
 export const isUnit = (text: string | null): text is Unit => units.some((unit) => unit === text);
 
-/** The most likely unit of a file by its name: meters for glTF, millimeters for prints of STL. */
+/**
+ * The most likely unit of a file by its name: meters for glTF, millimeters for STL, the format of
+ * prints.
+ */
 export function guessUnit(name: string): Unit {
   if (/\.stl$/i.test(name)) return 'mm';
   return /\.(glb|gltf)$/i.test(name) ? 'm' : '';

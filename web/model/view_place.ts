@@ -39,7 +39,7 @@ export function formatView(view: ViewPlace): string | null {
   if (typeof view === 'string') return view;
   const { azimuth, elevation, reach, target } = view;
   const numbers = [azimuth, elevation].map((angle) => rounded(angle, 2));
-  // A near view needs more digits, and has no exponent.
+  // The target of a near view needs more digits.
   const digits = Math.max(5, 3 - Math.floor(Math.log10(reach)));
   const near = Number(reach.toPrecision(5));
   const text = [...numbers, near, ...target.map((at) => rounded(at, digits))];

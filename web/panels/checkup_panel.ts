@@ -62,7 +62,7 @@ export class CheckUpPanel {
     } catch (error) {
       if (client !== this.#checked) return;
       this.#checked = null;
-      // The user can open it again, which starts another check.
+      // The panel closes. The user can open it again, which starts another check.
       if (controller.signal.aborted) this.#details.open = false;
       else this.#found.replaceChildren(make('p', sentenceOf(error)));
     } finally {

@@ -104,7 +104,7 @@ export class ContextMenu {
     this.#press = null;
   }
 
-  /** Selects the object there, unless it is part of the selection, and shows its actions. */
+  /** Selects the object at a place, unless it is part of the selection, and shows the actions. */
   #open(place: { x: number; y: number; touch: boolean }): void {
     const { editor } = this;
     const target = targetAt(this.viewer, { ...editor.state, tool: 'select' }, place);
@@ -158,7 +158,7 @@ export class ContextMenu {
       [ids.length > 1, 'Group', () => editor.objects.group(ids)],
       [grouped, 'Ungroup', () => editor.objects.ungroup(ids)],
       ...this.makers().map(([name, act]): [boolean, string, () => void] => [true, name, act]),
-      // A click beside what is filled chooses that side.
+      // After a click outside the fill, the menu offers to fill that side.
       [
         turnable.length > 0,
         isBeside ? 'Fill this side' : 'Fill the other side',

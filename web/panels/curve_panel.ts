@@ -60,7 +60,7 @@ export class CurvePanel {
 
   show(state: State, view: View): void {
     const { kind } = state.figure;
-    // A freehand stroke has a tolerance.
+    // The group contains the tolerance of a freehand stroke.
     this.#kindGroup.hidden = state.none && state.tool !== 'freehand';
     this.#pointsGroup.hidden = state.none || isDerived(kind);
     const group = kindGroups.find(({ kinds }) => kinds.includes(kind))!;

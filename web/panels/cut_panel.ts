@@ -99,7 +99,7 @@ export class CutPanel {
     this.#showParts();
   }
 
-  /** The actions on the kept part that has a point, while the parts are listed. */
+  /** The actions on the kept part that contains a point, while the panel lists the parts. */
   actionsAt(point: SurfacePoint | null): readonly [name: string, act: () => void][] {
     if (!point || this.#group.hidden) return [];
     const i = this.#parts.findIndex((part) => part.state === 'kept' && lies(point, part));
@@ -169,7 +169,7 @@ export class CutPanel {
     return row;
   }
 
-  /** STL has no lines. */
+  /** Disables the choice of curves for STL files, which have no lines. */
   #showCurves(): void {
     const isStl = this.#format.value === 'stl';
     this.#curves.disabled = isStl;
@@ -188,7 +188,7 @@ export class CutPanel {
     if (!editor.refuses()) editor.perform(remaking(editor.state.drawing, part));
   }
 
-  /** The parts of saved files: all except deleted ones. */
+  /** The parts to save: all except deleted ones. */
   get #saved(): { part: ShownPart; name: string }[] {
     return this.#parts.flatMap((part, i) =>
       part.state === 'deleted' ? [] : { part, name: `Part ${i + 1}` },

@@ -30,7 +30,7 @@ import { kindNames, kindNotes } from './kind_names';
 import { NumberField, positiveNumber } from './number_field';
 import { nameOf } from './object_rows';
 
-/** The first distance of an offset as a part of the surface's diagonal. */
+/** The first distance of an offset, relative to the surface's diagonal. */
 const firstDistance = 0.02;
 
 const sideNames: Record<OffsetSide, string> = {
@@ -94,7 +94,9 @@ export class DerivedPanel {
     byId('expand').addEventListener('click', () => void expansion.expand());
   }
 
-  /** The names of objects that the selection can become, with the commands for them. */
+  /**
+   * The names of the objects that can be derived from the selection, with the commands for them.
+   */
   get possible(): readonly [name: string, act: () => void][] {
     if (byId('makers-group').hidden) return [];
     return this.#actions.flatMap(([name, act], i) => {
@@ -120,7 +122,7 @@ export class DerivedPanel {
     const { drawing, figure, none, dragging } = state;
     if (dragging) return;
     const count = combinable(drawing, selectedObjects(state)).length;
-    // The panel appears with the first point, so that nothing jumps during the others.
+    // The panel appears with the first point, so that nothing jumps when further points follow.
     byId('makers-group').hidden = !willCombine(drawing, selectedObjects(state));
     for (const [i, button] of this.#makers.entries()) {
       button.hidden = count < 2 && i >= 2;
@@ -147,7 +149,7 @@ export class DerivedPanel {
     write(byId('derived-sources'), `${of} ${names?.join(', ') || 'nothing any more'}`);
   }
 
-  /** Shows where the selected piece comes from, or all pieces of the curve. */
+  /** Shows the origin of the selected piece, or else the origins of all pieces of the curve. */
   #showOrigins({ figure, none, selection }: State): void {
     const piece = typeof selection === 'number' ? figure.points[selection]?.origin : undefined;
     const all = none ? '' : originsText(figure);

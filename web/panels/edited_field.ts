@@ -7,7 +7,8 @@ export interface FieldFormat<Value> {
 /**
  * A field that takes its value on Enter or when it loses the focus. Escape or an invalid value
  * restores the previous one. While its text is unfinished it has `data-edited`, and the page's
- * shortcuts do not apply. The text is for the object of the former value.
+ * shortcuts do not apply. The text belongs to the object whose value the field showed when typing
+ * began.
  */
 export class EditedField<Value> {
   #shown = '';

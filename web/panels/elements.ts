@@ -18,7 +18,9 @@ export function make<Name extends keyof HTMLElementTagNameMap>(
   return Object.assign(element, properties);
 }
 
-/** A choice of one of several, as radio buttons in the element with an id, which is their name. */
+/**
+ * Radio buttons for a choice, in the element with an id. The id is also the name of the buttons.
+ */
 export function choices<Choice extends string>(
   id: string,
   all: readonly Choice[],

@@ -17,7 +17,7 @@ import { sentenceOf } from './messages';
 import { NumberField, positiveNumber, wholeNumbers } from './number_field';
 import { sharedSettings, showShared } from './shared_settings';
 
-/** The first tolerance in the field, as a part of the surface's size. */
+/** The first tolerance in the field, relative to the surface's size. */
 const firstTolerance = 1e-4;
 
 /** The fine settings of a curve: its samples, the marks along it, a B-spline's knots. */
@@ -131,7 +131,7 @@ class KnotsField {
     });
   }
 
-  /** Shows knots; null for a curve without any. */
+  /** Shows knots; null hides the field. */
   show(knots: readonly number[] | null): void {
     byId('knots-field').hidden = !knots;
     if (!knots) this.#restore();

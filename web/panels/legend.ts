@@ -60,7 +60,10 @@ export class Legend {
   }
 }
 
-/** Writes words that may be too long for their place; during a drag, only new words. */
+/**
+ * Writes words, also into the tooltip, since they may be too long for their place. Skips unchanged
+ * words, which are frequent in a drag.
+ */
 function say(element: HTMLElement, words: string): void {
   if (element.textContent === words) return;
   write(element, words);

@@ -1,7 +1,7 @@
 /** The largest motion of a press that is a click, in CSS pixels. */
 const slop = 6;
 
-/** The dragged object: its row, its former place, and the one that it would take. */
+/** The dragged object: its row, its former place, and the place that a drop would give it. */
 interface Dragged {
   row: HTMLElement;
   pointer: number;

@@ -25,8 +25,8 @@ const advice: Record<LostReason, string> = {
 const mostShown = 40;
 
 /**
- * The visible places. Between two good samples a line is fine, unless it jumps from one to the
- * other.
+ * The places that the panel shows. A place without bad samples lies between two good ones, so that
+ * the line is fine there unless it jumps from one to the other.
  */
 const seenOf = (intervals: readonly LostInterval[]) =>
   intervals.filter(({ samples, reason }) => samples > 0 || reason === 'jump');
@@ -62,7 +62,7 @@ export class LostPanel {
     if (left > 0) this.#kinds.append(make('p', `and ${formatCount(left, 'more place')}`));
   }
 
-  /** Shows the places in turn. */
+  /** Shows the next place; after the last one, the first. */
   goToNext(): void {
     const interval = this.#intervals[this.#next % this.#intervals.length];
     if (!interval) return;

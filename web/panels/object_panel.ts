@@ -27,7 +27,7 @@ import { nameOf, ObjectRows } from './object_rows';
 import { showShared } from './shared_settings';
 import { onTheme, sceneColors } from './theme';
 
-/** Colors that are distinguishable on light and dark surfaces; null is the theme's. */
+/** Colors that are distinguishable on light and dark surfaces; null is the theme's color. */
 const colors: readonly [string | null, string][] = [
   [null, 'Default color'],
   ['#d9480f', 'Orange'],
@@ -66,7 +66,7 @@ const hexOf = (color: string) =>
     .map((value) => Number(value).toString(16).padStart(2, '0'))
     .join('')}`;
 
-/** The group to which all of these objects belong, or null. */
+/** The group whose members are exactly these objects, or null. */
 function wholeGroup(objects: readonly DrawnObject[], { drawing }: State): string | null {
   const { group } = objects[0]!;
   const members = drawing.objects.filter((object) => object.group === group);
@@ -74,7 +74,7 @@ function wholeGroup(objects: readonly DrawnObject[], { drawing }: State): string
   return isWhole && members.length === objects.length ? group : null;
 }
 
-/** The group that a field names: the field has the negative id of a member. */
+/** The group whose name a field edits. The field then has the negative id of a member. */
 const groupNamed = (id: number | null, { drawing }: State) =>
   id !== null && id < 0 ? (objectOf(drawing, -id)?.group ?? null) : null;
 
@@ -82,7 +82,8 @@ const percentOf = (part: number | undefined) =>
   part === undefined ? undefined : Math.round(100 * part);
 
 /**
- * Whether a fill could lie on the other side of its line; this excludes objects of several regions.
+ * Whether a fill could lie on the other side of its line. Derived objects have no such choice,
+ * since they may have several regions.
  */
 export const hasOtherSide = ({ fill, figure }: DrawnObject) => fill > 0 && !isDerived(figure.kind);
 
@@ -148,7 +149,7 @@ export class ObjectPanel {
     this.#fillColor.addEventListener('change', () => {
       const fillColor = this.#fillColor.value;
       const none = selectedFills(editor.state).every((fill) => fill === 0);
-      // A color for an inside without a fill also makes the fill visible.
+      // If nothing is filled yet, the choice of a fill's color also makes the fill visible.
       set(none ? { fillColor, fill: firstFill } : { fillColor });
     });
     this.#pattern.addEventListener('change', () => {
@@ -194,7 +195,7 @@ export class ObjectPanel {
         set({ onSurface, width: active.width });
         return;
       }
-      // The width in the other unit is such that it looks the same.
+      // The width is converted to the other unit, so that the line looks the same.
       const reach = reachOf(active);
       const width = Number((active.width * (onSurface ? reach : 1 / reach)).toPrecision(2));
       const { least, most } = onSurface ? surfaceWidths : widthRange;
@@ -361,8 +362,8 @@ export class ObjectPanel {
   }
 
   /**
-   * Shows the rule of filled objects. Derived objects have that of their sources, and round ones do
-   * not cross themselves.
+   * Shows the rule of filled objects. Derived objects have the rule of their sources, and round
+   * ones do not cross themselves.
    */
   #showRule(filled: readonly DrawnObject[], selected: number): void {
     const own = filled.filter(({ figure: { kind } }) => !isDerived(kind) && !isRound(kind));

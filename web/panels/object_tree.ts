@@ -3,7 +3,7 @@ import type { DrawnObject } from '../model/drawing';
 
 export type ListedRow =
   | { type: 'object'; object: DrawnObject }
-  /** All members of the group, and those that lie together here. */
+  /** `members` are all members of the group, and `here` those that lie together at this place. */
   | {
       type: 'group';
       group: string;
@@ -31,7 +31,7 @@ export function rowsOf(objects: readonly DrawnObject[], folded: ReadonlySet<stri
   return rows;
 }
 
-/** An object, or a group as a unit: the ids, the topmost first. */
+/** An object, or the members of a group that lie together: their ids, the topmost first. */
 interface Unit {
   group: string | null;
   ids: number[];
@@ -47,8 +47,8 @@ export function unitsOf(rows: readonly ListedRow[]): Unit[] {
 
 /**
  * The ids in their order after a row has moved to the place of another one, and the new group of
- * the moved object. It joins a group if it drops among its members, and leaves its own otherwise. A
- * moving group is folded; `moved` is any of its members.
+ * the moved object. An object joins a group if it is dropped among the group's members; otherwise
+ * it leaves its own group. A moving group is folded, and `moved` is any of its members.
  */
 export function rowsAfter(
   rows: readonly ListedRow[],

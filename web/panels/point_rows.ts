@@ -22,8 +22,8 @@ const names: Record<ParameterName, string> = { weight: 'Weight', beta: 'Beta' };
 const steps = 64;
 
 /**
- * Converts a value to a slider, which is even in powers of 2: from 1/16 to 16, with 1 in the
- * middle.
+ * Converts a value to a position of the slider, whose scale is logarithmic: from 1/16 to 16, with 1
+ * in the middle.
  */
 const toSlider = (value: number) =>
   Math.round(((Math.log2(value) - Math.log2(parameterRange.least)) / span) * steps);
@@ -31,7 +31,7 @@ const fromSlider = (position: number) =>
   Number((parameterRange.least * 2 ** ((position / steps) * span)).toPrecision(4));
 const span = Math.log2(parameterRange.most / parameterRange.least);
 
-/** The list of placed points, each with the slider of its number. */
+/** The list of placed points, each with a slider for its weight or beta. */
 export class PointRows {
   readonly #list = byId('points');
 
@@ -106,7 +106,7 @@ export class PointRows {
   }
 }
 
-/** A slider for the number of a control point; a double click sets it to 1. */
+/** A slider for a control point's weight or beta; a double click sets it to 1. */
 export function makeSlider(editor: Editor, index: () => number): HTMLInputElement {
   const slider = make('input', '', { type: 'range', min: '0', max: `${steps}`, step: '1' });
   const preview = (value: number) => {
@@ -126,7 +126,7 @@ export function makeSlider(editor: Editor, index: () => number): HTMLInputElemen
   return slider;
 }
 
-/** Shows a control point's number on a slider. */
+/** Shows a control point's weight or beta on a slider. */
 export function showOnSlider(
   slider: HTMLInputElement,
   index: number,
@@ -143,7 +143,7 @@ interface Row {
   which: NonNullable<Selection>;
   name: string;
   value: string;
-  /** The point's coordinates, for interested users. */
+  /** The face that contains the point, for interested users. */
   place: string;
   slider: { point: ControlPoint; name: ParameterName } | null;
 }
@@ -192,14 +192,16 @@ function rowsOf({ kind, points, circle }: Figure, view: View): Row[] {
   }));
 }
 
-/** A point's number as text, or an anchor's joint in words; empty if its kind has neither. */
+/**
+ * A point's weight or beta as text, or an anchor's joint in words; empty if its kind has neither.
+ */
 function numbersOf(kind: Kind, point: ControlPoint, total: number): string {
   const name = parameterOf(kind);
   if (name) return numberOf(point, name, kind === 'center' ? total : null);
   return kind === 'pen' ? jointOf(point.tangents) : '';
 }
 
-/** A point's number as text, or its share in percent if the sum divides the numbers. */
+/** A point's weight or beta as text; with a total, its share of the total in percent. */
 function numberOf(point: ControlPoint, name: ParameterName, total: number | null): string {
   const value = point[name] ?? 1;
   if (total !== null) return `${((100 * value) / total).toFixed(1)} %`;

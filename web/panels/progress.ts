@@ -1,6 +1,6 @@
 import { byId, write } from './elements';
 
-/** The duration of work up to which no bar appears. */
+/** The time of work, in milliseconds, after which the bar appears. */
 const patienceMilliseconds = 200;
 
 const box = byId('progress');

@@ -52,7 +52,7 @@ const curvesTypes: Record<CurvesFormat, string> = {
   csv: 'text/csv',
 };
 
-/** The number of a picture's pixels for each pixel of the screen. */
+/** The number of a picture's pixels for each CSS pixel, along each axis. */
 const pictureScale = 2;
 
 /** The menu that saves the drawing or the view as a file. */
@@ -86,7 +86,7 @@ export class SaveMenu {
     }
   }
 
-  /** Saves the drawing in a format. If it has no curve, shows a note. */
+  /** Saves the drawing in a format. If it has nothing for the format, shows a note. */
   async save(format: Format): Promise<void> {
     if (!this.#has(format)) {
       showNote('There is no curve to save yet.');
@@ -140,8 +140,9 @@ export class SaveMenu {
   }
 
   /**
-   * The visible curves with their looks in the present view, the edited one first: those to save, or
-   * for the parts of a cut all of them, with the lines that border these parts.
+   * The visible curves with their looks in the present view, the edited one first: the curves to
+   * save. For the parts of a cut they are all curves, and the lines along which the surface is cut
+   * replace those of their objects.
    */
   async drawnCurves(cut: ShownCut | null = null): Promise<DrawnCurve[]> {
     const { view } = this.session;
@@ -193,7 +194,7 @@ export class SaveMenu {
     }
   }
 
-  /** Saves the whole view, with the surface, in twice as many pixels. */
+  /** Saves the whole view, with the surface, as a picture of high resolution. */
   async #savePicture(seeThrough: boolean): Promise<void> {
     const background = seeThrough ? null : sceneColors().stage;
     const title = this.#title;
@@ -208,7 +209,7 @@ export class SaveMenu {
     return `${what} on ${meshLabel(mesh).replace(/\.obj$/i, '')}`;
   }
 
-  /** All curves, the edited one first. */
+  /** The curves to save, the edited one first. */
   get #polylines(): Float32Array[] {
     const { view } = this.session;
     const own = this.#isMeant(this.editor.state.drawing.active) ? polylinesOf(view) : [];
@@ -216,7 +217,7 @@ export class SaveMenu {
     return [...own, ...others.flatMap(({ lines }) => lines)];
   }
 
-  /** Whether to save an object: the choice is all objects, or only the selected ones. */
+  /** Whether to save an object: the user chooses all objects, or only the selected ones. */
   #isMeant(id: number): boolean {
     return !this.#onlySelected || selectedObjects(this.editor.state).includes(id);
   }

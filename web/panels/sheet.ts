@@ -6,7 +6,7 @@ type Stop = (typeof stops)[number];
 
 /** The largest motion of a press that is a click, in CSS pixels. */
 const slop = 6;
-/** The parts of the window's height at which the panel comes to rest, as in layout.css. */
+/** The panel's height at each stop as a fraction of the window's height, as in layout.css. */
 const parts: Record<Stop, number> = { collapsed: 0, half: 0.38, full: 0.88 };
 
 /**

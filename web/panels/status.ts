@@ -26,7 +26,10 @@ import { countLost, reasons } from './lost_panel';
 import { sentenceOf } from './messages';
 import { makeSlider, showOnSlider } from './point_rows';
 
-/** The times of work, in milliseconds, before words and a button that stops it appear. */
+/**
+ * The times of work, in milliseconds, after which words appear, and then a button that stops the
+ * work.
+ */
 const patienceMilliseconds = { saying: 300, stopping: 1000 };
 
 export interface StatusEvents {
@@ -299,7 +302,7 @@ function centerHint({ status, uniqueness, otherMinima }: ShownCenter): string {
 /** The largest number of other minima whose energies appear. */
 const mostEnergies = 3;
 
-/** The words for each answer to whether the center is the only one. */
+/** Words about whether the center is the only one. */
 const uniquenessWords: Record<Uniqueness, string> = {
   certain: ' · certainly the only center',
   likely: ' · likely the only center',
@@ -307,7 +310,7 @@ const uniquenessWords: Record<Uniqueness, string> = {
   notLooked: '',
 };
 
-/** The parts of a curve, in words. */
+/** The number of a curve's samples, or of isolines, in words. */
 function countOf({ curve, isolines }: View): string {
   if (curve) return formatCount(curve.samples.count, 'sample');
   if (!isolines) return '';
@@ -319,7 +322,7 @@ function measureOf({ curve, isolines, center, fill }: View, unit: Unit): string 
   if (center) {
     const { status, certificate, uniqueness } = center;
     const only = status === 'converged' ? uniquenessWords[uniqueness] : '';
-    // Energy and residual are by exact shortest paths after the refined answer.
+    // After the refined answer, energy and residual are measured by exact shortest paths.
     const exact = certificate ? ` · residual ${certificate.residual.toPrecision(2)}` : '';
     const { energy } = certificate ?? center;
     return `energy ${formatLength(energy)}${exact}${only}`;
@@ -333,7 +336,10 @@ function measureOf({ curve, isolines, center, fill }: View, unit: Unit): string 
   return drawn ? `length ${formatLength(drawn.length, unit)}${area}` : '';
 }
 
-/** The words for a measurement. Only users who opened the mathematics see it. */
+/**
+ * The words for a measurement. The parameter and the tangent appear only while the advanced
+ * settings are open.
+ */
 function measuredText(
   { parameter, length, wholeLength, tangent }: Measured,
   unit: Unit,

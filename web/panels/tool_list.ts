@@ -28,7 +28,7 @@ export function drawingTools(editor: Editor, edits: CurveEdits): DrawingTool[] {
     const group = kindGroups.find(({ kinds }) => kinds.includes(figure.kind))!.kinds;
     latest.set(group, figure.kind);
   });
-  /** A tool that draws objects of some kinds, initially of the last edited one. */
+  /** A tool that draws objects of some kinds, initially of the last edited one of these kinds. */
   const draws = (kinds: readonly Kind[], group = kinds) => ({
     isActive: ({ tool, figure }: State) => tool === 'insert' && kinds.includes(figure.kind),
     choose() {

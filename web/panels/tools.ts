@@ -15,8 +15,8 @@ import type { ViewMenu } from './view_menu';
 export interface ToolEvents {
   removeSelected(): void;
   /**
-   * An address that opens the drawing again. A complete one works elsewhere, too, a short one in
-   * any program.
+   * An address that opens the drawing again. A complete one also works in other browsers, and a
+   * short one in every program.
    */
   link(): { address: string; complete: boolean; short: boolean };
   saveJson(): void;
@@ -76,7 +76,7 @@ export class Tools {
     const figures = state.drawing.objects.flatMap(({ id, figure }) =>
       ids.includes(id) && !isEmpty(figure) ? [figure] : [],
     );
-    // A circle lies around its center.
+    // The view must also contain the place of a circle opposite to its rim point.
     const around = figures.flatMap(({ circle }) => {
       const { surface } = viewer;
       if (!circle || !surface || !('face' in circle.rim)) return [];

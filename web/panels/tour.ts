@@ -57,7 +57,7 @@ export class Tour {
   ) {
     this.#next.addEventListener('click', () => this.#show(this.#at + 1));
     byId('tour-skip').addEventListener('click', () => this.#end());
-    // The tour waits while the help is open, which keeps the focus.
+    // The tour starts when the help closes, since the open help keeps the focus.
     const help = byId<HTMLDialogElement>('help-dialog');
     help.addEventListener('close', () => {
       if (help.returnValue !== 'tour') return;

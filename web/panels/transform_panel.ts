@@ -21,7 +21,10 @@ const format = (least: number) => ({
   write: (value: number) => `${value}`,
 });
 
-/** The difference of sides, as a part of the surface's diagonal, below which they are equal. */
+/**
+ * The difference between the surface's sides, relative to its diagonal, below which they count as
+ * equal.
+ */
 const least = 1e-4;
 
 /**
@@ -64,10 +67,14 @@ export class TransformPanel {
     byId('mirror-now').addEventListener('click', () => void mirror.mirrorInSymmetry());
   }
 
-  /** Shows the size of the frame's contents. No scale gives length to a side without extent. */
+  /**
+   * Shows the size of the frame's contents. The field of a side without extent is disabled, since
+   * no scale gives the side a length.
+   */
   showSize(size: Size | null): void {
     const { width = 0, height = 0 } = size ?? {};
-    // Both sides have the decimals of the longer one: a line without a width has no rounding's width.
+    // Both sides are rounded to the decimals of the longer one, so that rounding errors give a line
+    // no width.
     const last = 10 ** (Math.floor(Math.log10(Math.max(width, height))) - 3);
     const rounded = (side: number) => last * Math.round(side / last) || null;
     this.#width.show(rounded(width));
@@ -78,7 +85,9 @@ export class TransformPanel {
     byId('size-unit').textContent = unit;
   }
 
-  /** Shows the difference of the surface's two sides, while its symmetry mirrors the selection. */
+  /**
+   * Shows the difference between the surface's two sides, if the mirror is its plane of symmetry.
+   */
   showMirror({ apart }: MirrorTool): void {
     byId('mirror-symmetric').hidden = apart === null;
     byId('mirror-apart').textContent =

@@ -88,7 +88,7 @@ export interface OutlinedShape extends Enclosing {
 
 /** The parts of a curve's view to return besides its value. */
 export interface CurveRequest {
-  /** The object of the curve; a curve without one ends after its view. */
+  /** The id of the curve's object. A curve without an object ends after its view. */
   object?: number;
   /** The number of marks along the curve. */
   marks?: number;
@@ -98,7 +98,7 @@ export interface CurveRequest {
   outlines?: boolean;
 }
 
-/** A curve with repeated moves of its points; the engine continues its legs. */
+/** A curve whose points move repeatedly. The engine continues its legs from value to value. */
 export class LooseCurve {
   #legs: readonly DrawnLeg[] | undefined;
 
@@ -113,7 +113,7 @@ export class LooseCurve {
     return this.curve.polyline();
   }
 
-  /** The place at a parameter of the curve with another value, whose points have moved. */
+  /** Gives the curve a value with moved points, and returns its point at a parameter. */
   async placeOn(value: CurveOptions, parameter: number): Promise<CurvePoint> {
     const { curve } = this;
     this.#legs ??= (await curve.view()).drawnLegs;
@@ -265,7 +265,7 @@ export class EngineClient {
   }
 
   /**
-   * Shorter paths that legs of a value's curve could take; the curve then belongs to the object.
+   * Shorter paths that legs of a value's curve could take. That curve becomes the object's curve.
    */
   async shorterLegs(object: number, value: CurveOptions): Promise<ShorterLeg[]> {
     const curve = await this.#curveOf(object, value);
@@ -276,8 +276,8 @@ export class EngineClient {
   }
 
   /**
-   * The point of an object's curve nearest to a place; `value` defines the curve for a worker
-   * without it.
+   * The point of a value's curve nearest to a place, with its measurements. That curve becomes the
+   * object's curve.
    */
   async measure(
     object: number,
@@ -389,7 +389,7 @@ export class EngineClient {
     return (await this.#worker.call('pointsOnPart', args)) as (SurfacePoint | null)[];
   }
 
-  /** Curves on the surface as a file, with the surface and its own properties unless it is CSV. */
+  /** Curves on the surface as a file. Except for CSV it also has the surface and its properties. */
   async curvesFile(curves: readonly DrawnCurve[], format: CurvesFormat): Promise<Uint8Array> {
     const args = [this.mesh, curves.map(sentCurve), format, this.file];
     return (await this.#worker.call('curvesFile', args)) as Uint8Array;
@@ -416,7 +416,7 @@ export class EngineClient {
     return this.#worker.call('framedAt', [this.mesh, places]) as Promise<Framed>;
   }
 
-  /** The results of a step of a move on the surface, all in one call, for a drag. */
+  /** The result of a step of a move on the surface. A single call keeps drags quick. */
   putDown(step: Step): Promise<MappedPoints> {
     return this.#worker.call('putDown', [this.mesh, step]) as Promise<MappedPoints>;
   }

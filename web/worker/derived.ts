@@ -13,7 +13,10 @@ export interface DerivedLines {
   fill: Fill | null;
 }
 
-/** A region. Its inside is the smaller side, or the side with the middle of a line. */
+/**
+ * The region that outlines enclose. Its inside is the smaller side, or the side that contains the
+ * middle of the line `inside`.
+ */
 const outlined = (
   mesh: Mesh,
   outlines: (Outline | Path)[],
@@ -33,7 +36,10 @@ function enclosed(mesh: Mesh, outlines: Outline[], enclosing: Enclosing): Region
   }
 }
 
-/** The offset of lines. Inwards is the enclosed side of closed lines, and the left of others. */
+/**
+ * The offset of lines. Inwards is the enclosed side if all lines are closed, and else the left
+ * side.
+ */
 export function offsetOf(
   mesh: Mesh,
   outlines: Outline[],
@@ -52,7 +58,7 @@ export function offsetOf(
   let which: (typeof sides)[OffsetSide] = sides[side];
   if (closed && side !== 'both') {
     const region = enclosed(mesh, outlines, enclosing);
-    // Two distances count from the start of the lines themselves.
+    // Two distances count from the start of the given lines; the boundary may start elsewhere.
     if (region && end === undefined) from = region.boundary();
     else if (region?.data().isLeft === false) which = side === 'inwards' ? 'right' : 'left';
   }
@@ -72,7 +78,8 @@ export function combined(
   combine: BooleanKind,
   fill: boolean,
 ): DerivedLines {
-  // The region of a shape has the boundary of its other rule on its left.
+  // The boundary of a shape's region by the nonzero rule, with the region on its left, replaces the
+  // shape.
   const plain = shapes.map(({ rule, ...shape }) =>
     rule
       ? { outlines: regionOf(mesh, { ...shape, rule }).boundary(), inside: 'left' as const }

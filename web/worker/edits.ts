@@ -24,7 +24,7 @@ export interface Edited {
   point: number | null;
 }
 
-/** The result of an edit of a value's curve. The curve itself may change. */
+/** The result of an edit of the curve with a value. It may change `curve`. */
 export async function edited(
   mesh: RemoteMesh,
   curve: RemoteCurve,
@@ -86,8 +86,8 @@ async function valuesOf(made: readonly RemoteCurve[]): Promise<Edited> {
 const ofOneSegment: readonly CurveKind[] = ['bezier', 'rational', 'barycentric'];
 
 /**
- * The parameter where the curve is nearest to a place, or that of a knot within reach, beside which
- * a segment would be a sliver.
+ * The parameter where the curve is nearest to a place; the parameter of a knot if one is within
+ * reach, since a segment beside it would be a sliver.
  */
 async function meantAt(
   curve: RemoteCurve,

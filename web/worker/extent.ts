@@ -64,8 +64,9 @@ export function boxAround(
 }
 
 /**
- * The log vectors of places as the means of those of the vertices around them; null if the places
- * are closer together than these vertices, or not all within reach.
+ * Approximate log vectors of places: weighted means of the log vectors at the corners of their
+ * faces. Null for four or fewer places, if the places are closer together than the vertices, or if
+ * a log vector is missing.
  */
 function nearlyLogs(
   mesh: Mesh,
@@ -77,7 +78,7 @@ function nearlyLogs(
   for (let i = 3; i < positions.length; i += 3) {
     far = Math.max(far, Math.hypot(...[0, 1, 2].map((k) => positions[i + k]! - positions[k]!)));
   }
-  // Each of the four sides needs a path anyway.
+  // Each of the four sides needs a path to one place anyway.
   if (far === 0 || places.length <= 4) return null;
   const triangles = mesh.triangles();
   // Half round a ball the way is as long as this; on other surfaces it may be longer.

@@ -19,13 +19,13 @@ interface Side {
  */
 type Front = Place[];
 
-/** The scale of which weights are multiples of the inverse. */
+/** Weights are multiples of 1 / `scale`. */
 const scale = 2 ** 40;
 
 /**
  * The triangles that fill parts of faces: their faces, and the two weights of each corner. `faces`
- * has the face of each side, in order, and `sides` four numbers each: second and third weight of
- * one end and of the other.
+ * has the face of each side, in order. `sides` has four numbers for each: the second and third
+ * weights of its two ends.
  */
 export function filledSides(
   faces: Int32Array,
@@ -52,7 +52,7 @@ const isSame = ([ax, ay]: Place, [bx, by]: Place) => ax === bx && ay === by;
 function turn([ax, ay]: Place, [bx, by]: Place, [cx, cy]: Place): number {
   const [x, y, u, v] = [bx - ax, by - ay, cx - ax, cy - ay];
   const [over, under] = [x * v, y * u];
-  // Rounding keeps the order of products.
+  // Rounding keeps the order of products, so that only equal ones need an exact computation.
   if (over !== under || over === 0) return over - under;
   const [p, q, r, s] = [x, y, u, v].map((value) => BigInt(Math.round(value * scale)));
   return Number(p! * s! - q! * r!);
@@ -115,7 +115,9 @@ function fillFace(sides: Float64Array, add: Add): void {
   }
 }
 
-/** A front with a place at its upper end, joined to those that the place sees from there. */
+/**
+ * The front with a place at its upper end. Triangles join it to the places that it sees from there.
+ */
 function joinedAbove(front: Front, place: Place, add: Add): Front {
   let count = front.length;
   while (count > 1 && turn(front[count - 2]!, place, front[count - 1]!) > 0) {
@@ -125,7 +127,9 @@ function joinedAbove(front: Front, place: Place, add: Add): Front {
   return [...front.slice(0, count), place];
 }
 
-/** A front with a place at its lower end, joined to those that the place sees from there. */
+/**
+ * The front with a place at its lower end. Triangles join it to the places that it sees from there.
+ */
 function joinedBelow(front: Front, place: Place, add: Add): Front {
   let first = 0;
   while (first < front.length - 1 && turn(front[first]!, place, front[first + 1]!) > 0) {
@@ -135,7 +139,10 @@ function joinedBelow(front: Front, place: Place, add: Add): Front {
   return [place, ...front.slice(first)];
 }
 
-/** A front in two parts at a place in its middle, first joined to the front's rightmost place. */
+/**
+ * The two parts into which a place divides a front. Triangles join it to the front's rightmost
+ * place first, and then to the others that it sees.
+ */
 function parted(front: Front, place: Place, add: Add): [Front, Front] {
   let right = 0;
   for (const [i, other] of front.entries()) if (isBefore(front[right]!, other)) right = i;

@@ -23,13 +23,19 @@ export interface Framed {
   directions: Float64Array;
 }
 
-/** A step of a move: vectors and directions at a place, with its new position or null. */
+/**
+ * A step of a move: vectors and directions at a place, with the place's new position, or null if it
+ * stays.
+ */
 export interface Step {
   from: PointLike;
   to: PointLike | null;
   vectors: Float64Array;
   directions: Float64Array;
-  /** The vectors begin with two for each of these, whose directions are the axes. */
+  /**
+   * The figures in frames. `vectors` and `directions` begin with two entries for each of them: its
+   * middle, and the two axes as directions there.
+   */
   framed: readonly Framed[];
   /** The scale of the figures in their frames. */
   scale: number;

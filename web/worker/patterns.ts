@@ -5,13 +5,16 @@ import type { Vector } from '../model/figure';
 import { isTooFine, type Pattern, type Region } from '../model/traced';
 import { cross, minus } from '../model/vectors';
 
-/** The sides of triangles, as a part of the spacing: distances are linear in each triangle. */
+/**
+ * The longest side of a triangle, relative to the spacing. It is short, since distances are linear
+ * in each triangle.
+ */
 const sidePart = 1 / 3;
 /** The approximate largest number of triangles; they are larger if necessary. */
 const mostTriangles = 150_000;
 /**
- * The length of the line from which distances start, to each side of the region's middle, as a
- * multiple of the distance from there to the region's farthest triangle.
+ * The reach of the line from which distances start, to each side of the region's middle, relative
+ * to the distance from the middle to the region's farthest triangle.
  */
 const reachPart = 1.5;
 
@@ -23,8 +26,9 @@ const areaOf = ([a, b, c]: readonly [Corner, Corner, Corner]) =>
   lengthOf(cross(minus(b.place, a.place), minus(c.place, a.place))) / 2;
 
 /**
- * The pattern of a region: a hatched one has the distances from a geodesic through its middle, a
- * striped one those from its border. Null if it has too many lines or no border.
+ * The pattern of a region. A hatched one has the distances from a geodesic through the region's
+ * middle, and a striped one the distances from its border. Null if it has too many lines, or no
+ * border.
  */
 export function patternOf(
   mesh: Mesh,

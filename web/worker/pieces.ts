@@ -7,7 +7,10 @@ export interface Opened {
   file: FileInfo;
 }
 
-/** The largest number of parts. Beyond it the smallest pieces, such as crumbs of a scan, are one part. */
+/**
+ * The largest number of parts. The smallest pieces beyond it, such as crumbs of a scan, are one
+ * part.
+ */
 const mostParts = 1000;
 
 /**
@@ -56,8 +59,8 @@ function partsOf(sizes: readonly number[]): FileInfo['parts'] {
 }
 
 /**
- * A completely read file, with its pieces as parts if it has none, and the mesh of the selected
- * ones. If that is another mesh, the given one is disposed of.
+ * A completely read file, with its pieces as parts if it has none, and the mesh of the wanted
+ * pieces. If that is a new mesh, the given one is disposed of.
  */
 export async function inPieces(
   karcher: Karcher,

@@ -11,7 +11,9 @@ export interface Sides {
   sides: Float64Array;
 }
 
-/** The corners of the border on an edge, by their weights of its vertex of the higher number. */
+/**
+ * The corners of the border on an edge, by their weights at the edge's vertex of the higher index.
+ */
 interface Touched {
   face: number;
   weights: Set<number>;
@@ -80,7 +82,7 @@ export function withTouched(
   return { whole: whole.filter((face) => !isTouched(face)), ...merged(given, added) };
 }
 
-/** Sides with those of other faces, in the order of the faces. */
+/** The sides together with the sides of other faces, in the order of the faces. */
 function merged(
   { faces, sides }: Sides,
   added: readonly { face: number; sides: Float64Array }[],

@@ -1,6 +1,6 @@
 /**
- * Alignment: moves objects, or points of one object, onto the geodesic between the two that are
- * farthest apart.
+ * Alignment: moves objects, or points of one object, onto the geodesic between two of them that lie
+ * far apart.
  */
 import type { SurfacePoint } from 'karcher';
 import type { Command } from '../../model/commands';
@@ -15,8 +15,8 @@ import { Move, movableObjects, replacing } from './moving';
 import type { Session } from './session';
 
 /**
- * The ways to align: each thing moves to the nearest place of the line, or all move to even places
- * along it.
+ * The ways to align: `nearest` moves each thing to the nearest place of the line, and `even` spaces
+ * all of them evenly along it.
  */
 export type Alignment = 'nearest' | 'even';
 
@@ -112,7 +112,10 @@ async function middleOf(client: EngineClient, part: Part): Promise<SurfacePoint>
   return plain(point);
 }
 
-/** The target of each place; null for the line's ends, which stay. */
+/**
+ * The target of each place on the line; null for the line's two ends, which stay. The first end is
+ * the place farthest from the first place, and the second is the one farthest from the first end.
+ */
 async function goalsOf(
   client: EngineClient,
   surface: Surface,
@@ -155,13 +158,13 @@ async function goalsOf(
 }
 
 /**
- * The number of points of a line in the search for the nearest one, and the number of repetitions
- * of the search between the best one's neighbors.
+ * `looks` is the number of points of a line that one round of the search for the nearest point
+ * compares. Each further one of the `rounds` searches between the best point's neighbors.
  */
 const looks = 33;
 const rounds = 4;
 
-/** The place where a line comes nearest to a point, as a part of its length. */
+/** The place of a line nearest to a point, as a fraction of the line's length. */
 async function nearestPart(
   client: EngineClient,
   place: SurfacePoint,

@@ -10,13 +10,16 @@ import type { EngineClient, LooseCurve } from '../../worker/client';
 import { directionOf } from './circle_drawing';
 import { drawnTangents } from './pen_drawing';
 
-/** The largest distance of the bent curve from the pointer, as a part of the surface's diagonal. */
+/** The largest distance of the bent curve from the pointer, relative to the surface's diagonal. */
 const nearEnough = 1e-7;
 
 const sum = (a: Vector, b: Vector): Vector => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 
 export class Bend {
-  /** A correction of the path to the pointer for the surface's curvature, from earlier steps. */
+  /**
+   * A correction of the vector to the pointer, from earlier steps: it balances the surface's
+   * curvature.
+   */
   #correction: Vector = [0, 0, 0];
 
   private constructor(
@@ -30,7 +33,10 @@ export class Bend {
     private readonly place: SurfacePoint,
   ) {}
 
-  /** Holds a figure's segment at a parameter. Its handles must be drawn. The caller ends it. */
+  /**
+   * Takes hold of a figure's segment at a parameter. `drawn` contains the places of the handles.
+   * The caller must call `end`.
+   */
   static async of(
     client: EngineClient,
     surface: Pick<Surface, 'carry'>,
@@ -54,8 +60,8 @@ export class Bend {
   }
 
   /**
-   * The command that bends the segment so that it passes through a point. On a plane one step is
-   * exact; elsewhere each correction measures the curve's error and includes it.
+   * The command that bends the segment so that it passes through a point. On a plane the first step
+   * is exact. Elsewhere each correction adds the vector from the curve to the point.
    */
   async through(point: SurfacePoint, corrections: number): Promise<FigureCommand> {
     const { client, surface, figure, place } = this;

@@ -30,7 +30,7 @@ export interface Beside {
   points: readonly SurfacePoint[];
   /** A center of mass. */
   center: SurfacePoint | null;
-  /** The region that the figure's lines enclose, if it has a fill. */
+  /** The region that the figure's lines enclose, if the object has a fill. */
   region: Region | null;
   /** The parts into which a cut divides the surface. */
   cut: ShownCut | null;
@@ -45,15 +45,18 @@ interface Traced {
   from?: readonly (readonly Path[] | null)[];
 }
 
-/** The rest of others in a drag after a slow object, as a multiple of its time. */
+/**
+ * The pause of derived objects in a drag after the trace of one of them, as a multiple of the time
+ * of the trace.
+ */
 const restPart = 2;
 
-/** The number of results for undo, beyond those for figures of the drawing. */
+/** The largest number of results kept for undo, in addition to those for the drawing's figures. */
 export const mostRemembered = 64;
 
 /**
- * The engine's results for figures. A figure is a value, so its result stays valid for every object
- * that uses it, and after undo.
+ * The engine's results for figures. Figures are immutable, so a result stays valid for every object
+ * that uses its figure, and after undo.
  */
 export class BesideObjects {
   readonly #traced = new Map<Figure, Traced>();
@@ -61,15 +64,15 @@ export class BesideObjects {
   #last: readonly Beside[] = [];
   /** The lines of figures that are sources of others. */
   #outlines = new WeakMap<Figure, { method: MethodId; paths: readonly Path[] }>();
-  /** The last results for objects that follow others. They stay visible until the next ones. */
+  /** The last results for derived objects, by their ids. They stay visible until newer results. */
   readonly #lastOf = new Map<number, Traced>();
   #restUntil = 0;
   #timer: ReturnType<typeof setTimeout> | null = null;
 
-  /** `rested` receives the end of a rest during a drag, when a trace may follow. */
+  /** Calls `rested` at the end of a pause in a drag, when a trace may follow. */
   constructor(private readonly rested: () => void) {}
 
-  /** Whether objects wait for the end of a rest before their trace. */
+  /** Whether objects wait for the end of a pause before their trace. */
   get resting(): boolean {
     return this.#timer !== null;
   }
@@ -82,8 +85,9 @@ export class BesideObjects {
   }
 
   /**
-   * Keeps the result for a figure: the figure may appear again, edited or not. Forgets the oldest
-   * results that no object of the drawing uses.
+   * Keeps the result for a figure, since the figure may appear again, in the edited object or in
+   * another one. Forgets the oldest results beyond `mostRemembered` that no object of the drawing
+   * uses.
    */
   keep(figure: Figure, traced: Traced, drawing: State['drawing']): void {
     const { operands } = figure;
@@ -93,7 +97,10 @@ export class BesideObjects {
     this.#forgetAllBut(drawing);
   }
 
-  /** The result for a figure by a method. */
+  /**
+   * The result for a figure by a method; null if there is none, if the lines of an operand have
+   * changed, or if the result lacks a required fill.
+   */
   known(figure: Figure, method: MethodId, fill = false): Traced | null {
     const traced = this.#traced.get(figure);
     if (traced?.method !== method) return null;
@@ -103,7 +110,7 @@ export class BesideObjects {
     return fill && !traced.shown.fill ? null : traced;
   }
 
-  /** The last side of a figure's region; null if unknown. */
+  /** The side of its lines that a figure enclosed in its last result; null if unknown. */
   insideOf(figure: Figure): Inside | null {
     return this.#traced.get(figure)?.shown.fill?.region?.side ?? null;
   }
@@ -155,7 +162,9 @@ export class BesideObjects {
     }, milliseconds);
   }
 
-  /** Takes the lines of a figure for the objects derived from it, if they need them. */
+  /**
+   * Keeps the paths of a figure's result for the objects derived from it, if the result has them.
+   */
   tell(figure: Figure, method: MethodId, shown: Shown): void {
     const paths = outlinesShown(shown);
     if (paths) this.#outlines.set(figure, { method, paths });
@@ -214,7 +223,10 @@ export class BesideObjects {
   }
 }
 
-/** Whether an object needs its fill. Sources need it, too: a drag of a source keeps its side. */
+/**
+ * Whether the trace of an object computes its fill. A source without a stored side needs it, too,
+ * so that a drag of the source keeps the side.
+ */
 export const asksFill = (drawing: State['drawing'], { id, fill, figure }: DrawnObject) =>
   fill > 0 || (!figure.inside && isSource(drawing, id));
 

@@ -20,11 +20,11 @@ export interface ShownCircle extends ShownRadius {
   across: ShownRadius | null;
 }
 
-/** The smallest radius across that a handle can have, as a part of the surface's diagonal. */
+/** The smallest radius across that a handle can have, relative to the surface's diagonal. */
 const leastAcross = 1e-3;
 
 export interface ShownIsolines extends TracedIsolines {
-  /** Whether the lines are exact, however good the method is. */
+  /** Whether the lines are exact, whatever the quality of the method. */
   exact: boolean;
   /** The lines of a boolean's operands. */
   from?: readonly SourceLine[];
@@ -77,13 +77,13 @@ async function acrossRadius(
   if ('radius' in across) return across.radius;
   const to = await radiusTo(client, center, across);
   const least = leastAcross * client.info.diagonal;
-  // In a mirror image the point lies on the other side.
+  // In a mirror image the point lies on the other side, where its reach is negative.
   return Math.max(least, Math.abs(reachAlong(to.radius, to.direction, direction)));
 }
 
 /**
- * The lines of a circle or an ellipse. Rejects if none has these radii. The draft of an exact
- * isoline is the linear one, which takes as little time far from the center as near it.
+ * The lines of a circle or an ellipse. Rejects if there are none with these radii. A draft of an
+ * exact isoline is linear, since the time of a linear one does not depend on the radius.
  */
 export async function drawCircle(
   client: EngineClient,
@@ -128,7 +128,10 @@ export async function drawCircle(
   return { isolines: { ...isolines, exact } };
 }
 
-/** Runs with the levels that the engine chooses, but at least this many. */
+/**
+ * Traces with the number of levels that the engine chooses, and again if that is less than
+ * `levels`.
+ */
 async function atLeast(
   levels: number,
   trace: (part: { levels?: number }) => Promise<TracedCurve>,

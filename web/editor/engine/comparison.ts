@@ -13,7 +13,9 @@ export interface Compared {
   method: MethodId;
   /** The curve; null without a comparison, or if none is possible. */
   polyline: Float32Array | null;
-  /** The distance of the two curves, in mean edges and as a part of the visible curve's length. */
+  /**
+   * The distance between the two curves, in mean edges and relative to the visible curve's length.
+   */
   inEdges: Gap | null;
   ofLength: Gap | null;
   /** Whether the comparison belongs to an earlier state. */
@@ -22,7 +24,10 @@ export interface Compared {
   problem: string | null;
 }
 
-/** The time of a trace, in milliseconds, above which it waits for the end of a drag. */
+/**
+ * The longest trace that may run during a drag, in milliseconds. Slower ones wait for the drag's
+ * end.
+ */
 const longestOfDrag = 60;
 
 /** A requested comparison and its result. */
@@ -70,7 +75,7 @@ export class Comparison {
     this.#asked = null;
     this.#shown = null;
     this.#engine.drop();
-    // Only a user who compares needs an engine for it.
+    // Without a comparison there is no need for its engine.
     if (!method) {
       this.#engine.use(null);
       this.#client = null;

@@ -26,7 +26,7 @@ export interface Shown {
   tangents: readonly DrawnTangents[] | null;
   /** A sentence that says why parts of the result are missing. */
   problem: string | null;
-  /** The region that its lines enclose; null without a request. */
+  /** The region that the lines enclose; null if it was not requested. */
   fill: Fill | null;
 }
 
@@ -58,8 +58,8 @@ export interface Computation {
   /** Whether a better answer will follow, with other options. */
   draft?: boolean;
   /**
-   * The points or anchors that a drag moves, and the legs after its last step, which the engine
-   * continues.
+   * The points or anchors that a drag moves, and the legs after the drag's last step. The engine
+   * continues these legs.
    */
   before?: DrawnBefore | undefined;
   /** Whether to look for other minima besides a center of mass, if the search is quick. */
@@ -77,14 +77,17 @@ export interface Computation {
   outlinesOf?: OutlinesOf;
 }
 
-/** The paths of the result; null without a request. */
+/** The paths of the result: null if the computation did not request them, empty without lines. */
 export const outlinesShown = ({ curve, isolines }: Shown): readonly Path[] | null =>
   curve || isolines ? (curve ?? isolines)!.outlines : [];
 
 /** The fill of a figure that encloses no region, such as a center. */
 export const noFill: Fill = { region: null, problem: null };
 
-/** The largest number of field values in a search for other minima: some 60 ms. */
+/**
+ * The largest product of points and vertices with which a center looks for other minima, which
+ * takes some 60 ms.
+ */
 const mostLooked = { fast: 120_000, others: 20_000 };
 
 export async function compute(

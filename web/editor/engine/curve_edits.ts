@@ -24,7 +24,7 @@ import type { CurveTool } from '../state/tool';
 import { withoutAnchor } from './pen_removal';
 import type { Session } from './session';
 
-/** The number of new starts of an edit that another one, such as a drag, overtook. */
+/** The largest number of attempts of an edit, if others such as a drag keep overtaking it. */
 const mostAttempts = 20;
 
 /** A command, and the selection after it. */
@@ -104,7 +104,10 @@ export class CurveEdits {
     return this.removeAnchors([index]);
   }
 
-  /** Removes several anchors, starting with the last. */
+  /**
+   * Removes several anchors. Their indices are in descending order, so that each removal leaves the
+   * next ones valid.
+   */
   removeAnchors(numbers: readonly number[]): Promise<void> {
     const index = numbers.at(-1)!;
     this.editor.interrupt();
@@ -121,8 +124,8 @@ export class CurveEdits {
           this.editor.replace(to, left === 0 ? null : Math.min(index, left - 1));
           return;
         }
-        // A drag may have changed the legs of the same anchors meanwhile. For another curve the
-        // search for the anchor begins again.
+        // A drag may have changed the legs of the same anchors meanwhile: then the removal starts
+        // again. It stops if the object or the number of anchors has changed.
         from = state.figure;
         const isSame = from.points.length === figure.points.length;
         if (!isSame || state.drawing.active !== drawing.active) return;
@@ -166,8 +169,8 @@ export class CurveEdits {
   }
 
   /**
-   * Carries out a click on the edited curve at a place in the surface's coordinates. A click within
-   * `within` of a knot means the knot.
+   * Carries out a click on the edited curve at a place in the surface's coordinates. If a knot lies
+   * within the distance `within`, the click means the knot.
    */
   atCurve(tool: CurveTool, near: Vector, within = 0): Promise<void> {
     return this.#inOrder(() => this.#atCurve(tool, near, within));
@@ -208,7 +211,9 @@ export class CurveEdits {
     this.editor.replace({ ...figure, points }, index);
   }
 
-  /** Cuts the edited object into the first piece and, above it, the others in the same style. */
+  /**
+   * Replaces the edited object by the first piece, and adds the others above it in the same style.
+   */
   #cut([first, ...rest]: readonly Spline[]): void {
     const { drawing, figure } = this.editor.state;
     if (!first) return;
@@ -272,8 +277,8 @@ export class CurveEdits {
   }
 
   /**
-   * Carries out a step, at once if it needs no engine. A B-spline's own knots become those of the
-   * engine's edited curve; if the engine finds none, the curve has none.
+   * Carries out a step, at once if it needs no engine. If a B-spline's own knots no longer fit, the
+   * engine finds new ones; if it finds none, the curve loses its own knots.
    */
   #edit(stepOn: (figure: Figure) => Step | null): Promise<void> {
     return this.#inOrder(async () => {
@@ -318,7 +323,7 @@ export class CurveEdits {
     this.#toggle('measure');
   }
 
-  /** Joins the only other curve, or waits for a click on one of them. */
+  /** Joins the only other curve. If there are several, waits for a click on one of them. */
   chooseJoin(): void {
     const others = joinable(this.editor.state);
     if (!this.#hasSpline() || others.length === 0 || this.editor.refuses()) return;

@@ -15,8 +15,8 @@ export interface ShownCut {
   /** The parts, the largest first. */
   parts: readonly ShownPart[];
   /**
-   * The lines along which it is cut, by their objects. The view may have better ones of these, which
-   * do not run exactly along the parts.
+   * The lines of the cut, each with the id of its object. The view may have more exact lines of
+   * these objects, which do not run exactly along the parts.
    */
   along: readonly { id: number; path: Path }[];
 }
@@ -27,7 +27,7 @@ interface Made {
   parts: readonly SurfacePart[];
 }
 
-/** The last cut of each worker. Choices for its parts need no new cut. */
+/** The last cut of each worker, so that new choices for its parts need no new cut. */
 const lastOf = new WeakMap<EngineClient, Made>();
 
 /** Throws a sentence if no line cuts the surface. */

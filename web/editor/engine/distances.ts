@@ -32,8 +32,8 @@ interface Job {
 }
 
 /**
- * Distances along the surface from the selected point or center. They follow its drags only when
- * they pause, since until then the engine is busy with curves.
+ * Distances along the surface from the selected point or center. They are not updated before the
+ * end of a drag, since the engine is busy with curves until then.
  */
 export class Distances {
   #origin: Origin | null = null;
@@ -44,7 +44,7 @@ export class Distances {
   #running = new AbortController();
   readonly #newest = new Newest<Job>((job) => this.#trace(job));
 
-  /** A listener for changes of the distances; null without any. */
+  /** A listener for changes of the distances. It receives null if there are none. */
   onChange: (shown: ShownDistances | null) => void = () => {};
   /** A listener for sentences that say why distances are missing. */
   onProblem: (sentence: string) => void = () => {};
@@ -108,7 +108,7 @@ export class Distances {
       asked.state.method === state.method;
     if (same) {
       if (sameOrigin(asked.origin, origin)) return;
-      // Another point lies at the same place: only the name changes.
+      // The new origin lies at the same place, so that only the name changes.
       this.#asked = { ...asked, origin };
       if (this.#shown) this.#show({ ...this.#shown, origin });
       return;

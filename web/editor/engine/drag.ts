@@ -6,21 +6,25 @@ import type { State } from '../state/state';
 import type { Shown } from './compute';
 
 /**
- * The time of a step in milliseconds above which drafts without fields follow. It is half of a
- * frame; the page takes the other half.
+ * The longest time of a drag's step, in milliseconds, before drafts without fields replace its
+ * curve. It is half of a frame; the page takes the other half.
  */
 const longestDraft = 8;
-/** The number of slow steps before drafts, since the first also computes what others reuse. */
+/**
+ * The number of slow steps in a row after which drafts follow. One does not suffice: the first step
+ * also computes data that later steps reuse.
+ */
 const slowSteps = 2;
 
-/** Whether a curve by tolerance has more samples than its fixed number. */
+/** Whether a curve with a tolerance has more samples than its fixed number would give. */
 function moreThanFixed({ settings }: Figure, { samples }: TracedCurve): boolean {
   const segments = (samples.segment.at(-1) ?? 0) + 1;
   return settings.tolerance !== null && samples.count > settings.samples * segments;
 }
 
 /**
- * A drag of control points. The legs at these points continue from their places at its last step.
+ * A drag of control points. In each step the legs at these points continue from their places after
+ * the previous step.
  */
 export class Drag {
   readonly base: Figure;
@@ -48,9 +52,12 @@ export class Drag {
   }
 }
 
-/** The options for traces of a figure during its drag: quick steps, and no leaps of the curve. */
+/**
+ * Chooses the options for traces of a figure during its drag, for quick steps and without leaps of
+ * the curve.
+ */
 export class HeldTracing {
-  /** Whether a curve by tolerance has more samples than a fixed number. */
+  /** Whether the curve, with a tolerance, has more samples than its fixed number would give. */
   #manySamples = false;
   /**
    * The number of automatic levels of a curve: the present one between drags, the largest so far in
@@ -68,7 +75,7 @@ export class HeldTracing {
     this.#levels = 0;
   }
 
-  /** Records the trace of a figure with its own samples and levels, from which a drag starts. */
+  /** Records a trace with the figure's own samples and levels, from which the next drag starts. */
   rested(figure: Figure, { curve }: Shown): void {
     this.#manySamples = curve !== null && isCurve(figure.kind) && moreThanFixed(figure, curve);
     this.#levels = curve?.levels ?? 0;
@@ -76,8 +83,8 @@ export class HeldTracing {
   }
 
   /**
-   * Records the trace of a drag's step: its levels stay for the rest of the drag, and slow steps
-   * choose quicker ones.
+   * Records the trace of a drag's step. The number of levels never decreases in the rest of the
+   * drag, and slow steps lead to quicker options.
    */
   stepped(dragging: boolean, { kind }: Figure, { curve }: Shown): void {
     if (dragging && this.#levels !== 'limit' && curve) {
@@ -89,8 +96,9 @@ export class HeldTracing {
   }
 
   /**
-   * Turns the curve into a draft, whose means are quick since their points lie near each other. If
-   * that is slow, too, it uses averages alone, which need no fields.
+   * Makes the steps of a drag quicker. A curve without levels becomes a draft, whose means are
+   * quick since their points lie near each other. If the draft is slow, too, or the curve has
+   * levels, it uses averages alone, which need no fields.
    */
   #makeQuicker(): void {
     if (this.#levels === 0 && !this.#draft) {
@@ -102,8 +110,8 @@ export class HeldTracing {
   }
 
   /**
-   * The figure to trace: in a drag with fewer samples than the tolerance needs, and with the most
-   * levels so far. The release computes both again.
+   * The figure to trace. In a drag it has fewer samples than the tolerance needs, and the largest
+   * number of levels so far. After the release both are computed anew.
    */
   traced({ figure, dragging }: State): { figure: Figure; coarse: boolean } {
     const { settings } = figure;

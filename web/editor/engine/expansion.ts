@@ -10,7 +10,7 @@ import type { Surface } from '../../viewer/surface';
 import type { Editor } from '../state/editor';
 import type { Session } from './session';
 
-/** The tolerance of a pen curve that replaces lines, as a part of the diagonal. */
+/** The tolerance of a pen curve that replaces lines, relative to the surface's diagonal. */
 const tolerance = 5e-4;
 
 /** Converts derived objects into curves of the pen, which no longer follow their sources. */

@@ -19,11 +19,11 @@ const keyOf = (ends: Ends) =>
 
 const fewestKept = 64;
 
-/** Shortest paths by their ends, with one trace for each. */
+/** Shortest paths by their ends. Each path is traced once. */
 export class Legs {
   /** The known paths; null if the ends are not connected. */
   readonly #known = new Map<string, Float32Array | null>();
-  /** The visible paths for each pair; they stay while a drag is faster than new ones. */
+  /** The visible path of each pair. It stays while a drag is too fast for a new one. */
   #shown: { epoch: number; legs: (Float32Array | null)[] } = { epoch: -1, legs: [] };
 
   clear(): void {
@@ -31,7 +31,10 @@ export class Legs {
     this.#shown = { epoch: -1, legs: [] };
   }
 
-  /** The known paths between these ends; for missing ones the last of the same drag (`epoch`). */
+  /**
+   * The known paths between these ends. The last visible path of the same drag (`epoch`) replaces a
+   * missing one.
+   */
   between(pairs: readonly Ends[], epoch: number): Float32Array[] {
     const before = this.#shown.epoch === epoch ? this.#shown.legs : [];
     const legs = pairs.map((ends, i) => {

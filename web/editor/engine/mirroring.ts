@@ -108,7 +108,7 @@ function reversed(polyline: Float64Array): Float64Array {
   return turned;
 }
 
-/** Objects that a command adds as copies of others. */
+/** Copies of objects with other figures. */
 export const copiesOf = (
   objects: readonly DrawnObject[],
   figures: readonly Figure[],

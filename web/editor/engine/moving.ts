@@ -15,7 +15,8 @@ import type { Session } from './session';
 import { isTorn } from './tearing';
 
 /**
- * The largest part of a geodesic that may be missing at the boundary, in diagonals of the surface.
+ * The largest length by which a geodesic may end short at the boundary, in diagonals of the
+ * surface.
  */
 const leftAtMost = 1e-9;
 
@@ -43,11 +44,14 @@ const tears =
 const samePoint = (a: SurfacePoint, b: SurfacePoint) =>
   a.face === b.face && `${a.bary}` === `${b.bary}`;
 
-/** The directions of carried things, x, y, z each; 0 for a place without a direction. */
+/** The directions of carried things, x, y, z each; three zeros for a place without a direction. */
 export const directionsOf = (carried: readonly Carried[]): Float64Array =>
   Float64Array.from(carried.flatMap(({ direction }) => direction ?? [0, 0, 0]));
 
-/** The objects among these that a move may change. */
+/**
+ * The objects that a move of these changes. The sources of derived ones move in their place, and
+ * locked and empty ones stay.
+ */
 export function movableObjects(drawing: Drawing, ids: readonly number[]): DrawnObject[] {
   const objects = withSources(drawing, ids).map((id) => objectOf(drawing, id)!);
   const seen = new Set(objects.flatMap(({ visible, group }) => (visible && group ? [group] : [])));
@@ -124,9 +128,9 @@ export async function faceNormal(
  * to the surface. So the positions of a drag do not accumulate errors, and back at the start the
  * objects are unchanged.
  *
- * Several objects would become narrower or wider in this way, the farther they are from the pivot.
- * So only a frame at the middle of each moves so, and the object keeps its places relative to its
- * frame.
+ * In this way several objects would become narrower or wider, the farther they are from the pivot.
+ * Therefore only a frame at each object's middle moves in this way, and the object keeps its places
+ * relative to its frame.
  */
 export class Move {
   private constructor(
@@ -139,14 +143,14 @@ export class Move {
     /** The places of the objects, in the order of their return to the surface. */
     private readonly carried: readonly Carried[],
     private readonly beside: readonly Carried[],
-    /** The frames of several objects; a single one has the pivot's. */
+    /** The frames of several objects; empty for a single object, which uses the pivot's frame. */
     private readonly framed: readonly Framed[],
     private readonly logs: { vectors: Float64Array; directions: Float64Array },
   ) {}
 
   /**
-   * The beginning of a move of objects of a drawing, with which `beside` moves along. Rejects if a
-   * place has no path to the pivot.
+   * Begins a move of objects of a drawing. The places `beside` move along. Rejects if a place has
+   * no path to the pivot.
    */
   static async of(
     session: Pick<Session, 'client' | 'insideOf'>,

@@ -1,4 +1,4 @@
-/** The patterns of fills: one computation for a region, a kind and a spacing. */
+/** The patterns of fills. Each region has one computation for each kind and spacing. */
 import type { DrawnObject } from '../../model/drawing';
 import type { Pattern, Region } from '../../model/traced';
 import type { EngineClient } from '../../worker/client';
@@ -12,9 +12,7 @@ const keyOf = ({ pattern, spacing }: DrawnObject) => `${pattern} ${spacing}`;
 
 export class Patterns {
   readonly #made = new WeakMap<Region, Map<string, Pattern | null>>();
-  /**
-   * The last pattern of each region that failed, and its engine, which does not compute it again.
-   */
+  /** The last pattern of each region that failed, with its engine, which does not try it again. */
   readonly #failed = new WeakMap<Region, { key: string; client: EngineClient }>();
 
   /** `failed` receives an error, after which the pattern stays missing. */

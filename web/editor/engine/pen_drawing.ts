@@ -8,8 +8,8 @@ import type { EngineClient } from '../../worker/client';
 import { directionOf } from './circle_drawing';
 
 /**
- * The handles that each engine found, by their anchors. Anchors are values, so only changed ones
- * need a new search.
+ * The handles that each engine found, by their anchors. Anchors are immutable, so only new ones
+ * need a search.
  */
 const found = new WeakMap<EngineClient, WeakMap<ControlPoint, DrawnTangents>>();
 

@@ -112,8 +112,8 @@ const unit = ([x, y]: Planar): Planar => {
 };
 
 /**
- * The anchor with the handle that the end of the curve needs: its own with another length, or a new
- * one.
+ * The anchor with the handle for its end of the merged curve: its own handle with another length,
+ * or a new one.
  */
 async function withHandle(
   plane: LogPlane,

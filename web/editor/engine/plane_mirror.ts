@@ -15,19 +15,19 @@ import type { Surface } from '../../viewer/surface';
 import { mirroredInside } from './mirroring';
 
 /**
- * The largest distance of mirror images from the surface, as a part of its diagonal. Beyond it the
- * surface is not symmetric there.
+ * The largest distance of mirror images from the surface, relative to its diagonal. If an image is
+ * farther away, the surface is not symmetric there.
  */
 const besideAtMost = 0.05;
-/** The largest difference of a symmetric surface's sides, as a part of its diagonal. */
+/** The largest difference between a symmetric surface's sides, relative to its diagonal. */
 const apartAtMost = 0.02;
 /** The scene's diagonal. */
 const diagonal = 2;
 
 /**
- * The plane in which the surface is its own mirror image, in the scene, and the difference of its
- * sides as a part of its diagonal. Of many, as for a vase, it is the one seen edge-on, with its
- * normal to the right.
+ * The surface's plane of symmetry, in the scene, and the difference between the surface's sides
+ * relative to its diagonal; null if there is no such plane. If there are many, as for a vase, it is
+ * the one seen edge-on, with its normal to the right.
  */
 export async function planeOfSymmetry(surface: Surface, right: Vector3): Promise<Symmetry | null> {
   const pause = () => new Promise<void>((resolve) => setTimeout(resolve));
@@ -42,8 +42,8 @@ export async function planeOfSymmetry(surface: Surface, right: Vector3): Promise
 }
 
 /**
- * The figures of objects mirrored in a plane of the scene. Each point moves to the surface's place
- * nearest to its image; null if that is far.
+ * The figures of objects mirrored in a plane of the scene. Each point moves to the place of the
+ * surface nearest to its image; null if an image is far from the surface.
  */
 export function figuresInPlane(
   surface: Surface,

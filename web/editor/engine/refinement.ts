@@ -10,7 +10,7 @@ export interface RefinementJob<Result> {
   failed(error: unknown): void;
 }
 
-/** The number of new starts, for one surface, of an engine that stopped by itself. */
+/** The largest number of restarts, for one surface, of an engine that stopped by itself. */
 const mostRestarts = 2;
 
 /**
@@ -72,7 +72,7 @@ export class Refinement<Result> {
     }
   }
 
-  /** Whether an ended job is still the requested one; its answer is then no longer to come. */
+  /** Whether an ended job is still the requested one. If so, the request counts as answered. */
   #settle(job: RefinementJob<Result>, source: EngineClient | null): boolean {
     if (job.revision !== this.#wanted || source !== this.#source) return false;
     this.#wanted = -1;

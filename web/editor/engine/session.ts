@@ -39,16 +39,16 @@ import { Refinement } from './refinement';
 import { shorterLegs } from './shorter_legs';
 import { emptyView, type View } from './view';
 
-/** The least gain of a shorter path, as a part of the leg, that makes it visible. */
+/** The least gain, relative to the leg's length, with which a shorter path is visible. */
 const leastGain = 0.02;
 
 /** The sentence in place of a curve after a stop of its computation. */
 const stoppedHint = 'it was stopped; an edit or another method computes it again';
 
-/** The rest of legs after their display, as a multiple of its time. */
+/** The pause after a display of legs before the next one, as a multiple of the display's time. */
 const restPart = 5;
 
-/** Null for an answer that failed. Throws the error again if it reports a stop. */
+/** Replaces a failed answer by null. Throws the error again if it reports a stop. */
 function unlessStopped(error: unknown): null {
   if (error instanceof Stopped) throw error;
   return null;
@@ -107,7 +107,10 @@ export class Session {
     return this.#drag?.ended(figure) ?? figure;
   }
 
-  /** The side that a figure encloses in the view; null if it encloses no region, or is unknown. */
+  /**
+   * The side that a figure encloses in the view; null if it encloses no region, or if the side is
+   * unknown.
+   */
   insideOf(figure: Figure): Inside | null {
     return figure.inside ?? this.#others.insideOf(figure);
   }
@@ -224,7 +227,7 @@ export class Session {
   }
 
   /**
-   * The knots of a B-spline after an edit, if it has its own; null if the engine cannot find them,
+   * A B-spline's own knots after an edit; null if it has none, or if the engine cannot find them,
    * for example because the points define no curve.
    */
   async knotsAfter(spline: Spline, edit: Edit): Promise<number[] | null> {
@@ -308,7 +311,7 @@ export class Session {
 
   #showTraced(state: State, traced: Shown, quality: Quality | null): void {
     const { visible, fill } = activeObject(state.drawing);
-    // The enclosed region may be known without a fill.
+    // The trace may contain the region of an object that shows no fill.
     const shown = visible ? { ...traced, fill: fill > 0 ? traced.fill : null } : nothing;
     // Shorter paths of another figure may be longer than the legs of this one.
     const shorter = this.#compared === state.figure ? this.#view.shorter : [];
@@ -405,7 +408,7 @@ export class Session {
     if (!activeObject(state.drawing).visible) return { legs: [], others, polygonOnly: false };
     if (isRound(kind)) {
       const { circle } = shown;
-      // A refused radius may go around the surface any number of times.
+      // The geodesic of a refused radius may go around the surface many times.
       const paths = shown.problem ? [] : [circle?.path, circle?.across?.path];
       const legs = paths.filter((leg) => leg !== undefined);
       return { legs, others, polygonOnly: false };
@@ -462,7 +465,8 @@ export class Session {
     if (!client || client.closed) return false;
     const traced = await this.#legs.trace(client, this.#ends());
     if (client !== this.#client) return false;
-    // A display takes longer than a trace: of many paths, some appear together with the next.
+    // A display takes longer than a trace. Paths traced soon after a display therefore appear
+    // later, together with others.
     const started = performance.now();
     if (traced && started < this.#legsRest) this.#legsUnseen = true;
     else if (traced || this.#legsUnseen) {

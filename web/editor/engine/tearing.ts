@@ -1,4 +1,4 @@
-/** Recognizes tears of figures by a move or a mirror: neighbouring points would lie far apart. */
+/** Recognizes moves and mirrors that would tear a figure, leaving neighbouring points far apart. */
 import { Vector3 } from 'three';
 import type { DrawnObject } from '../../model/drawing';
 import { type ControlPoint, type Figure, isCurve } from '../../model/figure';
@@ -6,8 +6,9 @@ import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
 
 /**
- * The ratio of a leg's new length to the old above which it counts as torn. A differently curved
- * surface also stretches figures, but less; points on both sides of a cut locus separate at once.
+ * The ratio of a leg's new length to the old above which it counts as torn. A move to a differently
+ * curved place also stretches figures, but less; points on both sides of a cut locus separate at
+ * once.
  */
 const mostStretch = 4;
 
@@ -31,7 +32,8 @@ export async function isTorn(
       const next = (leg + 1) % points.length;
       const is = apart(moved[leg]!, moved[next]!) / (mostStretch * scale);
       if (is <= apart(points[leg]!, points[next]!)) continue;
-      // Distances in space would mislead: the two sides of an ear are near each other.
+      // The distance in space may mislead: the two sides of an ear are near each other in space
+      // only.
       const [begin, end] = [points[leg]!, points[next]!];
       const way = await client.mesh.shortestPath(
         { face: begin.face, bary: begin.bary },

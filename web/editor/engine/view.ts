@@ -8,7 +8,7 @@ import type { Shift } from './shift';
 export interface View extends Shown {
   /** The revision of the state. */
   revision: number;
-  /** The quality of the view; null if the method has only one, or without a curve. */
+  /** The quality of the view; null for the paper's methods, or without a visible result. */
   quality: Quality | null;
   /** Whether a better answer is to come. */
   refining: boolean;
@@ -22,7 +22,7 @@ export interface View extends Shown {
   shorter: readonly ShorterLeg[];
   /** The visible ones among the drawing's other objects. */
   others: readonly Beside[];
-  /** Whether the polygon stands for the curve, which has too few points yet. */
+  /** Whether only the polygon is visible, since the curve has too few points. */
   polygonOnly: boolean;
 }
 

@@ -17,11 +17,14 @@ import type { Hold, Place } from './stage_pointer';
 const leastStep = 1.5;
 /**
  * The largest distance in CSS pixels between the ends of a closed stroke, and the least ratio of
- * its length to that distance.
+ * the stroke's length to this largest distance.
  */
 const closesWithin = { mouse: 10, touch: 18 };
 const leastLoop = 6;
-/** The number of stricter fits of a curve that is too far off on the surface. */
+/**
+ * The largest number of fits of a curve to a stroke, and the factor by which each further fit
+ * reduces the tolerance where the curve on the surface is too far off.
+ */
 const mostRounds = 4;
 const stricter = 0.5;
 
@@ -139,7 +142,10 @@ export class FreehandGestures {
     return apart;
   }
 
-  /** The anchors of a curve that appears within the tolerance of a stroke. */
+  /**
+   * The anchors of a curve near a stroke. Further fits bring the drawn curve within the tolerance,
+   * but there are at most `mostRounds` fits.
+   */
   async #fitted(stroke: readonly Drawn[], closed: boolean): Promise<ControlPoint[]> {
     const { viewer, tolerance } = this;
     const surface = viewer.surface!;
@@ -164,7 +170,7 @@ export class FreehandGestures {
     return points;
   }
 
-  /** The drawn form of the curve of anchors; null if it has none. */
+  /** The curve of anchors as a line on the stage; null if there is no such curve. */
   async #seen(points: readonly ControlPoint[], closed: boolean): Promise<SeenLine | null> {
     const { editor, session, viewer } = this;
     const { client } = session;

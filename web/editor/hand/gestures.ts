@@ -231,7 +231,10 @@ export class Gestures {
     this.#handles.showBeacon(place);
   }
 
-  /** Whether a handle has the keys. After a removal the next one has them. */
+  /**
+   * Carries out a change, such as a removal. If a handle had the focus before, the selected handle
+   * has it afterwards, or the stage if none is selected.
+   */
   async keepFocus(change: () => Promise<void>): Promise<void> {
     const hadFocus = this.#handles.hasFocus;
     await change();
@@ -306,7 +309,7 @@ export class Gestures {
         if (this.editor.state.tool === 'measure') this.events.rulerAimed(target.pick.point);
       } else if (this.editor.state.tool === 'measure') {
         if (target?.type === 'curve') this.events.curveMeasured(target.position);
-        // The mark of the measured place stays; that of the ruler disappears.
+        // The mark of the measured place stays; the ruler's mark disappears.
         else if (this.#rules) this.#handles.showPreview(null, 'surface');
       } else if (target?.type === 'curve') this.#handles.showPreview(target.position, 'curve');
       else this.#handles.showPreview(null, 'surface');
@@ -329,7 +332,7 @@ export class Gestures {
     }
   }
 
-  /** Shows the effect of the pen at the pointer. */
+  /** Shows the effect of a press at the pointer: of drawing, taking a look, moving or copying. */
   #showAction(target: Target | null): void {
     const { figure, tool } = this.editor.state;
     const isPen = figure.kind === 'pen' && this.#isOver;
@@ -399,7 +402,7 @@ export class Gestures {
     if (target?.type === 'other' && !this.editor.refuses()) this.editor.setTool('insert');
   }
 
-  /** The target to which a click there snaps; null if the click adds no point. */
+  /** The place to which a click snaps; null if the click adds no point. */
   #snapAt(place: { x: number; y: number; touch: boolean }, target: Target | null): Snapped | null {
     const { control } = this.#keys;
     const places =
@@ -408,7 +411,10 @@ export class Gestures {
     return places || draws ? this.snapping.pick({ ...place, control }) : null;
   }
 
-  /** Adds a control point, a circle or an ellipse, or its radius. */
+  /**
+   * Puts a point where the user clicked: the mirror's or the ruler's point, a control point, or the
+   * center or the radius of a circle or an ellipse.
+   */
   #put({ point }: Pick): void {
     const { figure, tool } = this.editor.state;
     if (tool === 'mirror') {

@@ -127,7 +127,10 @@ export class HandleDrags {
     return point === 0 && points.length > 2 && selection === points.length - 1;
   }
 
-  /** Moves a handle to the surface's point there; outside the silhouette it stays where it was. */
+  /**
+   * Moves a handle to the surface's point at a place of the window. Beside the surface the handle
+   * stays where it was.
+   */
   #moveTo(id: string, x: number, y: number, grabbed: Grabbed, keys: HeldKeys): void {
     const selection = selectionOf(id);
     // A handle of the pen is a direction, and does not snap.

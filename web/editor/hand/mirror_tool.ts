@@ -94,14 +94,14 @@ export class MirrorTool {
   }
 
   /**
-   * The difference of the surface's sides as a part of its diagonal; null unless its symmetry is
-   * the mirror.
+   * The difference between the surface's sides, relative to its diagonal; null unless the mirror is
+   * the surface's plane of symmetry.
    */
   get apart(): number | null {
     return this.#in === 'symmetry' ? (this.#symmetry?.apart ?? null) : null;
   }
 
-  /** Shows the line or the plane through the clicks and a point. */
+  /** Shows the line or the plane through the clicks and a point, if the point completes it. */
   aim(point: SurfacePoint): void {
     if (this.#clicked.length === hints[this.#in].length - 1) this.#aimed.push(point);
   }

@@ -18,7 +18,10 @@ interface HeldLine {
   copies: boolean;
 }
 
-/** A move by keys: its sum so far, and the revision of the drawing after it. */
+/**
+ * A move by keys: the place in the window to which it has moved the pivot, and the revision of the
+ * drawing after its last step.
+ */
 interface KeyedMove {
   move: Move;
   x: number;
@@ -108,7 +111,7 @@ export class MoveGestures {
       });
   }
 
-  /** Ends a move by keys, after the release of the key or before the page would miss it. */
+  /** Ends a move by keys: at the release of the key, or before the page would miss the release. */
   endNudge(): void {
     this.#nudges = this.#nudges.then(() => {
       if (this.#keyed?.revision === this.editor.state.revision) this.editor.commitDrag();
@@ -173,7 +176,7 @@ export class MoveGestures {
     }
   }
 
-  /** The move, with copies that stay at the old place: one step. */
+  /** The move, together with copies that stay at the old place, as one step. */
   #leaving(command: Command): Command {
     const { drawing, chosen } = this.editor.state;
     const ids = chosen.length > 0 ? chosen : [drawing.active];

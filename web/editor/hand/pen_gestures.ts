@@ -18,7 +18,7 @@ import { targetAt } from './targets';
 /** The number of corrections of a bend at each step of a drag, and at its end. */
 const whileDragged = 1;
 const atLast = 8;
-/** The angle of whose multiples handles keep to while Shift is down. */
+/** The step of a handle's angle while Shift is down. */
 const angleStep = Math.PI / 4;
 
 /** The pressed keys during a drag. */
@@ -97,7 +97,10 @@ export class PenGestures {
     };
   }
 
-  /** Drags the segment at a place of the scene to bend it; a click selects its nearer anchor. */
+  /**
+   * Bends the segment at a place of the scene by a drag; a click selects the segment's nearer
+   * anchor.
+   */
   #bend(position: Vector3): Hold {
     const { editor } = this;
     const near = this.viewer.surface!.fromScene(position);
@@ -168,7 +171,10 @@ export class PenGestures {
     this.editor.run({ type: 'change', index, from, to: withTangents(from, tangents) }, index);
   }
 
-  /** The handle of an anchor at a place of the window; null outside the silhouette. */
+  /**
+   * The handle of an anchor at a place of the window; null outside the silhouette. If `kept`, its
+   * angle is a multiple of `angleStep`.
+   */
   tangentAt(anchor: SurfacePoint, place: { x: number; y: number }, kept: boolean): Tangent | null {
     const { surface } = this.viewer;
     const point = this.viewer.pick(place.x, place.y)?.point;

@@ -19,7 +19,7 @@ export class Ruler {
   #to: SurfacePoint | null = null;
   readonly #newest = new Newest<SurfacePoint>((to) => this.#show(to));
 
-  /** A listener for the measurement, null without one, and for whether one end is placed. */
+  /** A listener for the measurement (null if there is none) and for whether one end is placed. */
   onChange: (ruled: Ruled | null, begun: boolean) => void = () => {};
 
   constructor(

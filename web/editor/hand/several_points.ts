@@ -4,9 +4,9 @@ import type { Editor } from '../state/editor';
 import { selectionOf, tangentOf } from './handle_list';
 
 /**
- * Selects the point whose handle is under a press. With Shift the point joins the selection; a
- * point that is already selected keeps the others selected, which a drag moves as well. Returns the
- * points for the selection after a mere click, if these differ.
+ * Selects the point whose handle is under a press. With Shift, or if several points including this
+ * one are selected, the others stay selected, so that a drag moves them as well. Returns the
+ * selection after a click without a drag; null if the press has already made it.
  */
 export function selectPressed(editor: Editor, id: string, shift: boolean): number[] | null {
   const selection = selectionOf(id);
@@ -34,8 +34,8 @@ export function selectFocused(editor: Editor, id: string): void {
 }
 
 /**
- * The new places of points after a move of one of them; `moved` returns the place of each, or null
- * if it stays.
+ * The points after a move of the one at `index`. `moved` returns each of the other selected points
+ * at its new place, or null if it stays.
  */
 export function takenAlong(
   points: readonly ControlPoint[],

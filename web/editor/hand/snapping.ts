@@ -15,7 +15,9 @@ export interface Snapped extends Pick {
 
 /** The distance in CSS pixels within which places snap. */
 const within = { mouse: 9, touch: 18 };
-/** The least visible length of sides, in CSS pixels, of a triangle that can be a target. */
+/**
+ * The least length, in CSS pixels on the stage, of the sides of a triangle that can be a target.
+ */
 const leastSide = 30;
 
 interface Where {

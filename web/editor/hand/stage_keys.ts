@@ -24,7 +24,7 @@ interface Place {
 
 /** The keys of the stage: they turn and zoom the view, move the selection and place points. */
 export class StageKeys {
-  /** `clicked` receives the clicks of a key, `aimed` the place of the next one. */
+  /** `clicked` receives the clicks by a key, `aimed` the place of the next click. */
   constructor(
     private readonly editor: Editor,
     private readonly viewer: Viewer,
@@ -81,7 +81,7 @@ export class StageKeys {
     else if (event.key === '+' || event.key === '=') viewer.zoom(1 / 1.15);
     else if (event.key === '-') viewer.zoom(1.15);
     else if (event.key === 'Enter') {
-      // A mouse places points by clicks, so the key only ends the curve there.
+      // After a press of the pointer, clicks place the points, and Enter ends the curve (tools.ts).
       if (stage.classList.contains('pointed')) return;
       this.events.clicked(middle);
     } else return;

@@ -1,6 +1,6 @@
 import type { Held } from './two_fingers';
 
-/** The move of a press, in CSS pixels, below which it is a click. */
+/** The largest motion of a press that is a click, in CSS pixels. */
 export const clickSlop = { mouse: 4, touch: 10 };
 
 /** A place of the pointer in the window, in CSS pixels, and the pressed keys. */
@@ -57,7 +57,9 @@ export class StagePointer implements Held {
   #pressed: Pressed | null = null;
   #frame = 0;
 
-  /** `severalFingers` returns whether the view has the pointer. */
+  /**
+   * `severalFingers` returns whether several fingers are down, so that the view has the pointer.
+   */
   constructor(
     private readonly stage: HTMLElement,
     private readonly severalFingers: () => boolean,
@@ -73,8 +75,8 @@ export class StagePointer implements Held {
   }
 
   /**
-   * Adds a taker. Takers receive presses in the order of these calls, and those with Alt only with
-   * `withAlt`.
+   * Adds a taker. Takers receive presses in the order in which they were added. They receive
+   * presses with Alt only if `withAlt` is set.
    */
   offer(taker: Taker, { withAlt = false } = {}): void {
     this.#takers.push((press) => (press.alt && !withAlt ? null : taker(press)));

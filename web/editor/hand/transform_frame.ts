@@ -41,12 +41,12 @@ export interface ShownFrame {
 }
 
 /**
- * Distances as parts of the surface's diagonal: from the selection to the frame, and from there to
- * the turning handle.
+ * Distances relative to the surface's diagonal: from the selection to the frame, and from the frame
+ * to the turning handle.
  */
 const margin = 0.02;
 const stalk = 0.05;
-/** The number of points of all lines that determine a frame, and the fewest of each line. */
+/** The number of points of all lines that determine a frame, and the least number for each line. */
 const measured = 512;
 const fewestMeasured = 16;
 /** The number of pieces of each side. */
@@ -71,7 +71,7 @@ async function inPlane(
 ): Promise<Vector> {
   const normal = await faceNormal(client, surface, at);
   const projected = new Vector3(...along).projectOnPlane(normal);
-  // Seen edge-on, the plane shows no such direction.
+  // Seen edge-on, the plane has no such direction, and another one replaces it.
   if (projected.length() < 1e-3) projected.set(normal.z, normal.x, normal.y).projectOnPlane(normal);
   return projected.normalize().toArray();
 }
@@ -119,7 +119,10 @@ export async function frameOf(
   };
 }
 
-/** The extents of objects with their lines; for an object without a line, of its places. */
+/**
+ * The extents of objects. An object is measured by points of its lines, or by its places if it has
+ * no line; a circle with a stored radius is measured by its center and radius.
+ */
 export function extentsOf(
   objects: readonly DrawnObject[],
   lines: readonly ObjectLines[],

@@ -23,10 +23,13 @@ import {
   type TransformFrame,
 } from './transform_frame';
 
-/** The angle and the factor of whose multiples turns and scales are while Shift is down. */
+/** The steps of a turn's angle and of a scale's factor while Shift is down. */
 const angleStep = Math.PI / 12;
 const scaleStep = 0.1;
-/** The angle and the factor of a key's turn and scale; with Shift they are the steps above. */
+/**
+ * The changes of the angle and of the factor by one press of a key. With Shift they are `angleStep`
+ * and `scaleStep`.
+ */
 const keyedAngle = Math.PI / 180;
 const keyedScale = 0.01;
 const nudgePixels = 4;
@@ -49,7 +52,10 @@ const labels: Record<FrameHandle, string> = {
   'scale-4': 'Scale the selection, fourth corner',
 };
 
-/** A placement by numbers: lengths along the frame's axes, and a scale, also by one side's length. */
+/**
+ * A placement by numbers: lengths along the frame's axes, an angle, and a scale, which the new
+ * length of a side may replace.
+ */
 export interface Numbers extends Omit<Placement, 'point'>, Partial<Size> {
   x?: number;
   y?: number;
@@ -82,7 +88,7 @@ export class TransformGestures {
   readonly #newest = new Newest<Place>((place) => this.#dragTo(place));
   #frame: TransformFrame | null = null;
   #shown: ShownFrame | null = null;
-  /** The state of the computed frame. */
+  /** The state for which the frame was computed. */
   #made: { drawing: Drawing; chosen: string; client: EngineClient } | null = null;
   /** The user's own pivot. */
   #pivot: { point: SurfacePoint; chosen: string } | null = null;
@@ -99,7 +105,7 @@ export class TransformGestures {
 
   /** Settles when the frame is made. */
   #making: Promise<void> | null = null;
-  /** The extents inside the frame, and their drawing. */
+  /** The extents inside the frame, with the selection and the drawing for which they hold. */
   #around: { of: string; drawing: Drawing; extents: Promise<Extent[]> } | null = null;
 
   /**
@@ -145,7 +151,10 @@ export class TransformGestures {
     if (this.#held) void this.#release(true);
   }
 
-  /** Shows the frame of the editor's state, and computes it again after other changes. */
+  /**
+   * Shows the frame of the editor's state. Computes it again if the drawing, the selection or the
+   * engine has changed, but not during a drag.
+   */
   show(): void {
     const { tool, drawing, chosen, dragging } = this.editor.state;
     const { client } = this.session;
@@ -222,7 +231,7 @@ export class TransformGestures {
     const known = this.#around;
     if (known?.drawing === drawing && known.of === `${chosen}`) return known.extents;
     const objects = this.#objects;
-    // Lines that fail have a frame around their points.
+    // If the lines fail, the frame surrounds the objects' points.
     const lines = this.session.linesOf(objects.map(({ id }) => id)).catch(() => []);
     const extents = lines.then((found) => extentsOf(objects, found));
     this.#around = { of: `${chosen}`, drawing, extents };
@@ -350,7 +359,10 @@ export class TransformGestures {
     this.#draw();
   }
 
-  /** Shows a placement by numbers, as a drag's next position; false if it leaves the surface. */
+  /**
+   * Shows a placement by numbers, as a drag's next position; false if it is impossible or no longer
+   * wanted.
+   */
   async #place(
     frame: TransformFrame,
     move: Move,

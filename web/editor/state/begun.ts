@@ -3,7 +3,7 @@ import { type Drawing, objectOf } from '../../model/drawing';
 import { isEmpty, isUnfinished } from '../../model/figure';
 import type { State } from './state';
 
-/** Remembers a new object with only a few points. If it loses the selection, it is removed. */
+/** Remembers a new object with too few points, which is removed if it loses the selection. */
 export class Begun {
   #id: number | null;
 
@@ -21,7 +21,8 @@ export class Begun {
   }
 
   /**
-   * Follows each lasting state. After an undo, `isBack`, the state may have the begun object again.
+   * Follows each lasting state. After an undo (`isBack`) the state may contain the begun object
+   * again.
    */
   follow({ figure, drawing }: State, isBack = false): void {
     const { active } = drawing;
@@ -29,7 +30,10 @@ export class Begun {
     this.#id = isEmpty(figure) || goesOn ? active : null;
   }
 
-  /** The command, with the removal of the object if another one is edited afterwards. */
+  /**
+   * The command. It also removes the begun object if another one is edited afterwards, unless the
+   * object is finished, locked or a source.
+   */
   gone(command: Command, base: Drawing): Command {
     const begun = this.#id === null ? undefined : objectOf(base, this.#id);
     if (!begun || begun.locked || !isUnfinished(begun.figure)) return command;

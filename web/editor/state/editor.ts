@@ -61,7 +61,7 @@ export class Editor {
   /** A listener for the sentence of a refused edit. */
   onRefusal: (sentence: string) => void = () => {};
 
-  /** A listener for another action that interrupts the drag: its gesture then ends. */
+  /** A listener for an action that interrupts the drag. The gesture of the drag then ends. */
   onInterrupt: () => void = () => {};
   /** The function that returns the edited figure at the end of a drag of its points. */
   onEnded: (figure: Figure) => Figure = (figure) => figure;
@@ -77,8 +77,8 @@ export class Editor {
   }
 
   /**
-   * Shows another surface, with its last drawing, or else with this drawing and history. Undo still
-   * has the earlier steps on it.
+   * Shows another surface with the last drawing on it, or else with this drawing and history. Undo
+   * can still revert earlier steps on the surface.
    */
   open(
     mesh: string,
@@ -105,8 +105,8 @@ export class Editor {
   }
 
   /**
-   * Changes the edited object. Own knots that no longer fit disappear: `CurveEdits` knows how to
-   * keep them.
+   * Changes the edited object. A B-spline loses its own knots if they no longer fit; `CurveEdits`
+   * finds new ones instead.
    */
   run(edit: FigureCommand, selection: Selection = this.#state.selection): void {
     this.cancelDrag();
@@ -115,8 +115,8 @@ export class Editor {
   }
 
   /**
-   * Shows the drawing after an unfinished edit: a drag's next position. `dragged` are the points
-   * that an edit of several moves together.
+   * Shows the drawing after an unfinished edit: a drag's next position. An edit that moves several
+   * points names them in `dragged`.
    */
   preview(edit: FigureCommand, dragged: readonly number[] = noNumbers): void {
     if (!this.#drag && this.refuses()) return;
@@ -136,7 +136,7 @@ export class Editor {
     this.#change({ drawing, dragging: true, dragged: noNumbers }, false);
   }
 
-  /** Shows an edit of a new object of this kind: both are one step, or none. */
+  /** Shows an edit of a new object of this kind; the object and the edit are one step together. */
   previewBegun(kind: Kind, edit: FigureCommand): void {
     const base = this.baseDrawing;
     const begin = beginning(base, kind);
@@ -163,7 +163,7 @@ export class Editor {
 
   /**
    * The edit that stores the side that the edited figure encloses; null if it has a side already,
-   * or encloses none.
+   * or encloses no region.
    */
   #insideKept(): Command | null {
     const { id, figure } = this.active;
@@ -249,7 +249,7 @@ export class Editor {
     if (tool !== this.#state.tool) this.#change({ tool }, false);
   }
 
-  /** Leaves no object and no selection after a mere trial of a tool. */
+  /** Clears the selection, and removes the edited object if it was only begun. */
   #dropBegun(): void {
     this.cancelDrag();
     const { drawing } = this.#state;
@@ -265,8 +265,8 @@ export class Editor {
   }
 
   /**
-   * Edits another object. If that removes points, it is a step with an undo of its own. After
-   * undone steps it is no step, so that redo still has them.
+   * Records the change to another object. If it removes points (`drops`), it is a step of its own,
+   * but not if steps have been undone: redo must keep these.
    */
   #leave(command: Command, drops: boolean): void {
     const isStep = drops && this.#history.undone.length === 0;
@@ -274,7 +274,7 @@ export class Editor {
     else recordActivation(this.#history, command);
   }
 
-  /** Ends a tool for one click. */
+  /** Returns from a tool for one click to the last tool that stays active. */
   rest(): void {
     this.setTool(this.#resting);
   }
@@ -341,7 +341,7 @@ export class Editor {
     }
   }
 
-  /** Selects the edited object if the selection is empty. */
+  /** Selects the edited object if none is selected, unless the user cleared the selection. */
   chooseSome(): void {
     const { chosen, none, drawing, figure } = this.#state;
     if (none) return;
@@ -475,7 +475,7 @@ export class Editor {
     return history;
   }
 
-  /** Undoes or redoes a step, and selects the changed objects, so that the change is visible. */
+  /** Shows the drawing after undo or redo of a step, and selects the changed place to show it. */
   #step(command: Command): void {
     const drawing = apply(this.#state.drawing, command);
     const chosen = this.#state.chosen.filter((id) => indexOf(drawing, id) >= 0);
@@ -483,7 +483,7 @@ export class Editor {
     this.#change({ drawing, selection, chosen }, true);
   }
 
-  /** Keeps the edited object without a selection: it is a source now. */
+  /** Keeps the begun object when it loses the selection, since it is a source now. */
   keepBegun(): void {
     this.#begun.keep();
   }

@@ -45,7 +45,7 @@ export class ObjectEdits {
     this.#editor = editor;
   }
 
-  /** Deletes objects; the edited one only if it is not empty. */
+  /** Deletes objects, except empty and locked ones. */
   delete(wanted: readonly number[] = selectedObjects(this.#editor.state)): void {
     this.#editor.interrupt();
     const { objects } = this.#editor.state.drawing;
@@ -138,7 +138,7 @@ export class ObjectEdits {
     if (steps.length > 0) this.#editor.perform(joined(steps));
   }
 
-  /** Sets the rule by which lines of these objects that cross themselves enclose a region. */
+  /** Sets the rule that decides which regions the self-crossing lines of these objects enclose. */
   setRule(ids: readonly number[], to: FillRule): void {
     this.#editor.interrupt();
     const { objects } = this.#editor.state.drawing;

@@ -34,13 +34,13 @@ export interface State {
   readonly dragging: boolean;
   /** The indices of the dragged points, or of the anchor with new handles. */
   readonly dragged: readonly number[];
-  /** The tool, which determines what a click does; `split` and `join` are for one click. */
+  /** The tool, which determines what a click does; `split`, `join` and `look` are for one click. */
   readonly tool: CurveTool;
   /** The revision, which grows with every change of the drawing or the method. */
   readonly revision: number;
   /**
-   * The epoch, which grows when an older curve must not stay visible: with every change but a
-   * drag's next position.
+   * The epoch, which grows with changes after which an older curve must not stay visible. A drag's
+   * next position is no such change.
    */
   readonly epoch: number;
 }
@@ -92,15 +92,15 @@ export function changedState(
   // An empty object disappears when another one is edited, and leaves the selection.
   const isThere = (id: number) => indexOf(state.drawing, id) >= 0;
   if (!state.chosen.every(isThere)) state.chosen = state.chosen.filter(isThere);
-  // The edited object is always selected.
+  // The edited object is always among the selected ones.
   if (!state.chosen.includes(state.drawing.active)) state.chosen = [];
   const count = (drawing: Drawing) => activeObject(drawing).figure.points.length;
   const isOther =
     state.drawing.active !== before.drawing.active ||
     count(state.drawing) !== count(before.drawing);
   if (part.more === undefined && (part.selection !== undefined || isOther)) state.more = noNumbers;
-  // A changed drawing and a selected place must be visible, so that the selection is no longer
-  // empty.
+  // A change of the drawing, or the selection of a place, ends the empty selection: the user must
+  // see the edited object.
   const isSeen = state.drawing !== before.drawing || state.selection !== null;
   state.none = part.none ?? (before.none && !isSeen && state.chosen.length === 0);
   const traced =
@@ -122,7 +122,7 @@ export function selectionAfter(command: Command, drawing: Drawing, before: Selec
   const edit = onlyEditOf(command, drawing.active);
   if (edit?.type === 'insert' || edit?.type === 'change') return edit.index;
   if (edit?.type === 'reorder') return edit.to;
-  // The last added point disappears: the curve continues from the previous one.
+  // A point disappears: the curve continues from the one before it.
   if (edit?.type === 'remove' && edit.index > 0) return edit.index - 1;
   return edit?.type === 'circle' && edit.to ? before : null;
 }

@@ -1,8 +1,8 @@
 /**
- * The action of the pointer on the stage: to select and move only; to place a point on the surface
- * or in the edited curve; to draw a stroke; to move, turn and scale in a frame; to mirror in a line
- * of two clicks; to cut the curve, join another one to it, take the look of another object, or
- * measure.
+ * The tool of the pointer on the stage. `select` only selects and moves, `insert` places a point on
+ * the surface or in the edited curve, `freehand` draws a stroke, `transform` moves, turns and
+ * scales in a frame, and `mirror` mirrors. `split` cuts the curve, `join` joins another one to it,
+ * `look` takes the look of another object, and `measure` measures.
  */
 export type CurveTool = RestingTool | 'split' | 'join' | 'look' | 'measure' | 'mirror';
 /** The tools that stay active: after a tool for one click, the last of these is active again. */
