@@ -14,8 +14,8 @@ const folder = 'docs/studies';
 const sourcesOf = () => sourcesDigest(['src', 'tests/bench', 'tests/generators', 'tests/measures']);
 
 /**
- * Whether an argument is the file of a mesh. Such meshes do not belong to the project, so that
- * their names stand for them.
+ * Whether an argument is the file of a mesh. Such meshes do not belong to the project; a saved
+ * study has only their names.
  */
 export const isMeshFile = (argument) => /\.(obj|stl|ply|off|glb|gltf)$/i.test(argument);
 

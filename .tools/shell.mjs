@@ -124,7 +124,7 @@ export async function countAll(entries, work, atOnce = cores) {
  *
  * A stage is `{ name, run, isBuild }`. `run` may return `{ passed, failed }`, the counts of its
  * tests; otherwise the stage counts as one. A stage that throws, or counts no test, has failed;
- * later stages still run. Returns the sums, with the seconds of builds apart.
+ * later stages still run. Returns the sums; the seconds of builds also have a sum of their own.
  */
 export async function runStages(stages) {
   const rows = [];

@@ -159,7 +159,7 @@ export function startingLink(): FoundLink | null {
   return linkOf(newest) ?? last();
 }
 
-/** The history in this tab of a link's drawing, and the drawing at its end. */
+/** This tab's history of a link's drawing, and the drawing at the end of the history. */
 export function workOn(link: Link): { link: Link; history: History } | null {
   const { mesh, method, drawing } = link;
   const work = method && readWork(recallInTab('work') ?? '', formatLink(mesh, method, drawing));

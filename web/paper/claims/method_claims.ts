@@ -6,7 +6,7 @@ import type { Claim, Evidence } from './types';
 import { NotMeasured } from './types';
 import { middle, ms, num, percent, sum } from './words';
 
-/** The number of samples lost in all panels that show both methods. */
+/** The number of samples that each method loses in all panels that show all of the methods. */
 function lostOf(evidence: Evidence, ids: readonly LineId[]) {
   const panels = evidence.panelsWith(...ids);
   return ids.map((id) => {

@@ -26,8 +26,8 @@ export interface Studies {
    */
   reweigh: { fieldsMs: number; updateMs: number };
   /**
-   * Circles of arcs on a sphere: the largest difference from the radius, as a fraction of it, by
-   * Eq. 4 (level 0) and by our default.
+   * Circles of arcs on a sphere: the largest relative deviation from the radius, by Eq. 4 (level 0)
+   * and by our default.
    */
   arcs: { arcs: number; worst: number; byDefault: number }[];
   /**

@@ -1,7 +1,8 @@
 /**
  * Figure 2: the transport of a vector from a vertex v into a face t of its star, along the segment
- * to the face's centroid. The segment has the angle theta_vt at v, in a frame rescaled to a full
- * turn, and theta_tv at the centroid, back to v. The vector turns by theta_tv + pi - theta_vt.
+ * to the face's centroid. At v, the segment has the direction theta_vt in a frame rescaled to a
+ * full turn. At the centroid, theta_tv is the direction back to v. The vector's angle changes by
+ * theta_tv + pi - theta_vt.
  */
 
 type Plane = [number, number];
@@ -37,7 +38,7 @@ export interface Transport {
   /** The face in its own plane: v is the origin, the first edge the x axis. */
   face: [Plane, Plane, Plane];
   centroid: Plane;
-  /** The angle at the centroid back to v. */
+  /** The angle of the direction at the centroid back to v. */
   thetaTv: number;
   /** The angle from the frame of v to that of the face. */
   rotation: number;

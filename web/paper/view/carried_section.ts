@@ -165,7 +165,7 @@ export class CarriedSection {
     );
   }
 
-  /** Requests the drawing of the current points. During a request, only the newest one waits. */
+  /** Requests the drawing of the current points, after the request under way, if there is one. */
   #renew(): void {
     this.#stale = true;
     if (this.#busy) return;
