@@ -22,8 +22,8 @@ enum class AffineVariant {
               ///< the cut locus
 };
 
-/// The log map from a vertex, in its own rescaled frame. The local variant takes two solves with
-/// vectors and one with functions, the adaptive one takes one with vectors and three with
+/// The log map from a vertex, in the vertex's rescaled frame. The local variant takes two solves
+/// with vectors and one with functions, the adaptive one takes one with vectors and three with
 /// functions.
 LogMap affineHeatLogMap(const HeatOperators& operators, int vertex, AffineVariant variant);
 

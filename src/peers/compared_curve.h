@@ -53,8 +53,8 @@ struct ComparedOptions {
 /// The data that a method computes once for a mesh and all curves on it.
 class PreparedMethod {
  public:
-  /// The surface must outlive the method. Throws Error: kNoEmbedding, kDegenerateFace,
-  /// kUnreachable, kBadArgument, each by some methods.
+  /// The surface must outlive the method. Some methods throw Error: kNoEmbedding, kDegenerateFace,
+  /// kUnreachable, kBadArgument.
   PreparedMethod(Surface& surface, const ComparedOptions& options);
   PreparedMethod(const PreparedMethod&) = delete;
   PreparedMethod& operator=(const PreparedMethod&) = delete;

@@ -27,9 +27,9 @@ struct DescentPath {
 /// frame.
 Vec2 faceGradient(const Geometry& geometry, const Array<double>& values, int f);
 
-/// Descends from `start` to `source`, to which `distances` (one for each vertex) belong. They must
-/// be finite along the path, but need not be elsewhere, as on other components. Throws Error:
-/// kBadArgument (not one distance for each vertex), kNotFinite.
+/// Descends from `start` to `source`, to which `distances` (one for each vertex) belong. The
+/// distances must be finite along the path; elsewhere, as on other components, they may be
+/// infinite. Throws Error: kBadArgument (not one distance for each vertex), kNotFinite.
 DescentPath descendDistance(const Geometry& geometry, const Array<double>& distances,
                             const SurfacePoint& source, const SurfacePoint& start);
 

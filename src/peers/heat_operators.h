@@ -52,8 +52,8 @@ class HeatOperators {
   const SparseFactor<double>& scalarHeat() const;
   /// The factors of Mass + t connection Laplacian, for vectors in the vertices' frames.
   const SparseFactor<Complex>& vectorHeat() const;
-  /// The factors of the Laplacian, with 0 at the first vertex of each component. Right-hand sides
-  /// must be 0 there.
+  /// The factors of the Laplacian for solutions that are 0 at the first vertex of each component.
+  /// Right-hand sides must be 0 there.
   const SparseFactor<double>& poisson() const;
   const Array<int>& heldVertices() const { return heldVertices_; }
 

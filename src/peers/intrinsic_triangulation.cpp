@@ -43,7 +43,7 @@ double directionAfterCorner(const IntrinsicTriangulation& triangulation, int h) 
   return wraps ? direction - total : direction;
 }
 
-/// Replaces the edge from i to j between the faces i j k and j i l by the one from l to k. The
+/// Replaces the edge from i to j between the faces i j k and j i l by the edge from l to k. The
 /// faces become i l k and j k l, with k i and l j in their old places.
 void flipEdge(IntrinsicTriangulation& triangulation, int ij) {
   const int ji = triangulation.twin[ij];

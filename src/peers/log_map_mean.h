@@ -13,8 +13,8 @@ namespace karcher {
 struct LogMapMeanOptions {
   double tolerance = 1e-6;  ///< the tolerance of the weighted sum of logarithms, in mean edges
   int maxIterations = 100;
-  /// The memory for whole log maps, which serve points that move. Each map takes 16 bytes for each
-  /// vertex.
+  /// The memory for whole log maps, from which the mean reads the logarithms of moved points. Each
+  /// map takes 16 bytes for each vertex.
   size_t mostBytes = size_t{1} << 29;
 };
 
@@ -47,8 +47,8 @@ class LogMapMean {
   /// The number of log maps computed since the last `setPoints`.
   int logMapCount() const { return logMapCount_; }
 
-  /// The number of log maps used. The authors' library, which keeps none, would have computed all
-  /// of them.
+  /// The number of requests for log maps. The authors' library keeps no maps and would compute one
+  /// for each request.
   int64_t logMapsAsked() const { return logMapsAsked_; }
 
  private:

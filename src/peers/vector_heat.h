@@ -20,8 +20,9 @@ using LogMap = Array<Vec2>;
 
 inline Vec2 noLogarithm() { return {kInfinity, 0}; }
 
-/// The log map from a vertex, in its own rescaled frame (section 8.2 of the paper; the start of the
-/// radial field as in its appendix A). It takes two solves with vectors and one with functions.
+/// The log map from a vertex, in the vertex's rescaled frame (section 8.2 of the paper; the start
+/// of the radial field as in its appendix A). It takes two solves with vectors and one with
+/// functions.
 LogMap vectorHeatLogMap(const HeatOperators& operators, int vertex);
 
 /// A function that returns the log map from each vertex, such as vectorHeatLogMap of some

@@ -7,8 +7,8 @@
 /// Averages on Surfaces", ACM Transactions on Graphics 32 (2013). An embedding of the mesh in eight
 /// dimensions has straight distances that approximate geodesic ones (embedding.h). There the
 /// averages are linear, and Phong projection (phong_projection.h) returns them to the surface.
-/// After the preparation, an average takes microseconds, and so does its inverse, the weights for
-/// which a point is the average.
+/// After the preparation, an average takes microseconds. So does the inverse problem: the weights
+/// for which a point is the average.
 namespace karcher {
 
 class WeightedAverages {

@@ -21,8 +21,8 @@ enum class Status {
 /// The name of a status in reports: "converged".
 const char* statusName(Status status);
 
-/// The tolerance of a zero's barycentric weights: it lies in the face if none is below 0 by more
-/// than this.
+/// The tolerance of a zero's barycentric weights: the zero lies in the face if no weight is below 0
+/// by more than this.
 inline constexpr double kInsideTolerance = 1e-10;
 
 struct CenterOfMass {
@@ -43,7 +43,8 @@ CenterOfMass centerBetween(FieldBlend& fields, Weights weights, int h);
 
 /// Finds the zero of the blended field by walking from face to face. In each face the zero has a
 /// closed form; if it lies outside, the walk crosses the edge beyond which it lies. From a near
-/// start it visits one or two faces. A zero between faces lies on their edge or vertex.
+/// start the walk visits one or two faces. A zero between faces lies on their common edge or
+/// vertex.
 CenterOfMass walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start);
 
 }  // namespace karcher

@@ -18,16 +18,16 @@
 namespace karcher {
 
 enum class Estimator {
-  /// The value at the vertex of a linear least-squares fit to the log vectors of the 1-ring,
-  /// transported into the vertex's frame. It is exact for linear fields, as on the plane, and
-  /// halves the noise of single vectors.
+  /// A linear least-squares fit to the log vectors of the 1-ring, transported into the vertex's
+  /// frame; the estimate is its value at the vertex. It is exact for linear fields, as on the
+  /// plane, and halves the noise of single vectors.
   kLinear1,
   /// the same fit over the 2-ring
   kLinear2,
-  /// The gradient at the vertex of a quadratic least-squares fit to squared distances over the
-  /// 2-ring, through the vertex's own value. It is of second order, and needs exact log vectors.
-  /// The share of the vertex's own log vector also depends on the field (shareOfLogVector). If the
-  /// ring does not determine the fit, the estimate is that of kLinear2.
+  /// A quadratic least-squares fit to squared distances over the 2-ring, through the vertex's own
+  /// value; the estimate is its gradient at the vertex. It is of second order, and needs exact log
+  /// vectors. The share of the vertex's own log vector also depends on the field
+  /// (shareOfLogVector). If the ring does not determine the fit, the estimate is that of kLinear2.
   kQuadratic2,
 };
 

@@ -146,7 +146,7 @@ Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& c
 
 namespace {
 
-/// The compared places: the center first, then those of its checked circle.
+/// The compared places: the center first, then the places of its checked circle, then others.
 struct Compared {
   Array<SurfacePoint> places;
   Array<double> values;

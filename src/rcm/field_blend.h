@@ -11,7 +11,8 @@
 
 /// The weighted sum of control points' fields: grad K for the energy K(p) = sum_i w_i d(p, p_i)^2
 /// (Mancinelli, Puppo, Eq. 1). The sum is linear in each cell. A cell is a face, or, if a field has
-/// values at the midpoints of edges, one of the four triangles into which these divide the face.
+/// values at the midpoints of edges, one of the four triangles into which the midpoints divide the
+/// face.
 namespace karcher {
 
 /// Weights, one for each field. They sum to 1 up to kChainRounding.
@@ -69,7 +70,8 @@ struct EdgeField {
 struct CellZero {
   TriangleField field;
   Vec3 bary;
-  /// The determinant of the field's Jacobian, times that of the map from weights to the cell.
+  /// The determinant of the field's Jacobian times the determinant of the map from weights to the
+  /// cell.
   double determinant;
   /// The largest angle by which the values at an edge's ends turn relative to each other between
   /// the faces on both sides. It is not zero, since the frames of both ends rescale their corner

@@ -87,7 +87,7 @@ class FieldSet {
 /// pointer ends, the set is trimmed, since the curve's fields are then spare.
 std::shared_ptr<FieldSet> trimmedAfter(std::shared_ptr<FieldSet> set);
 
-/// The sets of one surface, one for each value of the options in use.
+/// The field sets of one surface, one for each combination of options in use.
 class FieldSets {
  public:
   /// The surface must outlive the object.

@@ -17,8 +17,8 @@ constexpr int kDescents = 3;
 constexpr int kMostSolves = 24;        ///< the most solves in one descent
 constexpr double kLongestStep = 0.25;  ///< the longest step, relative to the mesh's extent
 
-/// The length of a step, in mean edges, below which a descent ends: the gradient is no more
-/// accurate.
+/// The length of a step, in mean edges, below which a descent ends: the gradient is not accurate
+/// enough for shorter steps.
 constexpr double kLastStep = 0.1;
 /// The distance, in mean edges, from the lowest end so far at which another descent stops, since it
 /// would end there, too.

@@ -5,7 +5,7 @@
 #include "rcm/mean.h"
 #include "rcm/one_source_energy.h"
 
-/// The center of mass of many points without a field for each. The search computes K and its
+/// The center of mass of many points, without a field for each point. The search computes K and its
 /// gradient only at the places that it visits (one_source_energy.h), so that the work hardly grows
 /// with the number of points.
 ///
@@ -18,8 +18,9 @@ namespace karcher {
 /// take 31 s.
 inline constexpr int kMany = 64;
 
-/// Whether this search can find the mean: the points are at least kMany, no weight is negative, the
-/// method is kKarcher with fast or exact distances, and the options request no other minima.
+/// Whether this search can find the mean: there are at least kMany different points, no weight is
+/// negative, the method is kKarcher with fast or exact distances, and the options request no other
+/// minima.
 bool isOfMany(const Array<SurfacePoint>& points, const Array<double>& weights,
               const MeanOptions& options);
 

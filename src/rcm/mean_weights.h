@@ -32,7 +32,8 @@ struct MeanWeights {
 MeanWeights weightsOf(FieldSet& set, const SurfacePoint& x, const Array<SurfacePoint>& points,
                       const MeanWeightsOptions& options);
 
-/// The same for vectors in the plane, whose weighted sum vanishes. Throws Error as above.
+/// The same for vectors in the plane: weights with which their weighted sum vanishes. Throws Error
+/// as above.
 Array<double> balancedWeights(const Array<Vec2>& vectors, const Array<double>& given,
                               bool nonNegative);
 

@@ -175,7 +175,7 @@ class NewtonSearch {
   Status status_ = Status::kNoProgress;
   /// The number of faces around the same edge or vertex that the search left without progress.
   int facesTried_ = 0;
-  int crossed_ = -1;  ///< the first half-edge of the edge last crossed without progress
+  int crossed_ = -1;  ///< the lower half-edge of the edge last crossed without progress
 };
 
 }  // namespace

@@ -30,10 +30,10 @@ struct RobustMean {
 /// start. Each step leads to the center of mass with weights divided by the distances, and takes
 /// one exact search of distances. (E. Weiszfeld, "Sur le point pour lequel la somme des distances
 /// de n points donnes est minimum", 1937; P. T. Fletcher, S. Venkatasubramanian, S. Joshi, "The
-/// geometric median on Riemannian manifolds", 2009.) If the search comes to one of the points, that
-/// point is the median if the joint pull of the others there is no more than its own weight. Throws
-/// what `centerOfMass` throws (mean.h), and Error kBadArgument unless there is one positive weight
-/// for each point.
+/// geometric median on Riemannian manifolds", 2009.) Each step first tests the nearest point,
+/// unless an earlier step has: the point is the median if the joint pull of the others there is no
+/// more than its own weight. Throws what `centerOfMass` throws (mean.h), and Error kBadArgument
+/// unless there is one positive weight for each point.
 RobustMean median(FieldSets& sets, const Array<SurfacePoint>& points, const Array<double>& weights,
                   const RobustOptions& options = {});
 

@@ -103,7 +103,7 @@ class Pieces {
   }
 
  private:
-  /// Divides the pieces of a face of which a part is nearer to the new site.
+  /// Gives to the new site the parts of a face's pieces that are nearer to it.
   void divide(Array<Piece>& pieces, int site) {
     const auto isNearer = [&](int corner) { return isNearer_[corner] != 0; };
     for (int i = pieces.count() - 1; i >= 0; --i) {
@@ -123,8 +123,7 @@ class Pieces {
     }
   }
 
-  /// The corner between two others where the new site is as near as the nearest of the earlier
-  /// ones.
+  /// The corner between two others where the new site is as near as the nearest earlier site.
   int cornerBetween(int here, int next) {
     const auto [known, isNew] = between_.try_emplace(nameOf(here, next), corners_.count());
     if (!isNew) return known->second;
@@ -141,7 +140,8 @@ class Pieces {
   Array<double> least_;          ///< the squared distance from each corner to its nearest site
   Array<Array<Piece>> pieces_;   ///< the pieces of each face
   std::unordered_map<uint64_t, int> between_;
-  // The new site's squared distance from each corner, and whether it is nearer than the others.
+  // The new site's squared distance from each corner, and whether it is nearer than all earlier
+  // sites.
   Array<double> own_;
   Array<char> isNearer_;
 };

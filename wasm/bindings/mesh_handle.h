@@ -98,7 +98,8 @@ class MeshHandle {
   /// `direction` is as for `straightest`.
   val ellipse(const val& center, double along, double across, const val& direction, const val& arcs,
               int samples, int levels, const val& field);
-  /// A list of paths (path.h): exact isolines, or piecewise linear ones of the solver's distances.
+  /// A list of paths (path.h): exact isolines, or piecewise linear isolines of the solver's
+  /// distances.
   val isolines(const val& center, double radius, bool exact, const val& field);
   /// A list of paths. `side` is 1 for the left, -1 for the right, 0 for both.
   val offset(const val& outlines, const val& distances, int side, int corners,

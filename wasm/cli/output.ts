@@ -92,8 +92,8 @@ export function* sampleRecords(samples: CurveSamples): Generator<SampleRecord> {
 }
 
 /**
- * A value as JSON, in pieces, since a large result does not fit one string. Its iterators become
- * arrays, whose entries are small.
+ * A value as JSON, in pieces, since a large result does not fit into one string. Its iterators
+ * become arrays, whose entries are small.
  */
 export function* jsonPieces(value: unknown): Generator<string> {
   if (typeof value !== 'object' || value === null) {

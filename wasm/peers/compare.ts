@@ -50,13 +50,13 @@ export interface MethodResult {
   /** The number of samples that did not converge. */
   lost: number | null;
   /**
-   * The number of samples that the method's own authors would not accept either
+   * The number of samples that the method's own authors would not accept
    * (`MethodCurve.lostByOwnRule`).
    */
   lostByOwnRule: number | null;
   /**
-   * Log maps of the heat methods. A library that computes one at each evaluation takes about
-   * `traceMs * asked / made`.
+   * The numbers of log maps of a heat method. A library that computes a map at each request takes
+   * about `traceMs * asked / made`.
    */
   logMaps: LogMapCounts | null;
   /** The distances from the reference (`CurveMeasures.deviation`). */

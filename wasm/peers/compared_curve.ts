@@ -83,10 +83,10 @@ export class ComparedCurve implements MethodCurve {
   }
 
   /**
-   * The number of samples found so far that the method's own authors would not accept either. The
-   * library of the heat methods stops where the weighted sum of logarithms is shorter than a third
-   * of the root of the face's area; here samples converge at 1e-6 mean edges. For other methods
-   * this is the number of samples that did not converge.
+   * The number of samples found so far that the method's own authors would not accept. The library
+   * of the heat methods stops where the weighted sum of logarithms is shorter than a third of the
+   * root of the face's area; here samples converge at 1e-6 mean edges. For other methods this is
+   * the number of samples that did not converge.
    */
   lostByOwnRule(): number {
     return this.#handle.call((curve) => curve.lostByOwnRule());
@@ -94,8 +94,8 @@ export class ComparedCurve implements MethodCurve {
 
   /**
    * The number of log maps that a heat method has computed, one for each vertex that a search
-   * visited, and the number of its requests. Its authors' library computes a map at each request.
-   * Null for other methods.
+   * visited, and the number of its requests for log maps. The library of the method's authors
+   * computes a map at each request. Null for other methods.
    */
   logMaps(): LogMapCounts | null {
     return this.#handle.call((curve) => curve.logMaps());

@@ -96,7 +96,8 @@ export class Peers {
 
   /**
    * Records of the paper's searches, one for each row of weights. Searches begin at the point with
-   * the largest weight. If `warm`, a search that follows a converged one begins where that ended.
+   * the largest weight. If `warm`, a search after a converged one begins where the converged one
+   * ended.
    * @internal
    */
   newtonSteps(

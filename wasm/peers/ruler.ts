@@ -204,8 +204,9 @@ const unit = (a: Vector): Vector => scaled(a, 1 / length(a));
 const normalOf = ([a, b, c]: [Vector, Vector, Vector]) => cross(subtract(b, a), subtract(c, a));
 
 /**
- * The direction in which a path leaves its start: that of its first piece longer than a rounding
- * error, since the start may lie next to a side. Null for a path that stays at its start.
+ * The direction in which a path leaves its start: the direction of its first piece that is longer
+ * than a rounding error, since the start may lie next to a side. Null for a path that stays at its
+ * start.
  */
 function firstStep(path: Path, least: number): Vector | null {
   const polyline = path.polyline({ bits: 64 });

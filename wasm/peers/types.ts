@@ -99,7 +99,7 @@ export interface MethodCurve {
   samples(): CurveSamples;
   /** The samples joined by geodesics, for drawing. */
   line(): ComparedLine;
-  /** The number of samples that the method's own authors would not accept either. */
+  /** The number of samples that the method's own authors would not accept. */
   lostByOwnRule(): number;
   /** The numbers of log maps computed and requested; null for methods without log maps. */
   logMaps(): LogMapCounts | null;

@@ -6,7 +6,7 @@ namespace karcher::bindings {
 
 /// Records of the paper's searches (rcm/paper_method.h): ten numbers for each row of weights, which
 /// karcher-peers.d.mts lists. Searches begin at the point with the largest weight. If `warm`, a
-/// search that follows a converged one begins where that ended.
+/// search after a converged one begins where the converged one ended.
 val newtonSteps(MeshHandle& mesh, const val& points, const val& weights, const val& options,
                 bool warm);
 
