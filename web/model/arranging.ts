@@ -102,7 +102,7 @@ export function ofKind(drawing: Drawing, to: Kind): Command | null {
   return { type: 'figure', id, edit: { type: 'kind', from, to } };
 }
 
-/** Objects, together with those that would have no sources without them. */
+/** The ids of objects, with the ids of derived objects whose sources are all among them. */
 function withOrphans({ objects }: Drawing, ids: readonly number[]): Set<number> {
   const gone = new Set(ids);
   for (let before = -1; gone.size > before; ) {

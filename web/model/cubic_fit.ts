@@ -199,8 +199,8 @@ export interface FitOptions {
   /** The distance between two points that determine a direction. */
   reach: number;
   /**
-   * For a closed line, whose first and last points are the same: the angle of directions at the
-   * last point relative to the first, and the least turn of a corner.
+   * For a closed line, whose first and last points are the same: the angle of a direction at the
+   * last point relative to the same direction at the first one, and the least turn of a corner.
    */
   loop?: { turn: number; cornerAngle: number };
 }

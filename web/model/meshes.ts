@@ -62,9 +62,10 @@ export const samples: readonly Sample[] = [
 /**
  * A surface's key: `bunny:levels`, `shape:triangles`, `plane:tessellation:triangles`,
  * `plane:anisotropic*stretch:triangles`, `simplified:triangles:` with the key of the simplified
- * surface, or `file:digest:name`. After the digest follow the indices of the parts to read unless
- * these are all, the tolerance of welding unless it is the default, and the axis that points up
- * unless it is the guessed one, with a sign if it points down: `file:digest.0.2*0.001~-z:name`.
+ * surface, or `file:digest:name`. A file's key has up to three options after the digest: the
+ * indices of the parts to read, unless these are all; the tolerance of welding, unless it is the
+ * default; and the axis that points up, unless it is the guessed one, with a sign if it points
+ * down. An example is `file:digest.0.2*0.001~-z:name`.
  */
 export const defaultMesh = 'bunny:1';
 

@@ -21,7 +21,7 @@ const together = 1e-9;
 
 /**
  * The pieces of a line that runs along others. The names of objects come from `nameOf`, and
- * `diagonal` is that of the surface.
+ * `diagonal` is the surface's diagonal.
  */
 export function piecesOf(
   line: Path,

@@ -48,7 +48,7 @@ export const savedLink = (link: string) => JSON.stringify({ link, version: drawi
 const canonical = (drawing: Drawing) =>
   JSON.stringify(readDrawing(JSON.parse(JSON.stringify(savedDrawing(drawing)))));
 
-/** The link of the drawing in such a text; null if it has none. */
+/** The link of the drawing in a saved text; null if the text has none. */
 export function linkOfWork(text: string): string | null {
   try {
     const { link, version } = JSON.parse(text);
@@ -69,8 +69,8 @@ export function sameDrawing(a: Drawing, b: Drawing): boolean {
 }
 
 /**
- * The drawing and history in such a text for a link; null if it belongs to another link. If the
- * history does not lead to this drawing, the result has none.
+ * The drawing and history in a saved text; null if the text belongs to another link. The history is
+ * empty if it does not lead to this drawing.
  */
 export function readWork(
   text: string,

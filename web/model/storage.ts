@@ -47,8 +47,8 @@ export const remember = (name: string, value: string) => rememberAll({ [name]: v
 export const recall = (name: string) => find(() => localStorage, name);
 
 /**
- * Keeps a value for this tab only, through reloads; false without room. It removes the earlier
- * value even then, since a reload would take it for the newest.
+ * Keeps a value for this tab only, through reloads; false without room. Without room it also
+ * removes the earlier value, since a reload would take that for the newest.
  */
 export function rememberInTab(name: string, value: string): boolean {
   if (keep(() => sessionStorage, name, value)) return true;

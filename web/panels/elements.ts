@@ -38,7 +38,7 @@ export function choices<Choice extends string>(
   });
 }
 
-/** Appends options to a menu: the text of each by its value. */
+/** Appends an option to a menu for each value, with its text. */
 export const fill = (menu: HTMLSelectElement, texts: Readonly<Record<string, string>>): void =>
   menu.append(...Object.entries(texts).map(([value, text]) => make('option', text, { value })));
 

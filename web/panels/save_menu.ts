@@ -65,7 +65,7 @@ export class SaveMenu {
     private readonly editor: Editor,
     private readonly session: Session,
     private readonly viewer: Viewer,
-    /** The file of the visible surface; null for a generated surface, or without the file. */
+    /** The file of the visible surface; null for a generated surface, or if the file is missing. */
     private readonly surfaceFile: () => Promise<Blob | null>,
   ) {
     this.#only.addEventListener('click', () => {
@@ -231,7 +231,10 @@ export class SaveMenu {
     return this.session.view.curve?.marks?.position ?? [];
   }
 
-  /** Whether the drawing has anything for a format: points and centers of mass are no polylines. */
+  /**
+   * Whether the drawing has anything for a format. OBJ needs polylines, which points and centers of
+   * mass do not have.
+   */
   #has(format: Format): boolean {
     if (format === 'obj') return this.#polylines.length > 0;
     if (format === 'json') return !isBlank(this.editor.state.drawing);

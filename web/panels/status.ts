@@ -36,7 +36,7 @@ export interface StatusEvents {
   remove(): void;
   /** Shows the next place where the curve is no center of mass. */
   goToLost(): void;
-  /** Replaces the first leg that could be shorter by the shortest path. */
+  /** Replaces the first leg that is longer than the shortest path by that path. */
   shorten(): void;
   /** Stops the engine's work. */
   stop(): void;

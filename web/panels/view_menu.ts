@@ -21,7 +21,7 @@ const keptLooks = [
   ['hidden-lines', 'hiddenLines'],
 ] as const;
 
-/** The view of the surface: the camera's place, the triangles, light or dark. */
+/** The menu of the view: the camera's place, the triangles, the overlays, light or dark. */
 export class ViewMenu {
   readonly #edges = byId<HTMLButtonElement>('edges');
   readonly #fileColors = byId<HTMLButtonElement>('file-colors');

@@ -116,7 +116,8 @@ function fillFace(sides: Float64Array, add: Add): void {
 }
 
 /**
- * The front with a place at its upper end. Triangles join it to the places that it sees from there.
+ * Adds a place at a front's upper end. Triangles join the place to those of the front that it sees
+ * from there.
  */
 function joinedAbove(front: Front, place: Place, add: Add): Front {
   let count = front.length;
@@ -128,7 +129,8 @@ function joinedAbove(front: Front, place: Place, add: Add): Front {
 }
 
 /**
- * The front with a place at its lower end. Triangles join it to the places that it sees from there.
+ * Adds a place at a front's lower end. Triangles join the place to those of the front that it sees
+ * from there.
  */
 function joinedBelow(front: Front, place: Place, add: Add): Front {
   let first = 0;
@@ -140,8 +142,8 @@ function joinedBelow(front: Front, place: Place, add: Add): Front {
 }
 
 /**
- * The two parts into which a place divides a front. Triangles join it to the front's rightmost
- * place first, and then to the others that it sees.
+ * Divides a front at its rightmost place, and adds a place to both parts. Triangles join the added
+ * place to those that it sees.
  */
 function parted(front: Front, place: Place, add: Add): [Front, Front] {
   let right = 0;

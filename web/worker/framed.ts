@@ -2,7 +2,7 @@
  * Figures that move together, each in a frame of its own: a pair of perpendicular directions at the
  * figure's middle. The frame moves on the surface, and the figure keeps its places relative to it.
  * From a single pivot, far figures would become narrower or wider, since geodesics of a curved
- * surface come together or part.
+ * surface converge or diverge.
  */
 import type { MappedPoints, Mesh, PointLike, SurfacePoint } from 'karcher';
 import type { Vector } from '../model/figure';
@@ -42,8 +42,9 @@ export interface Step {
 }
 
 /**
- * The number of rounds. Each brings the middle nearer to the center of mass of a number of places.
- * The middle need not be exact, since any place amid a figure serves.
+ * The number of rounds, and the largest number of places in a round. Each round brings the middle
+ * nearer to the center of mass of these places. The middle need not be exact, since any place amid
+ * a figure serves.
  */
 const rounds = 3;
 const mostCompared = 64;

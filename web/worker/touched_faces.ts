@@ -1,13 +1,13 @@
 /**
- * Faces that lie in a region as a whole, but have a corner of the region's border on one of their
- * edges, such as where a line runs along a part of the edge. Like faces that are partly in the
- * region they need a filling, so that neighbors have whole edges in common.
+ * Faces that lie in a region as a whole, but have a corner of the region's border on an edge, such
+ * as where a line runs along a part of the edge. They need a filling of triangles, as faces that
+ * are partly in the region do, so that neighbors have whole edges in common.
  */
 
 export interface Sides {
   /** The face of each side, in order. */
   faces: Int32Array;
-  /** The second and third weight of one end of each side and of the other. */
+  /** The second and third weights of the two ends of each side. */
   sides: Float64Array;
 }
 

@@ -119,7 +119,7 @@ export function selectionOf(id: string): NonNullable<Selection> {
   return isCircleHandle(id) ? id : Number(id.slice('point-'.length));
 }
 
-/** The part of the pen that a handle stands for, by its id; null for none. */
+/** The part of the pen that a handle stands for, by its id; null if it stands for none. */
 export function underHandle(id: string): UnderPointer | null {
   const tangent = tangentOf(id);
   if (tangent) return { type: 'handle', side: tangent.side };
@@ -127,7 +127,7 @@ export function underHandle(id: string): UnderPointer | null {
   return typeof index === 'number' && !Number.isNaN(index) ? { type: 'anchor', index } : null;
 }
 
-/** The part of the pen that an element stands for; null for none. */
+/** The part of the pen that an element stands for; null if it stands for none. */
 export function underPointer(element: EventTarget | null): UnderPointer | null {
   const handle = element instanceof Element ? element.closest('.handle') : null;
   return handle instanceof HTMLElement ? underHandle(handle.dataset.id ?? '') : null;

@@ -88,7 +88,7 @@ export class MoveGestures {
     return own && isOpen ? state.drawing.active : null;
   }
 
-  /** Holds the object under the pointer, with the selection. */
+  /** Begins a move of the object under the pointer, together with the selection. */
   async #begin(press: Place): Promise<Move | null> {
     const { editor, session, viewer } = this;
     const id = this.#lineAt(press);
@@ -140,7 +140,7 @@ export class MoveGestures {
     [keyed.x, keyed.y, keyed.revision] = [x, y, editor.state.revision];
   }
 
-  /** Holds the selection at one of its visible places. */
+  /** Begins a move of the selection by keys, with one of its visible places as the pivot. */
   async #keyedMove(): Promise<KeyedMove | null> {
     const { editor, session, viewer } = this;
     const { revision, drawing, chosen } = editor.state;
