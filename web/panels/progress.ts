@@ -11,7 +11,9 @@ const cancel = byId<HTMLButtonElement>('cancel');
 let shown: object | null = null;
 
 export interface ShownProgress {
-  /** Sets the completed fraction of the work, from 0 to 1, or null if unknown, and its stage. */
+  /**
+   * Sets the stage of the work, and its completed fraction from 0 to 1, or null if that is unknown.
+   */
   set(done: number | null, stage: string): void;
   hide(): void;
 }

@@ -29,7 +29,7 @@ function moreThanFixed({ settings }: Figure, { samples }: TracedCurve): boolean 
 export class Drag {
   readonly base: Figure;
   readonly points: readonly number[];
-  /** The legs after its last step; null before the first. */
+  /** The legs after the drag's last step; null before the first step. */
   legs: readonly DrawnLeg[] | null = null;
   /** The points from which the engine finds these legs again. */
   told: ToldLegs;

@@ -1,4 +1,4 @@
-/** The moves of a curve's samples, in a unit of length. */
+/** How far the samples of a curve move, in a unit of length. */
 export interface Shift {
   median: number;
   largest: number;
