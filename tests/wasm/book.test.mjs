@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { basename } from 'node:path';
+import { basename, dirname } from 'node:path';
 import { before, describe, test } from 'node:test';
 import { filesBelow, inRoot, root } from '../../.tools/shell.mjs';
 
@@ -44,6 +44,37 @@ declare global {
 }
 `;
 
+/** More such names in the examples of the reference: of the folder, or of all. */
+const leftInReference = (folder) => `
+import type * as karcherPackage from 'karcher';
+import type * as three from 'karcher/three';
+declare const a: PointLike, b: PointLike, path: karcherPackage.Path, outline: karcherPackage.Path;
+declare const paths: karcherPackage.Path[];
+${
+  folder === 'three'
+    ? 'declare const curve: three.SurfaceCurve, surface: three.Surface<karcherPackage.Mesh>, tube: three.TubeOnSurface, material: import("three").Material;'
+    : 'declare const curve: karcherPackage.Curve;'
+}
+type PointLike = karcherPackage.PointLike;
+`;
+
+/**
+ * A module with an example of the reference, which may use all names of the package. `entryOf` has
+ * the entry of each name.
+ */
+function exampleModule(code, own, entryOf) {
+  const imports = code.match(/^import .*$/gm) ?? [];
+  const names = new Set([...code.matchAll(/(?<!\w|[^.]\.)[A-Za-z]\w*/g)].map(([name]) => name));
+  for (const name of names) {
+    const isMissing = !imports.some((line) => new RegExp(`\\b${name}\\b`).test(line));
+    if (entryOf.has(name) && isMissing) {
+      imports.push(`import { ${name} } from '${entryOf.get(name)}';`);
+    }
+  }
+  // In a block the example may declare names again.
+  return `${imports.join('\n')}\n${own}{\n${code.replace(/^import .*$/gm, '')}}\n`;
+}
+
 /** A component for react-three-fiber with a piece of code as its body. */
 const componentOf = (body) => `
 import '@react-three/fiber';
@@ -51,6 +82,22 @@ import { useCurveDrag, useSurface, useSurfaceCurve } from 'karcher/react';
 export function Component() {
 ${body}}
 `;
+
+/** Compiles the files of the folder without writing anything. */
+function checkTypes() {
+  writeFileSync(`${folder}/left.d.ts`, left);
+  const compilerOptions = {
+    ...{ target: 'ES2022', module: 'ESNext', moduleResolution: 'bundler', strict: true },
+    ...{ noEmit: true, lib: ['ES2023', 'DOM', 'DOM.Iterable'], types: [], skipLibCheck: true },
+    ...{ exactOptionalPropertyTypes: true, jsx: 'react-jsx' },
+  };
+  writeFileSync(`${folder}/tsconfig.json`, JSON.stringify({ compilerOptions, include: ['.'] }));
+  const tsc = `${root}node_modules/typescript/bin/tsc`;
+  const { status, stdout } = spawnSync(process.execPath, [tsc, '-p', folder], {
+    encoding: 'utf8',
+  });
+  assert.equal(status, 0, stdout);
+}
 
 describe('the book', () => {
   before(() => {
@@ -80,18 +127,25 @@ describe('the book', () => {
       }
     }
     assert.ok(pieces >= 20, `${pieces} pieces`);
-    writeFileSync(`${folder}/left.d.ts`, left);
-    const compilerOptions = {
-      ...{ target: 'ES2022', module: 'ESNext', moduleResolution: 'bundler', strict: true },
-      ...{ noEmit: true, lib: ['ES2023', 'DOM', 'DOM.Iterable'], types: [], skipLibCheck: true },
-      ...{ exactOptionalPropertyTypes: true, jsx: 'react-jsx' },
-    };
-    writeFileSync(`${folder}/tsconfig.json`, JSON.stringify({ compilerOptions, include: ['.'] }));
-    const tsc = `${root}node_modules/typescript/bin/tsc`;
-    const { status, stdout } = spawnSync(process.execPath, [tsc, '-p', folder], {
-      encoding: 'utf8',
-    });
-    assert.equal(status, 0, stdout);
+    checkTypes();
+  });
+
+  test('the types allow the examples of its reference', async () => {
+    const entryOf = new Map();
+    for (const entry of ['karcher/three', 'karcher/statistics', 'karcher/formats', 'karcher']) {
+      for (const name of Object.keys(await import(entry))) entryOf.set(name, entry);
+    }
+    let pieces = 0;
+    for (const file of filesBelow('wasm', /\.ts$/)) {
+      const text = readFileSync(file, 'utf8').replace(/^ *\* ?/gm, '');
+      for (const [, code] of text.matchAll(/@example\n```ts\n([\s\S]*?)```$/gm)) {
+        const own = leftInReference(basename(dirname(file)));
+        const name = `${folder}/${basename(file, '.ts')}-example-${pieces++}.ts`;
+        writeFileSync(name, exampleModule(code, own, entryOf));
+      }
+    }
+    assert.ok(pieces >= 40, `${pieces} examples`);
+    checkTypes();
   });
 
   test('has an entry for each error, and no other', () => {

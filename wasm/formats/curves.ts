@@ -114,11 +114,13 @@ export function normalOf(corners: readonly ArrayLike<number>[]): number[] {
 }
 
 /**
- * The parameter of each point of a curve's path: that of its samples, and between two samples in
- * proportion to the length. The samples are those of the same curve, or circle.
+ * The parameter of each point of a curve's path. A sample has its own parameter; between two
+ * samples the parameter grows in proportion to the length. The samples are those of the same curve
+ * or circle.
  *
  * @example
  * ```ts
+ * const surface = { positions: mesh.positions(), triangles: mesh.triangles() };
  * const path = curve.path();
  * curvesCsv([{ path, parameters: pathParameters(path, curve.samples()) }], surface);
  * ```

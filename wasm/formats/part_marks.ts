@@ -14,9 +14,13 @@ import type { FileMarks, Triangles } from './types.js';
  * Throws `KarcherError` badArgument if the colors are not those of this surface.
  *
  * @example
- * const { mesh, file } = await meshFromFile(karcher, bytes); const surface = { positions:
- * mesh.positions(), triangles: mesh.triangles() }; for (const part of mesh.cut(paths)) meshFile({
- * ...part, ...marksOfPart(part, surface, file) }, 'ply');
+ * ```ts
+ * const { mesh, file } = await meshFromFile(karcher, bytes);
+ * const surface = { positions: mesh.positions(), triangles: mesh.triangles() };
+ * for (const part of mesh.cut(paths)) {
+ *   const written = meshFile({ ...part, ...marksOfPart(part, surface, file) }, 'ply');
+ * }
+ * ```
  */
 export function marksOfPart(
   part: Pick<CutPart, 'positions' | 'triangles' | 'faces'>,

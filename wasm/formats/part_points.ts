@@ -32,9 +32,11 @@ interface Piece {
  * triangles of the mesh that was cut.
  *
  * @example
+ * ```ts
  * const surface = { positions: mesh.positions(), triangles: mesh.triangles() };
  * const [part] = mesh.cut([outline]);
- * const [point] = pointsOnPart(part, surface, [{ face: 12, bary: [0.2, 0.3, 0.5] }]);
+ * const [point] = pointsOnPart(part!, surface, [{ face: 12, bary: [0.2, 0.3, 0.5] }]);
+ * ```
  */
 export function pointsOnPart(
   part: Part,
@@ -148,11 +150,13 @@ const at = (of: ArrayLike<number>, vertex: number): Place => [
  * leaves the part and comes back has several pieces; each has the name and look of its curve.
  *
  * @example
+ * ```ts
  * const surface = { positions: mesh.positions(), triangles: mesh.triangles() };
  * for (const part of mesh.cut(paths)) {
  *   const curves = curvesOnPart(part, surface, [{ name: 'seam', path: curve.path() }]);
  *   const bytes = meshFile({ ...part, curves }, 'obj');
  * }
+ * ```
  */
 export function curvesOnPart(
   part: Part,

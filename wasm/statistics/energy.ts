@@ -123,7 +123,7 @@ export interface PointDerivative {
  *   is not positive definite; otherwise as `Mesh.logMap`.
  * @example
  * ```ts
- * const [{ axes, moves }] = await pointDerivatives(mesh, points, weights, center);
+ * const [{ axes, moves }] = await pointDerivatives(mesh, points, weights, center.point);
  * ```
  */
 export async function pointDerivatives(
