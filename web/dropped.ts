@@ -1,4 +1,4 @@
-/** The choice of a file among several dropped or chosen ones, and the files that belong to it. */
+/** The sorting of files that the user dropped or chose together. */
 
 import { formatInteger } from './panels/elements';
 
@@ -21,7 +21,7 @@ export function sorted(files: readonly File[]): Dropped {
   const others = files.filter(({ name }) => !openable.test(name));
   const surfaces = known.filter(({ name }) => !drawing.test(name));
   const drawings = known.filter(({ name }) => drawing.test(name));
-  // If no ending is known, the first file may still be a surface: its content may show its format.
+  // If no ending is known, the content of the first file may still show its format.
   if (known.length === 0)
     return { surfaces: others.slice(0, 1), drawings, unknown: others.slice(1) };
   return { surfaces, drawings, unknown: others.filter(({ name }) => !companions.test(name)) };

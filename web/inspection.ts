@@ -12,7 +12,7 @@ import type { Viewer } from './viewer/viewer';
 export interface Inspection {
   /** Whether the engine has answered the newest state, control polygon included. */
   readonly settled: boolean;
-  /** Whether the engine is working, also for a gesture that changes the drawing only afterwards. */
+  /** Whether the engine is working, even if the drawing changes only after this work. */
   readonly busy: boolean;
   /** The revision of the visible state. */
   readonly shown: number;

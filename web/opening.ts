@@ -42,7 +42,7 @@ import { EngineClient } from './worker/client';
 /** The largest file in bytes, since a larger one would not fit into the engine's memory. */
 const largestFile = 1 << 30;
 
-/** How often the page restarts an engine that stopped by itself, for one surface. */
+/** The largest number of restarts of engines that stopped by themselves, for one surface. */
 const mostRestarts = 2;
 
 /** The drawing for a new surface: from a link, or by transfer from the previous one. */
@@ -58,15 +58,15 @@ export class Opening {
   /** The number of choices of reading options so far, since only the last choice applies. */
   #turns = 0;
   #complaint: HTMLElement | null = null;
-  /** Links to curves on files that this browser does not have, until the user opens the file. */
+  /** Links whose files this browser does not have. Each waits until the user opens its file. */
   readonly #awaited = new Map<string, string>();
-  /** The last opened file, if the browser does not keep it. */
+  /** The last opened file, in case the browser does not keep it. */
   #file: { key: string; file: File } | null = null;
   /** The first drawing's history from before a reload. */
   #history: { history: History; link: Link } | null = null;
   #viewer: Viewer | null = null;
   readonly #viewerReady = withResolvers<Viewer>();
-  /** A listener for the end of an attempt, successful or not, unless a newer one replaced it. */
+  /** The listener for the end of each attempt to open, unless a newer attempt has replaced it. */
   onEnd: () => void = () => {};
 
   constructor(
@@ -110,7 +110,10 @@ export class Opening {
     for (const file of [...surfaces, ...drawings]) await this.file(await whole(file, files));
   }
 
-  /** Opens a surface, or a curve that the page saved (JSON). */
+  /**
+   * Opens a surface, or a drawing that the page saved (JSON). If a link waits for the surface, it
+   * opens with the link's drawing.
+   */
   async file(file: File): Promise<void> {
     try {
       if (/\.json$/i.test(file.name)) {
@@ -144,7 +147,7 @@ export class Opening {
     showNote(`${file.name} is not kept by this browser. After a reload, drop it again.`);
   }
 
-  /** Keeps the surface's file that was inside a drawing's file. */
+  /** Keeps the surface's file from inside a drawing's file. Throws if it is another surface's. */
   async #keepInside(file: File, { mesh }: Link): Promise<void> {
     const key = await fileKey(file);
     if (key !== keyOfFile(mesh)) {
@@ -261,8 +264,8 @@ export class Opening {
   }
 
   /**
-   * Shows the page's first surface instead of a link's, if the stage is empty and no surface is
-   * being opened.
+   * Shows the page's default surface if the stage is empty and no surface is being opened. If the
+   * page started with a link, this surface stands in for the link's surface.
    */
   async #fallBack(): Promise<void> {
     if (this.#running || this.editor.state.mesh !== '') return;
@@ -299,7 +302,7 @@ export class Opening {
       remember(`unit.${turned}`, recall(`unit.${mesh}`) ?? guessUnit(meshLabel(mesh)));
       const wanted = () => (came > 0 ? own.drawing : null);
       if (!(await this.#open(turned, fileSource(turned, file), wanted))) return;
-      // Later edits replace this new entry of the browser's history; the entry of the whole stays.
+      // Later edits change only this new entry of the browser's history, not the previous one.
       history.pushState(null, '', location.hash);
       const along = all === 0 ? '' : ` ${came} of ${formatCount(all, 'object')} came along.`;
       showNote(`You work on ${title}.${along} The browser’s Back leads to the whole.`);
@@ -408,7 +411,7 @@ export class Opening {
     const drawing = starting || fitting(kept, triangles);
     this.editor.open(key, drawing, { standIn, history });
     if (wanted) this.#replace(wanted);
-    // The engine is new, even if the drawing is not.
+    // The engine may be new, even if the drawing is not.
     this.session.update(this.editor.state);
   }
 

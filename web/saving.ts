@@ -37,7 +37,7 @@ export function keepDrawing(
   const text = formatLink(mesh, method, drawing);
   const document = `document.${mesh}`;
   const short = text.length <= longestLink;
-  // The browser stores a long text only once.
+  // For a long text, `last` refers to the stored document, so that the text is stored only once.
   const last = short ? text : keptAddress(mesh, method);
   const left = rememberAll({ [document]: text, last, method });
   const inTab =

@@ -67,7 +67,7 @@ async function page(request: Request): Promise<Response> {
 
 let keeping: Promise<void> | undefined;
 
-/** Stores the book's files, which its build lists, unless they are stored. */
+/** Stores the files of the book's present version, unless they are stored; removes older ones. */
 async function keepBook(): Promise<void> {
   const list = await fetch(addressOf('book/files.json'), { cache: 'no-cache' });
   const book = (await list.json()) as typeof __KARCHER_FILES__;
@@ -81,7 +81,7 @@ async function keepBook(): Promise<void> {
       listed.map((file) => new Request(addressOf(`book/${file}`), { cache: 'no-cache' })),
     );
   } catch (error) {
-    // The next page fills an incomplete store again.
+    // Since the store is gone, the next page of the book tries again.
     await caches.delete(kept);
     throw error;
   }

@@ -11,7 +11,7 @@ import type { ViewPlace } from '../model/view_place';
 
 const format = 'karcher-curve';
 const version = 2;
-/** The largest size of a file in letters; even the largest drawing is shorter. */
+/** The largest length of a file, in characters. Even the largest drawing is shorter. */
 const longestFile = 256 * 1024 * 1024;
 
 /** A Float32 coordinate as the shortest decimal for that float. */
@@ -24,8 +24,8 @@ export function shortest(value: number): string {
 }
 
 /**
- * The parts of an OBJ file's text: the vertices (x, y, z each) and a line element of each polyline,
- * then the marks as one point element.
+ * The text of an OBJ file, in parts. Each polyline has its vertices and one line element; then
+ * follow the vertices of the marks (x, y, z each) and one point element.
  */
 export function* partsOfObj(
   polylines: readonly Float32Array[],
@@ -52,11 +52,11 @@ export interface FileInside {
   bytes: Blob;
 }
 
-/** The largest size in bytes of a file inside another; a longer one would make the page wait. */
+/** The largest size in bytes of a file inside another; a larger one would make the page wait. */
 export const longestInside = 16 * 1024 * 1024;
 /**
- * The number of bytes that one step encodes, and of letters that one step decodes. Base64 turns
- * three bytes into four letters.
+ * The number of bytes that one step encodes, and the number of characters that one step decodes.
+ * Base64 turns three bytes into four characters.
  */
 const encodedAtOnce = 3 * 256 * 1024;
 const decodedAtOnce = 4 * 256 * 1024;

@@ -44,7 +44,7 @@ export interface Drawing {
  */
 export const svgOf = (drawing: Drawing): string => [...partsOfSvg(drawing)].join('');
 
-/** The file's text, a part for each line. */
+/** The file's text, in parts. */
 export function* partsOfSvg({
   width,
   height,
@@ -116,7 +116,7 @@ function* outlinePaths({ lines, color }: NonNullable<Drawing['outline']>): Gener
   yield '</g>';
 }
 
-/** A path for each run of segments with the same look. */
+/** A path for each run of segments with the same look; hidden runs may be left out. */
 function pathsOf(
   { x, y, hidden, color, width, dashes, lost }: DrawnLine,
   behind: 'faint' | 'left out',

@@ -52,7 +52,7 @@ export class AidLines implements Layer {
     for (const line of [this.#sketch, this.#stroke, this.#band]) line.setColor(own, surface);
   }
 
-  /** Removes all lines; the next ones are on another surface. */
+  /** Removes all lines. Later lines lie on the given surface. */
   clear(surface: Surface): void {
     this.#surface = surface;
     this.#shorterWays = [];
@@ -79,7 +79,7 @@ export class AidLines implements Layer {
     return this.#shorterWays;
   }
 
-  /** Marks points of the curve: x, y, z each, in the surface's coordinates. */
+  /** Marks points of the curve, given by x, y, z in the surface's coordinates. */
   showMarks(places: ArrayLike<number>): void {
     const points = this.#surface?.toScene(Float32Array.from(places)) ?? new Float32Array();
     const dots = Array.from({ length: points.length / 3 }, (_, i) =>

@@ -24,12 +24,12 @@ export const partPainted = ({ from, to }: Bars) => to - from;
 /** x and y of a place on paper, and the distance there. */
 type Valued = readonly [number, number, number];
 
-/** The most bars of a triangle; one with more is painted whole, its bars being too fine to see. */
+/** The largest number of bars of a triangle. With more, too fine to see, it is painted whole. */
 const mostBars = 64;
 
 /**
- * The painted parts of a triangle with distances at its corners: x and y of the corners of
- * triangles.
+ * The painted parts of a triangle with distances at its corners, as triangles: x and y of each
+ * corner.
  */
 export function paintedParts(triangle: readonly Valued[], { period, from, to }: Bars): number[] {
   const values = triangle.map(([, , value]) => value / period);

@@ -199,7 +199,7 @@ export function paint(color: Color, opacity: number, bars: Bars | null = null): 
   });
 }
 
-/** The sides to draw: hidden ones would show as specks at the silhouette. */
+/** The sides that `material` draws. Inner sides would show as specks at the silhouette. */
 const sides = { front: FrontSide, back: BackSide, both: FrontSide };
 
 const edgeMaterial = new MeshBasicMaterial({

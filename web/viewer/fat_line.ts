@@ -48,7 +48,7 @@ const nearer = 0.003;
 /** The fraction of a line's width that remains where the surface hides the line. */
 const hiddenWidth = 0.55;
 
-/** Dash and gap of lines that replace others, such as a part of a curve without a center. */
+/** Dash and gap of auxiliary lines, and of parts of a curve without a center of mass. */
 export const fineDash = [0.009, 0.006] as const;
 const smallest = 256;
 
@@ -154,7 +154,7 @@ export class FatLine {
     this.#upload();
   }
 
-  /** Shows these polylines, x, y, z each, instead of earlier ones. */
+  /** Replaces the visible polylines. Each has the coordinates x, y, z of its points. */
   set(polylines: readonly Float32Array[]): void {
     this.#again = () => this.set(polylines);
     const count = polylines.reduce((sum, line) => sum + Math.max(0, line.length / 3 - 1), 0);

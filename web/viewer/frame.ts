@@ -41,19 +41,19 @@ const turns: Readonly<Record<UpAxis, Turn>> = {
   ...{ '-x': over(x!), '-y': over(y!), '-z': over(z!) },
 };
 
-/** A direction of the surface's coordinates in those of the scene. */
+/** Converts a direction from the surface's coordinates to the scene's. */
 export function directionInScene(up: UpAxis, direction: ArrayLike<number>): Vector {
   return turns[up].map(([axis, sign]) => sign * direction[axis]!) as Vector;
 }
 
-/** A direction of the scene's coordinates in those of the surface. */
+/** Converts a direction from the scene's coordinates to the surface's. */
 export function directionFromScene(up: UpAxis, direction: ArrayLike<number>): Vector {
   const result: Vector = [0, 0, 0];
   for (const [i, [axis, sign]] of turns[up].entries()) result[axis] = sign * direction[i]!;
   return result;
 }
 
-/** Places of the surface's coordinates, x, y, z each, in those of the scene. */
+/** Converts places (x, y, z each) from the surface's coordinates to the scene's. */
 export function placesInScene(
   { center, scale, up }: Frame,
   places: ArrayLike<number>,
@@ -68,7 +68,7 @@ export function placesInScene(
   return result;
 }
 
-/** A place of the surface's coordinates in those of the scene, in doubles. */
+/** Converts a place from the surface's coordinates to the scene's, in doubles. */
 export function placeInScene({ center, scale, up }: Frame, place: Vector): Vector {
   return directionInScene(
     up,
@@ -76,7 +76,7 @@ export function placeInScene({ center, scale, up }: Frame, place: Vector): Vecto
   );
 }
 
-/** A place of the scene in the surface's coordinates. */
+/** Converts a place from the scene's coordinates to the surface's. */
 export function placeFromScene({ center, scale, up }: Frame, place: ArrayLike<number>): Vector {
   return directionFromScene(up, place).map(
     (value, axis) => value / scale + center[axis]!,

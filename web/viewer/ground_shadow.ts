@@ -149,7 +149,7 @@ export class GroundShadow {
         float light = lit * (1.0 - smoothstep(0.0, 1.0, length(vAt)));
         gl_FragColor = shown(color, hidden) + (1.0 - hidden) * shown(ground, light);
       }`,
-    // From above, the surface is before the ground everywhere, so the ground is drawn first. From
+    // From above, the surface is always in front of the ground, so the ground is drawn first. From
     // below, the ground is invisible.
     depthTest: false,
     depthWrite: false,

@@ -16,7 +16,7 @@ const rimWider = 2.5;
 
 const plain = { id: 0, locked: true };
 
-/** Lines of one color below the lines of objects. */
+/** The lines of objects with their widths, but solid, opaque and without a color of their own. */
 const around = (objects: readonly Drawn[]): ObjectDrawing[] =>
   objects.map(({ style: { width, onSurface }, lines, dots }) => ({
     ...plain,

@@ -68,7 +68,7 @@ export class Handles {
     const ids = new Set(handles.map(({ id }) => id));
     const shows = ++this.#shows;
     if (this.#held && !ids.has(this.#held.id)) this.letGo();
-    // The end of the drag may have shown other handles in the meantime, which are newer.
+    // The end of the drag may have called `show` with newer handles.
     if (shows !== this.#shows) return;
     for (const [id, { button }] of this.#buttons) {
       if (ids.has(id)) continue;
@@ -133,7 +133,7 @@ export class Handles {
   /** Shows rings around a place for a moment. */
   showBeacon(position: Vector3): void {
     this.#beaconPosition = position;
-    // A new element starts the animation again.
+    // The animation starts again if the element is laid out while hidden, and then shown.
     this.#mark(this.#beacon, false);
     void this.#beacon.offsetWidth;
     this.#mark(this.#beacon, true);

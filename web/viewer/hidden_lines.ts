@@ -31,7 +31,7 @@ export interface Sight {
   height: number;
 }
 
-/** The surface's visible outline: x, y of its lines' points in CSS pixels of the stage. */
+/** The lines of the surface's visible outline: x, y of their points, in CSS pixels of the stage. */
 export function seenOutline(mesh: Mesh, tree: MeshBVH, sight: Sight): Float32Array[] {
   const { contours, creases, boundary } = outlineOf(mesh, sight.eye);
   const aside = Math.min(mostAside, Math.max(leastAside, asideEdges * meanEdge(mesh)));

@@ -16,7 +16,7 @@ export function hollowsOf(
   const hollows = new Int8Array(hollowWidths * count);
   const { areas, bends, weights } = measured(positions, normals, triangles);
   const curvatures = new Float64Array(count);
-  // The order is from the finest solution to the widest; each starts from the previous one.
+  // The solutions follow from the narrowest to the widest. Each starts from the previous one.
   for (let width = hollowWidths - 1; width >= 0; width--) {
     const radius = hollowRadii[width]!;
     spread(curvatures, bends, areas, { triangles, weights, time: radius ** 2 / 4 });
@@ -79,7 +79,7 @@ function measured(positions: Float32Array, normals: Float32Array, triangles: Uin
           normals[normal + 1]! * (z * ex - x * ez) +
           normals[normal + 2]! * (x * ey - y * ex)) /
         (2 * twice);
-      // The weight is relative to the cotangents of an equilateral triangle, and never negative.
+      // This is the cotangent weight of an equilateral triangle. It is never negative.
       weights[at + corner] = Math.min(twice / (3 * (ex * ex + ey * ey + ez * ez)), longest);
     }
     for (let corner = 0; corner < 3; corner++) {
@@ -91,12 +91,12 @@ function measured(positions: Float32Array, normals: Float32Array, triangles: Uin
   return { areas, bends, weights };
 }
 
-/** The largest conductance of an edge, that of a triangle a thousand times as long as wide. */
+/** The largest conductance of an edge: that of a triangle 3000 times as long as wide. */
 const longest = 1e3;
 
 /**
- * Spreads the curvatures of the bends for a time, by one implicit step: it solves (areas + time L)
- * curvatures = bends by conjugate gradients.
+ * Spreads the bends as heat for a time, in one implicit step. It solves (areas + time L) curvatures
+ * = bends by conjugate gradients that start from the given curvatures.
  */
 function spread(
   curvatures: Float64Array,

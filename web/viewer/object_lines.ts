@@ -13,7 +13,7 @@ export interface ObjectDrawing {
   dots: readonly Vector3[];
 }
 
-/** Dash and gap of a line of normal width, in the scene, where a surface's diagonal is 2. */
+/** Dash and gap of a line of normal width, in units of the scene; a surface's diagonal is 2. */
 const usualDashes: Record<Dash, readonly [number, number] | null> = {
   solid: null,
   dashed: [0.032, 0.02],
@@ -26,7 +26,7 @@ const usualBand = 0.0125;
 /** The least width of a line on the surface, in CSS pixels. */
 const leastSeen = 0.5;
 
-/** The material of a line on a surface; `wider` adds CSS pixels to the width of its style. */
+/** The style of the fat line for an object's line; `wider` adds CSS pixels to its width. */
 export function fatStyle(style: LineStyle, surface: Surface | null, wider = 0) {
   const { width, onSurface, opacity } = style;
   const band = onSurface && surface ? width * surface.frame.scale : 0;
@@ -55,8 +55,8 @@ const dotWidth = 2.4;
 export const dotAt = ({ x, y, z }: Vector3) => Float32Array.of(x, y, z, x + 1e-4, y, z);
 
 /**
- * The objects other than the edited one. Objects of one style share a line, so that many need few
- * draw calls.
+ * The lines and dots of objects. Objects of one style share a fat line, so that many objects need
+ * few draw calls.
  */
 export class ObjectLines {
   readonly object = new Group();

@@ -8,7 +8,7 @@ const fieldOfView = 30;
 const halfSlope = Math.tan((fieldOfView * Math.PI) / 360);
 /** The radius of the ball around the scene's middle that holds the surface. */
 const ballRadius = 1;
-/** The fraction of its bounding sphere's radius that a surface rarely exceeds, with a margin. */
+/** The extent that a surface rarely exceeds, relative to its bounding sphere's radius. */
 const margin = 0.88;
 /** The fraction of the stage's width that a surface may take. */
 const widthTaken = 0.94;
@@ -171,8 +171,8 @@ export class OrbitView {
 
   /**
    * Multiplies the distances of the camera and its target from the surface's visible point at a
-   * place of the window. Beside the surface, it takes a visible point nearby. The point stays in
-   * place in the window, and no step passes through the surface.
+   * place of the window. Beside the surface, it takes a visible point nearby or, if there is none,
+   * the target. The point stays in place in the window, and no step passes through the surface.
    */
   #zoomAt(x: number, y: number, factor: number): void {
     this.#flight = null;
@@ -204,7 +204,7 @@ export class OrbitView {
     this.#zoomAt(event.clientX, event.clientY, wheelFactor ** pixels);
   }
 
-  /** Zooms as two fingers part or come together, at the place between them. */
+  /** Zooms at the place between two fingers as their distance changes. */
   #pinch({ pointerId, clientX, clientY }: PointerEvent): void {
     if (!this.#pointers.has(pointerId)) return;
     const apart = () => {
@@ -319,7 +319,7 @@ export class OrbitView {
     this.#tell();
   }
 
-  /** Shows the whole scene from the front; at once if the user does not want motion. */
+  /** Returns to the default view of the whole; at once if the user does not want motion. */
   reset({ animated }: { animated: boolean }): void {
     this.#whole = startDirection;
     this.#showWhole(animated);

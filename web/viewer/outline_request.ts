@@ -10,8 +10,8 @@ export interface OutlineRequest {
 }
 
 /**
- * The surface's outline in the camera's view: x, y of its lines' points, in CSS pixels of the
- * stage. Rejects with the signal's reason.
+ * The lines of the surface's outline in the camera's view: x, y of their points, in CSS pixels of
+ * the stage. Rejects with the signal's reason.
  */
 export async function requestOutline(
   { mesh, frame }: Pick<OutlineRequest, 'mesh' | 'frame'>,

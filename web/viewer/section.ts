@@ -39,7 +39,7 @@ export function samplesOf(surface: Surface, count: number): Vector[] {
   const samples: Vector[] = [];
   let due = step / 2;
   for (const [face, area] of areas.entries()) {
-    // Large triangles get several places, along a golden spiral of weights.
+    // A large triangle gets several places. A low-discrepancy sequence of weights spreads them out.
     for (; due < area; due += step) {
       const [u, v] = [(samples.length * 0.7549) % 1, (samples.length * 0.5698) % 1];
       const [y, z] = u + v > 1 ? [1 - u, 1 - v] : [u, v];

@@ -124,7 +124,7 @@ export class Surface {
 
   /**
    * Colors the surface by values at its vertices, from 0 to `most`, which is positive. Vertices
-   * with value -`most` keep the surface's color, as does everything for null.
+   * with value -`most` keep the surface's color. With null, the whole surface keeps it.
    */
   colorBy(colored: { values: Float32Array; most: number } | null): void {
     showValues(colored?.most ?? 0);
@@ -275,32 +275,32 @@ export class Surface {
     return normals;
   }
 
-  /** A polyline of the surface's coordinates, x, y, z each, in those of the scene. */
+  /** Converts a polyline (x, y, z for each point) from the surface's coordinates to the scene's. */
   toScene(polyline: Float32Array): Float32Array {
     return placesInScene(this.frame, polyline);
   }
 
-  /** A place of the surface's coordinates in those of the scene. */
+  /** Converts a place from the surface's coordinates to the scene's. */
   inScene(place: Vector): Vector3 {
     return new Vector3(...placeInScene(this.frame, place));
   }
 
-  /** A place of the scene in the surface's coordinates. */
+  /** Converts a place from the scene's coordinates to the surface's. */
   fromScene(position: Vector3): Vector {
     return placeFromScene(this.frame, position.toArray());
   }
 
-  /** A direction of the surface's coordinates in those of the scene. */
+  /** Converts a direction from the surface's coordinates to the scene's. */
   directionInScene(direction: Vector): Vector3 {
     return new Vector3(...directionInScene(this.frame.up, direction));
   }
 
-  /** A direction of the scene in the surface's coordinates. */
+  /** Converts a direction from the scene's coordinates to the surface's. */
   directionFromScene(direction: Vector3): Vector {
     return directionFromScene(this.frame.up, direction.toArray());
   }
 
-  /** Takes directions at a point to those at another one, by the rotation between the normals. */
+  /** The map of directions at one point to directions at another: the rotation of the normals. */
   carry(from: SurfacePoint, to: SurfacePoint): (direction: Vector) => Vector {
     const turning = new Quaternion().setFromUnitVectors(this.normal(from), this.normal(to));
     return (direction) =>
@@ -335,8 +335,8 @@ export class Surface {
   /** The surface's extent in a direction, times the direction's length. */
   #reach(direction: Vector3): number {
     let farthest = -Infinity;
-    // The search skips boxes that would increase the extent by less than this, since all boxes of a
-    // plane have the same extent.
+    // The search skips boxes that would increase the extent by less than this. On a plane, it would
+    // otherwise enter all boxes, since they have the same extent.
     const grain = 1e-6 * direction.length();
     const corner = new Vector3();
     const reachOf = (box: Box3) =>

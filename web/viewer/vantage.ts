@@ -66,7 +66,7 @@ export class Vantage {
   }
   /**
    * The point of a polyline in the scene that appears nearest to a place of the stage, even if the
-   * surface hides it; null if the whole polyline is behind the camera.
+   * surface hides it; null if no segment is wholly in front of the camera.
    */
   nearest(line: Float32Array, place: { x: number; y: number }): NearestSeen | null {
     const { camera, size } = this;

@@ -223,7 +223,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Shows polylines in the surface's coordinates instead of a curve; nobody can pick them. */
+  /** Shows polylines in the surface's coordinates. Clicks find the object, but no curve's point. */
   showLines(lines: readonly Float32Array[]): void {
     const surface = this.#surface;
     this.#line = new Float32Array();
@@ -329,7 +329,7 @@ export class Viewer {
     this.aids.setOwnColor(own, surface);
   }
 
-  /** The surface's point at a place of the window, in CSS pixels. */
+  /** The surface's point at a place of the window, in CSS pixels; null beside the surface. */
   pick(clientX: number, clientY: number): Pick | null {
     if (!this.#surface) return null;
     const { box } = this;
@@ -393,7 +393,7 @@ export class Viewer {
     return this.#vantage.reach(position, pixels);
   }
 
-  /** The stage's place in the window, with a new measurement after a change of size. */
+  /** The stage's place in the window, measured again after a scroll or a change of size. */
   get box(): DOMRect {
     this.#box ??= this.stage.getBoundingClientRect();
     return this.#box;
@@ -429,7 +429,7 @@ export class Viewer {
     this.stage.classList.toggle('moving', moves);
   }
 
-  /** Zooms to points of the surface, and turns to where they are visible if most are hidden. */
+  /** Zooms to points and to places `around` them; turns to the points if most are hidden. */
   zoomTo(points: readonly SurfacePoint[], around: readonly Vector3[] = []): void {
     const surface = this.#surface;
     if (!surface || points.length === 0) return;
@@ -443,12 +443,12 @@ export class Viewer {
     this.#view.fit(center, radius, isSeen ? null : normal);
   }
 
-  /** Shows the whole surface from the front; at once if the user does not want motion. */
+  /** Returns to the default view of the whole; at once if the user does not want motion. */
   resetView(options: { animated: boolean }): void {
     this.#view.reset(options);
   }
 
-  /** The place of the camera; null for the default view of the whole from the front. */
+  /** The place of the camera, now or after the present flight; null for the default view. */
   get place(): ViewPlace | null {
     return this.#view.place;
   }
@@ -473,7 +473,7 @@ export class Viewer {
     return picture;
   }
 
-  /** The surface's outline in the present view: x, y of its points, in the stage's CSS pixels. */
+  /** The lines of the surface's outline in this view: x, y of their points, in CSS pixels. */
   outline(signal: AbortSignal): Promise<Float32Array[]> {
     return requestOutline(this.#surface!, this.#view.camera, this.#size, signal);
   }

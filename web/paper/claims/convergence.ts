@@ -36,7 +36,7 @@ export const convergenceSizes: readonly number[] = [500, 1_000, 2_000, 5_000, 10
 
 const samplesASegment = 33;
 
-/** A smooth surface with a cubic B-spline on it, all of whose samples are known. */
+/** A smooth surface, and a cubic B-spline on it whose samples have a known place. */
 interface SmoothCurve {
   points: Vector[];
   project(place: Vector): Vector;

@@ -11,11 +11,14 @@ import { middle } from './words';
 /** Paths between pairs of points, such as the one in Figure 3. */
 export interface DescentFinding {
   mesh: 'coarse' | 'fine';
-  /** The number of pairs for which both descent and the paper's method found a path. */
+  /** The number of pairs for which all three methods found a path. */
   pairs: number;
-  /** The number of these pairs for which descent is farther from the exact path. */
+  /** The number of these pairs for which descent is less accurate than the paper's method. */
   worse: number;
-  /** The median over the pairs of the path's median distance from the exact path, in mean edges. */
+  /**
+   * Each method's median over all pairs. For a pair, it is the median distance of the method's path
+   * from the exact path, in mean edges.
+   */
   descent: number;
   paper: number;
   ours: number;
@@ -63,7 +66,7 @@ function randomPoint({ mesh }: Scene, random: () => number): SurfacePoint {
   return { face, bary: [1 - a, a * (1 - b), a * b] };
 }
 
-/** The median distance of each path from the exact one; null if the search for a path failed. */
+/** The median distance of each method's path from the exact one; null if a method found none. */
 async function distances(
   peers: Peers,
   scene: Scene,

@@ -46,8 +46,8 @@ const samples = 64;
 const wandering = 7;
 
 /**
- * Control points for an unknown mesh: a walk from a random place, in straight legs of a tenth of
- * the diagonal that turn left and right alternately.
+ * Control points for an unknown mesh: a walk from a random face, in straight legs of a tenth of the
+ * diagonal. Each leg deviates at random from one common direction.
  */
 export function wanderingPoints(mesh: Mesh, seed: number): SurfacePoint[] {
   const random = randomFrom(seed);

@@ -6,7 +6,7 @@ import type { Claim, Evidence } from './types';
 import { NotMeasured } from './types';
 import { middle, ms, num, percent, sum } from './words';
 
-/** The number of samples that each method loses in all panels that show all of the methods. */
+/** The number of samples that each method loses, over all panels that show all these methods. */
 function lostOf(evidence: Evidence, ids: readonly LineId[]) {
   const panels = evidence.panelsWith(...ids);
   return ids.map((id) => {
@@ -43,7 +43,7 @@ export function nearer(evidence: Evidence, first: LineId, second: LineId) {
 }
 
 /**
- * The time for a curve with its fields by the paper's method, relative to weighted averages.
+ * The ratios of times for a curve with its fields: the paper's method to weighted averages.
  */
 function slowerThanAverages(evidence: Evidence) {
   const isWhole = (panel: string) =>
@@ -64,8 +64,8 @@ function slowerThanAverages(evidence: Evidence) {
 }
 
 /**
- * The same comparison as in `nearer` on the meshes of a folder, of the paper's method with each
- * solver of its distances against weighted averages. There are no cases without a folder.
+ * The comparison of `nearer` on the meshes of a folder. It compares the paper's method, with graph
+ * and with exact distances, to weighted averages. Without a folder there are no cases.
  */
 function nearerOnMeshes({ all: { meshes } }: Evidence) {
   const shown = (meshes ?? []).flatMap((mesh) => {

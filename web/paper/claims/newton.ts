@@ -63,7 +63,7 @@ const meshes: Record<string, { spec: MeshSpec; noise?: number }> = {
   },
 };
 
-/** Four points within the surface, each a leg in a random direction from the last one. */
+/** Four points within the surface, each a leg in a random direction from the previous one. */
 function polygon(mesh: Mesh, random: () => number): SurfacePoint[] {
   const [a, b] = [Math.sqrt(random()), random()];
   const face = Math.floor(mesh.info.triangles * random());
@@ -77,7 +77,7 @@ function polygon(mesh: Mesh, random: () => number): SurfacePoint[] {
   return points;
 }
 
-/** The B-splines of random polygons, sample by sample, on meshes of several kinds. */
+/** Measures the searches for the samples of random B-splines, on meshes of several kinds. */
 export async function newton(
   peers: Peers,
   { curves = curvesAMesh, only = Object.keys(meshes) } = {},

@@ -16,7 +16,7 @@ const { at, cross, dot, length, subtract } = vectors;
 export interface RadiusPoint {
   surface: 'sphere' | 'torus';
   noise: number;
-  /** The radius up to which Karcher's condition holds on the bumpy surface. */
+  /** The radius up to which Karcher's condition holds on this surface. */
   condition: number;
   radius: number;
   cases: number;

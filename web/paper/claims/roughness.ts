@@ -42,7 +42,7 @@ export function roughened(karcher: Karcher, mesh: Mesh, noise: number, seed: num
   return karcher.meshFromArrays(positions, mesh.triangles());
 }
 
-/** Results of a method on a rough surface with control points at a given spacing. */
+/** Results of a method for control points at a given spacing, summed over rough surfaces. */
 export interface SpreadPoint {
   /** The median distance from each control point to the next, in mean edges. */
   apart: number;

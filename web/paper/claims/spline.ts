@@ -10,7 +10,7 @@ export interface Spline {
   of: number;
 }
 
-/** The B-spline of a method; our default takes as many levels as it needs. */
+/** The B-spline that a method computes. The curve of `leveled`, our default, chooses its levels. */
 export async function splineBy(
   peers: Peers,
   mesh: Mesh,

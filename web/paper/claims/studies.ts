@@ -16,13 +16,13 @@ export interface Studies {
   radius: RadiusPoint[];
   /** The searches of random B-splines on meshes of several kinds. */
   newton: NewtonFinding[];
-  /** Milliseconds of four fields, and of one more center of mass in them. */
+  /** Milliseconds of four fields, and of one more center of mass of the same points. */
   oneCenter: { fieldsMs: number; centerMs: number };
   /** Milliseconds of a drag with 256 samples a segment: the field, and a segment's searches. */
   update: { fieldMs: number; segmentMs: number; triangles: number };
   /**
-   * Milliseconds of the fields when a weight of a rational curve changes, and of all the work that
-   * this change causes.
+   * Milliseconds of the fields when the weights of a rational curve change, and of all the work
+   * that this change causes.
    */
   reweigh: { fieldsMs: number; updateMs: number };
   /**
@@ -31,9 +31,9 @@ export interface Studies {
    */
   arcs: { arcs: number; worst: number; byDefault: number }[];
   /**
-   * Weights for which a random point is critical for four points around it: in `minima` of the
-   * cases a minimum. In `back` of these, the search for the center of mass with these weights
-   * returns to the point; `farthest` is the largest distance of its end, in mean edges.
+   * Weights of four points for which a random point between them is critical. In `minima` of the
+   * cases, the random point is a minimum. In `back` of these, a search with the weights returns to
+   * it; `farthest` is the largest distance between it and the end of a search, in mean edges.
    */
   inverse: { cases: number; minima: number; back: number; farthest: number };
   /** B-splines on a torus with noise of growing height, in mean edges. */
@@ -227,7 +227,7 @@ const studies: {
 
 export const studyNames = Object.keys(studies) as (keyof Studies)[];
 
-/** Runs the studies of these names, all together a minute or two of work. */
+/** Runs the studies of these names. All studies together take a minute or two. */
 export async function runStudies(
   peers: Peers,
   tell: (what: string) => void = () => {},

@@ -1,6 +1,6 @@
 /** Numbers in sentences. */
 
-/** A number with two digits; an integer from 10 on, one digit with a power of ten below 1e-4. */
+/** A number with two digits; from 10 on an integer; below 1e-4 one digit and a power of ten. */
 export function num(value: number | null): string {
   if (value === null) return 'not measured';
   if (value === 0) return '0';

@@ -34,7 +34,7 @@ export const carriedSides: { source: CarriedSide; target: CarriedSide } = {
 /** The place of the drawing's middle on the source. */
 export const carriedMiddle: Vector = onTorus(90, 60);
 
-/** The size of the drawing, in units of the source, and the number of points on each side of it. */
+/** The drawing's size, in units of the source, and the number of points on a side of the star. */
 export const carriedSize = 0.26;
 const pointsASide = 10;
 

@@ -16,7 +16,7 @@ const methods: LineId[] = [
   'exactLogs',
 ];
 
-/** Hidden lines: the reference would cover all lines that agree with it. */
+/** The reference is initially hidden, since it would cover all lines that agree with it. */
 const reference: LineId[] = ['exactLogs'];
 const hidden: LineId[] = [...reference, 'paperGraph2'];
 

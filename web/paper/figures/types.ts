@@ -80,7 +80,7 @@ export interface Figure {
   panels: readonly Panel[];
 }
 
-/** The numbers of a line; null for one that is missing or has no meaning for the line. */
+/** The numbers of a line. A number is null if it is missing or has no meaning for the line. */
 export interface LineNumbers {
   id: LineId;
   ok: boolean;

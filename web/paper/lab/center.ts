@@ -13,8 +13,8 @@ export interface KnownCenter {
 }
 
 /**
- * Our center of mass, and the other minima that searches from all points and all over the surface
- * find.
+ * Finds our center of mass, and other minima by searches from all points and from places all over
+ * the surface.
  */
 export function lookForOthers(
   scene: Scene,

@@ -8,7 +8,7 @@ import type { Task } from './task';
 
 const { add, at, cross, distance, dot } = vectors;
 
-/** Three ways to draw a circle about the first point, through the second. */
+/** The circle about the first point through the second: as rational arcs, and as isolines. */
 
 const median = (values: readonly number[]) =>
   values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)]!;
@@ -16,7 +16,7 @@ const median = (values: readonly number[]) =>
 const radiusOf = ({ scene, points }: Task) =>
   scene.mesh.shortestPath(points[0]!, points[1]!).length;
 
-/** Differences of the points' distances from the radius, in mean edges, by exact shortest paths. */
+/** The deviation of the points' exact distances from the radius, in mean edges. */
 function deviationOf(
   { scene, points }: Task,
   radius: number,

@@ -40,7 +40,7 @@ export class LabClient {
     return made;
   }
 
-  /** Whether the center of mass of a panel's points is the only one. */
+  /** The center of mass of a panel's points, and other minima of their energy. */
   center(mesh: MeshSpec, points: readonly Vector[], weights: readonly number[]) {
     return this.#quick.call('center', [mesh, points, weights]) as Promise<KnownCenter>;
   }

@@ -100,7 +100,7 @@ export class Lab {
     return carry(from, to, middle, points);
   }
 
-  /** Whether the center of mass of these points and weights is the only one. */
+  /** The center of mass of these points and weights, and other minima of their energy. */
   async center(spec: MeshSpec, points: readonly Vector[], weights: readonly number[]) {
     return lookForOthers(await this.#scene(spec), points, weights) satisfies KnownCenter;
   }

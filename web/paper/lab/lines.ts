@@ -203,8 +203,8 @@ const makers: Partial<Record<LineId, Maker>> = {
   },
 
   /**
-   * Our curve without levels, from all control points at once, with bridges where no center of mass
-   * is found.
+   * Our curve without levels. Each sample is a center of mass of all control points of its segment;
+   * where the search finds none, there is a bridge.
    */
   bridged: engineCurve,
 

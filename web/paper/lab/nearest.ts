@@ -39,7 +39,7 @@ export class NearestPoints {
     return { face: best.face, bary: best.bary };
   }
 
-  /** The index of the used vertex nearest to `place`. */
+  /** The index of the vertex nearest to `place`, of those that belong to triangles. */
   vertex(place: Vector): number {
     let [best, least] = [0, Number.POSITIVE_INFINITY];
     for (const v of this.#triangles) {

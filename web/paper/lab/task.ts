@@ -23,7 +23,7 @@ export interface Task {
   samples: number;
 }
 
-/** The weights of a curve, in the form that all methods take. */
+/** The weights of a curve, in the form that all methods take. Throws `badArgument` for a circle. */
 export function planOf({ peers, points, curve, samples }: Task): CurvePlan {
   const whole = (table: CurvePlan['table'], shape?: CurvePlan['shape']): CurvePlan => ({
     points,

@@ -18,7 +18,7 @@ export interface ClientEvents extends TableEvents {
 type Place = Omit<TableCell, 'result'>;
 
 /**
- * The time that a step may take beyond its budget: a method stops by itself only between two steps.
+ * The time by which a method may exceed its budget: by itself it stops only between two steps.
  */
 const graceMs = 2000;
 

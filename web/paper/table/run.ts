@@ -26,7 +26,7 @@ export interface TableOptions {
 }
 
 export interface TableEvents {
-  /** Receives a row whose mesh is ready. */
+  /** Receives a row whose mesh is made next. */
   row(row: TableRow): void;
   /** Receives a cell whose method begins. */
   method(cell: Pick<TableCell, 'row' | 'method' | 'triangles' | 'segments'>): void;
@@ -41,8 +41,8 @@ function tableOptions(method: TableMethod, plan: CurvePlan): MethodOptions {
 }
 
 /**
- * Measures all methods in all rows, one after the other, each on a mesh of its own. Rejects with
- * the signal's reason.
+ * Measures all methods in all rows, one after the other. Each method has its own copy of the row's
+ * mesh. Rejects with the signal's reason.
  */
 export async function runTable(
   peers: Peers,

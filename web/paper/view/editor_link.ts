@@ -41,8 +41,8 @@ function figureOf(curve: CurveSpec, points: readonly SurfacePoint[]): Figure | n
 }
 
 /**
- * The points with weights or betas in the editor's range; null if they do not fit. Only the ratios
- * matter, so that all numbers can be scaled.
+ * The points with their weights or betas. If these exceed the editor's range, the function scales
+ * them, since only their ratios matter; null if no factor fits.
  */
 function withNumbers(
   points: readonly SurfacePoint[],

@@ -254,7 +254,7 @@ export class FigurePanel {
     return promise;
   }
 
-  /** Names the line under way. */
+  /** Names the lines without a result, or else the measurement by exact paths. */
   #tellWhat(): void {
     const names = [...this.#waiting].map((id) => lineStyles[id].label);
     this.#note.dataset.kind = 'progress';

@@ -26,7 +26,7 @@ export interface ChartContent {
 }
 
 const height = 320;
-/** The factor of room at either end of a logarithmic axis. */
+/** The factor by which a logarithmic axis exceeds its values at either end. */
 const roomAtEnds = 1.08;
 
 /** A chart of lines over an axis, as wide as its element. */
@@ -107,7 +107,7 @@ export class LineChart {
   }
 }
 
-/** The values of an axis, with a little room at either end. */
+/** The range of a logarithmic axis: that of its values, with a little room at either end. */
 const around = (_: uPlot, least: number, most: number): uPlot.Range.MinMax => [
   least / roomAtEnds,
   most * roomAtEnds,

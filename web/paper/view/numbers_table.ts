@@ -4,7 +4,7 @@ import type { LineId, LineNumbers, Panel } from '../figures/types';
 import { formatDeviation, formatDifference, formatMilliseconds } from './format';
 
 interface Column {
-  /** The ruler of the measurement; columns of one ruler stand side by side. */
+  /** The heading above the column: the reference of the measurement. Neighbors may share it. */
   ruler: string;
   head: string;
   title: string;

@@ -17,7 +17,7 @@ import type { LineResult, Panel, Vector } from '../figures/types';
 import type { SharedRenderer } from './shared_renderer';
 
 const fieldOfView = 30;
-/** The fraction of its bounding sphere's radius that a surface rarely exceeds, with a margin. */
+/** The extent that a surface rarely exceeds, relative to its bounding sphere's radius. */
 const margin = 0.86;
 /** The widest line of a figure, in CSS pixels. */
 const widestLine = 4;
@@ -145,7 +145,7 @@ export class PanelView {
     this.requestFrame();
   }
 
-  /** Shows a line, and removes one of the same key. Lines of higher order lie above the others. */
+  /** Shows a line in place of one with the same key. Lines of higher order lie above the others. */
   showLine(key: string, line: LineResult, look: LineLook, order: number): void {
     if (!this.#surface) return;
     let shown = this.#lines.get(key);
