@@ -163,7 +163,8 @@ export function toVector(value: unknown, what: string): Float64Array {
 }
 
 /**
- * A point as four numbers for the engine: its face and weights; for a vertex NaN, its number, 0, 0.
+ * A point as four numbers for the engine: the face and three weights, or, for a vertex, NaN, the
+ * vertex's number, 0 and 0.
  */
 export function checkPointLike(value: unknown, what: string): Float64Array {
   const point = value as Partial<{ vertex: unknown; face: unknown; bary: unknown }> | null;

@@ -95,10 +95,10 @@ export class Curve {
   }
 
   /**
-   * Changes the curve into the curve of a value, and returns its view. It keeps the fields of
-   * unchanged points, and the segments whose points and numbers are unchanged. All other edits have
-   * the effect of a call of `set`. To drag points, pass the `drawnLegs` of the previous view as
-   * `legs`. Throws what `Mesh.curve` throws.
+   * Changes the curve into the one that a value describes, and returns its view. Fields of
+   * unchanged points remain, and so do segments whose points and numbers (such as weights) are
+   * unchanged. Every other edit has the effect of a call of `set`. To drag points, pass the
+   * `drawnLegs` of the previous view as `legs`. Throws what `Mesh.curve` throws.
    */
   set(value: CurveOptions, options: PolylineOptions = {}): CurveView {
     checkOptions(value, curveOptionNames);
@@ -116,7 +116,7 @@ export class Curve {
     return this.#seen(bytes);
   }
 
-  /** All data for drawing the curve, in one buffer. The polyline has 32 bits by default. */
+  /** All data for drawing the curve, in one buffer. Its polyline has 32-bit numbers by default. */
   view(options: PolylineOptions = {}): CurveView {
     return this.#view({ inDouble: inDouble(options), withPoints: false });
   }
@@ -214,20 +214,20 @@ export class Curve {
     return this.#filled(this.#shape.betas);
   }
 
-  /** The number of segments; parameters run from 0 to it. */
+  /** The number of segments. Parameters run from 0 to this number. */
   get segmentCount(): number {
     return this.#told.segmentCount;
   }
 
-  /** The number of levels of the curve, also if `levels: 'auto'` chose it. */
+  /** The number of levels of the curve, even if `levels: 'auto'` chose it. */
   get levels(): number {
     return this.#told.levels;
   }
 
   /**
    * The estimated largest distance, in the mesh's units, between the curve and the curve with
-   * `levels: 0`; 0 without levels. Null if the latter is not safe, so that the distance has no
-   * meaning.
+   * `levels: 0`; 0 without levels. Null if the curve with `levels: 0` is not safe (see
+   * `CurveOptions.levels`), since the distance then has no meaning.
    */
   get deviation(): number | null {
     const deviation = this.#handle.call((curve) => curve.deviation());
@@ -239,7 +239,7 @@ export class Curve {
     return this.#handle.call((curve) => curve.fieldsComputed());
   }
 
-  /** The duration of the last edit, or of the creation of the curve. */
+  /** The durations of the steps of the last edit, or of the curve's creation. */
   times(): CurveTimes {
     return { ...this.#told.times };
   }
@@ -296,10 +296,10 @@ export class Curve {
   }
 
   /**
-   * Adds a control point for a parameter, and returns its number. The curve stays unchanged on a
-   * plane, and nearly so elsewhere. A B-spline gets a knot there, and its knots are custom ones
-   * from then on. The degree of a curve of one segment grows by one, so that all its inner points
-   * are new. A Catmull-Rom curve or polyline gets a point on itself, which changes a Catmull-Rom
+   * Adds a control point at a parameter, and returns the point's number. On a plane the curve stays
+   * unchanged, elsewhere nearly so. A B-spline gets a knot at the parameter, and its knots become
+   * custom ones. A curve of one segment rises in degree by one, so that all its inner points are
+   * new. A Catmull-Rom curve or polyline gets a point on the curve, which changes a Catmull-Rom
    * curve a little. Throws `KarcherError` badArgument if the curve cannot have such a point.
    */
   insertOnCurve(parameter: number): number {
@@ -307,10 +307,10 @@ export class Curve {
   }
 
   /**
-   * Two new curves: the parts of this one before and after a parameter; or only one, open there,
-   * for a closed B-spline, Catmull-Rom curve or polyline. They equal these parts exactly on a
-   * plane, and nearly elsewhere. Next to the cut, those of a Catmull-Rom curve deviate a little,
-   * since they do not depend on the points beyond it. This curve stays unchanged. Throws
+   * Two new curves: the parts of this one before and after a parameter. A closed B-spline,
+   * Catmull-Rom curve or polyline gives one new curve, open at the parameter. On a plane the new
+   * curves equal the parts exactly, elsewhere nearly. Those of a Catmull-Rom curve deviate a little
+   * near the cut, since they do not depend on points beyond it. This curve stays unchanged. Throws
    * `KarcherError` badArgument at the ends of an open curve or of a curve of one segment, and for
    * the kind `custom`.
    */
@@ -324,10 +324,10 @@ export class Curve {
   /**
    * A new curve along this one and then along another one of the same kind. B-splines and Bezier
    * curves become one B-spline, with a geodesic between the two if they do not meet. Other curves
-   * become the curve through the points of both, with this one's parametrization; it deviates a
-   * little from both where they meet. Both curves stay unchanged. Throws `KarcherError` badArgument
-   * if the kinds, or the degrees of B-splines, differ, a Bezier degree exceeds 5, a curve is
-   * closed, or the kind is `custom`; unreachable if the curves lie on different components.
+   * become a curve through the points of both, with the parametrization of this one. It deviates a
+   * little where the two meet. Both curves stay unchanged. Throws `KarcherError` badArgument if the
+   * kinds or the B-splines' degrees differ, a Bezier degree exceeds 5, a curve is closed, or the
+   * kind is `custom`; unreachable if the curves lie on different components.
    */
   join(other: Curve): Curve {
     if (!(other instanceof Curve) || other.#mesh !== this.#mesh) {
@@ -340,7 +340,7 @@ export class Curve {
     return alike(this.#mesh, this.#options, parts);
   }
 
-  /** Moves point `from` in the order so that its number becomes `to`, with its weight and beta. */
+  /** Moves point `from` with its weight and beta in the order, so that its number becomes `to`. */
   movePointInOrder(from: number, to: number): void {
     const index = checkInteger(to, 'the new number of the control point');
     this.#edit('movePointInOrder', pointNumber(from), index);
@@ -352,9 +352,9 @@ export class Curve {
   }
 
   /**
-   * Changes the kind. Weights stay only between the kinds `bspline` and `rational`; degree, knots
-   * and parametrization become the defaults. `custom` is only for curves that were created with a
-   * basis.
+   * Changes the kind. Weights remain only if the kind changes between `bspline` and `rational`.
+   * Degree, knots and parametrization become the defaults. `custom` is only for curves that were
+   * created with a basis.
    */
   setKind(kind: CurveKind): void {
     this.#edit('setKind', checkKind(kind));
@@ -495,6 +495,6 @@ export class Curve {
   }
 }
 
-/** A curve of the engine's data, with the options that determine its trace. */
+/** A new curve from the engine's data. It takes those options that determine a curve's trace. */
 const alike = (mesh: MeshHandle, options: CurveOptions, parts: EngineCurveParts): Curve =>
   new Curve(mesh, { ...tracingOf(options), ...optionsOfParts(parts) });

@@ -77,8 +77,8 @@ function engineSampling(options: CurveOptions): EngineSampling {
 }
 
 /**
- * Options that only one kind uses, and this kind. The engine itself rejects weights and betas of
- * other kinds.
+ * Options that only one kind uses, each with this kind. The engine itself rejects weights and betas
+ * of other kinds.
  */
 const ownOptions = [
   ['degree', 'bspline'],

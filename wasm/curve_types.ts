@@ -25,7 +25,7 @@ import type {
  * - `custom`: one segment with a basis of your own.
  *
  * A curve through its control points meets them exactly on a plane, at the ends of an open curve,
- * and if it is a `polyline`. Elsewhere it passes within a few hundredths of a mean edge of them,
+ * and if it is a `polyline`. Otherwise it passes within a few hundredths of a mean edge of them,
  * since fields on a curved mesh are estimates.
  */
 export type CurveKind =
@@ -68,14 +68,14 @@ export interface LevelsTolerance {
 }
 
 /**
- * The points through which a leg of a control polygon passes; null for the shortest path. If the
- * points lie on edges, and consecutive points share a face (also those at the leg's ends), they are
- * the leg itself, unchanged.
+ * The points through which a leg of a control polygon passes; null for the shortest path. If all
+ * points lie on edges, and consecutive points share a face (the leg's ends included), the leg
+ * consists of exactly these points.
  */
 export type LegPoints = readonly PointLike[] | null;
 
 /**
- * All points of a drawn leg, with its ends. If an end is not at its control point, the leg
+ * All points of a drawn leg, including its ends. If an end is not at its control point, the leg
  * continues to the point as if a hand had dragged the end there. The leg need not stay the shortest
  * path.
  */
@@ -163,7 +163,7 @@ export interface CurveOptions extends FieldOptions {
   basis?: CurveBasis | undefined;
 }
 
-/** The value of a curve. */
+/** The value of a curve: options from which the curve can be created again. */
 export type CurveValue = CurveOptions & { legs?: readonly LegPoints[] | undefined };
 
 /** A place on a curve. */
@@ -181,7 +181,7 @@ export interface CurvePoint {
   status: Status;
 }
 
-/** The derivative of a curve by its parameter. */
+/** The derivative of a curve with respect to its parameter. */
 export interface CurveTangent extends CurvePoint {
   /** The derivatives of the three barycentric weights in the point's face; their sum is 0. */
   inFace: [number, number, number];
@@ -250,8 +250,8 @@ export interface CircleOptions extends ArcOptions {
   /**
    * The largest error of the samples' distances from the center, relative to the radius; .001 by
    * default. It determines the number of arcs unless `arcs` is given. The circle's `deviation` is
-   * larger where no arcs come nearer: beyond the center's cut locus, and where saddles spread the
-   * geodesics from the center apart.
+   * larger where no number of arcs reaches the tolerance: beyond the center's cut locus, and where
+   * saddles spread the geodesics from the center apart.
    */
   tolerance?: number | undefined;
 }

@@ -92,8 +92,8 @@ export function callback<Args extends unknown[], Result>(
 }
 
 /**
- * The lease of an object of the module. Objects created from it read it, and so hold it, too. The
- * lease deletes the object when nobody holds it any more.
+ * Counts the holders of an object of the module, and deletes the object when it has none left.
+ * Objects created from an object read it, so that they hold it, too.
  */
 class Lease {
   readonly #target: { delete(): void };
@@ -125,8 +125,8 @@ const forgotten = new FinalizationRegistry<Lease>((lease) => {
 });
 
 /**
- * The number of objects created from one object at which a first clean-up forgets those that are
- * gone.
+ * The number of references to created objects at which a handle first removes those of objects that
+ * are gone.
  */
 const leastMost = 16;
 
@@ -156,7 +156,7 @@ export class Handle<Target extends { delete(): void }> {
     return this.#target === undefined;
   }
 
-  /** Throws `KarcherError` `disposed` if the object is gone. */
+  /** Throws `KarcherError` `disposed` if the object has been disposed of. */
   check(): void {
     if (this.disposed) throw new KarcherError('disposed', `${this.#what} has been disposed of`);
   }

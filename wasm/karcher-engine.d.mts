@@ -17,13 +17,13 @@ import type {
 
 /**
  * The WebAssembly module as the facade sees it: the exports of bindings/*.cpp. A point is four
- * numbers: face, b0, b1, b2. An argument may also have NaN, vertex, 0, 0. Faces and vertices have
- * the caller's numbers. After a failed call, `takeFailure` returns the reason once, and the result
- * of the call has no meaning.
+ * numbers: face, b0, b1, b2. As an argument, a vertex may also be NaN, vertex, 0, 0. Faces and
+ * vertices have the caller's numbers. After a failed call, `takeFailure` returns the reason once,
+ * and the result of the call has no meaning.
  */
 export interface EngineModule {
   takeFailure(): { code: string; message: string } | undefined;
-  /** The statuses, by the numbers that samples have. */
+  /** The names of statuses. The status number of a sample is an index of this list. */
   statusNames(): Status[];
   allocatedBytes(): number;
   /** `weld` is negative for the default. */
@@ -217,9 +217,12 @@ export interface EngineMesh {
 /** A curve's value, as the engine receives it. */
 export interface EngineCurveValue {
   points: Float64Array;
-  /** The points that each leg passes, none for the shortest; an empty list if all are shortest. */
+  /**
+   * The points through which each leg passes: none for a shortest path. The list is empty if all
+   * legs are shortest paths.
+   */
   legs: Float64Array[];
-  /** For each leg, 1 if its points are all points of a drawn leg, with the ends; else 0. */
+  /** For each leg, 1 if it is drawn (its list has all its points, including both ends); else 0. */
   areDrawn: Int32Array;
   shape: EngineCurveShape;
   sampling: EngineSampling;
@@ -237,7 +240,7 @@ export interface EngineSampling {
   levels: number;
   /** The fewest levels of `auto`. */
   leastLevels: number;
-  /** The tolerance in mean edges. */
+  /** The tolerance of automatic levels, in mean edges. */
   levelsTolerance: number;
 }
 
@@ -312,9 +315,7 @@ export interface EngineMinimum {
   energy: number;
 }
 
-/**
- * The edits of a curve. Each turns it into another curve as a whole, or fails and changes nothing.
- */
+/** The edits of a curve. An edit that fails changes nothing. */
 export interface EngineCurveEdits {
   movePoint(i: number, point: Float64Array): void;
   /** Moves a point and continues its legs from their present course. */
@@ -336,7 +337,7 @@ export interface EngineCurveEdits {
 
 export interface EngineCurve extends EngineCurveEdits {
   delete(): void;
-  /** Changes the curve to that of a value, and returns its view (view.ts). */
+  /** Changes the curve into the one that a value describes, and returns its view (view.ts). */
   set(value: EngineCurveValue, options: EngineViewOptions): Uint8Array;
   view(options: EngineViewOptions): Uint8Array;
   /** The curve's value. Arrays that its kind does not use are empty. */
@@ -362,7 +363,7 @@ export interface EngineCurve extends EngineCurveEdits {
 /** A builder of the graph of the solver `graph`, in slices of work. */
 export interface EngineGraphBuilder {
   delete(): void;
-  /** Adds the next vertices, of this number. Returns true when the graph is complete. */
+  /** Adds the next `vertices` vertices. Returns true when the graph is complete. */
   advance(vertices: number): boolean;
   /** The completed fraction, from 0 to 1. */
   progress(): number;

@@ -35,7 +35,7 @@ export class Karcher {
    * Reads a mesh from an OBJ file, as text or as its bytes (UTF-8).
    *
    * It cuts polygons into triangles, drops vertices of no face, and repairs defects where that is
-   * safe (`MeshOptions`, `RepairKind`). `info.repairs` lists the repairs, and `fileMarks` the
+   * safe (`MeshOptions`, `RepairKind`). `info.repairs` lists the repairs. `fileMarks` returns the
    * file's parts, materials and colors. Vertices and faces keep the file's order; a polygon counts
    * as its triangles. A point keeps its place, even if its face changed.
    *
@@ -128,7 +128,9 @@ export class Karcher {
     return this.#mesh((engine) => engine.builtInShape(name, triangles));
   }
 
-  /** The number of used bytes in the engine's memory, for tests that memory is freed. */
+  /**
+   * The number of used bytes in the engine's memory, with which tests check that memory is freed.
+   */
   allocatedBytes(): number {
     return this.#engine.allocatedBytes();
   }

@@ -57,8 +57,8 @@ export class Mesh extends MeshPlaces {
 
   /**
    * A new mesh, refined by Loop subdivision: each of the `levels` (1 to 6) divides every triangle
-   * into four. The new mesh has its own numbers and a `dispose` of its own. Throws `KarcherError`
-   * outOfMemory if it cannot fit into memory.
+   * into four. The new mesh has its own vertex and face numbers, and its own `dispose`. Throws
+   * `KarcherError` outOfMemory if it cannot fit into memory.
    */
   subdivide(levels = 1): Mesh {
     checkInteger(levels, 'the number of levels');
@@ -88,25 +88,25 @@ export class Mesh extends MeshPlaces {
 
   /**
    * Prepares the mesh's data for fields with these options. It builds the graph of the solver
-   * `graph` in slices of a few milliseconds. Without this call, the first method that needs missing
-   * data computes all of it at once. Rejects with the signal's reason when the signal is aborted,
-   * and with `KarcherError` disposed, or outOfMemory as soon as it is clear that a graph cannot fit
-   * into memory.
+   * `graph` in slices of a few milliseconds. Without this call, the first method that needs the
+   * data computes what is missing without pauses. Rejects with the signal's reason when the signal
+   * is aborted; with `KarcherError` disposed if the mesh has been disposed of; and with outOfMemory
+   * as soon as it is clear that a graph cannot fit into memory.
    */
   async prepare(options: FieldOptions = {}, work: LongWorkOptions = {}): Promise<void> {
     return prepareFields(this.handle, this.info.triangles, options, work);
   }
 
   /**
-   * The Riemannian center of mass of points with weights. Each point has a weight; some may be
-   * negative. Their sum is 1 within 1e-9, unless `normalize` divides them by it. The result is a
-   * center of mass only if the status is `converged`; see `Status`.
+   * The Riemannian center of mass of points with weights. Each point has a weight, which may be
+   * negative. The weights sum to 1 within 1e-9, unless `normalize` divides them by their sum. The
+   * result is a center of mass only if the status is `converged`; see `Status`.
    *
-   * Fields of up to half a million values stay until the next call. So other weights need no new
-   * fields, and a moved point needs only its own. With the method `karcher` and the solvers `fast`
-   * and `exact`, 64 different points or more need no fields, except for `uniqueness`, for a
-   * negative weight, or if the search ends at a boundary. The search then starts at some of the
-   * points, and takes about as long for thousands of points as for hundreds.
+   * Fields of up to half a million values stay until the next call. A call with other weights then
+   * needs no new fields, and a moved point needs only its own field. With the method `karcher` and
+   * the solvers `fast` and `exact`, 64 different points or more need no fields, except for
+   * `uniqueness`, for a negative weight, or if the search ends at a boundary. The search then
+   * starts at some of the points, and takes about as long for thousands of points as for hundreds.
    *
    * Throws `KarcherError` badWeights (the number or the sum of the weights is wrong), tooFewPoints
    * (there are none), unreachable (the points lie on several components), badArgument (the limits
@@ -123,10 +123,10 @@ export class Mesh extends MeshPlaces {
   /**
    * The centers of mass of one set of points for many rows of weights. A row has one weight for
    * each point. The rows are a list, or one array of all rows, one after the other. The call
-   * computes the fields once; each search then costs as little as that for a sample of a curve. It
-   * starts at the center of equal weights, and then at points near which a lower minimum may lie.
-   * The result of a row does not depend on the other rows. Throws what `centerOfMass` throws, and
-   * names the row.
+   * computes the fields once, so that each search costs as little as for a sample of a curve. A
+   * search starts at the center of equal weights, and then at points near which a lower minimum may
+   * lie. The result of a row does not depend on the other rows. Throws what `centerOfMass` throws,
+   * and names the row.
    */
   centersOfMass(
     points: readonly PointLike[],
@@ -139,8 +139,9 @@ export class Mesh extends MeshPlaces {
   /**
    * The inverse of `centerOfMass`: weights with sum 1 for which `point` is the center of mass of
    * the points. Of all such weights they are the nearest to the given ones; for three points they
-   * are unique. They transfer a drawing from some points to others: `weightsOf` returns the weights
-   * among the first, and `centerOfMass` the place among the second.
+   * are unique. Such weights transfer a drawing from some points to others: `weightsOf` returns a
+   * place's weights for the first points, and `centerOfMass` the place with these weights among the
+   * second.
    *
    * Throws `KarcherError` badArgument if no such weights exist: seen from `point`, the points lie
    * along one line that misses it, or, with `nonNegative`, `point` lies outside their convex hull.
@@ -156,8 +157,8 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The center of mass of points that are given by their distances to all vertices, whatever
-   * computed these. Each point has an array in the caller's vertex order; entries at dropped
+   * The center of mass of points that are given by their distances to all vertices, which may come
+   * from any method. Each point has an array in the caller's vertex order; entries at dropped
    * vertices have no effect. Weights are as in `centerOfMass`; the method is `paper`.
    *
    * Throws `KarcherError` badArgument (an array of another length), notFinite (a distance that is
@@ -190,9 +191,9 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The geodesic circle about a center, made of rational quadratic arcs. Unless their number is
-   * given, there are as many as keep the samples within a thousandth of the radius. `deviation` is
-   * the largest error.
+   * The geodesic circle about a center, made of rational quadratic arcs. Unless `arcs` is given,
+   * there are as many as keep the samples within `tolerance` of the radius, by default a
+   * thousandth. `deviation` is the largest relative error.
    *
    * Throws `KarcherError` boundary (naming the arc whose geodesic from the center meets the
    * boundary), radiusTooLarge (no vertex of the component lies as far from the center).
@@ -266,8 +267,8 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The regions that shapes enclose: one for each shape, or with `combine` one for all, their
-   * union, intersection, difference or exclusion. A shape is one outline, or several with a choice
+   * The regions that shapes enclose: one for each shape, or with `combine` a single one: the union,
+   * intersection, difference or exclusion of all. A shape is one outline, or several with a choice
    * of their inside. Outlines may cross, touch and follow each other, the mesh's edges and its
    * boundary. Points nearer to each other than 2^-32 of an edge are merged. An outline from
    * boundary to boundary encloses one of its sides.
@@ -281,9 +282,9 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The parts into which paths, or lists of their points, cut the mesh; for their conditions see
-   * `regions`. Positions on both sides of a path are equal to the last bit. A path that ends inside
-   * a part leaves a slit. `progress` may abort the signal.
+   * The parts into which paths, or lists of their points, cut the mesh. The paths may cross and
+   * touch as the outlines of `regions` may. Positions on both sides of a path are equal to the last
+   * bit. A path that ends inside a part leaves a slit. `progress` may abort the signal.
    *
    * Throws `KarcherError` badArgument for consecutive points without a face in common, and the
    * signal's reason.
@@ -355,11 +356,11 @@ export class Mesh extends MeshPlaces {
    * point, in the plane of the point's face; 0, 0, 0 stands for none.
    *
    * Without points, the map has the vectors of all vertices, in the caller's order, at about the
-   * cost of one field of distances. With `{ radius }` in place of points, it has only those of
-   * vertices within the radius. Their paths are those of the solver `fast`. Their directions are
-   * interpolated between neighbors; they are exact on surfaces that unroll into a plane, and
-   * elsewhere some thousandths of a radian off. Vectors are NaN at dropped and unreachable
-   * vertices, and beyond the radius.
+   * cost of one field of distances. With `{ radius }` in place of points, it has only the vectors
+   * of vertices within the radius. The lengths are those of the solver `fast`'s paths. The
+   * directions are interpolated between neighbors. They are exact on surfaces that unroll into a
+   * plane, and elsewhere some thousandths of a radian off. Vectors are NaN at dropped and
+   * unreachable vertices, and beyond the radius.
    *
    * Throws `KarcherError` unreachable if no path exists, and badArgument unless there is one
    * direction for each point.
@@ -421,7 +422,7 @@ export class Mesh extends MeshPlaces {
 
   /**
    * Frees the memory of the mesh and of its curves. A second call has no effect. Throws
-   * `KarcherError` busy from within a basis.
+   * `KarcherError` busy if a basis or a progress function calls it while the engine works.
    */
   dispose(): void {
     this.handle.dispose();

@@ -15,7 +15,7 @@ import type {
   VectorLike,
 } from './types.js';
 
-/** The part of `Mesh` that is about its elements, and places on it and on its paths. */
+/** The methods of `Mesh` for its vertices and faces, and for places on the mesh and on paths. */
 export class MeshPlaces {
   readonly #handle: MeshHandle;
 

@@ -24,15 +24,15 @@ export interface ObjOptions extends MeshOptions {
 
 /** An object or group of an OBJ file, a solid of an STL file, a primitive of a glTF scene. */
 export interface FilePart {
-  /** The name in the file, or one from its kind and number. */
+  /** The name in the file; if it has none, a name made of the part's kind and number. */
   name: string;
   /** The number of triangles; a polygon counts as its triangles. */
   triangles: number;
 }
 
 /**
- * The marks that a file gives its vertices and triangles, beside the surface. Both have the
- * caller's numbers, which repairs do not change.
+ * The marks that a file gives its vertices and triangles, beside the surface. Vertices and
+ * triangles have the caller's numbers, which repairs do not change.
  */
 export interface FileMarks {
   /** All parts of the file, even if only some were requested. */
@@ -83,7 +83,8 @@ export type RepairKind =
   | 'dropped';
 
 /**
- * One kind of repair. Numbers stay the caller's: a point keeps its place, even if its face changed.
+ * One kind of repair. Vertices and faces keep the caller's numbers, and a point keeps its place,
+ * even if its face changed.
  */
 export interface Repair {
   /** The kind of the repair. */

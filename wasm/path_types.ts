@@ -34,9 +34,9 @@ export interface RegionShape {
   /** The closed paths that bound the shape. */
   outlines: readonly Outline[];
   /**
-   * A point that must lie inside, or the side of the first outline that is inside. The side is that
-   * at the first place where the outline's two sides differ; it stays the same when the outline
-   * moves. By default the smaller side is inside.
+   * A point that must lie inside, or the side of the first outline that is inside. Left and right
+   * refer to the first place where the outline's two sides differ. The choice stays the same when
+   * the outline moves. By default the smaller side is inside.
    */
   inside?: PointLike | 'left' | 'right';
 }
@@ -63,13 +63,16 @@ export interface Ellipse {
    * mass, else 0.
    */
   unconverged: Uint8Array;
-  /** The number of levels of the arcs, also if they chose it themselves (see `levels`). */
+  /**
+   * The number of levels of the arcs: the given number, or the one that `auto` chose (see the
+   * option `levels`).
+   */
   levels: number;
   /** The numbers of the arcs for which a geodesic from the center is not a shortest path. */
   notShortest: number[];
 }
 
-/** The end of a straightest path, and the reason for it. */
+/** A straightest path, its end, and the reason why it ends there. */
 export interface StraightestPath {
   /** The path itself. */
   path: Path;

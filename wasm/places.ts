@@ -3,7 +3,7 @@
  * no growth takes long.
  */
 const tableBits = 8;
-/** The number of bits of a vertex's number that are its place in a chunk. */
+/** The number of low bits of a vertex number that are the vertex's index in its chunk. */
 const chunkBits = 14;
 const chunkMask = (1 << chunkBits) - 1;
 

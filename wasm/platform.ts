@@ -1,7 +1,7 @@
 /**
- * A class of the platform by its name, as the project's type libraries describe it. If a project
- * has neither `DOM` nor the types of Node, the part that this package uses replaces it, so that the
- * package's types need neither.
+ * The type of a platform class's objects, as the project's type libraries declare it. Without `DOM`
+ * and the types of Node, it is `Used`: only the members that this package uses. So the package's
+ * types need neither library.
  */
 type Platform<Name extends string, Used> = typeof globalThis extends {
   [name in Name]: { prototype: infer Known };

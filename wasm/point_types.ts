@@ -103,8 +103,8 @@ export type Star = 'wide' | 'ring';
  * - `bridged`: the sample of a curve lies on a bridge, see `BridgedInterval`;
  * - `subdivided`: the sample lies on a piece of a curve with levels that follows its subdivision
  *   curve instead of centers of mass. Such a piece crosses a face that is larger than the piece,
- *   and its points do not see all corners of the faces (slivers of CAD parts). The curve is as good
- *   there. Also the reason of the interval.
+ *   and its points do not see all corners of the faces, such as slivers of CAD parts. The curve is
+ *   no worse there. The reason of the interval is then `subdivided`, too.
  */
 export type Status =
   | 'converged'
@@ -139,7 +139,7 @@ export type DistanceOptions = Pick<FieldOptions, 'solver' | 'rings'>;
 
 /** The part of a surface for which something is computed. */
 export interface RadiusOptions {
-  /** The largest distance of this part, in units of the mesh; unlimited by default. */
+  /** The largest distance of the part's points, in units of the mesh; unlimited by default. */
   radius?: number | undefined;
 }
 

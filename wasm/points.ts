@@ -2,7 +2,8 @@ import { badArgument, checkArray, checkPointLike, shown, toFloat64, toInt32 } fr
 import type { PointArrays, PointLike, SurfacePoint } from './types.js';
 
 /**
- * A caller's point in the form for the engine (`checkPointLike`), which checks it against the mesh.
+ * A caller's point in the engine's form (`checkPointLike`). The engine checks the point against the
+ * mesh.
  */
 export const wirePoint = (point: PointLike, what = 'the point'): Float64Array =>
   checkPointLike(point, what);
@@ -64,8 +65,8 @@ export const withPoint = <At extends { point: Float64Array }>(
 ): Omit<At, 'point'> & { point: SurfacePoint } => ({ ...at, point: toSurfacePoint(at.point) });
 
 /**
- * The corner that follows the nearest one in the point's face, as the end of a drag by about an
- * edge.
+ * The corner that follows the nearest one in the point's face. It serves as the end of a drag by
+ * about an edge.
  */
 export function nextCorner({ face, bary }: SurfacePoint): SurfacePoint {
   const heaviest = bary.indexOf(Math.max(...bary));

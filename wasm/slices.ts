@@ -1,7 +1,9 @@
 import { pause, sliceTime } from './prepare.js';
 import type { LongWorkOptions } from './types.js';
 
-/** The number of items between two looks at the clock: a power of two less 1, for a mask. */
+/**
+ * A loop looks at the clock at items whose number, masked with this, is 0: at every 4096th item.
+ */
 export const batchMask = 0xfff;
 
 /**

@@ -1,17 +1,18 @@
 import { badArgument, checkInteger, checkPositive } from './check.js';
 
 /**
- * Tubes along polylines, as plain arrays. Each point has a ring of vertices, across the mean
- * direction of the two sides there. The direction to the ring's first vertex is at right angles to
- * the given normal, or else transported along the polyline, so that the tube does not twist.
+ * Tubes along polylines, as plain arrays. Each point has a ring of vertices in the plane
+ * perpendicular to the mean direction of its two segments. The direction to the ring's first vertex
+ * is perpendicular to the given normal. Without normals, this direction is transported along the
+ * polyline, so that the tube does not twist.
  */
 
 export interface TubeLine {
   /** x, y, z of each point. */
   places: ArrayLike<number>;
-  /** The directions that are up, x, y, z for each point. */
+  /** The upward direction at each point: x, y, z. */
   normals?: ArrayLike<number>;
-  /** Whether it ends where it starts; the last point may repeat the first. */
+  /** Whether the line ends where it starts. The last point may repeat the first. */
   closed: boolean;
 }
 
@@ -42,7 +43,7 @@ const plus = (a: Vec3, s: number, b: Vec3, t: number): Vec3 => [
   s * a[2] + t * b[2],
 ];
 
-/** The vector with length 1; null if it has no direction. */
+/** The vector scaled to length 1; null for the zero vector. */
 function unit(a: Vec3): Vec3 | null {
   const length = Math.hypot(...a);
   return length > 0 ? [a[0] / length, a[1] / length, a[2] / length] : null;
@@ -103,7 +104,7 @@ function framesAlong(line: TubeLine, apart: number) {
   return { places, tangents, across, closed };
 }
 
-/** A band along a polyline with two vertices at each place, across its normals. */
+/** A band along a polyline. It has two vertices at each place, one on each side. */
 export interface Ribbon extends Tube {
   /**
    * Two numbers for each vertex: the length from the start in widths of the ribbon, and 0 on its
@@ -174,28 +175,28 @@ function distinct({ places, closed }: TubeLine, apart: number): number[] {
   return kept;
 }
 
-/** The mean direction of the two sides at each place. */
+/** The mean direction of the two segments at each place. */
 function tangentsOf(places: readonly Vec3[], closed: boolean): Vec3[] {
   const count = places.length;
   let last: Vec3 = [1, 0, 0];
   return places.map((place, i) => {
     const before = places[i > 0 ? i - 1 : closed ? count - 1 : 0]!;
     const after = places[i + 1 < count ? i + 1 : closed ? 0 : i]!;
-    // Where the polyline turns back, the sides have no mean direction.
+    // Where the polyline turns back, the segments have no mean direction.
     last = unit(minus(after, before)) ?? unit(minus(after, place)) ?? last;
     return last;
   });
 }
 
-/** Unit vectors across the tangents and the normals. */
+/** Unit vectors perpendicular to the tangents and the normals. */
 function uprightFrames(tangents: readonly Vec3[], normals: readonly Vec3[]): Vec3[] {
   return tangents.map((tangent, i) => unit(cross(tangent, normals[i]!)) ?? anyAcross(tangent));
 }
 
 /**
- * Unit vectors across the tangents. The smallest rotation from a tangent to the next leads from
- * each vector to the next. After a turn around a closed polyline, the last vector may not lead to
- * the first. The difference is distributed over all points.
+ * Unit vectors perpendicular to the tangents. Each vector is the previous one, rotated as the
+ * tangent turns to the next one by the smallest rotation. Once around a closed polyline, the result
+ * may differ from the first vector. The angle between them is distributed over all points.
  */
 function carriedFrames(tangents: readonly Vec3[], closed: boolean): Vec3[] {
   const [first] = tangents;
@@ -213,7 +214,7 @@ function carriedFrames(tangents: readonly Vec3[], closed: boolean): Vec3[] {
   });
 }
 
-/** A vector across one tangent, rotated with that tangent to another one. */
+/** A vector perpendicular to one tangent, rotated with this tangent to another one. */
 function carried(vector: Vec3, from: Vec3, to: Vec3): Vec3 {
   const share = 1 + dot(from, to);
   const moved =

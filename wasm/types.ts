@@ -50,7 +50,7 @@ export interface CenterOfMass {
   point: SurfacePoint;
   /** The place of that point in space. */
   position: [number, number, number];
-  /** The status of the search. The center is a minimum if it is `converged`. */
+  /** The status of the search. The center is a minimum if the status is `converged`. */
   status: Status;
   /** The number of steps of the search. */
   iterations: number;
@@ -94,11 +94,11 @@ export interface Certificate {
 /**
  * The state of knowledge about other minima of the energy.
  *
- * - `certain`: it is proved that no other minimum is lower, and that none is as near to the center
- *   as the farthest point. The proof needs weights of at least 0, and a ball that contains the
- *   points and in which squared distances are convex. On a mesh, no vertex in or near the ball may
- *   have positive curvature. On the built-in sphere and torus, the ball must be small compared with
- *   the radius of curvature (Karcher 1977); this proof holds for the smooth surface;
+ * - `certain`: it is proved that no other minimum is lower, and that any other minimum is farther
+ *   from the center than all points. The proof needs weights of at least 0, and a ball that
+ *   contains the points and in which squared distances are convex. On a mesh, no vertex in or near
+ *   the ball may have positive curvature. On the built-in sphere and torus, the ball must be small
+ *   compared with the radius of curvature (Karcher 1977); this proof holds for the smooth surface;
  * - `likely`: searches from all points and from 32 places spread over the surface ended at the
  *   center;
  * - `notUnique`: some searches ended at other minima;
@@ -284,12 +284,13 @@ export type WasmSource =
   | ArrayBufferView
   | CompiledModule;
 
-/** The source of the engine's module. */
+/** The options for loading the engine. */
 export interface LoadOptions {
   /**
-   * By default it is the file beside the package's code, which bundlers that know `import.meta.url`
-   * find. For other bundlers, the package exports the file as `karcher/karcher-engine.wasm`, and
-   * the file of `karcher/peers` as `karcher/karcher-peers.wasm`.
+   * The source of the WebAssembly module. The default is the file beside the package's code.
+   * Bundlers that know `import.meta.url` find this file. For other bundlers, the package exports it
+   * as `karcher/karcher-engine.wasm`, and the file of `karcher/peers` as
+   * `karcher/karcher-peers.wasm`.
    */
   wasm?: WasmSource | undefined;
 }

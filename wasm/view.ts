@@ -28,19 +28,19 @@ export class CurveView {
   /** The intervals in which the curve's points are not centers of mass, with the reasons. */
   readonly bridged: BridgedInterval[];
   /**
-   * The drawn legs of the control polygon, if the curve uses them. For the curve after a drag of
-   * its points, set a value with these legs and the new points.
+   * The drawn legs of the control polygon, if the curve uses them. To drag the curve's points, pass
+   * these legs to `Curve.set` together with the moved points.
    */
   readonly drawnLegs: readonly DrawnLeg[];
   /** x, y, z of the points of the drawn legs, leg by leg. */
   readonly legs: readonly (Float32Array | Float64Array)[];
   /** The knots of a B-spline; empty for other kinds. */
   readonly knots: Float64Array;
-  /** The number of segments; parameters run from 0 to it. */
+  /** The number of segments. Parameters run from 0 to this number. */
   readonly segmentCount: number;
-  /** The number of levels, also if `levels` lets the curve choose it. */
+  /** The number of levels, even if `levels: 'auto'` chose it. */
   readonly levels: number;
-  /** The duration of the last edit, or of the creation of the curve. */
+  /** The durations of the steps of the last edit, or of the curve's creation. */
   readonly times: CurveTimes;
   readonly #data: ViewData;
   readonly #closed: boolean;

@@ -5,7 +5,7 @@ import { facesOnOthers } from './doubled.js';
 export interface Boundary {
   /** The numbers of the two ends of each edge, one edge after the other. */
   ends: Int32Array;
-  /** For each number, a vertex that has it. */
+  /** For each number, one of the vertices that have it. */
   vertexAt: Int32Array;
 }
 
@@ -24,8 +24,8 @@ export async function boundaryEdges(
   const count = numbers.reduce((most, number) => Math.max(most, number), 0) + 1;
   const onOthers = doubled ? await facesOnOthers(triangles, numbers, count, slices) : null;
   const vertexAt = new Int32Array(count);
-  // The list of each number has the larger numbers at the other ends of its edges. The lists follow
-  // one another.
+  // Each number has a list of the larger numbers that edges join to it. In `others`, the lists
+  // follow one another.
   const starts = new Int32Array(count + 1);
   const others = new Int32Array(numbers.length);
   const forEachEdge = async (done: number, visit: (low: number, high: number) => void) => {

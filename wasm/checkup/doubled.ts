@@ -2,7 +2,10 @@ import { batchMask, type Slices } from '../slices.js';
 
 /** The faces that lie on an earlier face. */
 export interface FacesOnOthers {
-  /** 1 for each face that lies on an earlier one with the same orientation. The engine omits it. */
+  /**
+   * 1 for each face that lies on an earlier one with the same orientation. The engine omits such
+   * faces.
+   */
   same: Uint8Array;
   /**
    * Faces that lie on an earlier one with the opposite orientation, if they have the same vertices,
@@ -26,7 +29,8 @@ export async function facesOnOthers(
     const at = 3 * face;
     return Math.min(numbers[at]!, numbers[at + 1]!, numbers[at + 2]!);
   };
-  // The list of each number has the faces whose lowest corner it is. The lists follow one another.
+  // Each number has a list of the faces whose lowest corner has this number. In `listed`, the lists
+  // follow one another.
   const starts = new Int32Array(count + 1);
   for (let face = 0; face < faces; face++) starts[lowest(face)]!++;
   for (let i = 1; i <= count; i++) starts[i]! += starts[i - 1]!;

@@ -51,7 +51,8 @@ export async function checkUp(mesh: CheckedMesh, work: LongWorkOptions = {}): Pr
   const slices = new Slices(work, 'checking');
   const [positions, triangles] = [await mesh.positions(), await mesh.triangles()];
   const { info } = mesh;
-  // If the import welded no vertices, those at one place are separate in the engine, and here, too.
+  // If the import welded no vertices, vertices at one place are separate in the engine. The check
+  // then keeps them separate, too.
   const byPlace = info.repairs.some(({ kind }) => kind === 'welded');
   const doubled = info.repairs.some(({ kind }) => kind === 'duplicate');
   const { numbers, shortest, ...shapes } = await shapesOf(positions, triangles, byPlace, slices);

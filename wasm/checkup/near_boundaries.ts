@@ -123,7 +123,8 @@ export async function nearBoundaries(
 type Cell = [number, number, number];
 
 /**
- * The key of a cell. Several cells may share one, so that the vertices in them must be compared.
+ * The key of a cell. Several cells may share a key, so that the distances between their vertices
+ * must be checked.
  */
 function cellKey(level: number, x: number, y: number, z: number): number {
   let key = Math.imul(level + 1, 0x9e3779b1);

@@ -80,8 +80,8 @@ export function thickened(
 }
 
 /**
- * The same triangles, with one vertex at each place. Files and meshes may have several vertices
- * there.
+ * The same triangles, with one vertex at each place. Files and meshes may have several vertices at
+ * a place.
  */
 function united({ positions, triangles }: Triangles): Triangles {
   const order = Int32Array.from({ length: positions.length / 3 }, (_, vertex) => vertex);

@@ -102,7 +102,10 @@ interface Primitives {
   morphed: number;
 }
 
-/** All parts, the wanted ones as strips, and sentences about other content of the scene. */
+/**
+ * All parts of the scene with their materials, the strips of the wanted parts, and sentences about
+ * content that is not read.
+ */
 async function stripsOf(
   accessors: Accessors,
   wanted: (part: number) => boolean,

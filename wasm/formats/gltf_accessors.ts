@@ -95,9 +95,10 @@ export class Accessors {
   }
 
   /**
-   * The places and triangles of a primitive that Draco compressed. Its accessors declare how many
-   * there are, and are checked first. The first read of a row decodes the data. If there is no
-   * accessor of triangles, the data is decoded at once, since only the data has their number.
+   * The places and triangles of a primitive that Draco compressed. Its accessors declare the
+   * numbers of vertices and corners. They are checked at once, but the data is decoded only at the
+   * first read of a row. Without an accessor of indices, the data is decoded at once, since only
+   * the data has the number of triangles.
    */
   #ofDraco(of: Json, places: unknown, indices: unknown): { places: Accessor; indices: Accessor } {
     // This check comes before `what`, since a value that is no number may not convert to text.
@@ -143,7 +144,8 @@ export class Accessors {
 
   /**
    * The colors of a primitive that Draco compressed. The first read decodes them. They are white if
-   * the data has no colors of this type.
+   * the data cannot be decoded, has no such colors, or has another number of vertices than the
+   * accessor declares.
    */
   #colorsOfDraco(of: Json, accessor: Json, what: string, rowType: 'VEC3' | 'VEC4'): Accessor {
     const id = countOf(objectOf(of, 'attributes'), 'COLOR_0', what);

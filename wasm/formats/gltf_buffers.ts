@@ -13,7 +13,10 @@ export interface View {
   stride: number | undefined;
 }
 
-/** The largest growth of a meshoptimizer stream: a byte encodes at most 256 rows of four bytes. */
+/**
+ * The largest ratio of decompressed to compressed bytes of meshoptimizer: a byte encodes at most
+ * 256 rows of four bytes.
+ */
 const longest = 1024;
 
 /** The buffers of a glTF file, and their views. */

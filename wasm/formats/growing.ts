@@ -36,8 +36,8 @@ export class GrowingPolygons {
   }
 
   /**
-   * Ends a polygon with a number of corners. A polygon of fewer than three counts as left out; its
-   * corners must not be added.
+   * Ends a polygon that has `size` corners. A polygon with fewer than three corners counts as left
+   * out; the caller must not add its corners.
    */
   end(size: number): void {
     if (size < 3) {

@@ -3,7 +3,10 @@ import type { FileMarks, FilePart } from '../types.js';
 /** The marks of a file that contains only the surface. */
 export const noMarks = { partOf: null, materials: [], materialOf: null, colors: null };
 
-/** The part of each triangle for consecutive parts; null for a single part. */
+/**
+ * The part of each triangle, if the triangles of the wanted parts follow one another part by part;
+ * null if the file has only one part.
+ */
 export function partOfEach(
   parts: readonly FilePart[],
   wanted: (part: number) => boolean,
@@ -19,7 +22,7 @@ export function partOfEach(
   return partOf;
 }
 
-/** The materials of triangles, by the materials of their parts, -1 for none. */
+/** The material of each triangle, which is that of its part; -1 for none. */
 export function materialsOf(
   names: string[],
   ofParts: readonly number[],

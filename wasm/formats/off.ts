@@ -130,7 +130,7 @@ class TextSource implements Source {
   readonly #words: Words;
   readonly #beside: Beside;
   readonly #rows: TextRows;
-  /** Whether each vertex and face begins on a separate line; otherwise only the numbers count. */
+  /** Whether each vertex and face begins on a separate line. If not, line ends have no meaning. */
   #inRows = true;
   #longer = 0;
   /**
@@ -204,7 +204,7 @@ class TextSource implements Source {
     return [longerRows(this.#longer, 'the places of vertices')];
   }
 
-  /** Whether this number of lines follow, without empty ones and comments. */
+  /** Whether at least this number of lines follow that are neither empty nor comments. */
   #hasLines(wanted: number): boolean {
     const bytes = this.#bytes;
     let lines = 0;

@@ -11,7 +11,8 @@ import type { FileMarks, Triangles } from './types.js';
  * For a shell of the part, pass `sheets: 2`. The colors are then repeated for the second sheet, and
  * the result has no parts of the file, since the walls belong to none.
  *
- * Throws `KarcherError` badArgument if the colors are not those of this surface.
+ * Throws `KarcherError` badArgument if the file has another number of colors than the surface has
+ * vertices.
  *
  * @example
  * ```ts

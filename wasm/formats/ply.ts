@@ -130,7 +130,7 @@ const indexNames = ['vertex_indices', 'vertex_index'];
 
 const isIndexList = ({ name, length }: PlyProperty) => length !== null && indexNames.includes(name);
 
-/** Throws if the elements are no mesh, with the reason. */
+/** Throws `KarcherError` badFile, with the reason, if the elements are no mesh. */
 function checkElements(elements: readonly PlyElement[]): void {
   const [vertex, face] = ['vertex', 'face'].map((wanted) =>
     elements.find(({ name }) => name === wanted),

@@ -29,7 +29,7 @@ const types = new Map<string, NumberType>([
 export interface PlyProperty {
   name: string;
   type: NumberType;
-  /** The type of a list's length. */
+  /** The type of the length of a list; null for a single number. */
   length: NumberType | null;
 }
 

@@ -12,7 +12,7 @@ const headerBytes = 84;
 const triangleBytes = 50;
 
 /**
- * Whether bytes are a binary STL file. Their number shows it, since the first 80 bytes are
+ * Whether bytes are a binary STL file. The length of the file decides, since the first 80 bytes are
  * arbitrary and may look like a text file.
  */
 export function isBinaryStl(bytes: Uint8Array): boolean {
@@ -25,9 +25,9 @@ const viewOf = (bytes: Uint8Array) =>
   new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 
 /**
- * Whether the last two bytes of each triangle are the number of extra bytes after it. They must
- * lead from one triangle to the next, and from the last to the file's end. If the triangles alone
- * fill the file, the two bytes are the color that some programs store in them.
+ * Whether the last two bytes of each triangle state how many extra bytes follow it. The last
+ * triangle and its extra bytes must then end at the file's end. If the triangles alone fill the
+ * file, the two bytes are not such a number, but a color that some programs store there.
  */
 function hasMore(bytes: Uint8Array): boolean {
   const view = viewOf(bytes);
@@ -49,8 +49,8 @@ export function isTextStl(start: string): boolean {
 
 /**
  * Reads an STL file, binary or of text, whose solids are its parts. Corners at exactly the same
- * place are one vertex; vertices have numbers in the order of their first occurrence. It skips
- * normals. Rejects with `KarcherError` badFile, with the line or byte, or the signal's reason.
+ * place are one vertex; vertices have numbers in the order of their first occurrence. Normals are
+ * skipped. Rejects with `KarcherError` badFile, with the line or byte, or the signal's reason.
  */
 export async function readStl(
   bytes: Uint8Array,

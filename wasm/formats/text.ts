@@ -185,9 +185,9 @@ export class Words {
 }
 
 /**
- * The rows of a table in a text. If a row is one line, words after its numbers have no effect. If
- * it spans several lines, it ends at the end of the last one. If further words follow there, the
- * row's first line lacks a number.
+ * The rows of a table in a text. A row may continue on further lines. If a row is one line, further
+ * words after its numbers have no effect. If it spans several lines, further words after its
+ * numbers are an error: the row's first line then lacks a number.
  */
 export class TextRows {
   readonly words: Words;
@@ -197,7 +197,7 @@ export class TextRows {
    * continues on other lines.
    */
   #missing: string | null = null;
-  /** The number of rows with more than their numbers. */
+  /** The number of rows that have further words after their numbers. */
   longer = 0;
 
   constructor(words: Words) {
@@ -226,7 +226,7 @@ export class TextRows {
     return this.words.asNumber(what);
   }
 
-  /** Begins a row, wherever the last one has ended. */
+  /** Begins a new row, even if the last one is incomplete. */
   restart(): void {
     this.#inRow = false;
     this.#missing = null;
@@ -242,7 +242,7 @@ export class TextRows {
   }
 }
 
-/** A sentence about rows with more than their numbers. */
+/** A sentence about rows that have further words after their numbers. */
 export const longerRows = (rows: number, numbers: string) =>
   `Numbers beyond ${numbers} were left out, in ${counted(rows)} ${rows === 1 ? 'row' : 'rows'}.`;
 

@@ -14,7 +14,7 @@ export interface FileOptions extends LongWorkOptions, MeshOptions {
   name?: string;
   /** The numbers of the parts to read, in the file's order; all by default. */
   parts?: readonly number[];
-  /** The files that a glTF file names (`namesBeside`), by these names. */
+  /** The bytes of the files that a glTF file names, by these names (see `namesBeside`). */
   beside?: Readonly<Record<string, Uint8Array>>;
 }
 
@@ -41,8 +41,8 @@ export interface Polygons {
 }
 
 /**
- * The mesh to write, with arrays as `mesh.cut` returns them. Its other properties are those of
- * `FileMarks`, which you can spread into it: PLY, OBJ and GLB have colors, OBJ and GLB have parts.
+ * The mesh to write, with arrays as `mesh.cut` returns them. You can spread the `FileMarks` of a
+ * file into it. PLY, OBJ and GLB store colors; OBJ and GLB store parts.
  */
 export interface Triangles {
   /** The positions of the vertices: x, y, z for each. */

@@ -80,7 +80,7 @@ function soles(positions: ArrayLike<number>, triangles: ArrayLike<number>): [num
 
 type Place = [number, number, number];
 
-/** The area of a triangle, seen along its last coordinate; 0 if it leans. */
+/** The area of a triangle, seen along its last coordinate; 0 if the triangle leans too much. */
 function flatArea(p: Place, q: Place, r: Place): number {
   const [ux, uy, uz] = [q[0] - p[0], q[1] - p[1], q[2] - p[2]];
   const [vx, vy, vz] = [r[0] - p[0], r[1] - p[1], r[2] - p[2]];

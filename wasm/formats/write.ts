@@ -20,8 +20,8 @@ export const writtenFormats = Object.keys(writers) as readonly WrittenFormat[];
  *
  * Curves with a radius are tubes with flat ends. Other curves are lines: line strips in GLB, `l`
  * elements in OBJ, edges in PLY. STL has no lines. In OBJ and GLB each curve is an object with its
- * name. In GLB the color of a curve is that of its material. In OBJ and PLY vertices have colors if
- * the mesh or a curve has one; they are white where none is given.
+ * name. In GLB the color of a curve is that of its material. In OBJ and PLY, all vertices have
+ * colors if the mesh or a curve has any. Vertices without a given color are white.
  *
  * Throws `KarcherError` badArgument and badIndex.
  *
@@ -131,7 +131,8 @@ function withTubes(mesh: Triangles): { solid: Triangles; lines: readonly FileCur
     for (let i = 0; i < tube.triangles.length; i += 3) partOf.push(parts.length);
     parts.push({ name });
   }
-  // Readers of OBJ would otherwise add the first curve to the surface's object.
+  // The surface is a named part, too. Readers of OBJ would otherwise add the first curve to its
+  // object.
   const marks = { ...(isColored && { colors }), parts, partOf };
   return { solid: { positions, triangles, ...marks }, lines };
 }

@@ -44,8 +44,8 @@ function useFailure(onError: FailureOptions['onError']): (error: unknown) => voi
 }
 
 /**
- * The engine; undefined until it is loaded. All components share one in the page and one in a
- * worker. The last component that unmounts ends it.
+ * The engine; undefined until it is loaded. All components share one engine in the page and one in
+ * a worker. An engine ends when the last component that uses it unmounts.
  */
 export function useKarcher({
   worker = false,

@@ -1,4 +1,4 @@
-/** Whether two values have the same numbers, words and functions, in arrays and plain objects. */
+/** Whether two values have the same numbers, strings and functions, in arrays and plain objects. */
 export function isSameValue(a: unknown, b: unknown): boolean {
   if (Object.is(a, b)) return true;
   if (typeof a !== 'object' || typeof b !== 'object' || a === null || b === null) return false;

@@ -38,8 +38,8 @@ export interface DragHookOptions {
    */
   reach?: number | undefined;
   /**
-   * A function that receives the error of an edit, such as that of a pointer over another
-   * component.
+   * A function that receives the error of an edit, such as `unreachable` if the pointer is over
+   * another connected component of the mesh.
    */
   onError?: ((error: unknown) => void) | undefined;
 }

@@ -71,8 +71,8 @@ interface Patch {
  * are those of locally shortest paths (`Mesh.logMap`).
  *
  * Rejects with `KarcherError` badArgument for a region without area or mass, for a density that is
- * negative or does not have one value for each vertex, and for samples below 1, and as
- * `Mesh.logMap` does.
+ * negative or not finite at a vertex or has another number of values, and for samples below 1;
+ * otherwise as `Mesh.logMap` does.
  *
  * @example
  * ```ts
@@ -166,7 +166,7 @@ const allOf = (triangles: Int32Array): Parts => ({
 /** The sides of a whole triangle, in its second and third weights. */
 const whole = Float64Array.of(0, 0, 1, 0, 1, 0, 0, 1, 0, 1, 0, 0);
 
-/** The triangles of a region, and its parts of other triangles. */
+/** The patches of a region: its whole triangles, and its parts of other triangles. */
 function patchesOf(
   { share, triangles: parts, sides }: Parts,
   positions: Float64Array,

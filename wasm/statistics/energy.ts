@@ -52,8 +52,8 @@ export async function energyAt(
 }
 
 /**
- * The Hessian of the energy at a point inside a face, by differences of gradients on both sides. On
- * a plane its matrix is twice the sum of the weights times the identity. The energy has no Hessian
+ * The Hessian of the energy at a point inside a face, by central differences of gradients. On a
+ * plane its matrix is twice the sum of the weights times the identity. The energy has no Hessian
  * where several shortest paths lead to one of the points, or where they turn from one side of a
  * vertex to the other.
  *
@@ -113,7 +113,7 @@ export interface PointDerivative {
  * The derivatives of a center of mass with respect to each of its points, with the other points
  * fixed. `center` is the center of mass of the points with these weights; it and all points lie
  * inside faces. The log vector of a point changes as the point moves, and the Hessian of the energy
- * determines how far the center follows. The change is a difference between both sides. For a path
+ * determines how far the center follows. The change is computed as a central difference. For a path
  * that only crosses edges, it is the move of the point, transported to the center.
  *
  * They are derivatives on the polyhedron, as those of `weightDerivatives`. On a plane, the center
@@ -154,7 +154,10 @@ export async function pointDerivatives(
   });
 }
 
-/** A function that returns the move of a center of mass under a pull with a weight. */
+/**
+ * A function that returns how far a center of mass moves if the weighted sum of the log vectors
+ * changes by `weight` times `pull`.
+ */
 async function pulled(
   mesh: AnyMesh,
   points: readonly PointLike[],

@@ -125,8 +125,8 @@ interface Rule {
 }
 
 /**
- * The search. Each step leads to the center of mass with weights that depend on the distances at
- * its start (Weiszfeld).
+ * The search. Each step leads to the center of mass with weights that depend on the distances from
+ * the start of the step (Weiszfeld).
  */
 async function search(
   mesh: AnyMesh,

@@ -3,7 +3,10 @@
  * each triangle. They are straight within triangles, from edge to edge.
  */
 
-/** The end of a segment: a number, such as that of an edge, which meeting segments share. */
+/**
+ * The end of a segment. Segments meet where their ends have the same number, such as that of an
+ * edge.
+ */
 export interface SegmentEnd {
   /** The number of the edge or corner on which the end lies. */
   edge: number;

@@ -3,8 +3,8 @@
  * linear in each triangle. Sites are added one after the other. From the convex pieces of earlier
  * sites in a triangle, a new site takes the part that is nearer to it by more than rounding.
  *
- * A corner of a piece is a vertex of the mesh, or lies on an edge between two other corners, of
- * which a site took one. The two corners identify it. So pieces on both sides of an edge share this
+ * A corner of a piece is a vertex of the mesh, or lies between two earlier corners of which a site
+ * took only one. These two corners identify it. So the pieces on both sides of an edge share the
  * corner, even if they lie in two triangles, and no gap opens, whatever the rounding.
  */
 
@@ -105,8 +105,8 @@ export class NearestPieces {
   }
 
   /**
-   * Keeps the pieces of a triangle. If all belong to one site, they are merged into one piece. It
-   * keeps the corners on the triangle's edges, since neighbors share them.
+   * Keeps the pieces of a triangle. If all belong to one site, they are merged into one piece. This
+   * piece keeps the corners on the triangle's edges, since neighbors share them.
    */
   #keep(face: number, pieces: Piece[]): void {
     const [{ site }] = pieces as [Piece];

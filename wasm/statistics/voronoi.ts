@@ -23,7 +23,10 @@ export interface VoronoiDiagram {
   areas: Float64Array;
   /** The lines between cells. */
   borders: VoronoiBorder[];
-  /** The cell of a site as a region; `centroid` finds its centroid. */
+  /**
+   * The cell of a site as a region, such as for `centroid`. Throws `KarcherError` badIndex if there
+   * is no such site.
+   */
   cell(site: number): Region;
 }
 

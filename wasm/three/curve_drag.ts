@@ -15,8 +15,8 @@ import type { SurfaceCurve } from './surface_curve.js';
 
 /**
  * The fraction of the distance to the camera by which a control point appears nearer. The surface
- * may lie in front of a visible point by the same fraction. It is larger than that of a line, since
- * a slope would hide more of a square.
+ * may lie in front of a visible point by the same fraction. The fraction is larger than that of a
+ * line, since a sloping surface would hide more of a point's square.
  */
 const nearer = 0.01;
 
@@ -42,8 +42,8 @@ export interface CurveDragOptions {
  */
 export class CurveDrag {
   /**
-   * A function that receives the error of an edit, such as that of a pointer over another
-   * component.
+   * A function that receives the error of an edit, such as `unreachable` if the pointer is over
+   * another connected component of the mesh.
    */
   onError: ((error: unknown) => void) | undefined;
   /** The number of the dragged control point, or -1. */

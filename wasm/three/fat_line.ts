@@ -28,7 +28,7 @@ export const lineColor = 0xd03a1e;
 
 /**
  * Brings a material's depth nearer to the camera by the fraction `part` of the distance. `after` is
- * the line of the vertex shader after which the place is known.
+ * the line of the vertex shader after which `gl_Position` is known.
  */
 export function liftMaterial(material: Material, after: string, part: number): void {
   material.onBeforeCompile = (shader) => {

@@ -29,7 +29,7 @@ export interface SurfaceHit {
   face?: { readonly a: number; readonly b: number; readonly c: number } | null | undefined;
   /** The number of that triangle. */
   faceIndex?: number | null | undefined;
-  /** The object, in whose coordinates the triangle is. */
+  /** The object that was hit. The triangle is in its coordinates. */
   object?: Object3D | undefined;
   /** The instance of an `InstancedMesh`. */
   instanceId?: number | undefined;
@@ -62,11 +62,11 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
   }
 
   /**
-   * The surface point at which a raycast hit an object that draws this surface. The places of the
-   * triangle's corners identify it, so that vertex numbers and the order of triangles do not
-   * matter; a `MeshBVH` may change this order at any time. Throws `KarcherError` badPoint if the
-   * hit is on another surface, or on this one in another shape (skinned, morphed, or edited since):
-   * the place of the point and that of the hit may differ by at most 1e-6 of the diagonal.
+   * The surface point at which a raycast hit an object that draws this surface. The triangle is
+   * identified by the places of its corners, so that vertex numbers and the order of triangles do
+   * not matter. A `MeshBVH` may change this order at any time. Throws `KarcherError` badPoint if
+   * the hit is on another surface, or on this one in another shape (skinned, morphed, or edited
+   * since). The place of the point and that of the hit may differ by at most 1e-6 of the diagonal.
    */
   pointAt(hit: SurfaceHit): SurfacePoint {
     const place = placeOf(hit);

@@ -110,8 +110,9 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
   }
 
   /**
-   * Changes the curve to another one. The promise is true when that is drawn, and false if a newer
-   * edit replaced it. Rejects with the error of `Curve.set`; the curve is then unchanged.
+   * Changes the curve to another one. The promise resolves to true when the new curve is drawn, and
+   * to false if a newer edit has replaced this one or the curve is disposed of. It rejects with the
+   * error of `Curve.set`; the curve is then unchanged.
    */
   set(value: CurveOptions): Promise<boolean> {
     return this.#edit({ ...value, points: [...value.points] }, false);
@@ -176,7 +177,7 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
       if (!this.#isDisposed) this.#draw(view);
       tell(!this.#isDisposed);
     } catch (error) {
-      // A waiting edit starts from the requested curve, and may fail, too.
+      // A waiting edit starts from the value that failed here, and may fail, too.
       if (!this.#waiting) this.#value = this.#drawn;
       fail(error);
     }

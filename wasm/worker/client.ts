@@ -211,7 +211,10 @@ export class WorkerClient {
     if (pending.begun > 0) this.#impatient(cancelled);
   }
 
-  /** Acts on the cancellation of the call that the worker executes. */
+  /**
+   * Gives the worker time to acknowledge the cancellation of the call that it executes, and then
+   * replaces the worker.
+   */
   #impatient(cancelled: Cancelled): void {
     if (cancelled.begun) return;
     cancelled.begun = true;

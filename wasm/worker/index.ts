@@ -50,8 +50,8 @@ export interface WorkerOptions {
 const workerOptionNames = namesOf<WorkerOptions>({ worker: true, wasm: true, signal: true });
 
 /**
- * Loads the engine in a new worker. All names are those of the engine of `load`. Methods return
- * promises, and a curve's properties are promises. Results belong to the caller; the worker
+ * Loads the engine in a new worker. Classes and methods have the same names as with `load`. Methods
+ * return promises, and a curve's properties are promises. Results belong to the caller; the worker
  * transfers large arrays.
  *
  * Every method takes `{ progress, signal }` after its other arguments. A signal rejects the call at

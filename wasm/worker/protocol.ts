@@ -20,7 +20,7 @@ export interface WorkerLike {
  * A call. With `tells`, the worker announces the start of the call to the first function among the
  * arguments. With `keeps`, it announces the start to the client, too, and its answer includes the
  * values of curves that the call creates or edits. With `makes`, the call creates a mesh or curve
- * of an earlier worker again, under this number; it is answered only if it fails.
+ * of an earlier worker again, under this number. The worker answers such a call only if it fails.
  */
 export interface Call {
   id: number;
@@ -68,7 +68,7 @@ export interface ClassNames {
   facts: string[];
 }
 
-/** Values that cannot be cloned. */
+/** Values that cannot be cloned, in the form in which they are sent. */
 export type Sent =
   | { sent: 'signal' }
   | { sent: 'callback'; callback: number }
@@ -88,7 +88,10 @@ export function isPlain(value: object): boolean {
   return prototype === Object.prototype || prototype === null;
 }
 
-/** A copy of a value with the parts that `replace` returns; undefined leaves a part unchanged. */
+/**
+ * A copy of a value in which `replace` may replace each part. If it returns undefined, the part
+ * remains, and its own parts are passed to `replace`.
+ */
 export function replaced(value: unknown, replace: (part: object) => unknown): unknown {
   if ((typeof value !== 'object' || value === null) && typeof value !== 'function') return value;
   const other = replace(value);

@@ -115,7 +115,7 @@ function calling(client: Caller, names: readonly string[], object?: object) {
   return Object.fromEntries(names.map((name): [string, Call] => [name, callOf(name)]));
 }
 
-/** A call that rejects a curve's value with a basis. */
+/** A call that rejects if its first argument, the value of a curve, has a basis. */
 const withoutBasis =
   (call: Call): Call =>
   (...args) => {

@@ -32,9 +32,9 @@ export function ownScope(): Scope {
 /**
  * Answers the calls of a client from within its worker. A call is a method of `root`, or a method
  * or property of a mesh or curve that an earlier call returned; these objects stay here. A call may
- * use functions among its arguments while it runs; they return nothing. A signal among its
- * arguments is aborted when the client cancels the call. The worker transfers the arrays of
- * results, so the methods must not keep them.
+ * use functions among its arguments while it runs; such functions return nothing to it. A signal
+ * among its arguments is aborted when the client cancels the call. The worker transfers the arrays
+ * of results, so the methods must not keep them.
  */
 export function serve(root: object | Promise<object>): void {
   const server = new Server(root, ownScope());
