@@ -49,7 +49,10 @@ export function onTop(drawing: Drawing, object: DrawnObject): Command {
   return { type: 'steps', steps: [add, activate, remove] };
 }
 
-/** An empty figure of the same kind and settings. */
+/**
+ * An empty, open figure of a kind, or of the default kind instead of a derived one. It has the same
+ * settings, but no knots of its own.
+ */
 function begun(figure: Figure, kind: Kind): Figure {
   const { derived: _, ...bare } = figure;
   return {
@@ -117,8 +120,8 @@ function withOrphans({ objects }: Drawing, ids: readonly number[]): Set<number> 
 }
 
 /**
- * Removes objects, and the objects that have no other sources. If the edited one is removed, an
- * empty object of its kind begins.
+ * Removes objects, and the derived objects all of whose sources are removed; other derived objects
+ * lose the removed sources. If the edited object is removed, an empty object of its kind begins.
  */
 export function deletion(drawing: Drawing, wanted: readonly number[]): Command | null {
   if (!drawing.objects.some(({ id }) => wanted.includes(id))) return null;
@@ -188,7 +191,10 @@ function freshGroups(drawing: Drawing, added: readonly DrawnObject[]): Map<strin
   return fresh;
 }
 
-/** The name; if another object or group has it, with the first number that makes it unique. */
+/**
+ * The name or, if another object or group has it, the name with the first number that makes it
+ * unique.
+ */
 function freeName(name: string, taken: ReadonlySet<string | null>): string {
   if (!taken.has(name)) return name;
   const stem = name.replace(/ \d+$/, '');

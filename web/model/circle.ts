@@ -35,8 +35,8 @@ export function newCircle(center: SurfacePoint, diagonal: number, direction: Vec
 }
 
 /**
- * The shape with its radii as lengths, so that they stay when the center moves. A circle drops the point of its
- * radius across, since that point means another radius elsewhere.
+ * The shape with its radii as lengths, so that they stay when the center moves. A circle drops a
+ * point that sets the radius across, since at another center the point would set another radius.
  */
 export function byRadii({ across, ...shape }: CircleShape, drawn: DrawnRadii | null): CircleShape {
   if (!drawn) return { ...shape, ...(across && { across }) };

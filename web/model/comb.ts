@@ -1,7 +1,8 @@
 /**
  * A curvature comb: teeth along a curve, whose lengths show its curvature within the surface. The
- * curvature at a point is that of the circle through it and the points a window before and behind
- * it. Its component in the tangent plane is the geodesic curvature, exact for circles in space.
+ * curvature at a point is that of the circle through this point and two others, a window before it
+ * and a window behind it. The component of the curvature in the tangent plane is the geodesic
+ * curvature, exact for circles in space.
  */
 import type { Vector } from './figure';
 import { cross, dot, minus, scaled } from './vectors';
@@ -17,9 +18,7 @@ export interface Tooth {
 
 export interface Comb {
   teeth: Tooth[];
-  /**
-   * The number of places where the curve turns at a point. There it has no curvature and no teeth.
-   */
+  /** The number of corners of the curve, at which it has no curvature and no teeth. */
   corners: number;
   closed: boolean;
 }
@@ -29,9 +28,10 @@ const cornerAngle = Math.PI / 6;
 
 /**
  * The teeth of a polyline, x, y, z each, evenly spaced by length; `countOn` returns the number of
- * teeth for a length. The curvature of a tooth follows from the points `window` before and behind
- * it, at most a quarter of the length. There are no teeth nearer to a corner or to an end of an
- * open curve. `normalAt` returns the surface's unit normal.
+ * teeth for a length. The curvature of a tooth follows from the points at the distance `window`
+ * before and behind it, or at a quarter of the length if that is less. Nearer than this distance to
+ * a corner, or to an end of an open curve, there are no teeth. `normalAt` returns the surface's
+ * unit normal.
  */
 export function combOf(
   polyline: ArrayLike<number>,

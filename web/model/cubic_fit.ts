@@ -21,7 +21,7 @@ export interface Piece {
 
 /** The most steps that improve the parameters of a curve before the fit splits or returns it. */
 const mostSteps = 24;
-/** The largest deviation, in tolerances, at which better parameters may suffice. */
+/** The largest deviation, in tolerances, for which the fit goes on to improve the parameters. */
 const worthBettering = 16;
 /**
  * The least length of a handle in a given direction, relative to the chord. A third of the chord
@@ -84,7 +84,7 @@ function leastSquares(
     [1, 0],
     [0, 1],
   ];
-  // The effect of each unknown: it moves a handle along its direction, or along one of two axes.
+  // Each unknown moves a handle along its given direction, or along one of two axes.
   const unknowns = [
     ...(start ? [start] : axes).map((way) => ({ handle: 1, way })),
     ...(end ? [end] : axes).map((way) => ({ handle: 2, way })),
@@ -218,7 +218,7 @@ export function fittedCubics(
     const length = Math.hypot(...way);
     return length > 1e-9 ? [way[0] / length, way[1] / length] : null;
   };
-  /** The direction along the curve, from both sides of the point. */
+  /** The direction along the curve at a point, from the points on both sides. */
   const along = (at: number): Planar => {
     const [back, on] = [directionAt(points, at, -1, reach), directionAt(points, at, 1, reach)];
     return middleAt(back, on) ?? on;

@@ -19,7 +19,10 @@ export type CornerShape = (typeof cornerShapes)[number];
 
 export interface Offset {
   readonly distance: number;
-  /** The distance at the end of an open curve, and halfway round a closed one, if it differs. */
+  /**
+   * The distance at the end of an open curve, and halfway round a closed one, if it differs from
+   * the distance at the start.
+   */
   readonly end?: number | undefined;
   readonly side: OffsetSide;
   readonly corners?: CornerShape | undefined;

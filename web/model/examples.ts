@@ -203,7 +203,7 @@ function ball({ near }: Places): Drawing {
 }
 
 /**
- * A curve that winds twice round a torus and three times through its hole, and two that run beside
+ * A curve that winds twice round a torus and three times through its hole, and one that runs beside
  * it.
  */
 function windings({ near }: Places): Drawing {

@@ -357,13 +357,16 @@ export function withPlaces(figure: Figure, move: (point: SurfacePoint) => Surfac
   };
 }
 
-/** Whether the number of knots fits the points; knots by a rule always do. */
+/** Whether the number of knots fits the points. Uniform and clamped knots always fit. */
 export function knotsFit({ settings, points }: Pick<Spline, 'settings' | 'points'>): boolean {
   const { knots, closed, degree } = settings;
   return !knots || knots.length === points.length + 1 + (closed ? 0 : degree);
 }
 
-/** The figure, with uniform knots instead of its own if these are for another number of points. */
+/**
+ * The figure. If its own knots are for another number of points, uniform or clamped ones replace
+ * them.
+ */
 export function withFittingKnots<Of extends Pick<Spline, 'settings' | 'points'>>(spline: Of): Of {
   if (knotsFit(spline)) return spline;
   return { ...spline, settings: { ...spline.settings, knots: null } };

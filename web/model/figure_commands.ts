@@ -67,7 +67,7 @@ export function fitted(to: Figure, from: Figure, command: FigureCommand): Figure
   return withFittingKnots(command.type === 'replace' ? to : withFittingLegs(to, from));
 }
 
-/** A command from one value to another, the other way round. */
+/** The command in the opposite direction, with its two values swapped. */
 export const swapped = <Change extends { from: unknown; to: unknown }>(change: Change): Change => ({
   ...change,
   from: change.to,

@@ -7,8 +7,8 @@ import { type ControlPoint, type Figure, isEmpty, withFittingKnots, withLeg } fr
 import { withTangents } from './pen';
 
 /**
- * The points that lie on such a surface. They keep the legs that also lie on it and join the same
- * neighbours as before.
+ * The points that lie on a surface with this many triangles. They keep the legs that also lie on it
+ * and join the same neighbours as before. A point loses both handles if one lies outside.
  */
 function fittingPoints(points: readonly ControlPoint[], triangles: number): ControlPoint[] {
   const fits = ({ face }: SurfacePoint) => face < triangles;

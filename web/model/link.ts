@@ -46,7 +46,7 @@ export interface Link {
   problems: readonly string[];
 }
 
-/** The numbers of places that a drawing lacks. */
+/** The numbers of points and circles that a drawing lacks. */
 export interface Lost {
   points: number;
   circles: number;
@@ -151,7 +151,7 @@ export function lostOf({ drawing: said, unread }: Link, drawing: Drawing): Lost 
 
 /**
  * The objects in a fragment. In older links a curve could also have a circle, and a circle also
- * points. What is not of the object's kind becomes another object, which is hidden.
+ * points. This second figure becomes another object, which is hidden.
  */
 function parseObjects(fragment: string): DrawnObject[] {
   const figure = parseFigure(fragment);

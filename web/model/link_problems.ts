@@ -37,7 +37,7 @@ const areNumbers = (text: string, ...counts: number[]) => {
   return values.every(Number.isFinite) && (counts.length === 0 || counts.includes(values.length));
 };
 
-/** Parts that begin with a point's index: `number:rest`, where `fits` checks the rest. */
+/** A check of parts that begin with a point's index, as `number:rest`; `fits` checks the rest. */
 const byPoint = (fits: (rest: string[]) => boolean) => (text: string) =>
   text.split(';').every((part) => {
     const [index = '', ...rest] = part.split(':');

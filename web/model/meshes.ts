@@ -235,7 +235,7 @@ export function readAs(key: string, reading: Partial<Reading>): string {
 /** The key of a file without its options for reading; any other key is unchanged. */
 export const keyOfFile = (key: string) => readAs(key, { parts: null, weld: null, up: null });
 
-/** A file with the options of its key. */
+/** A file with the parts and the welding tolerance of its key. */
 export function fileSource(key: string, content: Blob): FileSource {
   const { parts = null, weld = null } = readingOf(key) ?? {};
   return { kind: 'file', content, name: meshLabel(key), parts, weld };

@@ -1,6 +1,6 @@
 import type { FieldOptions } from 'karcher';
 
-/** The quality of the shown curve: the fast one of a drag, or the one to keep. */
+/** The quality of the shown curve: a fast draft, or the exact curve. */
 export type Quality = 'draft' | 'exact';
 
 /** The ways to compute centers of mass that the page offers, in the menu's order. */

@@ -11,7 +11,7 @@ export interface SourceLine {
 
 /** The pieces of one line, by the indices of its points. */
 export interface LinePieces {
-  /** The indices of points where another object's line goes on. */
+  /** The indices of the points at which the line passes from one object's line to another's. */
   breaks: number[];
   originOf(from: number, to: number): Origin | undefined;
 }
@@ -35,7 +35,10 @@ export function piecesOf(
     places: placesOf(path),
   }));
   const places = placesOf(line);
-  /** The source on which the piece after a point lies, and its segment there. */
+  /**
+   * For the piece after each point, the source along which it runs (-1 if none), and the segment
+   * there.
+   */
   const found = places.slice(1).map((end, i) => {
     const middle = end.map((value, k) => (value + places[i]![k]!) / 2) as Vector;
     let best = { off: together * diagonal, line: -1, segment: 0 };
@@ -48,7 +51,7 @@ export function piecesOf(
     return best;
   });
   const idAt = (piece: number) => lines[found[piece]!.line]?.id;
-  /** How far along its object's line a piece's end lies, from 0 to 1. */
+  /** The place of a piece's end along its object's line, from 0 at the start to 1 at the end. */
   const along = (piece: number, point: number) => {
     const { line: number, segment } = found[piece]!;
     const { lengths, places: own } = lines[number]!;

@@ -14,14 +14,14 @@ export const placesOfDrawing = ({ objects }: Drawing): SurfacePoint[] =>
 
 export interface PartDrawing {
   drawing: Drawing;
-  /** The number of objects that came along, and the number of all objects that could. */
+  /** The number of objects on the part, and the number of objects that were considered. */
   came: number;
   all: number;
 }
 
 /**
- * The objects whose every place has a point in `onPart`, and the objects derived from these alone,
- * without the cut to which the part belongs.
+ * The objects all of whose places have a point in `onPart`, and the objects derived only from such
+ * objects. The cut to which the part belongs is not among them.
  */
 export function drawingOnPart(
   { objects, active }: Drawing,

@@ -20,8 +20,8 @@ export interface SurfacePart extends Shell {
   /** A point inside one of its triangles. */
   point: SurfacePoint;
   /**
-   * For a part with thickness: its shell, and the largest thickness that its shape allows if the
-   * chosen one exceeds it.
+   * The shell of a part with thickness. `most` is the largest thickness that the part's shape
+   * allows, if the chosen thickness exceeds it.
    */
   thick: (Shell & { most: number | null }) | null;
 }

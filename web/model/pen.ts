@@ -1,7 +1,7 @@
 /**
- * Curves of the pen: cubic Bézier segments between anchors, each with a tangent handle on either
- * side or none. A handle lies at the end of a straightest geodesic from its anchor. If one handle
- * is the opposite of the other, the curve stays smooth there when either moves.
+ * Curves of the pen: cubic Bézier segments between anchors, each with up to two tangent handles,
+ * one on either side. A handle lies at the end of a straightest geodesic from its anchor. If one
+ * handle is the opposite of the other, the curve stays smooth there when either moves.
  */
 import type { CurveOptions, CurveSamples, FieldOptions, SurfacePoint } from 'karcher';
 import {

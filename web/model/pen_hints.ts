@@ -1,4 +1,4 @@
-/** The cursor and the words for the effect of the pointer on a curve of the pen. */
+/** The cursor and the hint that show what the pointer does to a curve of the pen tool. */
 import type { Side } from './figure';
 
 export type PenAction =

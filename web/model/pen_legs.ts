@@ -27,7 +27,7 @@ const middle = 1;
 export const anchorOfLeg = (leg: number): number | null =>
   leg % legsOfSegment === middle ? (leg - middle) / legsOfSegment : null;
 
-/** Selects the legs that anchors store from all legs of the control polygon. */
+/** The legs that anchors store, selected from all legs of the control polygon. */
 export const legsOfAnchors = <Leg>(legs: readonly Leg[]): Leg[] =>
   legs.filter((_, i) => anchorOfLeg(i) !== null);
 

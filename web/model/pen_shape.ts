@@ -63,8 +63,8 @@ export function withBentSegment(
 const placesHeld = 24;
 
 /**
- * One curve that replaces two consecutive ones, with the given directions into it from its ends. If
- * the two are halves of one curve, it is that curve.
+ * One curve that replaces two consecutive ones. Its directions at the ends are the given ones,
+ * which point into the curve. If the two are parts of one curve, the result is that curve.
  */
 export function mergedCubic(
   first: Cubic,

@@ -36,7 +36,10 @@ const whiteNoise: Scatter = (flat, count, least, random) => {
   }
 };
 
-/** Points of a lattice of equilateral triangles, each moved by up to a quarter of its side. */
+/**
+ * Points of a lattice of equilateral triangles, each moved by up to a quarter of the triangles'
+ * side.
+ */
 const fairPoints: Scatter = (flat, count, least, random) => {
   const width = 1 - 2 * least;
   const side = width / Math.sqrt(count * Math.sqrt(0.75));
@@ -55,7 +58,8 @@ const fairPoints: Scatter = (flat, count, least, random) => {
 };
 
 /**
- * A grid. With `jitter`, inner vertices move by up to that many cells, and diagonals are random.
+ * A grid. With `jitter`, vertices move by up to that many cells in each coordinate, those of the
+ * border only along it, and diagonals are random.
  */
 function grid(columns: number, rows: number, jitter: number): Arrays {
   const random = randomFrom(seed);

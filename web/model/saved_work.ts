@@ -5,8 +5,8 @@ import { type History, historyOf } from './history';
 import { drawingVersion, readDrawing, savedDrawing } from './saved_drawing';
 
 /**
- * The most letters of a history: a tab's storage holds a few million. Beyond it only the newest
- * steps stay.
+ * The largest length of a history's text, in characters, since a tab's storage holds a few million.
+ * Of a longer history only the newest steps stay.
  */
 const mostLetters = 1_500_000;
 
@@ -22,7 +22,7 @@ function textOf(command: Command): string {
   return text;
 }
 
-/** The last commands of a list that fit into this many letters. */
+/** The texts of the last commands of a list, with at most this many characters in total. */
 function lastOf(commands: readonly Command[], letters: number): string[] {
   let left = letters;
   const kept: string[] = [];
@@ -42,7 +42,7 @@ export function savedWork(link: string, drawing: Drawing, history: Readonly<Hist
   return `${head.slice(0, -1)},"done":[${done!.join(',')}],"undone":[${undone!.join(',')}],"activated":${JSON.stringify(history.activated)}}`;
 }
 
-/** A drawing's link as text, which takes less room without the history. */
+/** The text that stores only the link of a drawing, which takes less room than its history. */
 export const savedLink = (link: string) => JSON.stringify({ link, version: drawingVersion });
 
 const canonical = (drawing: Drawing) =>

@@ -9,9 +9,9 @@ const sourcesOf = ({ figure }: DrawnObject) =>
 const resolved = new WeakMap<Figure, Figure>();
 
 /**
- * The figure of an object with the figures of its sources, to any depth. It is the identical figure
- * as long as all of these are unchanged. It omits missing sources, cuts, and objects that would be
- * their own sources.
+ * The figure of an object with the figures of its sources, to any depth. The result is the same
+ * value as before as long as all of these figures are unchanged. It omits missing sources, cuts,
+ * and objects that would be their own sources.
  */
 export function resolvedFigure(drawing: Drawing, object: DrawnObject): Figure {
   if (!isDerived(object.figure.kind)) return object.figure;
@@ -42,7 +42,7 @@ export function resolvedFigure(drawing: Drawing, object: DrawnObject): Figure {
   return resolve(object);
 }
 
-/** Whether no line of a figure has ends. Its `operands` must be resolved. */
+/** Whether all lines of a figure are closed. Its `operands` must be resolved. */
 export function isLoop({ kind, settings, derived, operands = [] }: Figure): boolean {
   if (kind === 'offset') return derived?.offset?.side === 'both' || areLoops(operands);
   return isRound(kind) || isBoolean(kind) || (isCurve(kind) && settings.closed);

@@ -13,7 +13,7 @@ export interface Plane {
 
 export interface Symmetry {
   plane: Plane;
-  /** The distance from the surface below which most of the mirrored surface lies. */
+  /** The distance from the surface that most mirrored samples do not exceed. */
   apart: number;
 }
 
@@ -102,7 +102,7 @@ function directions(count: number): Vector[] {
   });
 }
 
-/** The distance below which most mirrored samples lie. */
+/** The distance from the surface that most mirrored samples do not exceed. */
 function apartOf(plane: Plane, samples: readonly Vector[], nearest: NearestPlace): number {
   const distances = samples
     .map((sample) => {

@@ -57,7 +57,7 @@ export interface TracedCurve {
   legs: readonly Float32Array[];
   /** The legs in the form that the engine continues. */
   drawnLegs: readonly DrawnLeg[];
-  /** The parts where the curve is no center of mass: bridges by subdivision replace it there. */
+  /** The parts where the curve is no center of mass, whether or not a bridge replaces it there. */
   lost: LostInterval[];
   /** The number of a circle's arcs whose geodesics from the center are no longer shortest. */
   arcsNotShortest: number;

@@ -16,7 +16,10 @@ export interface OrbitPlace {
    */
   azimuth: number;
   elevation: number;
-  /** The radius of the ball around the target that fits into the window, whatever its shape. */
+  /**
+   * The radius of the ball around the target that fits into the window. It does not depend on the
+   * window's shape.
+   */
   reach: number;
   target: Vector;
 }

@@ -133,7 +133,7 @@ export class CheckUpPanel {
 
 const degrees = (angle: number) => `${Number(angle.toPrecision(3))}°`;
 
-/** Splits an array into lines of equal length. */
+/** Splits an array into lines of equal length, at most `mostPlaces`. */
 function parts(lines: Float32Array | Float64Array, length: number): Float32Array[] {
   const count = Math.min(mostPlaces, lines.length / length);
   return Array.from({ length: count }, (_, i) =>
@@ -141,7 +141,7 @@ function parts(lines: Float32Array | Float64Array, length: number): Float32Array
   );
 }
 
-/** Lines at these places, so short that they look like dots. */
+/** Lines at the first `mostPlaces` of these places, so short that they look like dots. */
 function dots(places: Float64Array, diagonal: number): Float32Array[] {
   const count = Math.min(mostPlaces, places.length / 3);
   return Array.from({ length: count }, (_, i) => {

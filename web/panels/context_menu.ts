@@ -31,7 +31,7 @@ export class ContextMenu {
     private readonly clipboard: Clipboard,
     private readonly align: (how: Alignment) => void,
     private readonly makers: () => readonly Action[],
-    /** The actions on the surface, at one of its points or at none. */
+    /** The actions on the surface at a point, or without a point (null). */
     private readonly ofSurface: (point: SurfacePoint | null) => readonly Action[],
     /** Whether a point lies in the fill of an object. */
     private readonly isFilledAt: (id: number, point: SurfacePoint) => boolean,

@@ -76,10 +76,11 @@ export class CurvePanel {
     const takesPoints = !isRound(kind) && !isDerived(kind);
     this.#goOn.hidden = tool !== 'select' || !takesPoints || isEmpty(state.figure);
     byId('actions').hidden = !isCurve(kind) && this.#goOn.hidden;
-    // The edits of a curve of the pen are those of its anchors.
+    // A curve of the pen is edited at its anchors instead.
     for (const button of [this.#split, this.#reverse]) {
       button.hidden = !isSpline(kind);
-      // The panel keeps its layout, so that no control jumps during the first points.
+      // A disabled button keeps its place, so that no control jumps while the user adds the first
+      // points.
       button.disabled = !view.curve;
     }
     this.#split.setAttribute('aria-pressed', `${tool === 'split'}`);

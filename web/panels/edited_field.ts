@@ -51,7 +51,10 @@ export class EditedField<Value> {
     if (!this.#began || value === null) this.#restore();
   }
 
-  /** Leaves the field empty for objects with different values; a typed value is for all of them. */
+  /**
+   * Empties the field, since the objects have different values. A typed value then applies to all
+   * of these objects.
+   */
   showOpen(): void {
     this.#shown = '';
     this.#of = null;

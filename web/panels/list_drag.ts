@@ -1,4 +1,7 @@
-/** The largest motion of a press that is a click, in CSS pixels. */
+/**
+ * The largest distance, in CSS pixels, that the pointer may move during a click. A longer motion is
+ * a drag.
+ */
 const slop = 6;
 
 /** The dragged object: its row, its former place, and the place that a drop would give it. */

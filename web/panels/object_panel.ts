@@ -74,7 +74,7 @@ function wholeGroup(objects: readonly DrawnObject[], { drawing }: State): string
   return isWhole && members.length === objects.length ? group : null;
 }
 
-/** The group whose name a field edits. The field then has the negative id of a member. */
+/** The group whose name a field edits. The field's id is then the negative id of a member. */
 const groupNamed = (id: number | null, { drawing }: State) =>
   id !== null && id < 0 ? (objectOf(drawing, -id)?.group ?? null) : null;
 

@@ -140,9 +140,9 @@ export class SaveMenu {
   }
 
   /**
-   * The visible curves with their looks in the present view, the edited one first: the curves to
-   * save. For the parts of a cut they are all curves, and the lines along which the surface is cut
-   * replace those of their objects.
+   * The curves to save: the visible ones, with their looks in the present view, the edited one
+   * first. For the parts of a cut these are all visible curves, whatever the selection, and the
+   * lines of the cut replace the lines of their objects.
    */
   async drawnCurves(cut: ShownCut | null = null): Promise<DrawnCurve[]> {
     const { view } = this.session;

@@ -4,7 +4,10 @@ import { byId } from './elements';
 const stops = ['collapsed', 'half', 'full'] as const;
 type Stop = (typeof stops)[number];
 
-/** The largest motion of a press that is a click, in CSS pixels. */
+/**
+ * The largest distance, in CSS pixels, that the pointer may move during a click. A longer motion is
+ * a drag.
+ */
 const slop = 6;
 /** The panel's height at each stop as a fraction of the window's height, as in layout.css. */
 const parts: Record<Stop, number> = { collapsed: 0, half: 0.38, full: 0.88 };

@@ -68,7 +68,8 @@ export class Status {
   show(state: State, view: View, info: MeshInfo | null): void {
     write(byId('status-triangles'), info ? formatCount(info.triangles, 'triangle') : '');
     const { curve, isolines, center } = view;
-    // The numbers describe the selection, while the view still has the last edited object.
+    // The numbers belong to the last edited object, so there are none after the selection is
+    // cleared.
     write(byId('status-samples'), state.none ? '' : countOf(view));
     write(byId('status-length'), state.none ? '' : measureOf(view, this.#unit));
     const time = (curve ?? isolines ?? center)?.milliseconds;

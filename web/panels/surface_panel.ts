@@ -35,8 +35,8 @@ export interface ShownSurface {
 const grouped = (count: string) => formatInteger(Number(count));
 
 /**
- * The actions at a face of a surface whose file has several parts: as in the menu of parts, to show
- * only the face's part, or all parts again.
+ * The actions at a face of a surface whose file has several parts. As in the menu of parts, they
+ * show only the face's part, or all parts again.
  */
 export function partActions(
   key: string,

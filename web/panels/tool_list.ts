@@ -28,7 +28,10 @@ export function drawingTools(editor: Editor, edits: CurveEdits): DrawingTool[] {
     const group = kindGroups.find(({ kinds }) => kinds.includes(figure.kind))!.kinds;
     latest.set(group, figure.kind);
   });
-  /** A tool that draws objects of some kinds, initially of the last edited one of these kinds. */
+  /**
+   * A tool that draws objects of some kinds. It begins with the last edited kind of the group if
+   * this is one of them, and otherwise with the first one.
+   */
   const draws = (kinds: readonly Kind[], group = kinds) => ({
     isActive: ({ tool, figure }: State) => tool === 'insert' && kinds.includes(figure.kind),
     choose() {

@@ -126,7 +126,10 @@ export class Tour {
     about.classList.add('toured');
   }
 
-  /** Places the card at the element that it explains, or for a wide stage in a corner. */
+  /**
+   * Places the card beside the element that it explains, or, if this is a wide stage, in the
+   * stage's corner.
+   */
   #place(): void {
     const about = this.#about;
     const { left, right, top, bottom, width } = about.getBoundingClientRect();

@@ -19,7 +19,7 @@ serve({
   },
 });
 
-/** Outlines of triangles. */
+/** The outlines of the first `mostPlaces` of these triangles. */
 function around(faces: Int32Array, { positions, triangles }: MeshArrays): Float32Array {
   const lines = new Float32Array(outlineLength * Math.min(mostPlaces, faces.length));
   for (let i = 0; i < lines.length; i++) {

@@ -86,7 +86,7 @@ export interface OutlinedShape extends Enclosing {
   outlines: readonly Path[];
 }
 
-/** The parts of a curve's view to return besides its value. */
+/** The object of a curve, and the results to compute besides the curve's view. */
 export interface CurveRequest {
   /** The id of the curve's object. A curve without an object ends after its view. */
   object?: number;
@@ -221,7 +221,7 @@ export class EngineClient {
     return this.#asked.corners;
   }
 
-  /** The view of the curve with a value. */
+  /** The view of a curve with a value, and the requested results. An object keeps its curve. */
   async curve(
     value: CurveOptions,
     { object, marks = 0, fill = null, outlines = false }: CurveRequest = {},
@@ -264,9 +264,7 @@ export class EngineClient {
     return (await curve?.value())?.legs?.map(waypointsOf) ?? [];
   }
 
-  /**
-   * Shorter paths that legs of a value's curve could take. That curve becomes the object's curve.
-   */
+  /** Shorter paths for the legs of a value's curve. That curve becomes the object's curve. */
   async shorterLegs(object: number, value: CurveOptions): Promise<ShorterLeg[]> {
     const curve = await this.#curveOf(object, value);
     const [, legs] = await both(curve.set(value), curve.legs());
@@ -301,7 +299,7 @@ export class EngineClient {
     return new LooseCurve(await this.mesh.curve(value));
   }
 
-  /** The result of an edit of the curve of a value, which becomes the object's curve. */
+  /** The result of an edit of a value's curve. That curve becomes the object's curve. */
   async edited(object: number, value: CurveOptions, edit: Edit): Promise<Edited> {
     return edited(this.mesh, await this.#curveOf(object, value), value, edit);
   }
@@ -479,7 +477,10 @@ export class EngineClient {
   }
 }
 
-/** A point inside a region: the middle of a whole face, or of its largest other triangle. */
+/**
+ * A point inside a region: the centroid of a whole face or, if the region has none, of the largest
+ * triangle of its partial faces.
+ */
 function insideOf({ whole, parts, corners }: Pick<Region, 'whole' | 'parts' | 'corners'>) {
   if (whole.length > 0) return { face: whole[0]!, bary: [1 / 3, 1 / 3, 1 / 3] };
   let [best, most] = [0, -1];

@@ -3,7 +3,9 @@ import type { CutPart, Mesh, SurfacePoint } from 'karcher';
 import type { FileCurve, FileMarks, FilePath, Triangles, WrittenFormat } from 'karcher/formats';
 import type { CurvesFormat, DrawnCurve } from '../model/drawn_curves';
 
-/** A curve in a message to the worker: with the arrays of its path, whose methods do not pass. */
+/**
+ * A curve in a message to the worker. It has the arrays of the path, since methods cannot be sent.
+ */
 export interface SentCurve extends Omit<DrawnCurve, 'path'> {
   closed: boolean;
   points: readonly SurfacePoint[];
@@ -28,8 +30,8 @@ const pathOf = ({ closed, points, polyline, lengths }: SentCurve): FilePath => (
 });
 
 /**
- * Rows of the curves' points as CSV, or the surface with its own colors and parts, and the curves
- * as lines of an OBJ file or tubes of a GLB file.
+ * A file of curves. A CSV file has rows of the curves' points. The others have the surface with its
+ * own colors and parts, and the curves as lines (OBJ) or as tubes (GLB).
  */
 export async function curvesFile(
   mesh: Mesh,

@@ -58,7 +58,8 @@ export function offsetOf(
   let which: (typeof sides)[OffsetSide] = sides[side];
   if (closed && side !== 'both') {
     const region = enclosed(mesh, outlines, enclosing);
-    // Two distances count from the start of the given lines; the boundary may start elsewhere.
+    // With two distances the given lines stay, since the distances count from the lines' start, and
+    // the boundary may start elsewhere.
     if (region && end === undefined) from = region.boundary();
     else if (region?.data().isLeft === false) which = side === 'inwards' ? 'right' : 'left';
   }

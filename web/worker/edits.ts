@@ -10,7 +10,8 @@ export type Edit =
   | { type: 'setClosed'; closed: boolean }
   | { type: 'reverse' }
   /**
-   * Inserts a control point where the curve is nearest to a place, unless a knot is within reach.
+   * Inserts a control point where the curve is nearest to a place. Throws if a knot of a B-spline
+   * is within reach.
    */
   | { type: 'insert'; near: Place; within: number }
   /** Cuts the curve where it is nearest to a place, or at a knot within reach. */

@@ -14,8 +14,8 @@ interface Side {
 }
 
 /**
- * The border of the triangles so far between a side and the next one above: places from the lower
- * to the upper side.
+ * The border, between a side and the next one above, of the triangles made so far: places from the
+ * lower to the upper side.
  */
 type Front = Place[];
 
@@ -73,7 +73,10 @@ function fillFace(sides: Float64Array, add: Add): void {
   const places = all.flatMap(({ left, right }) => [left, right]);
   places.sort((a, b) => a[0] - b[0] || a[1] - b[1]);
   all.sort((a, b) => a.left[0] - b.left[0] || a.left[1] - b.left[1]);
-  /** The sides that the sweep meets, from below; each pair of them encloses filling. */
+  /**
+   * The sides that the sweep meets, from below. The filling lies between the first and the second,
+   * between the third and the fourth, and so on.
+   */
   let open: Side[] = [];
   const fronts = new Map<Side, Front>();
   let next = 0;
@@ -116,8 +119,8 @@ function fillFace(sides: Float64Array, add: Add): void {
 }
 
 /**
- * Adds a place at a front's upper end. Triangles join the place to those of the front that it sees
- * from there.
+ * Adds a place at a front's upper end. Triangles join the place to the last places of the front, as
+ * far as it sees them.
  */
 function joinedAbove(front: Front, place: Place, add: Add): Front {
   let count = front.length;
@@ -129,8 +132,8 @@ function joinedAbove(front: Front, place: Place, add: Add): Front {
 }
 
 /**
- * Adds a place at a front's lower end. Triangles join the place to those of the front that it sees
- * from there.
+ * Adds a place at a front's lower end. Triangles join the place to the first places of the front,
+ * as far as it sees them.
  */
 function joinedBelow(front: Front, place: Place, add: Add): Front {
   let first = 0;
@@ -143,7 +146,7 @@ function joinedBelow(front: Front, place: Place, add: Add): Front {
 
 /**
  * Divides a front at its rightmost place, and adds a place to both parts. Triangles join the added
- * place to those that it sees.
+ * place to the places that it sees.
  */
 function parted(front: Front, place: Place, add: Add): [Front, Front] {
   let right = 0;

@@ -71,7 +71,10 @@ export function framedAt(mesh: Mesh, { places, directions }: DirectedPlaces): Fr
   };
 }
 
-/** The ends of a step: the places of the framed figures, and then the ends of the other vectors. */
+/**
+ * The points to which a step leads: first the places of the framed figures, then the ends of the
+ * other vectors. The results also have the directions there and the missing lengths.
+ */
 export function putDown(
   mesh: Mesh,
   { from, to, vectors, directions, framed, scale }: Step,
@@ -93,7 +96,8 @@ export function putDown(
       ...laid.flatMap((figure) => [...figure.directions]),
       ...ends.directions.subarray(3 * rest),
     ]),
-    // A frame that meets the boundary stops there, and the move with it.
+    // A frame that meets the boundary stops there, so the missing length counts for its whole
+    // figure.
     remaining: Float64Array.from([
       ...laid.flatMap(({ remaining }, i) =>
         [...remaining].map((left) => left + ends.remaining[2 * i]!),

@@ -8,8 +8,8 @@ export interface Opened {
 }
 
 /**
- * The largest number of parts. The smallest pieces beyond it, such as crumbs of a scan, are one
- * part.
+ * The largest number of parts. If a file has more pieces, the smallest ones, such as crumbs of a
+ * scan, form the last part together.
  */
 const mostParts = 1000;
 

@@ -23,7 +23,7 @@ export type Alignment = 'nearest' | 'even';
 /** The things that move as a whole: an object, the objects of a group, or a point as its own figure. */
 type Part = readonly DrawnObject[];
 
-/** The fewest things to align: two are on a line anyway. */
+/** The least number of things to align, since two always lie on a line. */
 const fewest = 3;
 
 /** The selected points or objects, if they can be aligned; otherwise an empty list. */
@@ -99,7 +99,7 @@ export async function align(
   editor.perform(command);
 }
 
-/** The center of a circle; for other objects the center of mass of their places. */
+/** The center of mass of a part's places. Of a circle or an ellipse only the center counts. */
 async function middleOf(client: EngineClient, part: Part): Promise<SurfacePoint> {
   const places = part.flatMap(({ figure }) =>
     figure.circle ? [figure.circle.center] : placesOf({ ...figure, circle: null }),
@@ -158,8 +158,8 @@ async function goalsOf(
 }
 
 /**
- * `looks` is the number of points of a line that one round of the search for the nearest point
- * compares. Each further one of the `rounds` searches between the best point's neighbors.
+ * The search for the nearest point of a line takes `rounds` rounds, each of which compares `looks`
+ * points. Each round after the first searches between the best point's neighbors.
  */
 const looks = 33;
 const rounds = 4;

@@ -17,8 +17,8 @@ const sum = (a: Vector, b: Vector): Vector => [a[0] + b[0], a[1] + b[1], a[2] + 
 
 export class Bend {
   /**
-   * A correction of the vector to the pointer, from earlier steps: it balances the surface's
-   * curvature.
+   * The correction of the vector to the pointer, found in earlier steps. It compensates for the
+   * surface's curvature.
    */
   #correction: Vector = [0, 0, 0];
 
@@ -109,7 +109,7 @@ export class Bend {
   }
 }
 
-/** A segment's value, as a curve with the given number of samples. */
+/** The value of a curve that is one segment, with the given number of samples. */
 export async function segmentValue(
   client: EngineClient,
   figure: Figure,

@@ -46,8 +46,8 @@ interface Traced {
 }
 
 /**
- * The pause of derived objects in a drag after the trace of one of them, as a multiple of the time
- * of the trace.
+ * The pause between the traces of derived objects in a drag, as a multiple of the time of the trace
+ * before it.
  */
 const restPart = 2;
 
@@ -125,7 +125,10 @@ export class BesideObjects {
     return this.#last;
   }
 
-  /** Traces one missing figure; false if none is missing. */
+  /**
+   * Traces one missing figure; false if none is missing, or if all missing ones wait for the end of
+   * a pause.
+   */
   async trace(client: EngineClient, { drawing, method, dragging }: State): Promise<boolean> {
     const started = performance.now();
     const isMissing = (object: DrawnObject) =>
@@ -170,7 +173,7 @@ export class BesideObjects {
     if (paths) this.#outlines.set(figure, { method, paths });
   }
 
-  /** Finds the lines of sources, known or newly traced. */
+  /** The function that returns the lines of a source, known or newly traced. */
   outlinesOf(client: EngineClient, method: MethodId) {
     const outlinesOf = async (operand: Operand): Promise<readonly Path[]> => {
       const known = this.#pathsOf(operand, method);
@@ -224,8 +227,8 @@ export class BesideObjects {
 }
 
 /**
- * Whether the trace of an object computes its fill. A source without a stored side needs it, too,
- * so that a drag of the source keeps the side.
+ * Whether the trace of an object computes its fill. A source without a stored side needs the fill
+ * even if it shows none, so that a drag of the source keeps the side.
  */
 export const asksFill = (drawing: State['drawing'], { id, fill, figure }: DrawnObject) =>
   fill > 0 || (!figure.inside && isSource(drawing, id));

@@ -129,8 +129,8 @@ export async function drawCircle(
 }
 
 /**
- * Traces with the number of levels that the engine chooses, and again if that is less than
- * `levels`.
+ * Traces with the number of levels that the engine chooses; if this number is less than `levels`,
+ * traces again with `levels`.
  */
 async function atLeast(
   levels: number,

@@ -85,8 +85,8 @@ export const outlinesShown = ({ curve, isolines }: Shown): readonly Path[] | nul
 export const noFill: Fill = { region: null, problem: null };
 
 /**
- * The largest product of points and vertices with which a center looks for other minima, which
- * takes some 60 ms.
+ * The largest product of the numbers of points and vertices for which a center looks for other
+ * minima. Such a search takes some 60 ms.
  */
 const mostLooked = { fast: 120_000, others: 20_000 };
 

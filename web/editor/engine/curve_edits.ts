@@ -24,7 +24,7 @@ import type { CurveTool } from '../state/tool';
 import { withoutAnchor } from './pen_removal';
 import type { Session } from './session';
 
-/** The largest number of attempts of an edit, if others such as a drag keep overtaking it. */
+/** The largest number of attempts of an edit that other edits, such as a drag, keep overtaking. */
 const mostAttempts = 20;
 
 /** A command, and the selection after it. */

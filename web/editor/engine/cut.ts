@@ -15,8 +15,9 @@ export interface ShownCut {
   /** The parts, the largest first. */
   parts: readonly ShownPart[];
   /**
-   * The lines of the cut, each with the id of its object. The view may have more exact lines of
-   * these objects, which do not run exactly along the parts.
+   * The lines of the cut, each with the id of its object. The parts end exactly at these lines. The
+   * view may have more accurate lines of the same objects, which run slightly beside the parts'
+   * borders.
    */
   along: readonly { id: number; path: Path }[];
 }

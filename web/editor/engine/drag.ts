@@ -6,8 +6,8 @@ import type { State } from '../state/state';
 import type { Shown } from './compute';
 
 /**
- * The longest time of a drag's step, in milliseconds, before drafts without fields replace its
- * curve. It is half of a frame; the page takes the other half.
+ * The longest acceptable time of a drag's step, in milliseconds: half of a frame, since the page
+ * takes the other half. After several slower steps quicker drafts replace the curve.
  */
 const longestDraft = 8;
 /**
@@ -61,7 +61,7 @@ export class HeldTracing {
   #manySamples = false;
   /**
    * The number of automatic levels of a curve: the present one between drags, the largest so far in
-   * a drag.
+   * a drag; 'limit' if a slow drag uses averages alone.
    */
   #levels: number | 'limit' = 0;
   /** Whether a curve without levels has draft levels in its drag, since its own steps were slow. */
@@ -110,8 +110,8 @@ export class HeldTracing {
   }
 
   /**
-   * The figure to trace. In a drag it has fewer samples than the tolerance needs, and the largest
-   * number of levels so far. After the release both are computed anew.
+   * The figure to trace. In a drag it has its fixed number of samples if the tolerance needs more,
+   * and the largest number of levels so far. After the release both are computed anew.
    */
   traced({ figure, dragging }: State): { figure: Figure; coarse: boolean } {
     const { settings } = figure;

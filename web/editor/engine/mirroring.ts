@@ -89,7 +89,9 @@ export function mirroredInside(figure: Figure): Figure {
   return inside && !isRound(kind) ? withInside(figure, opposite(inside)) : figure;
 }
 
-/** A mirrored derived object: the offset of an open line is on the line's other side. */
+/**
+ * The mirror image of a derived figure: the offset of an open line moves to the line's other side.
+ */
 export function mirroredDerived(drawing: Drawing, object: DrawnObject): Figure {
   const { figure } = object;
   const { derived } = figure;

@@ -15,8 +15,8 @@ import type { Session } from './session';
 import { isTorn } from './tearing';
 
 /**
- * The largest length by which a geodesic may end short at the boundary, in diagonals of the
- * surface.
+ * The largest remaining length of a complete geodesic, in diagonals of the surface. A geodesic that
+ * stops at the boundary has a longer one.
  */
 const leftAtMost = 1e-9;
 
@@ -49,21 +49,25 @@ export const directionsOf = (carried: readonly Carried[]): Float64Array =>
   Float64Array.from(carried.flatMap(({ direction }) => direction ?? [0, 0, 0]));
 
 /**
- * The objects that a move of these changes. The sources of derived ones move in their place, and
- * locked and empty ones stay.
+ * The objects that a move of the given ones changes. The sources of a derived object move instead
+ * of it; locked and empty objects stay.
  */
 export function movableObjects(drawing: Drawing, ids: readonly number[]): DrawnObject[] {
   const objects = withSources(drawing, ids).map((id) => objectOf(drawing, id)!);
   const seen = new Set(objects.flatMap(({ visible, group }) => (visible && group ? [group] : [])));
   return (
     objects
-      // A derived object moves with its sources, and a group moves as a whole, visible or not.
+      // A hidden object moves only as a source of another one, or with a visible member of its
+      // group.
       .filter(({ id, visible, group }) => visible || !ids.includes(id) || seen.has(group ?? ''))
       .filter(({ locked, figure }) => !locked && !isEmpty(figure) && !isDerived(figure.kind))
   );
 }
 
-/** The objects that copies of these need: those that a move may change, and unlocked derived ones. */
+/**
+ * The objects to copy for a copy of the given ones: those that a move changes, and unlocked derived
+ * ones.
+ */
 export function copiedObjects(drawing: Drawing, ids: readonly number[]): DrawnObject[] {
   const moved = movableObjects(drawing, ids);
   const all = new Set(withSources(drawing, ids));
@@ -128,9 +132,9 @@ export async function faceNormal(
  * to the surface. So the positions of a drag do not accumulate errors, and back at the start the
  * objects are unchanged.
  *
- * In this way several objects would become narrower or wider, the farther they are from the pivot.
- * Therefore only a frame at each object's middle moves in this way, and the object keeps its places
- * relative to its frame.
+ * Objects far from the pivot would become narrower or wider in this way. Therefore, if there are
+ * several parts (objects, or sets of objects that belong together), only a frame at the middle of
+ * each part moves in this way. The part keeps its places relative to its frame.
  */
 export class Move {
   private constructor(
@@ -143,7 +147,10 @@ export class Move {
     /** The places of the objects, in the order of their return to the surface. */
     private readonly carried: readonly Carried[],
     private readonly beside: readonly Carried[],
-    /** The frames of several objects; empty for a single object, which uses the pivot's frame. */
+    /**
+     * The frames, if there are several parts; empty for a single part, which uses the pivot's
+     * frame.
+     */
     private readonly framed: readonly Framed[],
     private readonly logs: { vectors: Float64Array; directions: Float64Array },
   ) {}

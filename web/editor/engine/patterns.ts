@@ -12,7 +12,7 @@ const keyOf = ({ pattern, spacing }: DrawnObject) => `${pattern} ${spacing}`;
 
 export class Patterns {
   readonly #made = new WeakMap<Region, Map<string, Pattern | null>>();
-  /** The last pattern of each region that failed, with its engine, which does not try it again. */
+  /** For each region the last pattern that failed, and its engine, which does not try it again. */
   readonly #failed = new WeakMap<Region, { key: string; client: EngineClient }>();
 
   /** `failed` receives an error, after which the pattern stays missing. */

@@ -4,7 +4,7 @@ import { Newest } from './newest';
 /** A computation on a given engine, and the function that takes its answer. */
 export interface RefinementJob<Result> {
   compute(client: EngineClient): Promise<Result>;
-  /** The revision of the state; answers for another one have no effect. */
+  /** The revision of the state. An answer for another revision has no effect. */
   revision: number;
   done(result: Result): void;
   failed(error: unknown): void;

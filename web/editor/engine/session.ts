@@ -39,13 +39,13 @@ import { Refinement } from './refinement';
 import { shorterLegs } from './shorter_legs';
 import { emptyView, type View } from './view';
 
-/** The least gain, relative to the leg's length, with which a shorter path is visible. */
+/** The least gain in length, relative to the leg, for which the view shows a shorter path. */
 const leastGain = 0.02;
 
-/** The sentence in place of a curve after a stop of its computation. */
+/** The sentence that replaces a curve whose computation was stopped. */
 const stoppedHint = 'it was stopped; an edit or another method computes it again';
 
-/** The pause after a display of legs before the next one, as a multiple of the display's time. */
+/** The pause between two displays of legs, as a multiple of the time of the first one. */
 const restPart = 5;
 
 /** Replaces a failed answer by null. Throws the error again if it reports a stop. */

@@ -1,4 +1,4 @@
-/** How far the samples of a curve move, in a unit of length. */
+/** The median and the largest distance by which a curve's samples move, in a unit of length. */
 export interface Shift {
   median: number;
   largest: number;
@@ -9,7 +9,7 @@ export const unseenShift = 0.2;
 
 /**
  * The distances between the samples of two curves (x, y, z each) at the same parameters; null if
- * the numbers of samples differ.
+ * the numbers of samples differ or are 0.
  */
 export function shiftBetween(from: Float64Array, to: Float64Array, unit: number): Shift | null {
   if (from.length !== to.length || from.length === 0) return null;

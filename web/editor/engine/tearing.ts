@@ -12,7 +12,7 @@ import type { EngineClient } from '../../worker/client';
  */
 const mostStretch = 4;
 
-/** Whether objects with these figures, `scale` times as large, would be torn. */
+/** Whether objects would be torn if these figures, `scale` times as large, replaced theirs. */
 export async function isTorn(
   client: EngineClient,
   surface: Surface,

@@ -16,9 +16,11 @@ export interface View extends Shown {
   shift: Shift | null;
   /** A sentence that says why a draft is final. */
   notRefined: string | null;
-  /** Geodesics between neighbouring points, from a center of mass to its points, or a radius. */
+  /**
+   * Geodesics between neighbouring points, from a center of mass to its points, or along a radius.
+   */
   legs: readonly Float32Array[];
-  /** Paths between neighbouring points that are shorter than the curve's legs, by more than rounding. */
+  /** Paths between neighbouring points that are noticeably shorter than the curve's legs. */
   shorter: readonly ShorterLeg[];
   /** The visible ones among the drawing's other objects. */
   others: readonly Beside[];

@@ -7,8 +7,8 @@ import type { Hold, Place } from './stage_pointer';
 const reach = 7;
 
 /**
- * Selects objects while Shift is down: a click adds one to the selection or removes it, and a drag
- * selects all objects in a box.
+ * Selects objects while Shift is down: a click adds an object to the selection or removes it, and a
+ * drag selects all objects in a box.
  */
 export class BoxSelection {
   readonly #box = document.createElement('div');
@@ -60,7 +60,8 @@ export class BoxSelection {
   }
 
   /**
-   * The indices of the edited object's visible points in the box; empty if the box has all of them.
+   * The indices of the edited object's visible points in the box. The list is empty if the box
+   * contains all points: it then selects the object as a whole.
    */
   #pointsIn(left: number, top: number, width: number, height: number): number[] {
     const { surface, box } = this.viewer;

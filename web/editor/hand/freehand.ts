@@ -46,7 +46,7 @@ export class FreehandGestures {
     private readonly session: Session,
     private readonly viewer: Viewer,
     private readonly snapping: Snapping,
-    /** A listener for a sentence, if a stroke ends before the hand does. */
+    /** A listener for the sentence that says why a stroke ends early or makes no curve. */
     private readonly stopped: (why: string) => void,
   ) {}
 

@@ -28,7 +28,7 @@ import { twoFingersMeanTheView } from './two_fingers';
 /** The distance in CSS pixels within which a click means a knot. */
 const nearKnot = { mouse: 6, touch: 12 };
 
-/** Receives clicks whose edits need the engine. */
+/** Receives clicks whose edits need the engine, and other events of gestures. */
 export interface CurveClicks {
   surfaceClicked(point: SurfacePoint): void;
   /**
@@ -36,20 +36,20 @@ export interface CurveClicks {
    * knot or an anchor.
    */
   curveClicked(tool: CurveTool, position: Vector3, within: number): void;
-  /** The pointer is over the measured curve, or clicked there. */
+  /** The pointer is over the measured curve, or clicks it. */
   curveMeasured(position: Vector3): void;
-  /** The pointer is over the surface while the tool measures, or clicked there. */
+  /** The pointer is over the surface, or clicks it, while the tool measures. */
   rulerAimed(point: SurfacePoint): void;
   rulerClicked(point: SurfacePoint): void;
-  /** An anchor of the pen, by its index. */
+  /** A double click on an anchor of the pen, by its index. */
   anchorRemoved(index: number): void;
   /** Words for the effect of a click at the pointer; empty without an effect. */
   aimed(words: string): void;
-  /** Another object, by its id. */
+  /** A click on another object, by its id. */
   otherClicked(tool: CurveTool, id: number): void;
-  /** The index of the shorter path in the view. */
+  /** A click on a shorter path, by its index in the view. */
   shorterClicked(index: number): void;
-  /** The pointer is over the surface while the tool mirrors, or clicked there. */
+  /** The pointer is over the surface, or clicks it, while the tool mirrors. */
   mirrorAimed(point: SurfacePoint): void;
   mirrorClicked(point: SurfacePoint): void;
   /** A sentence that says why a gesture stops. */
@@ -332,7 +332,7 @@ export class Gestures {
     }
   }
 
-  /** Shows the effect of a press at the pointer: of drawing, taking a look, moving or copying. */
+  /** Shows what a press at the pointer would do: draw, copy a look, or move or copy an object. */
   #showAction(target: Target | null): void {
     const { figure, tool } = this.editor.state;
     const isPen = figure.kind === 'pen' && this.#isOver;

@@ -27,7 +27,10 @@ export function toggleMirror(editor: Editor): void {
   else if (editor.state.chosen.length > 0) editor.setTool('mirror');
 }
 
-/** The mirror: the geodesic of two clicks, the plane of three, or the plane of the surface's symmetry. */
+/**
+ * The mirror: the geodesic through two clicks, the plane through three, or the surface's plane of
+ * symmetry.
+ */
 export type MirrorIn = 'line' | 'plane' | 'symmetry';
 
 /** The purpose of the next click, by the number of earlier ones. */
@@ -128,7 +131,10 @@ export class MirrorTool {
     else await this.#mirror((objects) => figuresInPlane(surface, plane, objects));
   }
 
-  /** Mirrors the selection in the surface's plane of symmetry, if it has one. */
+  /**
+   * Mirrors the selection in the surface's plane of symmetry, if it has one. For a new surface,
+   * begins the search for the plane instead.
+   */
   async mirrorInSymmetry(): Promise<void> {
     const { surface } = this.viewer;
     const symmetry = this.#symmetry;

@@ -111,7 +111,7 @@ export class MoveGestures {
       });
   }
 
-  /** Ends a move by keys: at the release of the key, or before the page would miss the release. */
+  /** Ends a move by keys when the key is released, or before the page would miss the release. */
   endNudge(): void {
     this.#nudges = this.#nudges.then(() => {
       if (this.#keyed?.revision === this.editor.state.revision) this.editor.commitDrag();

@@ -47,7 +47,8 @@ export class StageKeys {
   }
 
   /**
-   * While the space bar is down the pointer moves the view; on a button the space bar presses it.
+   * While the space bar is down, the pointer moves the view. If a button or a field has the focus,
+   * the space bar acts on this element instead.
    */
   #space(event: KeyboardEvent): void {
     if (event.key !== ' ' || event.defaultPrevented) return;

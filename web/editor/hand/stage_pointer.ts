@@ -1,6 +1,6 @@
 import type { Held } from './two_fingers';
 
-/** The largest motion of a press that is a click, in CSS pixels. */
+/** The largest distance, in CSS pixels, that the pointer may move during a click. */
 export const clickSlop = { mouse: 4, touch: 10 };
 
 /** A place of the pointer in the window, in CSS pixels, and the pressed keys. */

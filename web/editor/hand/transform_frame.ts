@@ -46,7 +46,10 @@ export interface ShownFrame {
  */
 const margin = 0.02;
 const stalk = 0.05;
-/** The number of points of all lines that determine a frame, and the least number for each line. */
+/**
+ * The number of points, on all lines together, that determine a frame, and the least number on each
+ * line.
+ */
 const measured = 512;
 const fewestMeasured = 16;
 /** The number of pieces of each side. */
@@ -77,7 +80,8 @@ async function inPlane(
 }
 
 /**
- * The frame of places, with its first axis along `right`, around a pivot or else around their middle.
+ * The frame around places, with its first axis along `right`. Its pivot is the given one or,
+ * without it, the middle of the places.
  */
 export async function frameOf(
   client: EngineClient,

@@ -31,8 +31,8 @@ export class Begun {
   }
 
   /**
-   * The command. It also removes the begun object if another one is edited afterwards, unless the
-   * object is finished, locked or a source.
+   * The command together with the removal of the begun object, if another object is edited
+   * afterwards; the command alone if the begun object is finished, locked or a source.
    */
   gone(command: Command, base: Drawing): Command {
     const begun = this.#id === null ? undefined : objectOf(base, this.#id);

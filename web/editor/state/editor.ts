@@ -65,7 +65,9 @@ export class Editor {
   onInterrupt: () => void = () => {};
   /** The function that returns the edited figure at the end of a drag of its points. */
   onEnded: (figure: Figure) => Figure = (figure) => figure;
-  /** The side that a figure encloses in the view: a drag keeps it. */
+  /**
+   * The function that returns the side that a figure encloses in the view. A drag keeps this side.
+   */
   insideOf: (figure: Figure) => Inside | null = () => null;
 
   get state(): State {
@@ -77,8 +79,8 @@ export class Editor {
   }
 
   /**
-   * Shows another surface with the last drawing on it, or else with this drawing and history. Undo
-   * can still revert earlier steps on the surface.
+   * Shows another surface with the last drawing on it. The first time, it shows the given drawing
+   * with the given history. Undo can still revert earlier steps on the surface.
    */
   open(
     mesh: string,
@@ -265,8 +267,8 @@ export class Editor {
   }
 
   /**
-   * Records the change to another object. If it removes points (`drops`), it is a step of its own,
-   * but not if steps have been undone: redo must keep these.
+   * Records the change to another object. If the change removes points (`drops`), it is a step of
+   * its own, unless steps have been undone, since redo must keep them.
    */
   #leave(command: Command, drops: boolean): void {
     const isStep = drops && this.#history.undone.length === 0;

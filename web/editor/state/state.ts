@@ -76,7 +76,10 @@ export const firstState: State = {
   epoch: 0,
 };
 
-/** The fields that a change sets; figures, counts and dependent fields follow. */
+/**
+ * The fields that a change sets. `changedState` computes the figures, the counts and the fields
+ * that depend on others.
+ */
 export type StateChange = Partial<Omit<State, 'figure' | 'base'>>;
 
 /**
