@@ -305,7 +305,7 @@ TEST(Offset, KeepsItsDistanceAtTheTipsOfNarrowGaps) {
 // The corners of a piece of a face may be collinear up to rounding. Then halves of its two longest
 // sides have each other for sides, and halving in turn would not end.
 TEST(Offset, EndsWherePiecesOfFacesAreCollinear) {
-  for (const uint64_t seed : {8, 17, 26}) {
+  for (const uint64_t seed : {8u, 17u, 26u}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Sheet sheet(meshOf(crumpledSheet(12, 8, seed)));
     const SurfacePath path = chainOn(sheet.geometry, seed);
