@@ -239,7 +239,7 @@ export class Opening {
     return false;
   }
 
-  /** Shows a finished drawing instead of the present drawing on its surface. */
+  /** Shows an example: a finished drawing on its own surface. */
   async example({ mesh, draw }: Example): Promise<void> {
     const wanted = (surface: Surface) => draw(placesOn(surface));
     const shown = this.session.client && mesh === this.editor.state.mesh;
@@ -274,8 +274,8 @@ export class Opening {
   }
 
   /**
-   * Makes a part of the cut surface the surface to work on, with the objects of the drawing that lie
-   * on it. The browser's way back leads to the whole surface with its drawing.
+   * Opens a part of the cut surface as a surface of its own, with the objects of the drawing that
+   * lie on it. The browser's Back leads to the whole surface with its drawing.
    */
   async part(part: SurfacePart, name: string, cut: number): Promise<void> {
     const { client } = this.session;
@@ -423,7 +423,8 @@ export class Opening {
   }
 
   /**
-   * Replaces an engine that ended by itself, for example because memory ran out; the drawing stays.
+   * Replaces an engine that ended by itself, for example because memory ran out. The drawing stays.
+   * After `mostRestarts` restarts, the method only reports the end.
    */
   #restart(source: MeshSource): void {
     if (this.#restarts++ >= mostRestarts) {

@@ -11,9 +11,7 @@ const delayMilliseconds = 200;
 /** The longest address that all programs pass on; some cut off longer ones. */
 export const longestLink = 16_000;
 
-/**
- * The address of a drawing: its link, or for a long one an address that works only in this browser.
- */
+/** The address of a drawing: its link or, if that is too long, an address for this browser only. */
 export function addressOf({ mesh, method, drawing }: State, view: ViewPlace | null): string {
   const link = formatLink(mesh, method, drawing, view);
   if (link.length <= longestLink) return link;

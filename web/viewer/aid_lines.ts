@@ -6,7 +6,7 @@ import type { Layer } from './layer';
 import { dotAt } from './object_lines';
 import type { Surface } from './surface';
 
-/** The length of a tangent's line in the scene, where a surface's diagonal is 2. */
+/** The length of a tangent's line, in units of the scene; a surface's diagonal is 2. */
 const tangentLength = 0.16;
 
 /** Lines that assist the user beside the drawing: legs, marks, and lines under construction. */

@@ -5,12 +5,10 @@ import { FatLine } from './fat_line';
 import type { Layer } from './layer';
 import type { Surface } from './surface';
 
-/** The distance between teeth in the scene, where a surface's diagonal is 2. */
+/** The distance between teeth, in units of the scene; a surface's diagonal is 2. */
 const spacing = 0.011;
 const [fewestTeeth, mostTeeth] = [16, 600];
-/**
- * The initial length that most teeth do not exceed, in the scene, where a surface's diagonal is 2.
- */
+/** The length that most teeth do not exceed at first, in units of the scene. */
 const usualLength = 0.12;
 /** The fraction of the teeth that do not exceed that length. */
 const usualShare = 0.9;

@@ -1,10 +1,10 @@
 import { Mesh, type Object3D } from 'three';
 
 /**
- * Recovers from the loss of a canvas's drawing context, which the browser takes away and returns
- * empty, for example after a fault of the graphics driver. The scenes' resources are disposed of
- * during the loss, since three.js would otherwise delete them later in the new context, to which
- * they do not belong.
+ * Recovers from the loss of a canvas's drawing context. The browser takes it away and returns it
+ * empty, for example after a fault of the graphics driver. The function disposes of the scenes'
+ * resources during the loss: three.js would otherwise delete them later in the new context, to
+ * which they do not belong.
  */
 export function outliveContextLoss(
   canvas: HTMLCanvasElement,

@@ -8,7 +8,7 @@ import type { Layer } from './layer';
 import { dotAt } from './object_lines';
 import type { Surface } from './surface';
 
-/** Shows distances as colors of the surface, and as isolines, from a dot. */
+/** Shows the distances from a point: colors of the surface, isolines, and a dot at the point. */
 export class DistanceLayer implements Layer {
   readonly object = new Group();
   // Isolines lie below the curves, and appear only where the surface is visible.
@@ -20,7 +20,7 @@ export class DistanceLayer implements Layer {
     this.object.add(this.#lines.object, this.#dot.object);
   }
 
-  /** Shows the distances of a surface instead of earlier ones. */
+  /** Replaces the shown distances; null removes them. */
   show(
     surface: Surface | null,
     distances: TracedDistances | null,

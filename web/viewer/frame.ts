@@ -2,7 +2,7 @@ import type { Vector } from '../model/figure';
 import type { UpAxis } from '../model/meshes';
 
 /**
- * The map of a surface's coordinates to the scene's: it takes the bounding box's center to 0, its
+ * The map from a surface's coordinates to the scene's. It takes the bounding box's center to 0, its
  * diagonal to length 2, and the upward axis to y.
  */
 export interface Frame {
@@ -32,7 +32,7 @@ const [x, y, z]: Turn[] = [
   ],
 ] as const;
 
-/** A turn, followed by half a turn about the scene's z axis: up becomes down. */
+/** A turn, then half a turn about the scene's z axis, which exchanges up and down. */
 const over = (turn: Turn): Turn => turn.map(([axis, sign], i) => [axis, i < 2 ? -sign : sign]);
 
 /** The turns for each axis, all of which are rotations. */

@@ -33,11 +33,11 @@ const heights = [0.06, 0.12, 0.24, 0.48] as const;
 const bellWidths = heights.map((height) => height / Math.sqrt(2 * Math.log(2)));
 const widest = Math.max(...bellWidths);
 /**
- * Half the side of the square of ground with a shadow: a surface reaches at most 1 from the middle,
+ * Half the side of the shadow's square on the ground. A surface reaches at most 1 from the middle,
  * and its shadow reaches farther.
  */
 const reach = 1 + 2 * widest;
-/** The resolution of the square's side: four points in the width of the sharpest bell. */
+/** The number of points along the square's side: four in the width of the sharpest bell. */
 const side = Math.ceil((4 * 2 * reach) / Math.min(...bellWidths));
 /**
  * The number of samples of a bell on each side of its middle. The others are below a tenth of a

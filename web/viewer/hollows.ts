@@ -79,7 +79,7 @@ function measured(positions: Float32Array, normals: Float32Array, triangles: Uin
           normals[normal + 1]! * (z * ex - x * ez) +
           normals[normal + 2]! * (x * ey - y * ex)) /
         (2 * twice);
-      // This is the cotangent weight of an equilateral triangle. It is never negative.
+      // Equal to the cotangent weight for an equilateral triangle, but never negative.
       weights[at + corner] = Math.min(twice / (3 * (ex * ex + ey * ey + ez * ez)), longest);
     }
     for (let corner = 0; corner < 3; corner++) {

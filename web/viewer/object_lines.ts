@@ -20,7 +20,7 @@ const usualDashes: Record<Dash, readonly [number, number] | null> = {
   dotted: [0.007, 0.013],
 };
 
-/** The width of a normal line in the scene when a large screen shows the whole surface. */
+/** A normal line's width, in units of the scene, when a large screen shows the whole surface. */
 const usualBand = 0.0125;
 
 /** The least width of a line on the surface, in CSS pixels. */

@@ -100,7 +100,7 @@ export class Regions {
   }
 }
 
-/** The source of a region's triangles: its pattern if it has one. */
+/** The source of a region's triangles: its pattern or, without one, the region itself. */
 const shapeOf = ({ region, pattern }: PaintedRegion) => pattern ?? region;
 
 function seenTriangles(

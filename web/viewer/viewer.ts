@@ -223,7 +223,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Shows polylines in the surface's coordinates. Clicks find the object, but no curve's point. */
+  /** Shows polylines in the surface's coordinates. No click finds a point of a curve on them. */
   showLines(lines: readonly Float32Array[]): void {
     const surface = this.#surface;
     this.#line = new Float32Array();

@@ -36,7 +36,7 @@ export const convergenceSizes: readonly number[] = [500, 1_000, 2_000, 5_000, 10
 
 const samplesASegment = 33;
 
-/** A smooth surface, and a cubic B-spline on it whose samples have a known place. */
+/** A smooth surface, and a cubic B-spline on it whose samples have known places. */
 interface SmoothCurve {
   points: Vector[];
   project(place: Vector): Vector;
@@ -79,8 +79,8 @@ export function sphereCurve(): SmoothCurve {
 }
 
 /**
- * A circle around the tube of a torus is a geodesic: the center of mass of nearby points on it is
- * the point at the mean of their angles. The mesh has no vertices on this circle.
+ * A curve on a circle around the tube of a torus. The circle is a geodesic, so that the center of
+ * mass of nearby points on it is at the mean of their angles. It contains no vertices of the mesh.
  */
 export function torusCurve(): SmoothCurve {
   const { major, minor } = torusRadii;

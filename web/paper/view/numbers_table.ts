@@ -4,7 +4,7 @@ import type { LineId, LineNumbers, Panel } from '../figures/types';
 import { formatDeviation, formatDifference, formatMilliseconds } from './format';
 
 interface Column {
-  /** The heading above the column: the reference of the measurement. Neighbors may share it. */
+  /** The heading over the column. Adjacent columns with the same heading share one cell. */
   ruler: string;
   head: string;
   title: string;

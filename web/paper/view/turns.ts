@@ -1,11 +1,11 @@
-/** Work for an element of the page, which allows interruptions. */
+/** Work for an element of the page. It can be interrupted and run again. */
 export interface Work {
   element: Element;
   /** Resolves when all is done, and after an interruption. */
   run(signal: AbortSignal): Promise<void>;
 }
 
-/** The time out of sight until an interruption: readers who scroll past often come back soon. */
+/** The delay of an interruption, since readers who scroll past often come back soon. */
 const patienceMs = 300;
 
 /** The distance of an element from the visible part of the page, in pixels; 0 if it is visible. */
@@ -15,8 +15,8 @@ function distanceFromSight(element: Element): number {
 }
 
 /**
- * Runs works one after the other, visible ones first. If the element of a work has left the window,
- * the work gives way to a visible one and resumes later.
+ * Runs one work at a time, those of visible elements first. If the element of the present work has
+ * left the window, the work gives way to that of a visible element and runs again later.
  */
 export class Turns {
   readonly #waiting: Work[] = [];
