@@ -9,8 +9,8 @@ Columns<double, 1> heatFrom(const HeatOperators& operators, int vertex) {
   return operators.scalarHeat().solve<1>(heat);
 }
 
-/// The source of the heat of vectors: the translations along the edges over which the heat of
-/// functions flows.
+/// The source of the vector heat. At each vertex, it sums the translations along the edges, each
+/// weighted by the scalar heat that flows in over the edge.
 Columns<Complex, 1> translations(const HeatOperators& operators, const Columns<double, 1>& heat) {
   Columns<Complex, 1> source = Columns<Complex, 1>::Zero(operators.vertexCount());
   for (const HeatEdge& edge : operators.edges()) {

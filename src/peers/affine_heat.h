@@ -6,9 +6,9 @@
 /// 44 (2025), the successor of the vector heat method for log maps. Heat transports positions
 /// instead of directions. Each vertex sees the source as a point of its own tangent plane, in
 /// homogeneous coordinates (v, u). Along an edge, such a point is rotated, and translated by the
-/// edge. Heat starts at the source as the origin of its plane. Where the heat (v, u) arrives, the
-/// logarithm is v / u, turned back by a transported frame. The method needs no Poisson equation and
-/// is exact on the plane.
+/// edge. The heat starts at the source, as the origin of the source's plane. At each vertex that
+/// the heat (v, u) reaches, the logarithm is v / u, turned back by a transported frame. The method
+/// needs no Poisson equation and is exact on the plane.
 ///
 /// The 3 n x 3 n operator of the paper is block triangular: u is ordinary heat, and v is heat of
 /// vectors with a source that u determines. So both variants need only the factors of the vector
@@ -17,14 +17,13 @@
 namespace karcher {
 
 enum class AffineVariant {
-  kLocal,     ///< rotations of the connection itself
-  kAdaptive,  ///< rotations to the frame that is transported from the source: more accurate near
-              ///< the cut locus
+  kLocal,     ///< rotates positions along edges by the connection
+  kAdaptive,  ///< rotates positions into the frame transported from the source, which is more
+              ///< accurate near the cut locus
 };
 
-/// The log map from a vertex, in the vertex's rescaled frame. The local variant takes two solves
-/// with vectors and one with functions, the adaptive one takes one with vectors and three with
-/// functions.
+/// The log map from a vertex, in the vertex's rescaled frame. The local variant solves two systems
+/// of vectors and one of scalars; the adaptive variant solves one of vectors and three of scalars.
 LogMap affineHeatLogMap(const HeatOperators& operators, int vertex, AffineVariant variant);
 
 }  // namespace karcher

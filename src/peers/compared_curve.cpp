@@ -179,7 +179,8 @@ void ComparedCurve::traceOn(int segment, int samples) {
   const int end = static_cast<int>(
       std::min<int64_t>(plan_.table.t.count(), static_cast<int64_t>(traced.count()) + samples));
   for (int i = traced.count(); i < end; ++i) {
-    // As in traceSegment, the end of one segment is the start of the next.
+    // The end of one segment is the start of the next. By Seeds::kHeaviest, the searches for both
+    // begin at the same point, as in traceSegment.
     const bool isEnd = i == 0 || i == plan_.table.t.count() - 1;
     if (needsSeed(isEnd)) last_ = startOf(segment, i);
     const Weights weights = plan_.table.row(i);
@@ -192,7 +193,7 @@ void ComparedCurve::traceOn(int segment, int samples) {
   }
 }
 
-/// The result of the search, or after a failure the result of the method's restarts.
+/// The result of the search or, if it failed, the result of the method's restarts.
 CenterOfMass ComparedCurve::centerAgain(int segment, Weights weights, bool isEnd,
                                         CenterOfMass found) {
   const ComparedOptions& options = method_.options();

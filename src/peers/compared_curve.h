@@ -11,9 +11,9 @@
 #include "peers/weighted_averages.h"
 
 /// Curves by every compared method, including our own and the paper's, in the same steps: prepare
-/// the mesh, trace a curve, move a point. All use the same weights and start each search at the
-/// same points (`Seeds`), so that times and results are comparable. The paper's method and ours
-/// restart after failures (`findRestarts`), as in the engine.
+/// the mesh, trace a curve, move a point. All use the same weights, and with the same `Seeds` they
+/// start their searches by the same rule, so that times and results are comparable. The paper's
+/// method and ours restart after failures (`findRestarts`), as in the engine.
 namespace karcher {
 
 enum class ComparedMethod {
@@ -26,8 +26,9 @@ enum class ComparedMethod {
 
 /// The starts of a curve's searches.
 enum class Seeds {
-  /// The starts of the engine (traceSegment): both ends of a segment start at the control point of
-  /// the largest weight, other samples at the last sample that converged.
+  /// The starts of the engine (traceSegment): searches for the ends of a segment start at the
+  /// control point of the largest weight, searches for other samples at the last sample that
+  /// converged.
   kHeaviest,
   /// The starts of the program of the paper's authors. Samples start at the geodesic de Boor point
   /// (repeatedAverage) until a search finds a center. After that, the samples of all segments start
@@ -74,8 +75,8 @@ class PreparedMethod {
   std::unique_ptr<WeightedAverages> averages_;
 };
 
-/// Segment j is the center of mass of the control points first[j] to first[j] + table.points - 1,
-/// with a sample for each row of the table.
+/// Segment j has a sample for each row of the table: the center of mass of the control points
+/// first[j] to first[j] + table.points - 1, with the row's weights.
 struct ComparedPlan {
   Array<SurfacePoint> points;
   Array<int> first;
@@ -97,7 +98,7 @@ class ComparedCurve {
   void startAt(const SurfacePoint& start) { start_ = start; }
 
   /// Does the next step: the field of one point, or up to `samples` samples of a segment. Returns
-  /// true when all is done. Throws what the method throws.
+  /// true when all samples are done. Throws what the method throws.
   bool advance(int samples);
 
   int segmentCount() const { return segments_.count(); }
@@ -127,7 +128,7 @@ class ComparedCurve {
   Array<int> lostByOwnRule_;            ///< the number of lost samples of each segment
   Array<uint8_t> moved_;                ///< the points whose fields are missing
   SurfacePoint last_;                   ///< the start of the next search
-  bool hasFound_ = false;               ///< whether this start is a sample that converged
+  bool hasFound_ = false;               ///< whether a search converged since the last move
   Array<std::unique_ptr<PointField>> fields_;
   std::optional<FieldBlend> blend_;  ///< the blend of the current segment
   std::unique_ptr<LogMapMean> mean_;

@@ -39,7 +39,7 @@ class Descent {
   }
 
  private:
-  /// Ends the path if a face of the current point holds the source.
+  /// Ends the path at the source if a face of the current point contains the source.
   bool arrive() {
     const PointLocation here = locate(mesh_, path_.points.back());
     const auto endIn = [&](int f) {
@@ -66,7 +66,8 @@ class Descent {
     return crossFace(here);
   }
 
-  /// The search reads distances only along the path, so those on other components may be infinite.
+  /// The distance of a vertex at the path. Other vertices may have infinite distances, such as
+  /// those on other components.
   double distanceOf(int vertex) const {
     const double distance = distances_[vertex];
     if (std::isfinite(distance)) return distance;
@@ -197,8 +198,8 @@ CenterOfMass descentCenterOfMass(const Geometry& geometry, const DescentPath& pa
     const double piece = (to - from).norm();
     center.point = path.points[i];
     if (left <= piece) {
-      // Both ends of the piece become points of one face: that of the later end or else that of the
-      // earlier end.
+      // Interpolation needs both ends of the piece in one face: the face of the later end or, if
+      // the earlier end does not lie in it, the face of the earlier end.
       const bool later = liesInFace(mesh, locate(mesh, path.points[i - 1]), path.points[i].face);
       const int f = later ? path.points[i].face : path.points[i - 1].face;
       const Vec3 a = inFace(mesh, path.points[i - 1], f).bary;

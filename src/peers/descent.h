@@ -11,7 +11,7 @@
 namespace karcher {
 
 enum class DescentStop {
-  kArrived,  ///< the path reached a face of the source, and in it the source
+  kArrived,  ///< the path reached a face that contains the source, and ends there
   kStuck,    ///< no direction leads down: a local minimum of the distances, or the boundary
   kLimit,    ///< the path took as many steps as the mesh has half-edges
 };
@@ -27,9 +27,9 @@ struct DescentPath {
 /// frame.
 Vec2 faceGradient(const Geometry& geometry, const Array<double>& values, int f);
 
-/// Descends from `start` to `source`, to which `distances` (one for each vertex) belong. The
-/// distances must be finite along the path; elsewhere, as on other components, they may be
-/// infinite. Throws Error: kBadArgument (not one distance for each vertex), kNotFinite.
+/// Descends from `start` to `source`. `distances` are the distances of the vertices from `source`.
+/// They must be finite along the path; elsewhere, as on other components, they may be infinite.
+/// Throws Error: kBadArgument (not one distance for each vertex), kNotFinite.
 DescentPath descendDistance(const Geometry& geometry, const Array<double>& distances,
                             const SurfacePoint& source, const SurfacePoint& start);
 

@@ -133,8 +133,8 @@ class LeastSquaresMesh {
   Eigen::SparseMatrix<double> energy_;
 };
 
-/// The place of a new landmark among the earlier ones, by the majorization that placed these. It
-/// starts at `place`, the new landmark's place in the least-squares mesh.
+/// The place of landmark i among the earlier landmarks, by majorization as in `scaleDistances`. The
+/// iteration starts at `place`, the landmark's place in the least-squares mesh.
 EmbeddedPoint placeAmong(const Landmarks& landmarks, int i, const Positions& places,
                          EmbeddedPoint place) {
   constexpr int kIterations = 50;

@@ -99,7 +99,8 @@ const SparseFactor<Complex>& HeatOperators::vectorHeat() const {
   for (int v = 0; v < vertexCount(); ++v) entries.emplace_back(v, v, mass_[v]);
   for (const HeatEdge& edge : edges_) {
     const double weight = time_ * edge.weight;
-    // The rotation of a vector at the head, transported along the edge, into the frame of the tail.
+    // Transport along the edge multiplies a vector in the head's frame by this rotation and gives a
+    // vector in the tail's frame.
     const Complex toTail =
         -edge.atTail / edge.atHead * (std::abs(edge.atHead) / std::abs(edge.atTail));
     entries.emplace_back(edge.tail, edge.tail, weight);

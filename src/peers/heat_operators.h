@@ -8,7 +8,8 @@
 #include "peers/sparse_factor.h"
 
 /// Short-time heat flow of scalars and of tangent vectors on a mesh, by one step of backward Euler,
-/// and the Poisson equation. The vector heat and the affine heat method share them.
+/// and the Poisson equation. The vector heat method and the affine heat method share these
+/// operators.
 ///
 /// N. Sharp, Y. Soliman, K. Crane, "The Vector Heat Method" (2019): cotangent and connection
 /// Laplacian (section 5), lumped mass, time t = (mean edge length)^2 (section 7.4).
@@ -39,7 +40,7 @@ class HeatOperators {
   int vertexCount() const { return triangulation_.vertexCount(); }
   const Array<HeatEdge>& edges() const { return edges_; }
   double time() const { return time_; }
-  /// A third of the area around each vertex.
+  /// For each vertex, a third of the area of the faces around it.
   const Array<double>& mass() const { return mass_; }
   /// The lower triangle of the cotangent Laplacian, positive semidefinite.
   Eigen::SparseMatrix<double> laplacian() const { return scalarMatrix(0, 1); }
@@ -82,7 +83,7 @@ inline constexpr double kLeastHeat = 1e-290;
 
 inline Vec2 toVec2(const Complex& z) { return {z.real(), z.imag()}; }
 
-/// The direction of a vector of heat, a unit vector; zero where the heat has underflowed.
+/// The unit vector in the direction of a heat vector; zero where the heat has underflowed.
 inline Vec2 heatDirection(const Complex& heat) {
   // Squares of the heat would underflow long before the heat itself.
   const double largest = std::max(std::abs(heat.real()), std::abs(heat.imag()));

@@ -10,7 +10,8 @@ double angleOpposite(double a, double b, double c) {
   return std::acos(std::clamp((b * b + c * c - a * a) / (2 * b * c), -1.0, 1.0));
 }
 
-/// The apex over half-edge h, its tail at the origin and its head on the positive x axis.
+/// The apex of h's face, in coordinates with the tail of h at the origin and its head on the
+/// positive x axis.
 Vec2 apexOver(const IntrinsicTriangulation& triangulation, int h) {
   const double base = triangulation.length[h];
   const double right = triangulation.length[next(h)];
@@ -27,14 +28,15 @@ bool isDelaunay(const IntrinsicTriangulation& triangulation, int h) {
   return oppositeCotangent(triangulation, h) + oppositeCotangent(triangulation, t) >= -kTolerance;
 }
 
-/// Moves the data of half-edge `from` to the place `to`, except for its twin's link back.
+/// Copies the tail, the length and the direction of half-edge `from` to `to`. The caller sets the
+/// twins.
 void moveHalfedge(IntrinsicTriangulation& triangulation, int from, int to) {
   triangulation.tail[to] = triangulation.tail[from];
   triangulation.length[to] = triangulation.length[from];
   triangulation.direction[to] = triangulation.direction[from];
 }
 
-/// The direction at the tail of h that follows the face's corner there, counterclockwise.
+/// The direction of the other side of the face's corner at the tail of h, counterclockwise from h.
 double directionAfterCorner(const IntrinsicTriangulation& triangulation, int h) {
   const int v = triangulation.tail[h];
   const double total = triangulation.geometry->totalAngle[v];
@@ -44,7 +46,7 @@ double directionAfterCorner(const IntrinsicTriangulation& triangulation, int h) 
 }
 
 /// Replaces the edge from i to j between the faces i j k and j i l by the edge from l to k. The
-/// faces become i l k and j k l, with k i and l j in their old places.
+/// faces become i l k and j k l, in which the half-edges k i and l j keep their indices.
 void flipEdge(IntrinsicTriangulation& triangulation, int ij) {
   const int ji = triangulation.twin[ij];
   const int jk = next(ij);

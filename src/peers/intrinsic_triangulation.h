@@ -4,7 +4,7 @@
 
 #include "intrinsic/geometry.h"
 
-/// A triangulation of a surface by its edge lengths alone: the mesh itself, or the intrinsic
+/// A triangulation of a surface, given by its edge lengths alone: the mesh itself, or the intrinsic
 /// Delaunay triangulation, which has the same vertices and metric but other edges. Flips replace
 /// edges and compute the directions in which the new edges leave their vertices, after N. Sharp, Y.
 /// Soliman, K. Crane, "The Vector Heat Method" (2019), section 5.4.
@@ -13,8 +13,8 @@ namespace karcher {
 /// A tangent vector as a complex number.
 using Complex = std::complex<double>;
 
-/// The half-edges of a triangulation, with the numbers of TriangleMesh: 3 f + k in face f. Two
-/// edges may join the same pair of vertices, and an edge may join a vertex to itself.
+/// The half-edges of a triangulation, numbered as in TriangleMesh: 3 f + k in face f. Two edges may
+/// join the same pair of vertices, and an edge may join a vertex to itself.
 struct IntrinsicTriangulation {
   const Geometry* geometry = nullptr;
   Array<int> tail;       ///< the tail of each half-edge
@@ -31,8 +31,8 @@ struct IntrinsicTriangulation {
 /// The mesh's own triangles. The geometry must outlive the result.
 IntrinsicTriangulation meshTriangulation(const Geometry& geometry);
 
-/// Flips edges until the angles opposite to each sum to at most pi, or until 100 flips for each
-/// half-edge. Returns the number of flips.
+/// Flips edges until the two angles opposite to each edge sum to at most pi. Stops at the latest
+/// after 100 times as many flips as there are half-edges. Returns the number of flips.
 int makeDelaunay(IntrinsicTriangulation& triangulation);
 
 /// Twice the area of face f.

@@ -13,14 +13,14 @@ namespace karcher {
 struct LogMapMeanOptions {
   double tolerance = 1e-6;  ///< the tolerance of the weighted sum of logarithms, in mean edges
   int maxIterations = 100;
-  /// The memory for whole log maps, from which the mean reads the logarithms of moved points. Each
-  /// map takes 16 bytes for each vertex.
+  /// The largest memory for whole log maps, in bytes. The mean reads the logarithms of moved points
+  /// from these maps. A map takes 16 bytes for each vertex.
   size_t mostBytes = size_t{1} << 29;
 };
 
 /// The center of mass of control points that stay the same for many weights. The first search that
 /// visits a vertex computes its log map. The map does not depend on the control points. While
-/// memory suffices, the mean keeps it whole, so that it has the logarithms of a moved point.
+/// memory suffices, the mean keeps whole maps and reads the logarithms of moved points from them.
 class LogMapMean {
  public:
   /// The geometry must outlive the mean.

@@ -60,7 +60,7 @@ BlendWeights blendWeights(const Vec3& b) {
   return weights;
 }
 
-/// The derivatives of blendWeights(b) by b[m].
+/// The derivatives of blendWeights(b) with respect to b[m].
 BlendWeights blendDerivatives(const Vec3& b, const BlendWeights& weights, int m) {
   const double sum = sumOfProducts(b);
   const double sumChange = b[(m + 1) % 3] + b[(m + 2) % 3];
@@ -149,8 +149,8 @@ PhongSurface::Patch PhongSurface::patchOf(int f) const {
     turn[k] = turnBetween(planes_[mesh_.corner(f, k)], planes_[mesh_.corner(f, (k + 1) % 3)]);
     around *= turn[k];
   }
-  // The product of the three rotations is not quite 1. At each corner the blends of two edges meet;
-  // a third of the remaining angle goes to each.
+  // The product of the three rotations is not quite 1. Each corner, where the blends of two edges
+  // meet, takes a third of the remaining angle.
   const Complex share = std::polar(1.0, -std::arg(around) / 3);
   Complex edgeTurn[3];
   edgeTurn[0] = 1;

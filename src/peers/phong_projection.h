@@ -18,8 +18,8 @@ using EmbeddedPoint = Eigen::Matrix<double, kEmbeddingDimensions, 1>;
 /// A plane as two orthonormal rows.
 using TangentPlane = Eigen::Matrix<double, 2, kEmbeddingDimensions>;
 
-/// The plane at each vertex that fits its edges best, oriented as the mesh: a least-squares fit of
-/// the edges' images to their lengths and directions in the vertex's frame.
+/// The tangent plane at each vertex, with the orientation of the mesh. It is a least-squares fit of
+/// the vertex's embedded edges to the lengths and directions of the edges in the vertex's frame.
 Array<TangentPlane> tangentPlanes(const Geometry& geometry, const Array<EmbeddedPoint>& positions);
 
 /// Whether face f is turned over, or has no area, in the tangent plane of one of its corners, so
@@ -47,7 +47,7 @@ class PhongSurface {
   /// A face in the coordinates of Newton's method: positions relative to corner 0, in the plane at
   /// each corner. The two coordinates in a plane form a complex number.
   struct Patch {
-    /// a turn of the plane of corner k into the frame of the blend along the edge that leaves k
+    /// the turn from the plane of corner k into the frame of the blend along the edge that leaves k
     Complex turnFirst[3];
     Complex turnSecond[3];  ///< the same for the edge that leads to k
     Complex corners[3][3];  ///< corner c in the plane of corner k, as [k][c]
@@ -55,8 +55,8 @@ class PhongSurface {
   };
   struct FaceProjection {
     Vec3 bary;
-    /// whether the projection is in the face; otherwise the sign of bary gives the side on which to
-    /// continue
+    /// whether the projection is in the face; if not, it may be beyond the side opposite to the
+    /// corner with the smallest weight in `bary`
     bool found = false;
   };
 

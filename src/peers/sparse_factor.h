@@ -46,7 +46,8 @@ class SparseFactor {
     return factor_.permutationPinv() * x;
   }
 
-  /// The triangular solves alone, in the order of the factor: L D L* x = right side.
+  /// Solves L D L* y = x by the triangular solves alone, with rows in the order of the factor.
+  /// Replaces x by y.
   template <int kColumns>
   void solveInOrder(Columns<Scalar, kColumns>& x) const {
     const int* const first = lower().outerIndexPtr();

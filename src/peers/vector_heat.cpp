@@ -3,9 +3,10 @@
 namespace karcher {
 namespace {
 
-/// The outward directions on a small circle, in one corner, as coefficients of the hat functions at
-/// the far ends of the corner's sides. A coefficient is the integral over the corner of the hat's
-/// slope times the direction, in a plane with the corner's first side on the x axis.
+/// The outward directions in one corner, on a small circle about its vertex, as coefficients of the
+/// hat functions at the far ends of the corner's sides. Each coefficient is an integral over the
+/// directions in the corner: of the hat's slope in a direction, times this direction. The x axis is
+/// the corner's first side.
 struct CornerBall {
   Complex first;   ///< the coefficient of the hat at the end of the first side
   Complex second;  ///< the coefficient of the hat at the end of the second side
@@ -16,7 +17,8 @@ CornerBall cornerBall(const IntrinsicTriangulation& triangulation, int h) {
   const double area = doubleArea(triangulation, faceOf(h));
   const double sine = std::sin(angle);
   const double cosine = std::cos(angle);
-  // Each hat rises from the other side to 1 at its own height over that side.
+  // Each hat rises from 0 on the other side to 1 at its own vertex. These are the heights of the
+  // two vertices over those sides.
   const double firstHeight = area / triangulation.length[previous(h)];
   const double secondHeight = area / triangulation.length[h];
   return {Complex(angle * sine, sine - angle * cosine) / (2 * firstHeight),
@@ -29,7 +31,7 @@ void addOutwardBall(const HeatOperators& operators, int vertex, Columns<Complex,
     const int last = previous(h);
     const CornerBall ball = cornerBall(triangulation, h);
     const Complex along = std::polar(1.0, std::arg(vectorAtTail(triangulation, h)));
-    // The direction of each side at its other end, where it arrives.
+    // The direction in which each side arrives at its other end.
     const Complex arrivingFirst = -std::polar(1.0, std::arg(vectorAtHead(triangulation, h)));
     const Complex arrivingSecond = -std::polar(1.0, std::arg(vectorAtTail(triangulation, last)));
     const Complex secondSide = std::polar(1.0, cornerAngle(triangulation, h));

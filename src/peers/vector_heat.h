@@ -7,22 +7,21 @@
 
 /// The vector heat method: N. Sharp, Y. Soliman, K. Crane, "The Vector Heat Method", ACM
 /// Transactions on Graphics 38 (2019). Short-time heat flow with the connection Laplacian
-/// transports vectors along shortest paths. From a vertex, heat that starts as all outward
-/// directions at once gives the direction in which shortest paths arrive (the radial field). Heat
-/// that starts as one direction transports the vertex's own x axis. The angle between these two
-/// directions is the angle of the logarithm. The logarithm's length is the potential whose gradient
-/// is nearest to the radial field.
+/// transports vectors along shortest paths. Heat that starts at a vertex as all outward directions
+/// at once gives the directions in which shortest paths arrive (the radial field). Heat that starts
+/// as the vertex's x axis transports this axis. The angle between these two directions is the angle
+/// of the logarithm. The logarithm's length is the potential whose gradient is nearest to the
+/// radial field.
 namespace karcher {
 
-/// The logarithm of each vertex; (kInfinity, 0) if it is on another component or so far away that
-/// the heat underflows (700 mean edges).
+/// The logarithm of each vertex; (kInfinity, 0) for a vertex on another component, or so far away
+/// that the heat underflows (700 mean edges).
 using LogMap = Array<Vec2>;
 
 inline Vec2 noLogarithm() { return {kInfinity, 0}; }
 
 /// The log map from a vertex, in the vertex's rescaled frame (section 8.2 of the paper; the start
-/// of the radial field as in its appendix A). It takes two solves with vectors and one with
-/// functions.
+/// of the radial field as in its appendix A). It solves two systems of vectors and one of scalars.
 LogMap vectorHeatLogMap(const HeatOperators& operators, int vertex);
 
 /// A function that returns the log map from each vertex, such as vectorHeatLogMap of some

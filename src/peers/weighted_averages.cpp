@@ -8,8 +8,8 @@
 namespace karcher {
 namespace {
 
-/// The factor by which a squared offset across the tangent plane counts more than one along it, in
-/// the inverse problem.
+/// The weight of a squared offset normal to the tangent plane, relative to one in the plane, in the
+/// inverse problem.
 constexpr double kAcrossFactor = 10;
 
 }  // namespace
@@ -41,8 +41,8 @@ Array<double> WeightedAverages::weightsOf(const Array<SurfacePoint>& points,
   }
   const EmbeddedPoint origin = surface_.position(target);
   const TangentPlane plane = surface_.planeAt(target);
-  // The rows are the two conditions that the average projects to the target, and the sum of the
-  // weights.
+  // The first two rows state that the average projects to the target. The third row is the sum of
+  // the weights.
   Eigen::Matrix3Xd conditions(3, points.count());
   Eigen::VectorXd costs(points.count());
   for (int i = 0; i < points.count(); ++i) {

@@ -4,11 +4,11 @@
 #include "rcm/center_of_mass.h"
 
 /// Weighted averages on surfaces: D. Panozzo, I. Baran, O. Diamanti, O. Sorkine-Hornung, "Weighted
-/// Averages on Surfaces", ACM Transactions on Graphics 32 (2013). An embedding of the mesh in eight
-/// dimensions has straight distances that approximate geodesic ones (embedding.h). There the
-/// averages are linear, and Phong projection (phong_projection.h) returns them to the surface.
-/// After the preparation, an average takes microseconds. So does the inverse problem: the weights
-/// for which a point is the average.
+/// Averages on Surfaces", ACM Transactions on Graphics 32 (2013). The mesh is embedded in eight
+/// dimensions, where straight distances approximate geodesic ones (embedding.h). There the averages
+/// are linear, and Phong projection (phong_projection.h) returns them to the surface. After the
+/// preparation, an average takes microseconds. So does the inverse problem: the weights for which a
+/// point is the average.
 namespace karcher {
 
 class WeightedAverages {
@@ -24,9 +24,9 @@ class WeightedAverages {
 
   /// The inverse problem (section 5): weights, summing to 1, whose average projects to `target`. Of
   /// all such weights w_i, these minimize the sum of (w_i d_i^2)^2. Here d_i^2 is the squared
-  /// distance of point i from the target, in which the squared part across the tangent plane counts
-  /// tenfold. Throws Error: kTooFewPoints (fewer than 3), kBadArgument if the points lie on one
-  /// line as seen from the target.
+  /// distance of point i from the target, in which the square of the component normal to the
+  /// tangent plane counts tenfold. Throws Error: kTooFewPoints (fewer than 3), kBadArgument if the
+  /// points lie on one line as seen from the target.
   Array<double> weightsOf(const Array<SurfacePoint>& points, const SurfacePoint& target) const;
 
  private:

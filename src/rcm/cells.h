@@ -47,7 +47,8 @@ class Cells {
   /// The point at parameter s in [0, 1] along half-edge h.
   SurfacePoint pointOnEdge(int h, double s) const;
 
-  /// The tail of half-edge h. All half-edges that leave one point give it in the same face.
+  /// The tail of half-edge h. The result is in the same face for all half-edges that leave this
+  /// point.
   SurfacePoint tailOf(int h) const;
 
   /// The half-edge in the opposite direction, in the cell across h; -1 at the boundary.

@@ -36,9 +36,9 @@ struct CenterOfMass {
 /// inside (deepest_zero.h).
 bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point);
 
-/// The zero between the two cells at half-edge h, each of which has its zero beyond h: the point of
-/// h where the field's component along h vanishes or, if that is an end of h, the zero around this
-/// end. The edge must not lie on the boundary.
+/// The zero between the two cells at half-edge h, if each cell has its zero beyond h. It is the
+/// point of h where the field's component along h vanishes. If this point is an end of h, the
+/// result is the zero around this end. The edge must not lie on the boundary.
 CenterOfMass centerBetween(FieldBlend& fields, Weights weights, int h);
 
 /// Finds the zero of the blended field by walking from face to face. In each face the zero has a

@@ -28,8 +28,9 @@ struct Mass {
   Vec2 moment = Vec2::Zero();
 };
 
-/// The mass of a face's part in a region. Each side of the part adds the signed mass of the
-/// triangle between the side and the face's first corner (Green's theorem).
+/// The mass of the part of a face that lies in a region, divided by twice the face's area. Each
+/// side of the part adds the signed mass of the triangle between the side and the face's first
+/// corner (Green's theorem).
 Mass massIn(const TriangleMesh& mesh, const Arrangement& all, const Region& region, int face,
             const Array<double>& density) {
   Vec3 atCorners = Vec3::Ones();

@@ -15,9 +15,9 @@ struct Certificate {
 };
 
 /// The certificate of a point p for points p_i on its component. There is one weight for each
-/// point; with `normalize` the weights are divided by their sum. For a p inside a face (at least a
-/// billionth of the face from its sides), the exact solver computes the distances from p up to the
-/// farthest p_i. For a p on an edge or at a vertex, the distances are the lengths of shortest
+/// point; with `normalize` the weights are divided by their sum. If p lies inside a face, the exact
+/// solver computes the distances from p up to the farthest p_i, after it has moved p to weights of
+/// at least 1e-9. If p lies on an edge or at a vertex, the distances are the lengths of shortest
 /// paths. The log vectors at a vertex are those of its rescaled frame (tangent.h). Throws what
 /// WindowDistance throws.
 Certificate certificateOf(const Geometry& geometry, const Array<SurfacePoint>& points,

@@ -65,7 +65,8 @@ class ControlField {
     return entry->second;
   }
 
-  /// The same value, which the field does not keep: for callers that read each value once.
+  /// The value of `midpointCorrection`, which the field does not keep: for callers that read each
+  /// value only once.
   Vec2 midpointCorrectionUnkept(int halfedge) const { return evaluateMidpoint_(halfedge); }
 
  private:

@@ -14,16 +14,16 @@ namespace karcher {
 /// those around it. Usually `isTheOnlyZero` shows quickly that this is `zero` itself.
 SurfacePoint deepestZero(FieldBlend& fields, Weights weights, int cell, const CellZero& zero);
 
-/// A zero whose weights all exceed this is the only one near by: the field's discontinuity moves a
-/// zero by a smaller fraction of an edge. (Larger discontinuities make a curve jump, which
-/// curves/trace/bridge.h finds.)
+/// If all weights of a zero exceed this bound, no other zero is near, since the field's
+/// discontinuity moves a zero by a smaller fraction of an edge. (Larger discontinuities make a
+/// curve jump, which curves/trace/bridge.h finds.)
 inline constexpr double kNearEdge = 0.1;
 
 /// Whether no adjacent face can have another zero, given the cell's zero and its depth inside the
 /// face.
 inline bool isTheOnlyZero(const CellZero& zero, double depth) {
   // In the zero's face, the values at an edge's ends make an angle of less than pi. The other face
-  // turns them by at most `holonomy`.
+  // turns these values relative to each other by at most `holonomy`.
   const double most =
       std::max({zero.field.corner[0].squaredNorm(), zero.field.corner[1].squaredNorm(),
                 zero.field.corner[2].squaredNorm()});

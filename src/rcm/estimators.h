@@ -76,10 +76,10 @@ struct Stencil {
 };
 
 /// The share of the log vector in an estimate. It is at least `share`, which depends only on the
-/// mesh. `difference` is the log vector minus the fit, times -2; its length divided by twice
-/// `distance`, the distance from the source, is an angle at the source. If this angle is larger
-/// than on smooth surfaces, paths arrive from both sides of a ridge, and a fit over both sides
-/// describes no path.
+/// mesh. `difference` is the gradient by the log vector minus the gradient by the fit. Its length
+/// divided by twice `distance`, the distance from the source, is an angle at the source. If this
+/// angle is larger than on smooth surfaces, paths arrive from both sides of a ridge, and a fit over
+/// both sides describes no path.
 inline double shareOfLogVector(double share, const Vec2& difference, double distance) {
   constexpr double kAngle = 0.01;  // an angle in radians
   const double squaredAngle = difference.squaredNorm() / (4 * distance * distance);

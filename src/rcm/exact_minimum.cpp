@@ -21,8 +21,8 @@ constexpr Circle kCircles[] = {{kCheckedRadius, 64}, {0.1, 16}, {0.03, 16}};
 /// The circle around a center of many points.
 constexpr Circle kCircleOfMany{kCheckedRadius, 12};
 
-/// The decrease of K, in square mean edges, for which a center moves. It is less than the promised
-/// bound kLowerBy, since lower points may lie between the compared ones.
+/// The least decrease of K, in square mean edges, for which a center moves. It is less than the
+/// promised bound kLowerBy, since lower points may lie between the compared places.
 constexpr double kMovedFor = kLowerBy / 4;
 
 /// The bound on moves. Most moves halve the distance to the minimum, and more than a dozen moves
@@ -150,7 +150,7 @@ namespace {
 struct Compared {
   Array<SurfacePoint> places;
   Array<double> values;
-  int checked = 0;  ///< the number of places: the center and its checked circle
+  int checked = 0;  ///< the number of checked places, with the center
   /// Whether the lowest place counts as a minimum without another comparison. It does so only if no
   /// checked place is lower than the center by more than kLowerBy.
   bool isSettled = false;
@@ -206,8 +206,8 @@ struct Quadratic {
     }
   }
 
-  /// The minimum after raising the bowl so far, if necessary, that no curvature is below
-  /// `leastBowl`.
+  /// The minimum of this quadratic. If its least curvature is below `leastBowl`, the bowl is first
+  /// raised until the two are equal.
   Vec2 minimum(double leastBowl) const {
     const double rise = std::max(bowl, second.norm() + leastBowl);
     return Vec2(second.y() * first.y() - (rise - second.x()) * first.x(),
@@ -238,7 +238,7 @@ Dip dipOf(std::span<const double> onCircle) {
   return {(k + 0.5 + beside) / count, at(k) + slope * beside / 2};
 }
 
-/// Whether the boundary cuts off no point of a circle. The test compares with half the radius,
+/// Whether the boundary shortens no radius of a circle. The test compares with half the radius,
 /// since on steep cones distances in space are shorter than along the surface.
 bool isWhole(const TriangleMesh& mesh, const Array<SurfacePoint>& places, double radius) {
   constexpr double kNearest = 0.5;

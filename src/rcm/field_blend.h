@@ -28,7 +28,7 @@ struct TriangleField {
   }
 
   /// The field's zero as barycentric weights that are not yet divided by their sum. The sum is
-  /// positive if the determinant of the Jacobian is.
+  /// positive if the determinant of the Jacobian is positive.
   Vec3 zeroDirection() const {
     return {cross(corner[1], corner[2]), cross(corner[2], corner[0]), cross(corner[0], corner[1])};
   }
@@ -73,9 +73,9 @@ struct CellZero {
   /// The determinant of the field's Jacobian times the determinant of the map from weights to the
   /// cell.
   double determinant;
-  /// The largest angle by which the values at an edge's ends turn relative to each other between
-  /// the faces on both sides. It is not zero, since the frames of both ends rescale their corner
-  /// angles, which sum to less than pi.
+  /// A bound on the angle by which the values at the two ends of an edge turn relative to each
+  /// other between the faces on both sides. They turn since the frames of vertices rescale corner
+  /// angles. The bound uses that the corner angles at both ends sum to less than pi.
   double holonomy;
 
   /// The depth of the zero inside the cell: its smallest weight.
@@ -163,7 +163,7 @@ class FieldBlend {
   int width_;              ///< the number of values of a slot in vectors_
   Array<double> vectors_;  ///< the vectors by slot, with memory for some more slots
   Array<CellShape> shapes_;
-  SparseIndex slots_;  ///< the slots of cells
+  SparseIndex slots_;  ///< the slot of each cell in use
   int lastCell_ = -1;
   int lastSlot_ = 0;
 };

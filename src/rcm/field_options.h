@@ -5,8 +5,8 @@
 #include "distance/distance_solver.h"
 #include "rcm/surface.h"
 
-/// Options of points' fields, and all that follows from the choice of a solver. Other files do not
-/// distinguish solvers.
+/// Options of points' fields, and what follows from the choice of a solver: the object that
+/// computes distances, the estimator, and the shared data.
 namespace karcher {
 
 /// The method that computes a control point's field.

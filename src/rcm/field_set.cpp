@@ -14,7 +14,7 @@ FieldSet::FieldSet(Surface& surface, const FieldOptions& options)
 size_t FieldSet::Hash::operator()(const Key& key) const {
   uint64_t hash = static_cast<uint64_t>(key.point.face);
   for (const double weight : key.point.bary) {
-    // 0.0 and -0.0 are equal, so they must not differ here.
+    // 0.0 and -0.0 are equal, so their hashes must be equal.
     const double positive = weight + 0.0;
     uint64_t bits = 0;
     std::memcpy(&bits, &positive, sizeof bits);

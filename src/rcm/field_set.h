@@ -34,7 +34,7 @@ class FieldSet {
   /// Frees the spare fields except for at most `kept` of them.
   void dropSpare(int kept = 0);
 
-  /// Frees spare fields until they are no more than the fields with holders.
+  /// Frees spare fields until there are no more of them than fields with holders.
   void trim();
 
   /// The limit for the bytes that the solvers of all fields hold. Above it unused fields rest.

@@ -59,9 +59,9 @@ GradientOperator buildGradientOperator(const Geometry& geometry, Star star) {
   const TriangleMesh& mesh = *geometry.mesh;
   const int vertexCount = mesh.vertexCount();
   GradientOperator result(2 * vertexCount, vertexCount);
-  // The largest number of columns in a vertex's row: one for the vertex itself; for each face
-  // around it one for a ring vertex and one for the vertex across; and at the boundary one for
-  // another ring vertex.
+  // The largest number of columns in a vertex's row. The vertex itself has one. Each face around it
+  // has two: for a ring vertex, and for the vertex across the outer edge. At the boundary, the last
+  // ring vertex has one more.
   Array<int> rowSize(static_cast<size_t>(2 * vertexCount), 2);
   for (int h = 0; h < mesh.halfedgeCount(); ++h) {
     rowSize[2 * mesh.tail(h)] += 2;

@@ -9,7 +9,7 @@
 namespace karcher {
 
 /// A gradient operator. Rows 2 v and 2 v + 1 hold the two components at vertex v, in its frame;
-/// each column is a vertex.
+/// each column belongs to a vertex.
 using GradientOperator = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// The faces whose gradients the operator averages at a vertex.
@@ -22,9 +22,9 @@ enum class Star {
 };
 
 /// The operator that gives, at each vertex, the area-weighted mean of the constant gradients in the
-/// faces of its star. It turns each gradient into the vertex's frame. From a face beyond the ring,
-/// it does so through the adjacent face of the ring. Apply the operator to squared distances, which
-/// are smooth at the source.
+/// faces of its star. It turns each gradient into the vertex's frame; the gradient of a face beyond
+/// the ring turns first into the adjacent face of the ring. Apply the operator to squared
+/// distances, which are smooth at the source.
 GradientOperator buildGradientOperator(const Geometry& geometry, Star star = Star::kWide);
 
 /// The gradient at each vertex, in its frame. `values` has one entry for each vertex.

@@ -58,8 +58,8 @@ Mean withSoundEnergy(Mean mean, const Array<double>& weights) {
   return mean;
 }
 
-/// Upper bounds on the distances of the points from a place, by their fields at the corner of the
-/// place's face with the largest weight.
+/// Upper bounds on the distances of the points from a place. They use the points' fields at one
+/// corner of the place's face, that with the largest weight.
 Array<double> distancesNear(const Geometry& geometry, const Array<ControlField*>& fields,
                             const SurfacePoint& point) {
   int corner = 0;

@@ -19,16 +19,17 @@ struct Mean {
   SurfacePoint point;
   Status status = Status::kConverged;
   int iterations = 0;
-  /// The sum of weight times squared distance. The fields estimate it (FieldBlend::energy). For
-  /// many points (mean_of_many.h) it is by exact distances if the mean is checked, else by the
-  /// solver's distances. It is negative only if a weight is.
+  /// The sum of weight times squared distance, as the fields estimate it (FieldBlend::energy). For
+  /// many points (mean_of_many.h) it is computed by exact distances if the mean is checked, else by
+  /// the solver's distances. It is negative only if a weight is negative.
   double energy = 0;
   /// The uniqueness. It may be kNotUnique without `looksForOthers`, if searches from the control
   /// points found other minima.
   Uniqueness uniqueness = Uniqueness::kNotLooked;
   /// The other minima at which searches ended, in ascending order of energy. They are checked like
-  /// the center, and lie more than a tenth of the mean edge apart. If the uniqueness is certain,
-  /// they lie higher, and farther from the center than any of the points.
+  /// the center, and lie more than a tenth of the mean edge apart. If `uniqueness` is kCertain,
+  /// their energies are higher than the center's, and they lie farther from the center than all
+  /// given points.
   Array<Minimum> otherMinima;
 };
 
@@ -39,13 +40,13 @@ struct MeanOptions {
   /// which K may be lower (first_start.h), and returns the lowest minimum. For many points it
   /// starts at some of them (mean_of_many.h).
   std::optional<SurfacePoint> start;
-  bool normalize = false;  ///< whether to divide the weights by their sum instead of requiring 1
+  bool normalize = false;  ///< whether to divide the weights by their sum instead of checking it
   /// Whether to search from the control points and from 32 places all over the surface, and to
   /// decide whether the center is the only one. Without `start` the center is the lowest minimum
   /// found. This computes each field on the whole surface.
   bool looksForOthers = false;
-  /// The curvature bound of the smooth surface that the mesh approximates, if known. It decides the
-  /// uniqueness.
+  /// The curvature bound of the smooth surface that the mesh approximates, if known. The proof of
+  /// uniqueness uses it.
   std::optional<CurvatureBound> smooth = std::nullopt;
   /// The memory limit in values of fields, of about 150 bytes each. Above it, the search keeps no
   /// single fields but their sum (summed_field.h), in the memory of one field over the whole

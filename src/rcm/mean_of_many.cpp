@@ -132,7 +132,7 @@ int nearestCorner(const TriangleMesh& mesh, const SurfacePoint& point) {
 
 /// The starts with the lowest K by distances along edges. Such distances take a quarter of the time
 /// and are all too long by nearly the same factor. K by straight lines in space is a lower bound;
-/// if the bound exceeds the kDescents lowest K found so far, the search skips the start.
+/// if a start's bound exceeds the kDescents lowest values found so far, the search skips the start.
 Array<SurfacePoint> lowestStarts(const Geometry& geometry, const WeightedPoints& points) {
   const TriangleMesh& mesh = *geometry.mesh;
   const Array<SurfacePoint> starts = startsOf(points, kStarts);

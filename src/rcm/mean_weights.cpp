@@ -35,13 +35,14 @@ class Balance {
   }
 
   /// The non-negative weights, by the primal active set method from a feasible start. A step frees
-  /// one weight that pulls away from 0, or holds one that reaches 0; the objective never grows.
+  /// one held weight that the objective pulls above 0, or holds one free weight that reaches 0. The
+  /// objective never grows.
   Array<double> solveNonNegative() const {
     Array<double> weights = feasible();
     const int count = weights.count();
     Array<char> free(weights.size(), 0);
     for (int i = 0; i < count; ++i) free[i] = weights[i] > 0;
-    // Each set of held weights occurs once. The number of sets is seldom more than a few times the
+    // No set of held weights occurs twice. The number of sets is seldom more than a few times the
     // number of weights.
     const int bound = 100 + 50 * count;
     for (int step = 0; step < bound; ++step) {
@@ -127,8 +128,8 @@ class Balance {
     return most;
   }
 
-  /// Non-negative weights that meet the constraints: the projected given weights if they are not
-  /// negative, else weights of at most three vectors around 0.
+  /// Non-negative weights that meet the constraints: the projected given weights if none is
+  /// negative, else weights on at most three vectors whose convex hull contains 0.
   Array<double> feasible() const {
     const int count = columns_.count();
     // First, the given weights.
@@ -140,7 +141,8 @@ class Balance {
       return weights;
     }
     // If a vector is 0, it has all the weight. Else the longest vector shares the weight with the
-    // vectors nearest to its opposite direction, one on each side; both may be one vector.
+    // vectors nearest to its opposite direction, one on each side; these two may be the same
+    // vector.
     weights.assign(weights.size(), 0);
     const auto vector = [&](int i) { return Vec2(columns_[i][1], columns_[i][2]); };
     int longest = 0;

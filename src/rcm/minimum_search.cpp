@@ -39,8 +39,8 @@ int cornerDownhill(const Geometry& geometry, int vertex, const Vec2& down) {
   return cornerOfDirection(geometry, vertex, direction).halfedge;
 }
 
-/// The same start. If it lies on an edge or at a vertex, it is in the face into which K decreases,
-/// a choice that does not depend on the numbering of faces.
+/// The same start. If it lies on an edge or at a vertex, the result is in the face into which K
+/// decreases, so that the choice of the face does not depend on the numbering of faces.
 SurfacePoint facedDownhill(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
   const Geometry& geometry = fields.geometry();
   const TriangleMesh& mesh = *geometry.mesh;
@@ -97,14 +97,15 @@ class MinimumSearch {
   Array<Minimum> others_;
 };
 
-/// The factor on the distance at which a lower minimum may lie: control points within the longer
-/// distance are starts. Of 810 means of three to eight points on three meshes, four are higher than
-/// with searches from all control points. Eight means, which the average of averages found, are
-/// lower.
+/// The radius within which control points are starts, relative to the radius within which a lower
+/// minimum may lie (LowerPlaces). Compared with searches from all control points, four of 810 means
+/// of three to eight points on three meshes are higher. Eight means, which the average of averages
+/// found, are lower.
 constexpr double kSearched = 2;
 
-/// Searches from `start`, if any, and from the control points near which a lower minimum may be;
-/// from all control points if `all`, if a weight is negative, or if the first search failed.
+/// Searches from `start`, if any, and from the control points near which a lower minimum may be. It
+/// searches from all control points if `all` is set, if there is no start, or if the search from
+/// the start failed.
 void searchFew(const TriangleMesh& mesh, const Array<SurfacePoint>& points,
                const Array<double>& weights, bool all, const std::optional<SurfacePoint>& start,
                MinimumSearch& minima) {

@@ -14,8 +14,8 @@ Mean withEnergy(FieldBlend& fields, const Array<double>& weights, const CenterOf
 /// Inserts a minimum in ascending order of energy, after those of equal energy.
 void insertByEnergy(Array<Minimum>& minima, const Minimum& minimum);
 
-/// Sets the mean's `otherMinima` to the minima that are apart from the center and from each other,
-/// and its `uniqueness` by whether there are any.
+/// Sets the mean's `otherMinima` to the minima that are apart from the center and from each other.
+/// Sets its `uniqueness` to kNotUnique if there are any, else to kNotLooked.
 void setOtherMinima(const Geometry& geometry, const Array<Minimum>& minima, Mean& mean);
 
 /// The mean in a blend of fields. Fields and points have separate weights, since one summed field

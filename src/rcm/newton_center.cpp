@@ -5,7 +5,7 @@
 
 /// Algorithm 1 of C. Mancinelli, E. Puppo, "Computing the Riemannian Center of Mass on Meshes". The
 /// paper does not specify the tolerance and the bound on iterations. Nor does it specify how the
-/// search continues if the start of a geodesic is its own best point (see goOn).
+/// search continues if no point of a geodesic has a smaller gradient than the start (see goOn).
 namespace karcher {
 namespace {
 
@@ -66,8 +66,8 @@ class NewtonSearch {
     return step;
   }
 
-  /// The point of the smallest gradient on the geodesic along the step, among its joints with edges
-  /// and its end. `before` is the gradient at its start.
+  /// Traces the geodesic along the step. Returns the point with the smallest gradient among its end
+  /// and its joints, where it crosses edges. `before` is the gradient at its start.
   Candidate bestAlongStep(const Vec2& step, double before) {
     Candidate best;
     int bestJoint = 0;

@@ -21,7 +21,7 @@ SurfacePoint movedInside(const SurfacePoint& place) {
   return {place.face, (1 - 3 * kChainRounding) * place.bary + Vec3::Constant(kChainRounding)};
 }
 
-/// The log of a point, interpolated from its face's corners: exact if these lie in one plane.
+/// The log vector of a point, interpolated between the corners of its face; exact on a plane.
 Vec2 logOf(const TriangleMesh& mesh, const SurfacePoint& point, const DistanceSolver& solver,
            SourceVectors& vectors) {
   Vec2 log = Vec2::Zero();
@@ -55,7 +55,7 @@ double squaredDistanceOf(const Geometry& geometry, const SurfacePoint& point,
   return std::sqrt(most) - std::sqrt(least) > kApart * geometry.meanEdge ? least : blended;
 }
 
-/// Calls visit(h) for the half-edges that leave the corners of the points' faces.
+/// Calls visit(h) for the three half-edges of each face that contains a point.
 template <class Visit>
 void forEachCorner(const WeightedPoints& points, const Visit& visit) {
   int last = -1;

@@ -26,7 +26,7 @@ CenterOfMass newtonCenter(FieldBlend& fields, Weights weights, const SurfacePoin
 /// Counts of a search's steps, for studies of the paper's claims.
 struct NewtonSteps {
   int traced = 0;     ///< the number of geodesics along steps of Newton's method
-  int shortened = 0;  ///< the number of these that the search took only in part, up to a joint
+  int shortened = 0;  ///< the number of geodesics that the search cut at a joint
   /// the number of shortened geodesics whose original end has no smaller gradient than their start
   int needed = 0;
   /// the number of geodesics on which no joint has a smaller gradient than their start

@@ -28,7 +28,7 @@ class PointField {
   /// Moves the field to a point. A near field is for reads close to its point. For each vertex, a
   /// search finds one straight path to the point: by sight (sight.h) or else by find_path.h. So a
   /// value depends only on the surface, the point and the vertex. It costs only the work between
-  /// the point and the vertex, and needs no solver's memory.
+  /// the point and the vertex, and needs no memory of a solver.
   ///
   /// Beside hubs (hubs.h) callers read many values, and each search would go round the whole hub.
   /// There exact windows find, in one search, all paths that are not by sight. The log vectors of a
@@ -87,15 +87,15 @@ class PointField {
   bool isNear_ = false;
   int lastUse_ = 0;
   ControlField field_;
-  // The sources of sight belong to near fields.
+  // The following members, up to `isAroundHubs_`, belong to near fields.
   SightSources sights_;
   std::shared_ptr<FindPathWorkspace> paths_;
   SurfacePath path_;
   /// the exact solver; the first read beside a hub creates it
   std::unique_ptr<DistanceSolver> aroundHubs_;
   bool isAroundHubs_ = false;  ///< whether the source of aroundHubs_ is the point
-  // The following members estimate the log vectors of all other fields. The first such field
-  // creates them.
+  // The following members estimate the log vectors of fields that are not near. The first such
+  // field creates them.
   Estimator estimator_ = Estimator::kLinear1;
   std::unique_ptr<DistanceSolver> solver_;
   bool isAimed_ = false;

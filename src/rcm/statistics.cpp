@@ -15,7 +15,8 @@
 namespace karcher {
 namespace {
 
-/// The step of differences, relative to an edge: so small that paths seldom change within it.
+/// The step of finite differences, relative to an edge. It is so small that paths seldom change
+/// their course within it.
 constexpr double kStep = 1e-3;
 
 /// The influence of a point, as functions of its distance.
@@ -116,8 +117,8 @@ RobustMean search(FieldSets& sets, const Array<SurfacePoint>& points, const Arra
   return mean;
 }
 
-/// The step of differences around a place inside a face: at most half the radius of the largest
-/// disk about the place that stays in the face.
+/// The step of finite differences around a place inside a face: at most half the radius of the
+/// largest disk about the place that stays in the face.
 double stepInside(const Geometry& geometry, const SurfacePoint& place) {
   if (place.bary.minCoeff() <= kChainRounding) {
     throw Error(ErrorCode::kBadArgument, "the energy has derivatives inside faces only");

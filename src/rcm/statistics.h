@@ -31,9 +31,9 @@ struct RobustMean {
 /// one exact search of distances. (E. Weiszfeld, "Sur le point pour lequel la somme des distances
 /// de n points donnes est minimum", 1937; P. T. Fletcher, S. Venkatasubramanian, S. Joshi, "The
 /// geometric median on Riemannian manifolds", 2009.) Each step first tests the nearest point,
-/// unless an earlier step has: the point is the median if the joint pull of the others there is no
-/// more than its own weight. Throws what `centerOfMass` throws (mean.h), and Error kBadArgument
-/// unless there is one positive weight for each point.
+/// unless an earlier step has tested it: the point is the median if the joint pull of the other
+/// points there is no more than its own weight. Throws what `centerOfMass` throws (mean.h), and
+/// Error kBadArgument unless there is one positive weight for each point.
 RobustMean median(FieldSets& sets, const Array<SurfacePoint>& points, const Array<double>& weights,
                   const RobustOptions& options = {});
 
@@ -65,9 +65,9 @@ Eigen::Matrix2d hessianAt(const Geometry& geometry, const Array<SurfacePoint>& p
                           Weights weights, const SurfacePoint& place);
 
 /// The derivatives of the center of mass of these weights with respect to each weight, with the
-/// others fixed. They are vectors in the frame of the center's face, on the polyhedron as above.
-/// The center must lie inside a face. Throws what `hessianAt` throws, and Error kBadArgument where
-/// the Hessian is not positive definite.
+/// others fixed. They are vectors in the frame of the center's face and, like the gradient, those
+/// on the polyhedron. The center must lie inside a face. Throws what `hessianAt` throws, and Error
+/// kBadArgument where the Hessian is not positive definite.
 Array<Vec2> weightDerivatives(const Geometry& geometry, const Array<SurfacePoint>& points,
                               Weights weights, const SurfacePoint& center);
 

@@ -6,8 +6,8 @@
 #include "rcm/surface.h"
 
 /// Uniqueness of centers of mass. Suppose that the points lie in a ball that is small compared with
-/// the curvature and the injectivity radius. Then the energy is convex there, and has no other
-/// minimum in the ball and no lower value outside (H. Karcher, "Riemannian Center of Mass and
+/// the curvature and the injectivity radius. Then the energy is convex there; it has only one
+/// minimum in the ball, and no lower value outside (H. Karcher, "Riemannian Center of Mass and
 /// Mollifier Smoothing", 1977).
 ///
 /// On a mesh the same is true for a ball of any size if no vertex has positive curvature and the
@@ -16,7 +16,7 @@
 /// Intrinsic Geometry of a Jordan Domain", for its boundary).
 namespace karcher {
 
-/// The knowledge of other minima of the energy.
+/// What is known of other minima of the energy.
 enum class Uniqueness {
   kNotLooked,  ///< searches started at most at the control points
   kCertain,    ///< no other minimum is lower, and none is near the points: this is proved

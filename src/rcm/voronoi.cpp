@@ -11,10 +11,10 @@
 
 /// Sites are added one after the other. In each triangle the earlier sites have convex pieces, and
 /// the new site takes from each piece the part that is nearer to it by more than rounding. A corner
-/// of a piece is a vertex of the mesh, or it lies between two corners of which a site took only
-/// one. These two name it. So pieces on both sides of an edge have the same corners, and no gap
-/// opens, whatever the rounding. Pieces of one site are not merged, because other pieces share
-/// their corners.
+/// of a piece is a vertex of the mesh, or it lies between two earlier corners of which a site took
+/// only one. Such a pair of earlier corners names the new corner. So pieces on both sides of an
+/// edge have the same corners, and no gap opens, whatever the rounding. Pieces of one site are not
+/// merged, because other pieces share their corners.
 namespace karcher {
 namespace {
 
@@ -26,7 +26,7 @@ struct Piece {
   int after(int i) const { return corners[(i + 1) % corners.count()]; }
 };
 
-/// A name for two corners, in either order.
+/// The name of a pair of corners, the same in either order.
 uint64_t nameOf(int a, int b) {
   return static_cast<uint64_t>(std::min(a, b)) << 32 | static_cast<uint64_t>(std::max(a, b));
 }

@@ -8,8 +8,8 @@
 namespace karcher {
 
 struct VoronoiDiagram {
-  /// The number of the nearest site for each vertex, the lowest of equally near ones; -1 for
-  /// unreachable vertices.
+  /// The number of the nearest site for each vertex, or -1 for unreachable vertices. If several
+  /// sites are equally near, the lowest number counts.
   Array<int> nearest;
   Array<double> areas;  ///< the area of each site's cell, in squared units of the mesh
   /// The surface divided by the lines on which two sites are equally near and all others are

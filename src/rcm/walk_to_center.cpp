@@ -83,7 +83,7 @@ CenterOfMass centerAroundTail(FieldBlend& fields, Weights weights, int halfedge)
   }
   if (farthest > 0) return {between, Status::kConverged, 0};
 
-  // The bound on the move of a zero by the field's discontinuity, relative to an edge.
+  // The largest distance, relative to an edge, by which the field's discontinuity moves a zero.
   constexpr double kMostMoved = 0.5;
   const Status status = cells.twin(first) < 0    ? Status::kBoundary
                         : nearest >= -kMostMoved ? Status::kConverged

@@ -18,7 +18,7 @@ class CurveHandle {
   /// Sets the curve to a value and returns its view (view.h); `options` is {inDouble, withPoints}.
   val set(const val& value, const val& options);
   val view(const val& options) const;
-  /// The curve's value: {points, legs} with a shape (curve_value.h).
+  /// The curve's value (curve_value.h): {points, legs} and the properties of its shape.
   val value() const;
   /// The legs, as `legsAndShorterToJs` of legs.h returns them.
   val legs() { return legsAndShorterToJs(mesh_, curve_); }
@@ -41,7 +41,7 @@ class CurveHandle {
   void setBetas(const val& betas);
   /// Inserts a control point on the curve and returns its number.
   int insertOnCurve(double parameter);
-  /// Returns a list of values.
+  /// Splits the curve at a parameter and returns a list of its parts' values.
   val splitAt(double parameter);
   val joined(const CurveHandle& other);
 
@@ -53,7 +53,7 @@ class CurveHandle {
   val pointAt(double parameter);
   /// {parameter, point, position, status, inFace, inSpace}
   val tangentAt(double parameter);
-  /// The result of `pointAt`, with {distance}. `place` is a Float64Array of three numbers.
+  /// {parameter, point, position, status, distance}; `place` is a Float64Array of three numbers.
   val nearest(const val& place);
   double lengthAt(double parameter);
   val pointAtLength(double length);

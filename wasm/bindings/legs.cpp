@@ -14,11 +14,11 @@ namespace {
 /// The relative difference of lengths below which paths count as equally short.
 constexpr double kSameLength = 1e-9;
 
-/// A weight up to this comes from rounding, for example if it is computed from the two other
-/// weights in a link.
+/// Weights below this limit come from rounding, for example if a link has only two weights of a
+/// point and the third is computed from them.
 constexpr double kNoWeight = 1e-15;
 
-/// The same points, except that a point on an edge up to rounding moves onto the edge.
+/// The same points, except that a point that is on an edge up to rounding moves onto the edge.
 Array<SurfacePoint> onEdges(Array<SurfacePoint> points) {
   for (SurfacePoint& point : points) {
     for (int k = 0; k < 3; ++k) {

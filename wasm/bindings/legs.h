@@ -29,8 +29,8 @@ class Legs {
   Array<Leg> known_;
 };
 
-/// The legs of a curve's value as such a list. A search with the options `shortest` recognises the
-/// shortest legs.
+/// The legs of a curve's value in the form for JavaScript (see Legs). A search with the options
+/// `shortest` recognises the shortest legs.
 val legsToJs(const MeshHandle& mesh, const Array<SurfacePath>& legs,
              const FindPathOptions& shortest);
 

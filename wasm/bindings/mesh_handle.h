@@ -26,8 +26,8 @@ class MeshHandle {
 
   /// Keeps the marks of the mesh's OBJ file.
   void setMarks(ObjMarks marks) { marks_ = std::move(marks); }
-  /// {parts, partOf, materials, materialOf, colors}, as in types.ts. A mesh from another source has
-  /// no parts.
+  /// {parts, partOf, materials, materialOf, colors}, as in types.ts. Only a mesh from an OBJ file
+  /// has parts.
   val marks() const;
 
   /// Sets the curvature bound of the smooth surface that the mesh approximates.
@@ -39,8 +39,8 @@ class MeshHandle {
   val triangles() const;
   /// The mesh refined by `levels` steps of Loop subdivision.
   std::unique_ptr<MeshHandle> subdivided(int levels) const;
-  /// The same points on the refined mesh: each at its barycentric place in the triangles into which
-  /// its triangle is divided.
+  /// The same points on the refined mesh. Each point keeps its barycentric place in its original
+  /// triangle, which is now divided.
   val carried(const val& points, int levels) const;
 
   val checkedPoint(const val& point) const;
@@ -58,7 +58,8 @@ class MeshHandle {
   // Vectors and directions are in space, three numbers each. A zero vector stands for no direction.
   /// {vectors, directions}
   val logMap(const val& from, const val& points, const val& directions) const;
-  /// The log vectors of all vertices of the caller; NaN for unreachable ones and beyond the radius.
+  /// The log vectors of all vertices of the caller; NaN for vertices that are unreachable or beyond
+  /// the radius.
   val logMapOfVertices(const val& from, double radius);
   /// {points, directions, remaining}
   val expMap(const val& from, const val& vectors, const val& directions) const;
@@ -72,8 +73,8 @@ class MeshHandle {
   val pointsAlong(const val& line, const val& lengths, double length, int count) const;
 
   // `field` is an argument for `fieldOptionsFromJs`.
-  /// The distance of each vertex from the nearest of the points `from`; NaN for unreachable
-  /// vertices and beyond the radius.
+  /// The distance of each vertex from the nearest of the points `from`; NaN for vertices that are
+  /// unreachable or beyond the radius.
   val distance(const val& from, const val& field, double radius);
   bool hasRingGraph(int rings) const { return surface_.hasRingGraph(rings); }
   /// Builds the data that fields with these options share. They include the ring graph of the
@@ -101,24 +102,26 @@ class MeshHandle {
   /// A list of paths (path.h): exact isolines, or piecewise linear isolines of the solver's
   /// distances.
   val isolines(const val& center, double radius, bool exact, const val& field);
-  /// A list of paths. `side` is 1 for the left, -1 for the right, 0 for both.
+  /// A list of paths. `side` is 1 for the left, -1 for the right, 0 for both; `corners` is the
+  /// number of a CornerShape.
   val offset(const val& outlines, const val& distances, int side, int corners,
              double miterLimit) const;
   /// The distances of points from the nearest of the outlines; NaN for unreachable points.
   val distanceFromPaths(const val& outlines, const val& points) const;
   /// A list of {area, perimeter, boundary, share, triangles, sides}. If `combine` is "none" it has
   /// one such object for each shape, with `isLeft`; else it has one object in all. `counts` has the
-  /// number of each shape's outlines. For each shape, `insides` has a point, nothing, or the side
-  /// of its first outline: 1 for the left, 0 for the right.
+  /// number of outlines of each shape. `insides` has an array for each shape: a point inside,
+  /// empty, or the side of the first outline that is inside (1 for the left, 0 for the right).
   val regions(const val& outlines, const val& counts, const val& insides, const std::string& rule,
               const std::string& combine) const;
-  /// A list of {positions, triangles, faces}, one for each cell.
+  /// A list of {positions, triangles, faces}, one for each cell. `report` is a function of the
+  /// completed fraction that returns whether to continue.
   val cut(const val& outlines, const val& report) const;
 
  private:
   Vec2 directionInFace(int face, const val& direction) const;
-  /// The distance for each vertex of the engine, final up to the radius; kInfinity for unreachable
-  /// ones.
+  /// The distance of each vertex of the engine, or kInfinity for unreachable vertices. Distances
+  /// beyond the radius may not be final.
   Array<double> distancesFromPoints(const Array<SurfacePoint>& sources, const val& field,
                                     double radius);
   MeanOptions meanOptions(const val& start, bool normalize) const;

@@ -13,7 +13,7 @@ namespace karcher::bindings {
 namespace {
 
 /// The data from which JavaScript decides whether a point lies in a region. `share` tells for each
-/// input triangle whether none of it, all or a part is inside. For triangles that are partly
+/// input triangle whether none, all or a part of it is inside. For triangles that are partly
 /// inside, `sides` has the sides of the inner part, sorted by triangle: the second and third
 /// weights of the side's start, then those of its end. `triangles` has the triangle of each side.
 struct Inside {
@@ -88,8 +88,8 @@ Array<SurfacePath> pathsFromJs(const Numbering& numbering, const TriangleMesh& m
   return paths;
 }
 
-/// The region of a shape. `inside` is a point, empty, or the side of the first outline: 1 for the
-/// left, 0 for the right.
+/// The region of a shape. `inside` is a point inside, empty, or the side of the first outline that
+/// is inside: 1 for the left, 0 for the right.
 Region regionOf(const Geometry& geometry, const Numbering& numbering, const Arrangement& all,
                 const PathRange& range, FillRule rule, const val& inside) {
   const Array<double> numbers = fromJs<double>(inside);
@@ -145,7 +145,7 @@ val MeshHandle::regions(const val& outlines, const val& counts, const val& insid
 }
 
 val MeshHandle::cut(const val& outlines, const val& report) const {
-  // The reported fractions are the shares of the time that the steps take on large meshes.
+  // On large meshes, the reported fractions match the time that has passed.
   const auto reached = [&](double done) {
     if (!report(done).as<bool>()) refuse("the cut was given up");
   };

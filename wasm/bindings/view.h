@@ -28,7 +28,8 @@ struct ViewOptions {
 /// The options from {inDouble, withPoints}.
 ViewOptions viewOptionsFromJs(const val& options);
 
-/// The whole view as one Uint8Array, which wasm/view.ts reads: numbers of 64, of 32 and of 8 bits.
+/// The whole view as one Uint8Array, which wasm/view.ts reads: first the numbers of 64 bits, then
+/// those of 32 bits, then those of 8 bits.
 val viewToJs(const MeshHandle& mesh, const TracedLine& line, const ViewOptions& options);
 
 }  // namespace karcher::bindings

@@ -238,12 +238,12 @@ export class Arguments {
   }
 }
 
-/** The names of files that a reader would mistake for drawings or meshes. */
+/** Names of files that users would expect to hold a drawing, a mesh or a table. */
 const namesOfOthers = /\.(csv|obj|svg|dxf|ply|stl|off|glb|gltf|png)$/i;
 
 /**
- * Takes the format from the file's name unless the arguments have it. Throws if no writer has that
- * format.
+ * Takes the format from the name of the file `out` unless the arguments have a format. Throws if
+ * the name is one of another format, which the command does not write.
  */
 function takeFormatOfName(command: Described, values: Map<string, string>): void {
   const out = values.get('out');

@@ -76,7 +76,7 @@ function pointOfFace(mesh: Mesh, point: PointLike): SurfacePoint {
   return { face: Math.floor(corner / 3), bary: [weight(0), weight(1), weight(2)] };
 }
 
-/** The milliseconds of a mesh's preparation and of the fields of its first point. */
+/** Times the preparation of a mesh and the fields of a point, in milliseconds. */
 function timeSteps(peers: Peers, mesh: Mesh, { face, bary }: SurfacePoint) {
   const benchmark = peers.benchmark(mesh);
   const time = (work: (steps: EngineBenchmark) => void, times = runs) =>
@@ -121,7 +121,10 @@ function timeCurve(
   const { count, status } = curve.samples();
   const lost = status.filter((name) => name !== 'converged').length;
   const start = performance.now();
-  /** Traces again with all fields known. Equal weights change nothing else. */
+  /**
+   * Traces the curve again while all fields are known. All weights are equal, so that the curve
+   * stays the same.
+   */
   const retrace = (i: number) => curve.setWeights(points.map(() => 1 + (i % 2)));
   for (let i = 1; i <= warmUp.runs && performance.now() - start < warmUp.ms; i++) retrace(i);
   const index = Math.floor(points.length / 2);
@@ -135,14 +138,15 @@ function timeCurve(
     curve.movePoint(index, places[i % 2]!);
     const { fields, trace, bridge } = curve.times();
     drags.push(fields + trace + bridge);
-    // The second run times the searches alone.
+    // This trace times the searches alone, since all fields are known.
     retrace(i);
     const times = curve.times();
     traces.push(times.trace);
     bridges.push(times.bridge);
     joins.push(times.join);
   }
-  // An edit traces at once. Its time counts without the time of the joining paths.
+  // An edit traces the curve at once. Its time counts without that of the paths that join the
+  // samples.
   const weights = Array.from({ length: field.method === 'paper' ? runs : quickRuns }, (_, i) => {
     const whole = elapsed(() => curve.setWeight(index, i % 2 === 0 ? 2 : 1));
     return whole - curve.times().join;

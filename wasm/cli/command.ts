@@ -4,8 +4,8 @@ import type { Arguments } from './arguments.js';
 import type { Described } from './options.js';
 
 /**
- * The result of a command: one JSON object, in which iterators stand for long arrays, and its
- * curves on the mesh for the other formats.
+ * The result of a command: one JSON object, in which iterators stand for long arrays. For the other
+ * formats, the result also has the mesh and the curves on it.
  */
 export interface Result {
   json: object;

@@ -15,7 +15,8 @@ import { UsageError, writeError } from './errors.js';
 import type { Option } from './options.js';
 
 /**
- * The mesh as Karcher reads it, in a file: its used vertices, its triangles, its colors and parts.
+ * The commands that write a mesh to a file as Karcher reads it: its used vertices, its triangles,
+ * its colors and parts.
  */
 
 const outOption: Option = {
@@ -88,8 +89,8 @@ function formatOf(args: Arguments): WrittenFormat {
 }
 
 /**
- * The colors of vertices, found by their positions, since repairs change the numbers of vertices;
- * white at a position that the mesh's file does not have.
+ * The colors of vertices, found by their positions, since repairs renumber the vertices. Vertices
+ * at positions that the mesh's file does not have are white.
  */
 function colorsAt(mesh: Mesh, colors: Uint8Array, positions: readonly number[]): Uint8Array {
   const given = mesh.positions();

@@ -149,7 +149,7 @@ function curvesOfFile(text: string, path: string): unknown[] {
     const { curves = [content] } = content as { curves?: unknown };
     if (Array.isArray(curves)) return curves;
   } catch {
-    // The text is handled like other JSON.
+    // A text that is no JSON gets the same error as JSON without a list of curves.
   }
   throw new UsageError(
     `${path} must hold a curve as JSON, as 'karcher edit' prints it, or a drawing`,

@@ -8,7 +8,7 @@ import { UsageError } from './errors.js';
 import { fieldOptions, type Option } from './options.js';
 import { parseNumber, parsePoint } from './syntax.js';
 
-/** The result of an edit: other curves, a new control point's number, or nothing new. */
+/** The result of an edit: new curves, the number of a new control point, or nothing new. */
 interface Outcome {
   curves?: Curve[];
   point?: number;

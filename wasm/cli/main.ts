@@ -93,7 +93,10 @@ export async function main(
   return status;
 }
 
-/** A text or bytes in pieces, and the file that receives them; by default standard output does. */
+/**
+ * A text or bytes in pieces, and the file that receives them; by default, standard output receives
+ * them.
+ */
 interface Written {
   pieces: Pieces;
   out?: string;

@@ -42,12 +42,12 @@ export const pointsOption: Option = {
   required: true,
 };
 
-/** The radius up to which vertices get a value. */
+/** The distance up to which vertices get a value. */
 export const radiusOption: Option = {
   name: 'radius',
   value: 'R',
   help: 'the greatest distance: vertices beyond it are null, and take no time',
-  // These are words for the help; no such value is passed.
+  // The default is a description for the help; no such value exists.
   default: 'the whole surface',
 };
 

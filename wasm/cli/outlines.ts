@@ -7,7 +7,7 @@ import { curveOptions, readCurves } from './curve_arguments.js';
 import { fieldOptions, type Option } from './options.js';
 import { samplingOf, samplingOptions } from './sampling.js';
 
-/** The curves along which a surface is divided. */
+/** The options for the curves along which a command divides a surface. */
 export const outlineOptions: readonly Option[] = [
   ...curveOptions.map((option) =>
     option.name === 'number' ? { ...option, default: 'all of them' } : option,

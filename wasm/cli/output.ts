@@ -22,7 +22,7 @@ export function pathRecord(path: Path) {
   };
 }
 
-/** Lines of points at one distance. */
+/** The result of a command that finds lines of points at one distance. */
 export function linesResult(mesh: Mesh, lines: readonly Path[]): Result {
   return {
     json: {
@@ -92,8 +92,8 @@ export function* sampleRecords(samples: CurveSamples): Generator<SampleRecord> {
 }
 
 /**
- * A value as JSON, in pieces, since a large result does not fit into one string. Its iterators
- * become arrays, whose entries are small.
+ * A value as JSON, in pieces, since a large result does not fit into one string. Iterators in the
+ * value become arrays. Their entries must be small: each becomes one piece.
  */
 export function* jsonPieces(value: unknown): Generator<string> {
   if (typeof value !== 'object' || value === null) {
@@ -129,12 +129,12 @@ export function* jsonLine(value: unknown): Generator<string> {
   yield '\n';
 }
 
-/** Pieces of texts, or of files' bytes. */
+/** The pieces of a result: texts, or the bytes of files. */
 export type Pieces = Iterable<string | Uint8Array> | AsyncIterable<string | Uint8Array>;
 
 /**
- * Writes pieces to a stream, each after the end of the previous one. `name` names the stream in
- * errors.
+ * Writes pieces to a stream. Each write, for which short texts are joined, waits for the end of the
+ * previous one. `name` names the stream in errors.
  */
 export async function print(
   pieces: Pieces,
@@ -157,8 +157,8 @@ export async function print(
 }
 
 /**
- * A text with question marks in place of control characters, except tabs and line ends. Names of
- * files and of their parts may contain characters that change a terminal.
+ * A text with question marks in place of control characters, except tabs and line ends. The names
+ * of files and of their parts may contain characters that would act on a terminal.
  */
 export const printable = (text: string) =>
   text.replace(/(?![\t\n])[\p{Cc}\p{Bidi_Control}]/gu, '?');

@@ -71,8 +71,8 @@ export function parsePoints(text: string, path: string): PointLike[] {
 }
 
 /**
- * A point in the form that commands print, or their output for one point. The engine checks its
- * numbers.
+ * The point of a JSON value: a point as commands print it, or the whole output of a command for one
+ * point. The engine checks its numbers.
  */
 function pointOfJson(value: unknown, what: string): PointLike {
   if (typeof value === 'object' && value !== null) {

@@ -3,7 +3,10 @@ import { printable } from './output.js';
 
 const clearLine = '\r\u001b[K';
 
-/** Standard error: sentences, and on a terminal one line with the progress of reading a mesh. */
+/**
+ * The output on standard error: sentences and, if it is a terminal, one line with the progress of
+ * reading a mesh.
+ */
 export class Terminal {
   readonly #stream: Writable;
   readonly #isTerminal: boolean;

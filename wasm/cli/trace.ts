@@ -73,7 +73,10 @@ export const trace: Command = {
   },
 };
 
-/** Checks the requested measures before the curve is traced. The result computes them. */
+/**
+ * Checks the options of the measures before the curve is traced. The returned function computes the
+ * measures of the traced curve.
+ */
 function measuresOf(args: Arguments): (mesh: Mesh, curve: Curve) => object {
   const { at } = args.whereGiven(['at'], (name) => args.numbers(name));
   const { nearest } = args.whereGiven(['nearest'], (name) => args.place(name));

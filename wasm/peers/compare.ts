@@ -32,13 +32,16 @@ export interface MethodResult {
    * neighbours, angles, frames.
    */
   prepareMs: number | null;
-  /** The time of the curve with all its fields, log maps or distances, not joined. */
+  /**
+   * The time of the curve with all its fields, log maps or distances, without the paths that join
+   * its samples.
+   */
   traceMs: number | null;
   /** The part of `traceMs` that the fields of the points take; 0 for methods without fields. */
   fieldsMs: number | null;
   /**
-   * The time of a move of the middle point by an edge, and of a new trace of the segments that it
-   * touches.
+   * The time to move the middle point to the next corner and to trace again the segments that the
+   * point affects.
    */
   dragMs: number | null;
   /** The part of `dragMs` that the point's field takes. */
@@ -232,7 +235,7 @@ export async function runMethod(
     method?.dispose();
     own.dispose();
   }
-  // The time of the measurement is not the method's.
+  // The ruler works outside the method's budget, since its time is not the method's.
   if (ruler && run.curve) run.ruler = await ruler.measure(run.curve.samples, { progress, signal });
   return run;
 }
@@ -240,7 +243,7 @@ export async function runMethod(
 /** A limit of time, which ends longer work at its next step. */
 class Budget {
   readonly signal: AbortSignal;
-  /** The reason for the end of the work. */
+  /** The reason why the budget ended the work; null if it did not. */
   reason: string | null = null;
   readonly #controller = new AbortController();
   readonly #start = performance.now();
@@ -294,7 +297,8 @@ function reasonOf(error: unknown): string {
 }
 
 /**
- * The largest number of runs of short work. It is repeated since a first run is slower than usual.
+ * The largest number of runs of short work. Short work is repeated since a first run is slower than
+ * usual.
  */
 const mostRuns = 5;
 const longEnoughMs = 400;
@@ -309,7 +313,7 @@ interface Repeated {
   work: LongWorkOptions;
 }
 
-/** Sets the medians of the preparation, the trace and the edits. */
+/** Sets the median times of the preparation, the trace and the drag. */
 async function repeat(run: MethodRun, repeated: Repeated): Promise<void> {
   const { method, curve, mesh, plan, work } = repeated;
   // Each repetition needs a new curve, since a point that returns to an earlier place finds its
@@ -337,7 +341,9 @@ async function repeat(run: MethodRun, repeated: Repeated): Promise<void> {
   run.prepareMs = await medianPreparation(repeated);
 }
 
-/** The median of preparations on new copies of the mesh, including the method's own. */
+/**
+ * The median time of preparations on new copies of the mesh and of the method's own preparation.
+ */
 async function medianPreparation({ peers, method, mesh, work }: Repeated): Promise<number> {
   const times = [method.prepareMs];
   await whileQuick(times[0]!, async () => {
@@ -354,12 +360,18 @@ async function medianPreparation({ peers, method, mesh, work }: Repeated): Promi
   return median(times);
 }
 
-/** Repeats work, which returns its milliseconds, until the sum with `spent` is long enough. */
+/**
+ * Repeats work until all runs together took `longEnoughMs`, or `mostRuns` times. `spent` is the
+ * time of the first run in milliseconds; `run` returns the time of each further run.
+ */
 async function whileQuick(spent: number, run: () => Promise<number>): Promise<void> {
   for (let all = spent, runs = 1; all < longEnoughMs && runs < mostRuns; runs++) all += await run();
 }
 
-/** Moves the middle point to the next corner, and traces all segments that it touches. */
+/**
+ * Moves the middle point to the next corner, and traces all segments that the point affects.
+ * Returns the time of the trace.
+ */
 function drag(curve: MethodCurve, mesh: Mesh, { points }: CurvePlan, work: LongWorkOptions) {
   const middle = Math.floor(points.length / 2);
   const wire = wirePoint(points[middle]!);

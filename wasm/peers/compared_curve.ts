@@ -19,7 +19,9 @@ export class ComparedCurve implements MethodCurve {
     this.#handle = handle;
   }
 
-  /** Replaces a control point. The next `trace` traces the segments that it touches again. */
+  /**
+   * Replaces a control point. The next `trace` traces again the segments that the point affects.
+   */
   movePoint(i: number, point: PointLike): void {
     const index = checkInteger(i, 'the number of the control point');
     const wire = wirePoint(point);
@@ -40,9 +42,9 @@ export class ComparedCurve implements MethodCurve {
   }
 
   /**
-   * Does the same as `finish` in slices, with pauses between them that do not count.
-   * `work.progress` receives the completed fraction of the samples. Rejects with the signal's
-   * reason.
+   * Does the same as `finish` in slices, with pauses between them. The returned time excludes the
+   * pauses. `work.progress` receives the completed fraction of the samples. Rejects with the
+   * signal's reason.
    */
   async trace({ progress, signal }: LongWorkOptions = {}): Promise<number> {
     const total = this.#handle.call((curve) => curve.samplesLeft());

@@ -3,7 +3,7 @@ import type { CurveSamples, LongWorkOptions } from '../types.js';
 import type { CurvePlan, MethodCurve } from './types.js';
 import { at, length, subtract, type Vector } from './vectors.js';
 
-/** The ratio of a sample's move to the hand's, in one step, above which the curve leaps. */
+/** The curve leaps in a step if a sample moves farther than the hand by more than this factor. */
 const leapRatio = 5;
 
 /** The length of a drag in mean edges, unless the next control point is nearer. */
@@ -16,17 +16,18 @@ export interface DragMeasures {
   /** The number of steps in which a sample moved more than five times as far as the hand. */
   leaps: number;
   /**
-   * The farthest move of a sample in a step, in steps of the hand; null if no sample was found both
-   * before and after a step.
+   * The largest move of a sample in a step, divided by the move of the hand; null if no sample
+   * counts both before and after a step.
    */
   most: number | null;
 }
 
 /**
- * Drags the middle control point of a traced curve along the shortest path towards the next one, in
- * `steps` even steps over two mean edges or less. Traces the curve at each step, and leaves the
- * point at the end. A sample counts for a step if it converged, or lay on a bridge, both before and
- * after. Rejects with the signal's reason.
+ * Drags the middle control point of a traced curve towards the next one, in `steps` even steps over
+ * two mean edges or less. The drag follows the straightest geodesic that starts as the shortest
+ * path between the two points. Traces the curve at each step, and leaves the point at the end. A
+ * sample counts for a step if it converged, or lay on a bridge, both before and after. Rejects with
+ * the signal's reason.
  */
 export async function measureDrag(
   curve: Pick<MethodCurve, 'movePoint' | 'trace' | 'samples'>,
@@ -57,7 +58,7 @@ export async function measureDrag(
   return result;
 }
 
-/** The direction of the first piece that is longer than a rounding error. */
+/** The direction from the start to the first point that is farther away than a rounding error. */
 function directionOf(polyline: Float64Array): Vector {
   const from = at(polyline, 0);
   const last = polyline.length / 3 - 1;

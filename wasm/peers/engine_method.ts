@@ -13,7 +13,7 @@ import type {
   PreparedCurves,
 } from './types.js';
 
-/** The methods that are curves of the engine, with their options for its levels. */
+/** The methods that are curves of the engine, each with its option `levels` and its name. */
 const engineMethods = {
   /**
    * b/Surf (C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive Bezier Splines
@@ -95,7 +95,9 @@ class EngineCurve implements MethodCurve {
     this.#forget = forget;
   }
 
-  /** The time of the fields, which averages of two points do not need. */
+  /**
+   * The milliseconds that the fields of the last trace took. Averages of two points need no fields.
+   */
   get fieldsMs(): number {
     return this.#fieldsMs;
   }

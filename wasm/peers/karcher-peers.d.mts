@@ -23,7 +23,7 @@ export interface PeersModule extends EngineModule {
   benchmark(mesh: EngineMesh): EngineBenchmark;
   /**
    * Ten numbers for each row of weights: whether the search converged; its iterations; the numbers
-   * of its geodesics (all; those cut at a joint; those of them whose original end has no smaller
+   * of its geodesics (all; those cut at a joint; the cut ones whose original end has no smaller
    * gradient than their start; those on which no joint has a smaller gradient); whether it ended
    * inside a triangle; and the gradients at the starts of its last three iterations, the last one
    * first, with 0 for an iteration that did not take place.

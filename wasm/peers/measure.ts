@@ -16,14 +16,14 @@ export interface CurveMeasures {
    */
   deviation: { median: number; max: number; samples: number } | null;
   /**
-   * The root mean square, over samples, of the difference between the turning angle and the
-   * reference's, in radians, at about 128 samples for each segment.
+   * The root mean square of the differences between the turning angles of the curve and of the
+   * reference, in radians, at about 128 samples of each segment.
    */
   turningNoise: number | null;
   /**
    * The number of leaps: steps between two consecutive converged samples that are longer than a
-   * mean edge and five times as long as the steps before and after them. If `measure` has affine
-   * averages, the steps are relative to the steps of these averages.
+   * mean edge and more than five times as long as the steps before and after them. If `measure` has
+   * affine averages, the steps are relative to the steps of these averages.
    */
   breaks: number;
   /**
@@ -69,14 +69,17 @@ export function alongPath(path: Path, { t, weights }: WeightTable): ReferenceSam
   return { count: t.length, position, energy, status: Array.from(t, () => 'converged' as const) };
 }
 
-/** The ratio of a step between samples to its neighbours above which it is a leap. */
+/**
+ * A step between samples is a leap if its length exceeds those of its neighbours by more than this
+ * factor.
+ */
 const leapRatio = 5;
 
 /** A meter of curves on one mesh. */
 export class CurveMeter {
   readonly #meanEdge: number;
   readonly #triangles: Int32Array;
-  /** The sum of the normals of each vertex's faces, weighted by area. */
+  /** For each vertex, the sum of the normals of its faces, weighted by area. */
   readonly #normals: Float64Array;
 
   constructor(mesh: Mesh) {
@@ -88,8 +91,8 @@ export class CurveMeter {
 
   /**
    * Measures a curve against a reference with the same segments and parameters. `affine` are the
-   * averages in space of the control points with the samples' weights. They show where a curve is
-   * fast without a leap, as rational curves are at their ends.
+   * averages in space of the control points with the samples' weights. They show where a curve
+   * moves fast without a leap, as rational curves are at their ends.
    */
   measure(
     curve: CurveSamples,
@@ -214,7 +217,7 @@ export class CurveMeter {
 const stepOf = ({ position }: Pick<CurveSamples, 'position'>, i: number): number =>
   length(subtract(at(position, i + 1), at(position, i)));
 
-/** The first sample of each segment, and the one after its last. */
+/** The first sample of each segment, and the sample after its last. */
 function segments(samples: CurveSamples): [number, number][] {
   const result: [number, number][] = [];
   for (let i = 0; i < samples.count; i++) {

@@ -69,8 +69,8 @@ export class Peers {
   }
 
   /**
-   * The plan of a curve that suits the number of its points: two have a shortest path between them,
-   * three define a quadratic Bezier curve, four and more a uniform cubic B-spline.
+   * The plan of a curve that suits the number of its points: a shortest path for two, a quadratic
+   * Bezier curve for three, a uniform cubic B-spline for four and more.
    */
   plan(points: CurvePlan['points'], samples: number): CurvePlan {
     checkArray(points, 'the points');

@@ -16,8 +16,8 @@ const rulerSamples = 33;
 const onSide = 1e-6;
 
 /**
- * The error of a curve's samples as centers of mass, by exact shortest paths: the same for every
- * method, whatever its own distances are.
+ * The error of a curve's samples as centers of mass. It is measured by exact shortest paths for
+ * every method, whatever the method's own distances are.
  */
 export interface RulerMeasures {
   /**
@@ -26,8 +26,9 @@ export interface RulerMeasures {
    */
   residual: { median: number; max: number } | null;
   /**
-   * The medians of the energy, the sum of w_i d(x, p_i)^2, and of its excess over the reference's
-   * energy, in squared mean edges.
+   * The energy of a sample is the sum of w_i d(x, p_i)^2. `median` is the median of the energies,
+   * and `excess` that of the differences from the reference's energies (null without a reference),
+   * in squared mean edges.
    */
   energy: { median: number; excess: number | null } | null;
   /**
@@ -131,7 +132,7 @@ export class Ruler {
         reading.energy[k] = energy;
       }
       progress?.((k + 1) / chosen.length, 'residual');
-      // The pause lets a message that cancels arrive between two samples.
+      // The pause lets a message that cancels the work arrive between two samples.
       await pause();
     }
     return reading;
@@ -185,7 +186,7 @@ export class Ruler {
     return [corner(0), corner(1), corner(2)];
   }
 
-  /** The other face at a side; null at the boundary. */
+  /** The face on the other side of an edge of a face; null at the boundary. */
   #faceBehind(face: number, from: number, to: number): number | null {
     const [a, b] = [this.#triangles[3 * face + from]!, this.#triangles[3 * face + to]!];
     for (let h = 0; h < this.#triangles.length; h++) {

@@ -39,10 +39,10 @@ export interface MethodOptions {
    * For `paper` and `karcher`: the starts of searches. With `heaviest` (the default), searches
    * start as in the engine: the ends of a segment at the control point of the largest weight, other
    * samples at the last sample that converged. A search that fails starts again at control points.
-   * With `authors`, they start as in the program of the paper's authors: at the geodesic de Boor
-   * point until a search finds a center, then at the last center, through all segments and without
-   * a second start. A control point with all the weight, as at the ends of a Bezier curve, is
-   * itself the sample.
+   * With `authors`, searches start as in the program of the paper's authors: at the geodesic de
+   * Boor point until a search finds a center, then at the last center found in any segment. A
+   * search that fails has no second start. A control point with all the weight, as at the ends of a
+   * Bezier curve, is itself the sample.
    */
   seeds?: 'heaviest' | 'authors';
   /** For the heat methods: whether to use the intrinsic Delaunay triangulation of the surface. */
@@ -69,8 +69,9 @@ export interface WeightTable {
 }
 
 /**
- * A curve by its control points and weights. Segment j is the center of mass of as many points as
- * the table has columns, starting at `first[j]`, with a sample for each row.
+ * A curve by its control points and weights. Segment j has a sample for each row of the table: the
+ * center of mass, with the row's weights, of the points from number `first[j]` on, one point for
+ * each column.
  */
 export interface CurvePlan {
   /** The control points of the whole curve. */
@@ -79,19 +80,23 @@ export interface CurvePlan {
   first: readonly number[];
   /** The weights of a segment's points at each of its samples. */
   table: WeightTable;
-  /** The kind of a curve that allows subdivision, which `bSurf` and `leveled` need. */
+  /**
+   * The kind and the weights of a curve that can be subdivided. `bSurf` and `leveled` need them.
+   */
   shape?: { kind: 'bspline' | 'bezier' | 'rational'; weights?: readonly number[] };
 }
 
 /** A curve by one of the methods, until `dispose` (compared_curve.ts). */
 export interface MethodCurve {
-  /** Replaces control point `i`. The next trace traces the segments that it touches again. */
+  /**
+   * Replaces control point `i`. The next trace traces again the segments that the point affects.
+   */
   movePoint(i: number, point: PointLike): void;
   /** Starts the searches of each segment at a point of the surface. */
   startAt(point: PointLike): void;
   /** Computes the missing fields and samples at once. Returns its time in milliseconds. */
   finish(): number;
-  /** Does the same as `finish` in slices, with pauses that do not count. */
+  /** Does the same as `finish` in slices. The returned time excludes the pauses between them. */
   trace(work?: LongWorkOptions): Promise<number>;
   /** The milliseconds that the fields of the last `trace` took; 0 for methods without fields. */
   readonly fieldsMs: number;

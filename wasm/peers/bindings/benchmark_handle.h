@@ -16,7 +16,7 @@ class BenchmarkHandle {
 
   /// Computes adjacency, lengths, angles and frames of the mesh, from its positions and faces.
   void prepare() const;
-  /// A plain Dijkstra search along edges: the yardstick.
+  /// Runs a plain Dijkstra search along edges, whose time shows the speed of the computer.
   void edgeDijkstra() const;
   /// Builds the graph of the paper's graph distances. The mesh keeps it.
   void ringGraph(int rings);
