@@ -16,7 +16,7 @@ const mostEntries = 2 ** 27;
 /** The error for an argument that cannot be right. */
 export const badArgument = (message: string) => new KarcherError('badArgument', message);
 
-/** A value in the form of error messages, cut to a readable length. */
+/** The text of a value for error messages, cut to a readable length. */
 export function shown(value: unknown): string {
   const text = typeof value === 'string' ? `'${value}'` : textOf(value);
   return text.length > 60 ? `${text.slice(0, 57)}...` : text;
@@ -100,7 +100,10 @@ function checkAttached({ buffer }: ArrayBufferView, what: string): void {
   }
 }
 
-/** A copy in doubles. NaN and infinity pass, since the engine's error names their place. */
+/**
+ * A copy as doubles. NaN and infinity pass, since the engine throws an error that names their
+ * place.
+ */
 export function toFloat64(value: unknown, what: string): Float64Array {
   const array = checkArrayLike(value, what);
   for (let i = 0; i < array.length; i++) {
@@ -112,7 +115,7 @@ export function toFloat64(value: unknown, what: string): Float64Array {
   return new Float64Array(array as ArrayLike<number>);
 }
 
-/** A copy in 32-bit integers. Throws for a number that is not a 32-bit integer. */
+/** A copy as 32-bit integers. Throws for a number that is not a 32-bit integer. */
 export function toInt32(value: unknown, what: string): Int32Array {
   const array = checkArrayLike(value, what);
   if (!(array instanceof Int32Array)) {

@@ -2,7 +2,7 @@ import { KarcherError } from './errors.js';
 import type { EngineMesh, EngineModule } from './karcher-engine.mjs';
 import type { ErrorCode, Status } from './types.js';
 
-/** Calls into the module. Throws each failure as a `KarcherError`. */
+/** Makes the calls into the module, and throws each failure as a `KarcherError`. */
 export class Engine {
   readonly #module: EngineModule;
   #statusNames: Status[] | undefined;
@@ -33,7 +33,7 @@ export class Engine {
   /** The number of bytes of the engine's memory in use. */
   readonly allocatedBytes = (): number => this.call((module) => module.allocatedBytes());
 
-  /** Returns what `work` returns, or throws the `KarcherError` that the engine left. */
+  /** Returns what `work` returns, or throws the engine's failure as a `KarcherError`. */
   call<Result>(work: (module: EngineModule) => Result): Result {
     this.checkIdle();
     let result: Result;

@@ -6,9 +6,9 @@ import type { LoadOptions, WasmSource } from './types.js';
 const loadOptionNames = namesOf<LoadOptions>({ wasm: true });
 
 /**
- * Instantiates a module whose bytes lie at `url`, unless the options have another source. Node,
- * pages and workers use the same code. Rejects with `KarcherError` notLoaded, which names the
- * address, if WebAssembly is missing or the module does not load.
+ * Instantiates a module from the source in the options, by default from `url`. Node, pages and
+ * workers use the same code. Rejects with `KarcherError` notLoaded, which names the address, if
+ * WebAssembly is missing or the module does not load.
  */
 export async function instantiate<Module>(
   create: (options: EngineOptions) => Promise<Module>,

@@ -17,7 +17,7 @@ import type {
 
 /**
  * The WebAssembly module as the facade sees it: the exports of bindings/*.cpp. A point is four
- * numbers: face, b0, b1, b2. As an argument, a vertex may also be NaN, vertex, 0, 0. Faces and
+ * numbers: face, b0, b1, b2. In arguments, NaN, vertex, 0, 0 stands for a vertex. Faces and
  * vertices have the caller's numbers. After a failed call, `takeFailure` returns the reason once,
  * and the result of the call has no meaning.
  */

@@ -22,7 +22,7 @@ function toCoordinates(positions: unknown): Float64Array {
   return coordinates;
 }
 
-/** A loaded engine, which creates meshes. They live in its memory until `dispose`. */
+/** A loaded engine, which creates meshes. Meshes live in the engine's memory until `dispose`. */
 export class Karcher {
   readonly #engine: Engine;
 
@@ -32,7 +32,7 @@ export class Karcher {
   }
 
   /**
-   * Reads a mesh from an OBJ file, as text or as its bytes (UTF-8).
+   * Reads a mesh from an OBJ file, given as text or as bytes (UTF-8).
    *
    * It cuts polygons into triangles, drops vertices of no face, and repairs defects where that is
    * safe (`MeshOptions`, `RepairKind`). `info.repairs` lists the repairs. `fileMarks` returns the

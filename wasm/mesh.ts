@@ -76,7 +76,7 @@ export class Mesh extends MeshPlaces {
    * The points of the mesh `subdivide(levels)` that correspond to points of this one. They have the
    * same weights with respect to the corners of the original face.
    *
-   * @throws {KarcherError} badArgument for another number of levels than 1 to 6.
+   * @throws {KarcherError} badArgument unless the number of levels is 1 to 6.
    * @example
    * ```ts
    * const [onFine] = mesh.carried([{ face: 17, bary: [0.2, 0.3, 0.5] }], 2);
@@ -217,9 +217,9 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The lines of the points at one geodesic distance from a center. There may be none, or several
-   * beyond the center's cut locus. A line that is not closed ends on the boundary. Throws
-   * `KarcherError` badArgument if the radius is not positive.
+   * The lines of the points at one geodesic distance from a center. There may be no line; beyond
+   * the center's cut locus there may be several. A line that is not closed ends on the boundary.
+   * Throws `KarcherError` badArgument if the radius is not positive.
    *
    * @example
    * ```ts
@@ -235,7 +235,7 @@ export class Mesh extends MeshPlaces {
    * the parts where an offset intersects itself. There may be no line, or several. Lines on one
    * side have the direction of the paths. The inside of a region lies to the left of its boundary.
    * Points keep the distance to within a thousandth. With several distances, the error is at most a
-   * thousandth of the smallest one, or of a tenth of the largest one if that is more. Throws
+   * thousandth of the smallest distance or of a tenth of the largest, whichever is more. Throws
    * `KarcherError` badArgument for a distance out of range, a path without length, and consecutive
    * points without a common face.
    *
@@ -406,11 +406,11 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The mirror images of points in a geodesic, which is a list of its points, as `path.points()`
-   * returns them. A point moves along the perpendicular to the geodesic, and on by the same length
-   * beyond it. Directions are reflected. Throws what `logMap` throws, and `KarcherError`
-   * badArgument for a line without length, for consecutive points without a face in common, and for
-   * a point whose nearest point of the line is one of its ends.
+   * The mirror images of points in a geodesic. `line` is the list of the geodesic's points, as
+   * `path.points()` returns it. A point moves along the perpendicular to the geodesic, and on by
+   * the same length beyond it. Directions are reflected. Throws what `logMap` throws, and
+   * `KarcherError` badArgument for a line without length, for consecutive points without a face in
+   * common, and for a point whose nearest point of the line is one of its ends.
    */
   mirror(
     line: readonly PointLike[],

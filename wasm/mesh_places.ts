@@ -130,7 +130,8 @@ export class MeshPlaces {
   }
 
   /**
-   * The point of the surface that is nearest to a place in space; if several are, one of them.
+   * The point of the surface that is nearest to a place in space; if several points are equally
+   * near, one of them.
    *
    * @example
    * ```ts

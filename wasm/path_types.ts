@@ -31,7 +31,7 @@ export type Outline = Path | PathValue | readonly PointLike[];
 
 /** The area that outlines enclose together. */
 export interface RegionShape {
-  /** The closed paths that bound the shape. */
+  /** The outlines that together bound the shape. */
   outlines: readonly Outline[];
   /**
    * A point that must lie inside, or the side of the first outline that is inside. Left and right

@@ -65,8 +65,8 @@ export type Solver = 'fast' | 'exact' | 'graph';
 /**
  * The method for a control point's field, and for centers of mass.
  *
- * - `karcher`: by log vectors from the solver, only where the search needs them. It is exact on
- *   every triangulation of a plane;
+ * - `karcher`: by the solver's log vectors, computed only where the search needs them. It is exact
+ *   on every triangulation of a plane;
  * - `paper`: by gradients of squared distances at all vertices, and Newton's method along geodesics
  *   (Mancinelli, Puppo, Algorithm 1). It takes the solvers `exact` and `graph`.
  */
@@ -88,10 +88,10 @@ export type Star = 'wide' | 'ring';
  * other point is where the search stopped.
  *
  * - `converged`: for `centerOfMass` with the method `karcher` and the solvers `fast` and `exact`,
- *   the point is a local minimum of the energy by exact distances. That is, no point on a circle of
- *   0.3 mean edges around it has an energy lower by more than a thousandth of a squared mean edge.
- *   For samples of curves, other solvers and the method `paper`, the gradient of the energy, as the
- *   fields estimate it, vanishes at the point, and the Hessian is positive definite;
+ *   the point is a local minimum of the energy by exact distances. That is, no point on the circle
+ *   of radius 0.3 mean edges around it has an energy lower by more than a thousandth of a squared
+ *   mean edge. For samples of curves, other solvers and the method `paper`, the gradient of the
+ *   energy, as the fields estimate it, vanishes at the point, and the Hessian is positive definite;
  * - `indefinite`: the Hessian is not positive definite; the points lie too far apart;
  * - `boundary`: the minimum lies on the boundary, where the gradient does not vanish;
  * - `noProgress`: no point along the Newton step has a smaller gradient;

@@ -1,6 +1,6 @@
 import { KarcherError } from './errors.js';
 
-/** The largest size of the engine's memory, with 32 bits of addresses. */
+/** The largest size of the engine's memory, which has 32-bit addresses. */
 const memoryBytes = 2 ** 32;
 /** The size of data above which the free memory is checked. Smaller data needs no check. */
 const largeBytes = 2 ** 26;
@@ -8,8 +8,8 @@ const largeBytes = 2 ** 26;
 /**
  * The least number of bytes for a triangle, without its vertices, but with the data that are
  * derived from it at once. Measured on a GLB file with 500 instances of a torus of 20,000
- * triangles: the engine's memory grows to 419 bytes for each triangle, of which its half a vertex
- * takes 36.
+ * triangles: the engine's memory grows to 419 bytes for each triangle and half a vertex, of which
+ * the half vertex takes 36.
  */
 const triangleBytes = 380;
 /**
@@ -36,8 +36,8 @@ const counted = (count: number) => count.toLocaleString('en');
 const inGigabytes = (bytes: number) => `${(bytes / 2 ** 30).toPrecision(3)} GB`;
 
 /**
- * Throws `KarcherError` outOfMemory for data that cannot fit in any case. `what` is the beginning
- * of the sentence. Only large data needs `inUse`.
+ * Throws `KarcherError` outOfMemory for data that certainly cannot fit. `what` is the beginning of
+ * the error's sentence. Only large data needs `inUse`.
  */
 export function checkFits(bytes: number, what: string, inUse: () => number = () => 0): void {
   if (bytes <= largeBytes) return;

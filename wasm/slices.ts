@@ -2,7 +2,8 @@ import { pause, sliceTime } from './prepare.js';
 import type { LongWorkOptions } from './types.js';
 
 /**
- * A loop looks at the clock at items whose number, masked with this, is 0: at every 4096th item.
+ * A mask for the numbers of items. A loop looks at the clock if the masked number is 0: at every
+ * 4096th item.
  */
 export const batchMask = 0xfff;
 

@@ -16,7 +16,8 @@ export interface NearBoundaries {
 /** The distance, relative to the diagonal, within which boundaries are near each other. */
 const nearness = 1e-4;
 /**
- * The largest distance of vertices that the engine welds, relative to the shortest edge at either.
+ * The largest distance between vertices that the engine welds, relative to the shortest edge at
+ * either vertex.
  */
 const partOfEdge = 1 / 3;
 /** The least tolerance in the advice, relative to the diagonal. */
@@ -28,8 +29,8 @@ const leastWeld = 1e-9;
 const mostLevels = 40;
 
 /**
- * The mesh as this search uses it: positions of vertices, the boundary, and the shortest edge at
- * each number.
+ * The data of the search: positions of vertices, the boundary, the length of the shortest edge at
+ * each of its numbers, and the diagonal.
  */
 interface Places {
   positions: Float64Array;
@@ -135,7 +136,7 @@ function cellKey(level: number, x: number, y: number, z: number): number {
   return key;
 }
 
-/** The neighbors of each vertex along edges. */
+/** The neighbors of each vertex along boundary edges. */
 async function neighboursOf(ends: Int32Array, slices: Slices): Promise<Map<number, number[]>> {
   const neighbours = new Map<number, number[]>();
   for (let k = 0; k < ends.length; k += 2) {

@@ -98,7 +98,7 @@ function united({ positions, triangles }: Triangles): Triangles {
   return { positions, triangles: Int32Array.from(triangles, (vertex) => same[vertex]!) };
 }
 
-/** The triangles of faces, without repetitions. */
+/** The triangles with these face numbers, each of them once. */
 const facesOf = (triangles: ArrayLike<number>, faces: ArrayLike<number>): Int32Array =>
   Int32Array.from(
     [...new Set(Array.from(faces))].flatMap((face) => cornersOf(triangles, 3 * face)),

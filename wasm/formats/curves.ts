@@ -22,7 +22,9 @@ export interface FileCurve {
   name?: string | undefined;
   /** The curve as a path on the surface, such as the result of `Curve.path`. */
   path: FilePath;
-  /** The parameter of each point of the path, for CSV; `pathParameters` gives those of a curve. */
+  /**
+   * The parameter of each point of the path, for CSV; `pathParameters` returns them for a curve.
+   */
   parameters?: ArrayLike<number> | null | undefined;
   /** Red, green and blue, 0 to 255. */
   color?: readonly [number, number, number] | undefined;

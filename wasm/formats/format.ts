@@ -71,7 +71,7 @@ export function withoutMark(bytes: Uint8Array): Uint8Array {
 
 /**
  * The format of bytes, by their beginning, or else by the name's ending. Throws `KarcherError`
- * badFile, which names the kind of the file, if it is no mesh of a supported format.
+ * badFile if the file is no mesh of a supported format; the message names the file's kind.
  */
 export function formatOf(bytes: Uint8Array, name = ''): MeshFormat {
   const start = startOf(withoutMark(bytes));

@@ -67,7 +67,7 @@ export async function readGltf(
   return { positions: scene.positions, corners: scene.corners, sizes: null, info };
 }
 
-/** A primitive of a mesh that has triangles. All nodes that place the mesh share it. */
+/** A primitive that has triangles. All nodes that place its mesh share it. */
 interface Primitive {
   mode: 'triangles' | 'strip' | 'fan';
   places: Accessor;

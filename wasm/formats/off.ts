@@ -21,14 +21,17 @@ interface Source {
   coordinate(what: string): number;
   /** The next whole number of at least 0. */
   count(what: string): number;
-  /** Ends the counts. `rows` is the number of rows that follow. */
+  /**
+   * Ends the header, after the numbers of vertices and faces. `rows` is the number of rows that
+   * follow.
+   */
   endHeader(rows: number): void;
   /**
-   * Ends a vertex after its three coordinates. Returns its color as in the file; null if it has
-   * none.
+   * Reads the rest of a vertex, after its three coordinates. Returns its color as in the file; null
+   * if it has none.
    */
   endVertex(): readonly number[] | null;
-  /** Ends a face by reading its color. */
+  /** Skips the rest of a face, which is its color. */
   endFace(): void;
   /** Throws if the file continues. */
   end(): void;
@@ -155,8 +158,8 @@ class TextSource implements Source {
   }
 
   /**
-   * Ends the counts. If they stand on one line, the number of edges may be missing, since it has no
-   * effect.
+   * Ends the header. If the counts stand on one line, the number of edges may be missing, since it
+   * has no effect.
    */
   endHeader(rows: number): void {
     if (this.#rows.isSplit) this.#words.skip('the number of edges');
@@ -166,8 +169,9 @@ class TextSource implements Source {
   }
 
   /**
-   * Ends a vertex. The line's end shows whether a color has three or four numbers. If rows do not
-   * follow lines, this is unknown, and the color is left out.
+   * Reads the rest of a vertex. The end of the line shows whether a color has three or four
+   * numbers. If vertices do not begin on separate lines, this is unknown, and the color is left
+   * out.
    */
   endVertex(): readonly number[] | null {
     const what = 'a number of a vertex';

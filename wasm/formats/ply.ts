@@ -171,7 +171,7 @@ const colorNames = [
   ['r', 'g', 'b'],
 ];
 
-/** The number of each property's channel: 0 to 2 for red, green or blue, or -1. */
+/** The color channel of each property: 0 to 2 for red, green and blue, -1 for other properties. */
 function channelsOf({ properties }: PlyElement): number[] {
   const has = (name: string) => properties.some((one) => one.name === name && one.length === null);
   const names = colorNames.find((three) => three.every(has)) ?? [];

@@ -141,7 +141,7 @@ export async function centroid(
   };
 }
 
-/** A value of the density for each vertex. */
+/** The given density, checked; by default 1 at each vertex. */
 function checkDensity(given: ArrayLike<number> | undefined, vertices: number): ArrayLike<number> {
   if (given === undefined) return new Float64Array(vertices).fill(1);
   const density = toFloat64(given, 'the density');
@@ -250,7 +250,7 @@ function grouped(patches: Patch[], most: number): Patch[] {
   return groups;
 }
 
-/** The least and the largest coordinate. */
+/** The least and the largest coordinate `k` of the patches' places. */
 function extremes(patches: readonly Patch[], k: number): [number, number] {
   const within: [number, number] = [Infinity, -Infinity];
   for (const { place } of patches) {

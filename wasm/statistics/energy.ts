@@ -22,7 +22,7 @@ export interface Energy {
 export interface Hessian {
   /** Two unit vectors in the plane of the face, at right angles. */
   axes: [Vector, Vector];
-  /** The derivatives of the energy along these axes: xx, xy and yy. */
+  /** The second derivatives of the energy along these axes: xx, xy and yy. */
   matrix: [number, number, number];
 }
 

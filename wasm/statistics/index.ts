@@ -162,7 +162,8 @@ async function search(
         break;
       }
     }
-    // Unless the point is a minimum, the pull of the others leads the search away.
+    // If the search is at one of the points that is not the minimum, the pull of the others leads
+    // it away.
     const factors = own.map((weight, i) => weight * pull(Math.max(distances[i]!, least)));
     const before = point;
     point = (await centerOf(factors, before)).point;

@@ -48,7 +48,7 @@ export async function isolines(
   return wanted.map((level) => lines[ascending.indexOf(level)]!);
 }
 
-/** A line as a path, without points that repeat; undefined for a line of no length. */
+/** A line as a path, without repeated points; undefined for a line of length 0. */
 function pathOf(
   line: readonly LevelCrossing[],
   positions: Float64Array,

@@ -1,6 +1,6 @@
 /**
- * Lines of equal value on a triangle mesh, for a function with values at the corners and linear in
- * each triangle. They are straight within triangles, from edge to edge.
+ * Lines of equal value on a triangle mesh, for a function that has values at the corners of
+ * triangles and is linear in each triangle. They are straight within triangles, from edge to edge.
  */
 
 /**

@@ -110,8 +110,8 @@ function geometryOfBand({ positions, normals, triangles }: Tube): BufferGeometry
 /** The options for colors of numbers. */
 export interface ColorOptions {
   /**
-   * A function that sets the color for a number, given as a fraction from 0 to 1 of the largest. By
-   * default the colors run from yellow to blue.
+   * A function that sets the color of a number. It receives the number divided by the largest one,
+   * from 0 to 1. By default the colors run from yellow to blue.
    */
   ramp?: (part: number, color: Color) => void;
   /** The number that has the last color; by default the largest of all. */
@@ -148,9 +148,9 @@ const yellowToBlue = (part: number, color: Color) => color.lerpColors(yellow, bl
 
 /**
  * Log vectors of the vertices as an attribute `uv`, which lays a picture round the point where the
- * vectors start. The picture is twice `radius` wide, and upright along the y axis of `frame`. This
- * is the frame of the point (`Surface.frame`), turned as you like. Outside the picture, uv lies
- * outside 0 to 1, and far outside for vertices without a vector (NaN).
+ * vectors start. The picture is twice `radius` wide, and upright along the y axis of `frame`. Pass
+ * the frame of the point (`Surface.frame`), rotated about the normal as you like. Outside the
+ * picture, uv lies outside 0 to 1, and far outside for vertices without a vector (NaN).
  */
 export function logMapUvs(
   vectors: ArrayLike<number>,

@@ -104,7 +104,7 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
 
   /**
    * The frame of a point. Its origin is the place of the point; its axes are two unit vectors in
-   * the face and the normal. An object with this matrix stands on the surface, its z axis upright.
+   * the face, and the normal. An object with this matrix stands on the surface, its z axis upright.
    */
   frame(point: PointLike, target = new Matrix4()): Matrix4 {
     const { face } = this.#inFace(point);

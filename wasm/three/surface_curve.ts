@@ -42,7 +42,10 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
   readonly surface: Surface<AnyMesh>;
   /** The fat line that draws the curve. */
   readonly line: LineSegments2;
-  /** The length, samples and bridges of the drawn curve; undefined until the first drawing. */
+  /**
+   * The view of the drawn curve, such as its length, samples and bridges; undefined until the first
+   * drawing.
+   */
   view: CurveView | undefined;
   /** A promise that resolves at the first drawing. It rejects with the error of `Mesh.curve`. */
   readonly ready: Promise<void>;

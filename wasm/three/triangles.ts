@@ -1,4 +1,6 @@
-/** The triangles of a mesh by the places of their corners, whatever numbers these have. */
+/**
+ * Finds the triangles of a mesh by the places of their corners, whatever the vertex numbers are.
+ */
 export class Triangles {
   /** x, y, z of each vertex. */
   readonly positions: Float64Array;
@@ -100,7 +102,7 @@ export class Triangles {
       const vertex = this.#table[slot]!;
       if (vertex < 0) return slot;
       const [px, py, pz] = [0, 1, 2].map((k) => this.positions[3 * vertex + k]!);
-      // Positions that are not numbers equal no other vertex's place.
+      // A vertex with a NaN coordinate shares its place with no other vertex.
       if (px === x && py === y && pz === z) return slot;
       slot = (slot + 1) & mask;
     }

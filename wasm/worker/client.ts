@@ -124,10 +124,10 @@ export class WorkerClient {
 
   /**
    * Calls a method of an object in the worker, by default of the root object that `serve` received.
-   * A signal among the arguments, or in an object among them, rejects the call with its reason at
-   * once. Rejects with the `KarcherError` of the engine, or with `disposed`. `work` is for calls
-   * that do not take signals and progress themselves. Its signal has the same effect; its progress
-   * is 0 when the worker begins the call, and 1 when the call has ended.
+   * When a signal among the arguments, or in an object among them, is aborted, the call rejects at
+   * once with its reason. Rejects with the `KarcherError` of the engine, or with `disposed`. `work`
+   * is for calls that do not take signals and progress themselves. Its signal has the same effect;
+   * its progress is 0 when the worker begins the call, and 1 when the call has ended.
    */
   call(
     name: string,
@@ -269,7 +269,7 @@ export class WorkerClient {
     this.onRestart?.();
   }
 
-  /** Whether an object to be disposed of is already gone, with its worker. */
+  /** Whether an object to be disposed of is already gone, together with its worker. */
   #hasLeft(origin: Origin): boolean {
     if (origin.worker === this.#worker) return false;
     origin.isDisposed = true;
@@ -277,8 +277,8 @@ export class WorkerClient {
   }
 
   /**
-   * The number of an object in the present worker. If the worker does not have the object, it
-   * creates it again first.
+   * The number of an object in the present worker. If the worker does not have the object, the
+   * client first lets it create the object again.
    */
   #targetOf(origin: Origin): number {
     if (isGone(origin)) throw gone();
@@ -361,7 +361,10 @@ export class WorkerClient {
     if (reply.failure.fatal) this.#break(errorOf(reply.failure));
   }
 
-  /** Copies of arguments, for a second sending; adds their signals to the list. */
+  /**
+   * Copies of arguments, which may have to be sent again to a new worker. Adds the signals among
+   * them to the list.
+   */
   #copied(args: readonly unknown[], signals: AbortSignal[]): unknown[] {
     const copied = (arg: unknown) =>
       replaced(arg, (part) => {

@@ -25,7 +25,7 @@ export type RemoteKarcher = RemoteEngine & { readonly client: WorkerClient };
 
 /**
  * The worker of `loadInWorker`, in a page and in Node. If a bundler does not find the worker's file
- * from here, the page passes a module worker of `karcher/worker-thread`.
+ * through this code, pass a module worker of `karcher/worker-thread` to `loadInWorker`.
  */
 export function startWorker(): WorkerLike {
   const { process } = globalThis as { process?: NodeJS.Process };
