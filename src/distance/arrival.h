@@ -17,14 +17,14 @@ struct Arrival {
 /// through the window.
 inline constexpr double kSeenTolerance = 1e-10;
 
-/// The length, for comparisons, of a path with a slight bend at the end of a window. It is
-/// increased by rounding, so that a straight path of the same length wins, since its direction is
-/// exact.
+/// The length with which a path competes if it bends slightly at the end of a window. It exceeds
+/// the path's length by a rounding error, so that a straight path of the same length wins: the
+/// direction of a straight path is exact.
 inline double bentLength(double length) { return length * (1 + kLocalRounding); }
 
-/// Whether two lengths differ only by rounding. If so, the numbers of the mesh's elements decide
-/// between the paths. A moved mesh then has the same path unless its coordinates are rounded more
-/// coarsely.
+/// Whether two lengths differ only by rounding. If so, the indices of half-edges and vertices
+/// decide between the paths. A moved copy of the mesh then has the same path unless its coordinates
+/// are rounded more coarsely.
 inline bool isTie(double a, double b) {
   constexpr double kRounding = 2e-13;
   return b < kInfinity && std::abs(a - b) <= kRounding * b;

@@ -6,15 +6,16 @@
 
 namespace karcher {
 
-/// A queue of items with keys >= 0. Items leave in the order of their keys, up to the width of a
-/// bucket, and first in, first out within a bucket. An item may enter the bucket that `pop` is
-/// emptying. An item with a key beyond the ring of buckets leaves early, never late.
+/// A queue of items with keys >= 0. Buckets of equal width leave in the order of their keys; within
+/// a bucket, items leave first in, first out. An item may enter the bucket that `pop` is emptying.
+/// The number of buckets is fixed: an item whose key lies beyond the last bucket leaves early,
+/// never late.
 class BucketQueue {
  public:
   explicit BucketQueue(double width)
       : width_(width), inverseWidth_(1 / width), buckets_(static_cast<size_t>(kBuckets)) {}
 
-  /// The bucket of a key, or the current bucket if that is later.
+  /// The bucket of a key, at least the current one and at most the last one.
   int bucketOf(double key) const {
     const int last = current_ + kBuckets - 1;
     const double bucket = key * inverseWidth_;
@@ -32,8 +33,8 @@ class BucketQueue {
   int current() const { return current_; }
   double leastKey() const { return current_ * width_; }
 
-  /// Removes the next item and returns true, unless the queue is empty or the least key is beyond
-  /// `limit`.
+  /// Removes the next item and returns true. Returns false if the queue is empty or `leastKey`
+  /// exceeds `limit`.
   bool pop(double limit, int& item) {
     while (count_ > 0 && leastKey() <= limit) {
       Array<int>& bucket = buckets_[current_ & (kBuckets - 1)];

@@ -13,7 +13,7 @@ namespace karcher {
 /// The arrival of a shortest path at the midpoint of an edge.
 struct MidpointArrival {
   double distance = kInfinity;
-  /// a unit vector towards the source, in the half-edge's frame, whose x axis is its direction
+  /// a unit vector towards the source, in the frame whose x axis is the half-edge's direction
   Vec2 toSource = Vec2(1, 0);
 };
 
@@ -43,10 +43,10 @@ class DistanceSolver {
   /// mesh that the previous search reached.
   virtual void setSource(const SurfacePoint& source) = 0;
 
-  /// From the next `setSource` on, allows the solver to omit places over which a path to the aim's
-  /// ball would be longer than `mostLength`, even if it went straight through space from there.
-  /// Distances of points in the ball are then right up to `mostLength`. All other distances are
-  /// upper bounds, whatever `reached` returns.
+  /// From the next `setSource` on, the solver may omit a place if the path to it, continued
+  /// straight through space to the aim's ball, is longer than `mostLength`. This changes no
+  /// distance up to `mostLength` of a point in the ball. All other distances are upper bounds,
+  /// whatever `reached` returns. Without an aim, the solver omits nothing.
   virtual void aimAt(const std::optional<PathAim>&) {}
 
   /// Works until all vertices within `radius` (any number up to kInfinity) are final.

@@ -5,11 +5,11 @@
 #include "intrinsic/taut_search.h"
 
 /// A fast search for a short path between any two points. It finds strips of faces from both ends
-/// and pulls the paths in them tight. It also leads a strip over a vertex beside it if that
-/// shortens the path. The result is the shortest of these paths. It is locally shortest, and seldom
-/// longer than the shortest path by more than a thousandth. The work grows as the square of the
-/// distance up to a hundred mean edges. For greater distances, a greedier search finds a first
-/// path, which is then improved piece by piece.
+/// and pulls the paths in them tight. It also leads a strip around the other side of an adjacent
+/// vertex if that shortens the path. The result is the shortest of these paths. It is locally
+/// shortest, and seldom longer than the shortest path by more than a thousandth. The work grows as
+/// the square of the distance up to a hundred mean edges. For greater distances, a greedier search
+/// finds a first path, which is then improved piece by piece.
 namespace karcher {
 
 /// Reusable scratch memory.

@@ -36,16 +36,16 @@ double excessBetween(const Window& w, const Window& other, double from, double t
   return from < x && x < to ? excessAt(w, other, x) : 0;
 }
 
-/// The original state of a window to which others were joined.
+/// What the joins at a window have changed so far.
 struct Origin {
   double change = 0;      ///< a bound on the changes of distances along the edge so far
-  double beginSlope = 0;  ///< the slope at the window's begin, if there is a change
+  double beginSlope = 0;  ///< the original slope at the window's begin, if `change` > 0
 };
 
-/// Joins two windows, neither of which contains the other, to one over both. The joint source keeps
-/// the distances at the two outer ends. Together with the distance where the windows meet, these
-/// give the front's curvature, and so the offset. Returns false if distances along the edge would
-/// change by more than the tolerance, or if there is no such source.
+/// Joins two windows, neither of which contains the other, into one over both. The joint source
+/// keeps the distances at the two outer ends. Together with the distance where the windows meet,
+/// these give the front's curvature, and so the offset. Returns false if distances along the edge
+/// would change by more than the tolerance, or if there is no such source.
 bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& origin) {
   const double tolerance = edge.tolerance - origin.change;
   const double begin = first.begin;
@@ -116,8 +116,9 @@ bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& o
   return true;
 }
 
-/// The largest amount by which a wider window lengthens the distances of a window that lies in it;
-/// kInfinity if the two share an end behind which the wider window reaches less far.
+/// The largest amount by which distances through a wider window exceed those through a window that
+/// lies in it; kInfinity if the two share an end at which the ray of the wider window turns inwards
+/// by more than `edge.turn`.
 double excessOf(const Window& wider, const Window& window, const JoinedEdge& edge) {
   const auto steeper = [&](double x) { return slopeAt(wider, x) - slopeAt(window, x); };
   const bool reaches = (window.begin > wider.begin || steeper(window.begin) <= edge.turn) &&

@@ -5,11 +5,11 @@
 /// Joining of windows that wait at an edge and belong to one front: see window_distance.h.
 namespace karcher {
 
-/// A half-edge at which windows join, with its tolerance.
+/// The tolerances of joins at a half-edge.
 struct JoinedEdge {
   double tolerance = 0;  ///< the largest permitted change of distances along the edge
-  double turn =
-      0;  ///< the change of slope by which the rays at the ends of windows may turn inwards
+  /// the most by which the rays at the ends of windows may turn inwards, as a change of slope
+  double turn = 0;
 };
 
 /// Joins windows and removes those that lie in others. Requires at least one window.

@@ -82,8 +82,8 @@ class PagedArray {
 
   int count_;
   Array<T*> pageOf_;
-  /// the numbers of pages in the order of their creation; a dropped page stays, and occurs again
-  /// if it is created again
+  /// the numbers of the created pages, in the order of their creation; the number of a dropped page
+  /// stays, and is added again if the page is created again
   Array<int> used_;
   size_t held_ = 0;
   std::shared_ptr<PagePool> pool_;

@@ -14,11 +14,11 @@
 ///
 /// A shortest connection to a path meets it at a right angle, or at a point where the path turns or
 /// ends, in the wedge between the right angles there. So each straight piece of a path sends out a
-/// front to both of its sides, and each turn a fan. Both travel from face to face as windows (D.
-/// Bommes, L. Kobbelt, "Accurate computation of geodesic distance fields for polygonal curves on
-/// triangle meshes", 2007). As in window_distance.h, vertices with shorter paths trim or end
-/// windows, and vertices of negative curvature send out fans behind them. Every face keeps the
-/// images of the paths that it sees, from which the distance of any point follows.
+/// front to each side, and each turn or end sends out a fan. Fronts and fans travel from face to
+/// face as windows (D. Bommes, L. Kobbelt, "Accurate computation of geodesic distance fields for
+/// polygonal curves on triangle meshes", 2007). As in window_distance.h, vertices with shorter
+/// paths trim or end windows, and vertices of negative curvature send out fans behind them. Every
+/// face keeps the images of the paths that it sees, from which the distance of any point follows.
 ///
 /// Where the width changes along a piece, its fronts are tilted: the cosine of their angle with the
 /// piece is the rate at which the width decreases. If the width changes by the length of a piece or
@@ -38,7 +38,7 @@ class PathDistance {
  public:
   /// Finds the distances of all points that are at most `limit` away. The geometry must outlive the
   /// object. `widths` belong to places at equal steps of length along each path, and are linear in
-  /// between; on a closed path the last is followed by the first. The distance of a point is then
+  /// between; on a closed path, the first width follows the last. The distance of a point is then
   /// the least value of d + W - w over all places of the paths: d is the distance from the place, w
   /// the width there, and W the greatest width. Throws Error kBadArgument if a path has no length,
   /// if consecutive points have no face in common, or if the search needs more than
@@ -68,7 +68,7 @@ class PathDistance {
     SideOfPath side = SideOfPath::kEnd;
     double offset = 0;
     double least = 0;            ///< a lower bound on the distances through it
-    Vec2 source = Vec2::Zero();  ///< the direction of a front, of length 1
+    Vec2 source = Vec2::Zero();  ///< the unit direction of a front, or the center of a fan
     /// for a front, the right end of the line from which it starts; for a fan, a unit vector along
     /// its right side
     Vec2 right = Vec2::Zero();
@@ -126,7 +126,7 @@ class PathDistance {
   int count_ = 0;
   Array<Image> images_;
   Array<int> faces_;
-  /// the index of the first image of each face in `faces_`, and the number of images
+  /// for each face of `faces_`, the index of its first image; at the end, the number of images
   Array<int> firstOfFace_;
 };
 

@@ -60,7 +60,7 @@ double PathDistance::startAt(const SurfacePath& path, double length) const {
   return *std::max_element(widths_.begin(), widths_.end()) - from - (to - from) * (at - k);
 }
 
-/// The rate at which the distance grows along the piece after a point.
+/// The rate at which `startAt` grows along the piece after a point.
 double PathDistance::growthAfter(const SurfacePath& path, int index) const {
   const double from = path.lengths[index];
   const double to = path.lengths[index + 1];
@@ -206,8 +206,9 @@ void PathDistance::leaveTurn(const SurfacePath& path, int index) {
   const auto leave = [&](double from, double to, SideOfPath side) {
     if (to - from > kChainRounding) leaveFan(fan, from, to, start, side);
   };
-  // The fan goes counterclockwise from one piece to another, on the surface. At a point of the
-  // boundary it may have two parts, the second one on the other side of a path that ends there.
+  // The fan covers the directions counterclockwise from one piece to another. At a point of the
+  // boundary it may have two parts. If a path ends there, the second part lies on the path's other
+  // side.
   const auto leaveBetween = [&](const Piece& one, const Piece& other, SideOfPath side,
                                 SideOfPath second) {
     const double from = one.angle + one.opening;

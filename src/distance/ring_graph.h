@@ -13,7 +13,7 @@ namespace karcher {
 
 struct RingGraph {
   int rings = 0;
-  Array<int64_t> start;  ///< the index of each vertex's first arc, and the number of arcs
+  Array<int64_t> start;  ///< the index of each vertex's first arc; at the end, the number of arcs
   Array<int> target;
   Array<double> length;
   /// The unscaled direction of each arc's reverse, at the arc's target.

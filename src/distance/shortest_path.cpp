@@ -17,8 +17,9 @@ namespace {
 /// distance.
 [[maybe_unused]] constexpr double kSameMeasure = 1e-6;
 
-/// The vertex at a point of a walk, through which the straight piece may go; -1 if there is none.
-/// The vertex may lie ten times kSeenTolerance from the point, since windows see past their ends.
+/// The vertex at a point of a walk, or -1. A straight piece through the point may go through this
+/// vertex. The point may miss the vertex by ten times kSeenTolerance, since windows see past their
+/// ends.
 int vertexAt(const Geometry& geometry, const SurfacePoint& point) {
   int corner = 0;
   if (point.bary.maxCoeff(&corner) < 1 - kChainRounding) return -1;
@@ -68,8 +69,8 @@ void followBack(const Geometry& geometry, const WindowDistance& distance, Surfac
 }
 
 /// Reverses the points traced from the target to the source, and removes repetitions. Rounding may
-/// lead the trace along an edge, or past an edge's end, into faces next to the path's; straight
-/// lines close such gaps. `length` is the path's distance.
+/// lead the trace along an edge, or past an edge's end, into a face beside the path. Local paths
+/// close such gaps. `length` is the path's distance.
 SurfacePath cleaned(const Geometry& geometry, const Array<SurfacePoint>& walked,
                     [[maybe_unused]] double length) {
   const TriangleMesh& mesh = *geometry.mesh;

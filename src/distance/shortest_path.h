@@ -14,8 +14,8 @@ namespace karcher {
 SurfacePath shortestPath(const Geometry& geometry, const SurfacePoint& from,
                          const SurfacePoint& to);
 
-/// The shortest path to a vertex, by a solver that already has `from` as its source and may have
-/// grown.
+/// The shortest path from the source of a solver to a vertex. The solver may have grown before.
+/// Throws Error kUnreachable as above.
 SurfacePath shortestPathToVertex(const Geometry& geometry, WindowDistance& distance, int vertex);
 
 }  // namespace karcher

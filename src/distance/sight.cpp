@@ -11,8 +11,8 @@ namespace {
 
 /// The most bends of a path. Solvers find paths with more.
 constexpr int kMostBends = 8;
-/// The number of strips that the search tries for a path, each with a better aim or on the other
-/// side of a vertex.
+/// The most strips that the search tries for a path. After the first, each has a better aim or
+/// passes a vertex on the other side.
 constexpr int kMostWalks = 6;
 
 /// If the ratio of a path's length to the line in space is above this, the search compares the path
@@ -20,8 +20,8 @@ constexpr int kMostWalks = 6;
 constexpr double kSmallDetour = 1.1;
 constexpr double kAside = 0.7;  ///< an angle in radians
 /// If the ratio of a path's length to the line in space is above this, the search rejects the path,
-/// since it may not be the shortest. The search also rejects all paths if one that it compares
-/// passes a vertex of more than the curvature kSharp.
+/// since it may not be the shortest. The search also rejects all paths if one of the compared paths
+/// passes a vertex whose curvature exceeds kSharp.
 constexpr double kMostDetour = 1.4;
 constexpr double kSharp = 0.25;  ///< an angle in radians
 
@@ -169,7 +169,7 @@ class SightLine {
   }
 
   Vec2 bendAt(int k) const { return sides_[bends_[k]].at(); }
-  /// The start of the path's straight part k, and below its end.
+  /// The two ends of the path's straight part k.
   Vec2 partStart(int k) const { return k == 0 ? Vec2(0, 0) : bendAt(k - 1); }
   Vec2 partEnd(int k) const { return k == bendCount_ ? at_ : bendAt(k); }
 
@@ -197,7 +197,8 @@ class SightLine {
 
   /// Returns the index of a vertex that a straight part passes on the wrong side, or -1. Two
   /// straight paths lead around a vertex of positive curvature; the shorter one passes it at a
-  /// greater distance. If both have the same length, the one on the vertex's left counts.
+  /// greater distance. If both have the same length, the path to the left of the vertex counts as
+  /// shorter.
   int passedTooNear(const Vec2& from, const Vec2& to) const {
     const Vec2 way = to - from;
     const double squared = way.squaredNorm();

@@ -11,14 +11,14 @@
 /// strip_path.h, but it uses only the stack and finds only the length and the direction.
 ///
 /// Among several straight paths it usually finds the shortest. For vertices up to 6 edges away, the
-/// share of paths that are a thousandth too long is 0 on stanford-bunny, .07 % on armadillo, and .2
-/// % on spot, whose ears are thin. These paths are too long by at most a quarter.
+/// share of paths that are too long by more than a thousandth is 0 on stanford-bunny, .07 % on
+/// armadillo, and .2 % on spot, whose ears are thin. No path is too long by more than a quarter.
 namespace karcher {
 
 /// The most faces that a path crosses. Solvers find paths that cross more.
 inline constexpr int kMostFacesOfSight = 64;
 
-/// The start of paths, in one of its faces.
+/// The start of paths, as a point of one of the faces that contain it.
 struct SightSource {
   int face = 0;
   Vec3 position = Vec3::Zero();
@@ -27,7 +27,7 @@ struct SightSource {
   Vec2 corners[3] = {Vec2::Zero(), Vec2::Zero(),
                      Vec2::Zero()};  ///< the face's corners, relative to the point
 };
-/// The sources of a point: one face for a point in a face or on an edge; all faces around a point
+/// The sources of a point: one for a point in a face or on an edge; one in each face around a point
 /// at a vertex.
 using SightSources = Array<SightSource>;
 

@@ -9,7 +9,7 @@ namespace karcher {
 double lengthFrom(const SourceImage& image, const Vec2& point) {
   const Vec2 toPoint = point - image.source;
   const double leg = toPoint.norm();
-  // The sides of the sector are directions with rounding.
+  // The directions of the sector's sides have rounding errors.
   const bool isSeen =
       image.isFull || (cross(image.right, toPoint) >= -kChainRounding * leg &&
                        cross(toPoint, image.left) >= -kChainRounding * leg &&

@@ -23,8 +23,8 @@ struct SourceImage {
   bool isFull = false;
 };
 
-/// The length of the path through an image to a point of its face, from the source on. The point is
-/// in the face's frame. The length is kInfinity if the image does not see the point.
+/// The length of the path from the source, by way of an image, to a point of the image's face. The
+/// point is in the face's frame. The length is kInfinity if the image does not see the point.
 double lengthFrom(const SourceImage& image, const Vec2& point);
 
 /// The images with paths to points at one distance from the source, or to points of given faces.
@@ -51,8 +51,9 @@ class SourceImages {
   /// Adds the source in one of its own faces.
   void addSource(int face, const SurfacePoint& source);
   /// Adds the sources of windows that cross the face of half-edge h, if the face may have points at
-  /// the distance. An image without such points may still matter where its paths are shorter than
-  /// another's. `tailDistance` is the distance of h's tail.
+  /// the distance. An image without such points may still matter: where another image gives this
+  /// distance, its paths may be shorter. Omits windows beyond the distance. `tailDistance` is the
+  /// distance of h's tail.
   void addWindows(int h, const Array<Window>& windows, double tailDistance);
   /// Adds the tail of half-edge h, a vertex at `distance` from the source that sends out paths.
   /// These leave in the corner of h between the angles `from` and `to`, measured from h.
@@ -67,7 +68,7 @@ class SourceImages {
   }
 
   const Geometry& geometry_;
-  double distance_ = -1;  ///< the distance, or -1 if none matters
+  double distance_ = -1;  ///< the distance; -1 to keep no images
   Array<int> faces_;      ///< sorted faces; empty if the distance decides
   Array<SourceImage> images_;
 };

@@ -12,7 +12,7 @@ void SourceVectors::setSource(const SurfacePoint& source) {
     know(location.vertex, Vec2::Zero());
     for (const int h : outgoingHalfedges(mesh, location.vertex)) {
       know(mesh.head(h), geometry_.edgeLength[h] * directionOfEdge(geometry_, h).tail);
-      // At the boundary the last edge has only the opposite half-edge.
+      // At the boundary, the last edge has only the half-edge that leads to the source.
       const int last = previous(h);
       if (mesh.twin[last] >= 0) continue;
       know(mesh.tail(last), -geometry_.edgeLength[last] * directionOfEdge(geometry_, last).head);
@@ -39,9 +39,9 @@ void SourceVectors::know(int vertex, const Vec2& vector) {
 }
 
 const Vec2& SourceVectors::at(const DistanceSolver& solver, int vertex) {
-  // The loop visits each vertex once, so that it ends. By rounding, each of two vertices may be an
-  // end of the edge from which the other's path comes. Only the other end of one of these edges
-  // then counts.
+  // The loop ends, since it visits each vertex at most once. By rounding, each of two vertices may
+  // be an end of the edge from which the other's path comes. One of the two then takes its vector
+  // from the other end of its edge alone.
   ask(solver, vertex);
   while (!asked_.empty()) {
     const Asked last = asked_.back();

@@ -5,10 +5,11 @@
 /// The log vectors of vertices at the source of their distances: the directions in which shortest
 /// paths leave the source, scaled to their lengths.
 ///
-/// A path to a vertex crosses the edge between two others. The class interpolates the log vector at
-/// the crossing between the edge's ends; only its length changes on the way to the vertex. So
-/// directions spread outwards from the source (after E. Melvaer, M. Reimers, "Geodesic Polar
-/// Coordinates on Polygonal Meshes", 2012, who interpolate angles). On a plane they are exact.
+/// A path to a vertex last crosses the edge between two others. At the crossing, the class
+/// interpolates the log vectors of the edge's ends. From there to the vertex, only the vector's
+/// length changes. So directions spread outwards from the source (after E. Melvaer, M. Reimers,
+/// "Geodesic Polar Coordinates on Polygonal Meshes", 2012, who interpolate angles). On a plane they
+/// are exact.
 namespace karcher {
 
 class SourceVectors {
@@ -16,7 +17,8 @@ class SourceVectors {
   /// The geometry must outlive the object.
   explicit SourceVectors(const Geometry& geometry) : geometry_(geometry) {}
 
-  /// Changes the source. At a vertex the vectors are in its tangent plane (tangent.h).
+  /// Changes the source. If the source is a vertex, the vectors are in its tangent plane
+  /// (tangent.h).
   void setSource(const SurfacePoint& source);
 
   /// The log of a vertex at the source, in the tangent plane of the source's face or vertex. The

@@ -48,8 +48,8 @@ LinePoint linePointAt(const Geometry& geometry, const SurfacePath& line, double 
       "end");
 }
 
-/// The point of a line nearest to a point. The search compares a dozen points of the line, and goes
-/// on between the neighbours of the nearest.
+/// The point of a line nearest to a point. The search compares the ends of kParts equal parts of
+/// the line, and continues between the nearest of them and a neighbour.
 LinePoint footOn(const Geometry& geometry, const SurfacePath& line, const SurfacePoint& point,
                  FindPathWorkspace& workspace) {
   const double whole = line.length();
@@ -81,7 +81,7 @@ LinePoint footOn(const Geometry& geometry, const SurfacePath& line, const Surfac
   signChange(low.length, high.length, low.slope, high.slope, rounding, [&](double length) {
     LinePoint candidate = at(length);
     const double slope = candidate.slope;
-    // Near the foot, lengths differ only by rounding.
+    // Near the foot, lengths differ only by rounding, so that the slope decides.
     const bool isNearer = candidate.path.length() < (1 - kLocalRounding) * best.path.length();
     if (isNearer || std::abs(slope) < std::abs(best.slope)) best = std::move(candidate);
     return slope;

@@ -11,8 +11,8 @@ namespace {
 constexpr int kMostWindows = 200'000;
 
 /// Rings extend past a vertex only if it has at most this number of edges. Otherwise all its
-/// neighbours would see each other, and the number of arcs would grow as the square of their
-/// number. Paths to vertices behind it lead over the vertex, or from neighbour to neighbour.
+/// neighbours would see each other, and each pair of them would have an arc. Paths to the vertices
+/// behind it lead over the vertex itself, or from neighbour to neighbour.
 constexpr int kMostEdges = 256;
 
 bool hasManyEdges(const TriangleMesh& mesh, int vertex) {

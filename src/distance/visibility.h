@@ -20,8 +20,8 @@ class Visibility {
   explicit Visibility(const Geometry& geometry);
 
   /// The vertices that a vertex sees within its k-ring: the faces whose corners are all at most
-  /// `rings` edges away. Each has its shortest line. The result may omit a line longer than another
-  /// path.
+  /// `rings` edges away. Each comes with its shortest line. The result may omit a line if another
+  /// path is shorter.
   const Array<Sight>& fromVertex(int vertex, int rings);
 
   /// The vertices that a point inside a face or on an edge sees within the faces that share a

@@ -55,7 +55,8 @@ Vec2 WatchedTarget::pointOver(int h) const {
          point.bary[cornerOf(previous(h))] * oppositeOverHalfedge(geometry_, h);
 }
 
-/// Updates by an arrival through half-edge h. `toSource` is in the frame of h.
+/// Replaces the best arrival if an arrival through half-edge h is better. `toSource` is in the
+/// frame of h.
 void WatchedTarget::arrive(int h, const Arrival& arrival, const Vec2& toSource) {
   const bool isBetter =
       isTie(arrival.distance, best_.arrival.distance)

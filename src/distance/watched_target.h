@@ -27,9 +27,10 @@ class WatchedTarget {
   bool liesIn(int face) const { return face == faces_[0] || face == faces_[1]; }
   const TargetArrival& best() const { return best_; }
 
-  /// Updates by the straight path from `vertex`, the tail of half-edge h, which is at `distance`.
+  /// Updates the arrival by the straight path from `vertex`, the tail of half-edge h. `distance` is
+  /// the distance of this vertex.
   void arriveFromCorner(int h, int vertex, double distance);
-  /// Updates by the path through a window of half-edge h.
+  /// Updates the arrival by the path through a window of half-edge h.
   void arriveThrough(int h, const Window& window);
 
  private:

@@ -7,16 +7,17 @@ namespace karcher {
 
 /// Writes to `path` the locally shortest path from `from` to `to` along the waypoints: the fast
 /// paths (find_path.h) from each to the next, pulled tight as a whole. Without waypoints it is the
-/// fast path itself. If all waypoints lie on edges or vertices, and each point shares a face with
-/// the next from `from` to `to`, they are the path itself, which stays unchanged. Returns false and
-/// changes nothing if the points lie on several components.
+/// fast path itself. If all waypoints lie on edges or vertices, and consecutive points from `from`
+/// to `to` share a face, the path consists of exactly these points. Returns false and changes
+/// nothing if the points lie on several components.
 bool findPathBy(const Geometry& geometry, const SurfacePoint& from,
                 const Array<SurfacePoint>& waypoints, const SurfacePoint& to,
                 FindPathWorkspace& workspace, SurfacePath& path);
 
 /// A few points of a locally shortest path by which `findPathBy` finds it again, to a
 /// ten-thousandth of its length. The result is empty if `findPath` with these options finds the
-/// path between its ends. It has all points of the path except the ends if a few are not enough.
+/// path between its ends. If a few points are not enough, it has all points of the path except the
+/// ends.
 Array<SurfacePoint> waypointsOf(const Geometry& geometry, const SurfacePath& path,
                                 FindPathWorkspace& workspace, const FindPathOptions& options = {});
 

@@ -16,20 +16,20 @@ struct Window {
   double end = 0;
   double sourceX = 0;  ///< the source lies at (sourceX, -depth)
   double depth = 0;
-  double offset = 0;  ///< the distance of the source itself, if it is a vertex at which paths turn
-  int pseudoSource = -1;  ///< this vertex, or -1
+  double offset = 0;      ///< the source's distance: 0 unless paths turn or windows were joined
+  int pseudoSource = -1;  ///< the last vertex at which the paths turn, or -1
 };
 
-/// The most windows for each face that solvers propagate. Ordinary meshes take 10 to 100; only a
-/// surface whose shape is rounding noise comes near the limit.
+/// The most windows that a solver propagates, per face of the mesh. Ordinary meshes take 10 to 100;
+/// only a surface whose shape is rounding noise comes near the limit.
 inline constexpr int kMostWindowsPerFace = 10'000;
 
-/// The least width of a window, or of what a trim leaves of it, relative to its edge. The solver
-/// drops narrower windows; their neighbours find the region behind, with an error of second order
-/// in this number.
+/// The least width of a window, also of a trimmed one, relative to its edge. The solver drops
+/// narrower windows. Their neighbours reach the region behind, with an error of second order in
+/// this number.
 inline constexpr double kNarrowestWindow = 1e-11;
 
-/// The length of a path, increased by rounding. Longer paths than this count as beaten by it.
+/// The length of a path plus a rounding error. The path beats all paths that are longer than this.
 inline double beatingLength(double length) { return length * (1 + kLocalRounding); }
 
 inline double square(double x) { return x * x; }
@@ -100,8 +100,8 @@ inline Window carriedToTailEdge(const Window& w, const Vec2& along, double from,
                                 double apexCrossing) {
   // Positions on an edge, and those of sources beside it, have rounding errors relative to its
   // length. If an end of a window lies this near to an end of the edge, or to the line to the apex,
-  // it moves there. Otherwise a source much nearer than the edge is long would miss everything
-  // behind the gap.
+  // it moves there. Otherwise, on an edge much longer than the distance of the source, the windows
+  // would miss everything behind the gap.
   const double rounding = kStepRounding * from;
   const auto hit = [&](double x) {
     const double across = along.x() * w.depth - along.y() * (x - w.sourceX);

@@ -32,25 +32,25 @@ double bucketWidth(const Geometry& geometry) {
   return width;
 }
 
-/// If the ratio of the longest to the shortest edge is above this, both ends of the edge that
-/// windows cross determine the apex of a face (FaceSides). So short lengths are not differences of
-/// long ones. Windows that leave a source inside a face always use both ends.
+/// If the ratio of the longest to the shortest edge is above this, the solver computes the apex of
+/// a face from both ends of the edge that windows cross (FaceSides). So no short length is a
+/// difference of long ones. Windows that leave a source inside a face always use both ends.
 constexpr double kWide = 1e6;
 
 /// The ratio of the longest to the shortest edge above which a window may circle over the same
 /// edges without coming nearer to a vertex that would beat it.
 constexpr double kThin = 1e3;
 
-/// The angle, in tolerances, by which a join may turn the rays at the ends of a window. This is the
-/// slope, at its ends, of a parabola that is zero there and as high as the tolerance permits, over
-/// a window as wide as the face is high.
+/// The angle, in tolerances, by which a join may turn the rays at the ends of a window. A parabola
+/// that is zero at both ends of a window and as high as the tolerance permits has this slope at the
+/// ends if the window is as wide as the face is high.
 constexpr double kTurn = 4;
 
-/// The widest gap that a join of windows may open at an end of an edge, relative to the edge.
+/// The widest gap at an end of an edge that the solver closes after joins, relative to the edge.
 constexpr double kWidestGap = 0.1;
 
-/// The largest difference between a vertex's distance and that of its own front there, relative to
-/// the tolerance.
+/// The largest difference, relative to the tolerance, between the distance of a vertex and the
+/// distance there through a window of the same front.
 constexpr double kSameFront = 0.25;
 
 /// The two sides of a face above half-edge h, as vectors from its tail and from its head. Each is
@@ -453,7 +453,8 @@ void WindowDistance::arrive(int vertex, VertexRecord& record, const Arrival& arr
   }
 }
 
-/// Whether every point of the window has a shorter path through an earlier window.
+/// Whether every point of the window has a shorter path through the widest earlier window at h.
+/// Records the window if it is wider.
 bool WindowDistance::isBehindAnother(int h, const Window& window) {
   constexpr double kAtTip = 1e-6;
   const auto [entry, isNew] = widest_.try_emplace(h, window);

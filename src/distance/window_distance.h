@@ -38,10 +38,10 @@
 /// Surazhsky, D. Kirsanov, S. Gortler, H. Hoppe, "Fast exact and approximate geodesics on meshes",
 /// 2005). The height is the length that a path gains in the face. A joint window's source and
 /// offset are those of the front to which both windows belong, so that on smooth surfaces distances
-/// converge with the mesh as exact ones do. It sees what both windows saw, except that the rays at
-/// its ends may turn by a few tolerances. Errors of many faces are of both signs, so that distances
-/// are off by far less than the tolerance. This is measured (`npm run study -- fields`) and not
-/// proven.
+/// converge with the mesh as exact ones do. A joint window sees what both windows saw, except that
+/// the rays at its ends may turn by a few tolerances. Errors of many faces are of both signs, so
+/// that distances are off by far less than the tolerance. This is measured (`npm run study --
+/// fields`) and not proven.
 namespace karcher {
 
 /// Whether shortest paths turn at a vertex: its total angle is greater than 2 pi (pi on the
@@ -110,8 +110,8 @@ class WindowDistance final : public DistanceSolver {
   const TargetArrival& targetArrival() const { return target_.best(); }
 
   /// From the next `setSource` on, keeps the images with paths to points at this distance. Once all
-  /// points within the distance are final, the shortest of these paths to such a point gives its
-  /// distance.
+  /// points within the distance are final, the distance of such a point is the length of the
+  /// shortest path from an image to it.
   void keepImages(double distance) { images_.keep(distance); }
   /// From the next `setSource` on, keeps all images in these faces.
   void keepImagesIn(Array<int> faces) { images_.keepIn(std::move(faces)); }

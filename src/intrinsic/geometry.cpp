@@ -9,8 +9,9 @@
 namespace karcher {
 namespace {
 
-/// Twice the area, from the cross product of the two shortest edges. Its rounding is proportional
-/// to the product of their lengths, which for the long edges of a needle far exceeds the area.
+/// Twice the area, from the cross product of the two shortest edges. The rounding error of a cross
+/// product is proportional to the product of the two lengths. For the two long edges of a needle,
+/// this far exceeds the area.
 double doubledArea(const Vec3& e0, const Vec3& e1, const Vec3& e2) {
   const double a = e0.squaredNorm();
   const double b = e1.squaredNorm();

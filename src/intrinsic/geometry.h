@@ -8,8 +8,8 @@
 /// Frame of a face: corner 0 at the origin, corner 1 on the positive x axis, corner 2 above it.
 /// Frame of a vertex: directions count counterclockwise from its `outgoing` half-edge, by the
 /// cumulated corner angle times `angleScale` = 2 pi / total angle. At the boundary the scale is 1,
-/// since any other would bend the plane. The direction of a traced path is unscaled: the cumulated
-/// corner angle itself.
+/// since any other scale would distort directions on a plane. The direction of a traced path is
+/// unscaled: the cumulated corner angle itself.
 ///
 /// Connection: F. Knoppel, K. Crane, U. Pinkall, P. Schroder, "Globally Optimal Direction Fields"
 /// (2013), section 3, evaluated at the centroids of faces.
@@ -31,8 +31,8 @@ struct Geometry {
   double shortestEdge = 0;
   double longestEdge = 0;
   double diagonal = 0;  ///< the diagonal of the bounding box
-  /// Twice the largest distance of a vertex from the mean of all. Unlike the diagonal it is
-  /// invariant under rotations, so that searches use it as the size of the mesh.
+  /// Twice the largest distance of a vertex from the mean of all vertices. Unlike the diagonal, it
+  /// is invariant under rotations, so that searches use it as the size of the mesh.
   double extent = 0;
 };
 
@@ -53,8 +53,8 @@ inline Vec2 pointInFace(const Geometry& geometry, const SurfacePoint& p) {
 }
 
 /// The vector from one point of face f to another, in the frame of the face. It is computed from
-/// differences of weights, so that between points of one edge it is along the edge, however large
-/// the face.
+/// differences of weights, so that a step between points of one edge is parallel to the edge,
+/// however large the face.
 Vec2 stepInFace(const Geometry& geometry, int f, const SurfacePoint& from, const SurfacePoint& to);
 
 /// Half-edge h as a vector in the frame of its face.
@@ -63,8 +63,8 @@ inline Vec2 halfedgeInFace(const Geometry& geometry, int h) {
          cornerInFace(geometry, faceOf(h), cornerOf(h));
 }
 
-/// The vertex opposite to half-edge h seen from h: its tail at the origin, its head on the positive
-/// x axis, so that y is the face's height over h.
+/// The vertex opposite to half-edge h, in the frame of h: the tail of h is the origin, and its head
+/// lies on the positive x axis. So y is the face's height over h.
 inline Vec2 oppositeOverHalfedge(const Geometry& geometry, int h) {
   const int f = faceOf(h);
   if (cornerOf(h) == 0) return geometry.apex[f];
@@ -104,7 +104,7 @@ EdgeDirection directionOfEdge(const Geometry& geometry, int h);
 /// The corner (a half-edge that leaves the vertex) into which an unscaled direction points, and the
 /// angle from that half-edge to the direction. Directions wrap around at interior vertices. At the
 /// boundary, a direction outside [0, totalAngle] is turned by 2 pi in either sense if it then lies
-/// within. Otherwise it leaves the surface, and `halfedge` is -1.
+/// inside. Otherwise it leaves the surface, and `halfedge` is -1.
 struct CornerDirection {
   int halfedge = -1;
   double angle = 0;

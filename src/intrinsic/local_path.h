@@ -3,9 +3,10 @@
 #include "intrinsic/strip_path.h"
 
 /// A locally shortest geodesic between two points that lie near each other, such as consecutive
-/// samples of a curve. A straight line joins points in one face, or in two if it crosses their
-/// common edge. For others an A* search finds a strip of faces, in which the path is pulled tight
-/// (strip_path.h). The work depends on the faces between the points, not on the mesh.
+/// samples of a curve. A straight line joins points in one face, and points in two adjacent faces
+/// if it crosses their common edge. For other points an A* search finds a strip of faces, in which
+/// the path is pulled tight (strip_path.h). The work depends on the faces between the points, not
+/// on the mesh.
 namespace karcher {
 
 struct LocalPathOptions {

@@ -99,14 +99,14 @@ class ChainStrip {
                  int target) const {
     const int here = leaving(mesh_, face_, vertex);
     const int there = leaving(mesh_, target, vertex);
-    // The faces around a boundary vertex have one order, so that rounding of a path that turns
-    // straight back does not matter.
+    // Around a boundary vertex only one sense leads to `target`. It does not depend on rounding,
+    // even if the path turns straight back.
     if (mesh_.onBoundary[vertex]) {
       return geometry_.cumulatedAngle[there] > geometry_.cumulatedAngle[here];
     }
     const double outgoing = direction(vertex, target, to);
     const double total = geometry_.totalAngle[vertex];
-    // If the path begins at the vertex, both directions are equally good.
+    // If the path begins at the vertex, both senses are equally good.
     const double incoming =
         from >= 0 ? direction(vertex, face_, points[from]) : geometry_.cumulatedAngle[here];
     double left = outgoing - incoming;
@@ -118,8 +118,9 @@ class ChainStrip {
     return leastNeighbor(vertex, target, true) < leastNeighbor(vertex, target, false);
   }
 
-  /// The smallest vertex number between the last face and `target`, in one direction around a
-  /// vertex. It distinguishes the two directions around the vertex, whatever the path's direction.
+  /// The smallest index of a neighbour between the last face and `target`, in one sense around a
+  /// vertex. If both senses turn by equal angles, the smaller index decides, so that the reversed
+  /// path takes the same side.
   int leastNeighbor(int vertex, int target, bool left) const {
     int h = leaving(mesh_, face_, vertex);
     int least = mesh_.vertexCount();

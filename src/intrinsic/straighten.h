@@ -6,10 +6,10 @@
 /// Straightening of paths in the strip of faces along them, and moves of their ends.
 namespace karcher {
 
-/// Replaces a path by the locally shortest one that continuous shortening leads to, by pulling it
-/// tight between its ends (strip_path.h). The time grows with the number of faces crossed. A path
-/// may bend, double back or touch vertices; a locally shortest one stays unchanged. The result of
-/// the reversed path is the reversed result, except for ties.
+/// Pulls a path tight between its ends (strip_path.h). The result is the locally shortest path to
+/// which continuous shortening leads. The time grows with the number of faces crossed. The given
+/// path may bend, double back or touch vertices; a locally shortest path stays unchanged. The
+/// reversed path gives the reversed result, except for ties.
 void straighten(const Geometry& geometry, SurfacePath& path, StripWorkspace& workspace);
 
 /// Moves the end of a path to `end`, which lies near the old end, and straightens the path in its

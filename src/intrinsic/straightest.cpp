@@ -78,8 +78,8 @@ FaceExit exitOfFace(const Vec3& bary, const Vec3& rates) {
   // A walk along an edge stays in the face, since its rate of leaving is rounding noise.
   const double threshold = -1e-13 * rates.cwiseAbs().maxCoeff();
   for (int k = 0; k < 3; ++k) {
-    // A walk does not leave by the edge that it starts on. On slivers the noise exceeds the
-    // threshold, and the walk would circle a vertex forever.
+    // A walk does not leave by the edge on which it starts. Otherwise it could circle a vertex
+    // forever on slivers, where the noise exceeds the threshold.
     if (bary[k] == 0 || rates[k] >= threshold) continue;
     const double length = bary[k] / -rates[k];
     if (length < exit.length) exit = {length, k};

@@ -14,17 +14,16 @@ enum class TraceStop {
   kLimit,     ///< the path crossed `maxCrossings` edges, with the length `remaining` left
 };
 
-/// The name of a stop in reports: "boundary".
+/// The name of a stop in reports, such as "boundary".
 const char* traceStopName(TraceStop stop);
 
 struct StraightestOptions {
   int maxCrossings = 1'000'000;
 };
 
-/// The limit for the crossings in all steps of a search together. It is many times the crossings of
-/// a shortest path, which visits a face at most once. A longer walk winds around the surface, for
-/// example around the tip of a cone 1 wide and 1e5 high, where half the height takes a million
-/// crossings.
+/// The most edges that all steps of a search together may cross. A shortest path visits a face at
+/// most once and crosses far fewer edges. A longer walk winds around the surface, for example
+/// around the tip of a cone 1 wide and 1e5 high, where half the height takes a million crossings.
 int mostCrossingsOfSearch(const TriangleMesh& mesh);
 
 struct StraightestPath {
@@ -38,10 +37,10 @@ struct StraightestPath {
       Vec2(1, 0);  ///< the unit direction of travel at the end, in the frame of the end's face
 };
 
-/// Walks from `start` along `vector`, given in the frame of start.face; its length is the length to
-/// walk. From an edge or a vertex the vector may point out of the face. The walk then follows it
-/// into the face to which it points, unfolded about that edge or vertex. Throws Error kNotFinite if
-/// the vector is not finite.
+/// Walks from `start` along `vector`. The vector is in the frame of start.face, and its length is
+/// the length to walk. From an edge or a vertex the vector may point out of the face. The walk then
+/// follows it into the face to which it points, unfolded about that edge or vertex. Throws Error
+/// kNotFinite if the vector is not finite.
 StraightestPath traceStraightest(const Geometry& geometry, const SurfacePoint& start,
                                  const Vec2& vector, const StraightestOptions& options = {});
 
@@ -50,7 +49,8 @@ void traceStraightest(const Geometry& geometry, const SurfacePoint& start, const
                       StraightestPath& path, const StraightestOptions& options = {});
 
 /// Walks from a vertex in an unscaled direction (see geometry.h). At a boundary vertex a walk in a
-/// direction off the surface stops at once.
+/// direction off the surface stops at once. Throws Error kNotFinite if the direction or the length
+/// is not finite.
 StraightestPath traceFromVertex(const Geometry& geometry, int vertex, double direction,
                                 double length, const StraightestOptions& options = {});
 void traceFromVertex(const Geometry& geometry, int vertex, double direction, double length,

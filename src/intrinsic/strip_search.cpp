@@ -11,7 +11,7 @@ using Node = StripSearchWorkspace::Node;
 using QueueEntry = StripSearchWorkspace::QueueEntry;
 
 /// The point of the edge a-b nearest to the line through p and q, but at least 1 % of the edge away
-/// from its ends; the midpoint if both are parallel.
+/// from its ends; the midpoint if the edge and the line are parallel.
 Vec3 entryPoint(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) {
   const Vec3 d = q - p;
   const Vec3 e = b - a;

@@ -6,8 +6,8 @@
 /// A* search over faces for a strip between two points, towards the target in space.
 namespace karcher {
 
-/// A sequence of faces in which consecutive ones share an edge: the first face and the crossed
-/// half-edges, in order, each in the face that the strip leaves.
+/// A sequence of faces in which consecutive faces share an edge. It consists of the first face and
+/// the crossed half-edges in order. Each half-edge belongs to the face that the strip leaves there.
 struct Strip {
   int face = -1;
   Array<int> crossings;

@@ -6,7 +6,7 @@
 namespace karcher {
 namespace {
 
-/// The number of vertices beside a leg that the search tries, those with the greatest gains.
+/// The most vertices beside a leg that the search tries. It tries those with the greatest gains.
 constexpr int kPassages = 4;
 
 }  // namespace
@@ -19,7 +19,7 @@ double Tightening::length() const {
 
 /// Leads the path over vertices beside it wherever that makes it shorter. If a vertex has an angle
 /// of less than 2 pi, paths on both of its sides can be locally shortest. On a cone, the shorter
-/// one is on the side with less angle between the leg's ends.
+/// path is on the side where the leg's ends span the smaller angle at the vertex.
 void Tightening::passOverVertices() {
   passagesLeft_ = 64 + 4 * crossingCount();
   for (int leg = 0; leg <= bends_.count() && passagesLeft_ > 0;) {

@@ -20,7 +20,7 @@ struct SurfacePath {
 /// Computes the lengths of a path from its points.
 void measure(const TriangleMesh& mesh, SurfacePath& path);
 
-/// Appends a point that shares a face with the last one, unless both are the same.
+/// Appends a point that shares a face with the last one, unless it is the same place.
 void appendPoint(const TriangleMesh& mesh, const SurfacePoint& point, SurfacePath& path);
 
 /// The path through points. Consecutive ones must share a face.
@@ -30,12 +30,12 @@ SurfacePath pathThrough(const TriangleMesh& mesh, Array<SurfacePoint> points);
 bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
 
 /// The point at the ratio s of the way from a to b, on the straight line in a face that holds both.
-/// If no face holds both, it is the nearer of the two.
+/// If no face holds both, it is a for s < 1/2, and otherwise b.
 SurfacePoint pointBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b,
                           double s);
 
 /// The index k of the path's piece, between points k and k + 1, at a length from its start, clamped
-/// to the path. `lengths` are the path's, for at least two points.
+/// to the path. `lengths` are those of the path, which must have at least two points.
 int pieceAt(const Array<double>& lengths, double length);
 
 /// The point at a length from the start, clamped to the path.

@@ -14,7 +14,7 @@ int cornerAt(const TriangleMesh& mesh, int vertex, int face) {
   return h;
 }
 
-/// The log vector of a path at one of its ends, point `from`. The next point has the number `from +
+/// The log vector of a path at one of its ends, point `from`. The next point has the index `from +
 /// stride`.
 Vec2 logAtEnd(const Geometry& geometry, const SurfacePath& path, int from, int stride) {
   const TriangleMesh& mesh = *geometry.mesh;

@@ -31,8 +31,8 @@ bool expAlong(const Geometry& geometry, const SurfacePoint& point, const Vec2& v
 Vec2 transportAlong(const Geometry& geometry, const SurfacePath& path, const Vec2& vector);
 
 /// Converts a vector of the tangent plane at a point to a vector in space, in the plane of the
-/// point's face, and back by projection. At a vertex the vector turns between the vertex's frame
-/// and the face's (vertexToFace).
+/// point's face, and back by projection. At a vertex, the vector is also rotated between the frames
+/// of the vertex and the face (vertexToFace).
 Vec3 tangentToSpace(const Geometry& geometry, const SurfacePoint& point, const Vec2& vector);
 Vec2 tangentFromSpace(const Geometry& geometry, const SurfacePoint& point, const Vec3& vector);
 

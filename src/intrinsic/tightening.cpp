@@ -69,8 +69,8 @@ Vec2 Tightening::unfold(int first, int last) {
   return apex;
 }
 
-/// The path's end in the frame of an unfolding up to the last crossing, whose last corner is
-/// `apex`.
+/// The path's end, in the frame of an unfolding up to the last crossing. `apex` is the corner that
+/// `unfold` returned.
 Vec2 Tightening::endBeyond(const Vec2& apex) const {
   const Portal& portal = workspace_.portals[crossingCount() - 1];
   const int t = mesh_.twin[crossing(crossingCount() - 1)];
@@ -79,8 +79,8 @@ Vec2 Tightening::endBeyond(const Vec2& apex) const {
          to.bary[cornerOf(previous(t))] * apex;
 }
 
-/// The funnel through portals [first, last]. Its apex is the last bend, its sides are the narrowest
-/// view through the portals.
+/// Finds the bends of the tight path from `start` to `end` through portals [first, last], by a
+/// funnel. The funnel's apex is the last bend; its sides bound the view through the portals.
 void Tightening::pullTight(int first, int last, const Vec2& start, const Vec2& end,
                            Array<Bend>& bends) {
   const Array<Portal>& portals = workspace_.portals;
@@ -126,8 +126,8 @@ void Tightening::measureBends(int first, int last, const Vec2& start, const Vec2
     const Vec2 at = positionOf(bend);
     const Vec2 to = i + 1 < bends.count() ? positionOf(bends[i + 1]) : end;
     const Run run = runAround(bend);
-    // If the bend has crossed edges beyond this frame, its leg coincides with one of its edges, and
-    // the angle is 0.
+    // If the strip also crosses edges of the bend's vertex outside this frame, the leg follows one
+    // of these edges, and the angle is 0.
     bend.before =
         run.first >= first ? angleBetween(from - at, acrossFrom(bend, run.first) - at) : 0;
     bend.after = run.last <= last ? angleBetween(to - at, acrossFrom(bend, run.last) - at) : 0;

@@ -31,13 +31,13 @@ class Tightening {
         bends_(workspace.bends) {}
 
   void run(bool shorten) {
-    // Each turn shortens the path, so that only turns at angles within rounding of pi need a bound.
-    // To go around a corner, a strip may pass over all vertices in between: up to a quarter of the
-    // squared number of crossings.
+    // Each turn shortens the path. So a bound is needed only for turns at angles that equal pi up
+    // to rounding. To go around a corner, a strip may pass over all vertices in between, which are
+    // up to a quarter of the squared number of crossings.
     const int64_t crossings = crossingCount();
     turnsLeft_ = 64 + 16 * crossings + crossings * crossings / 4;
     trimEnds();
-    // A single frame gives the final path.
+    // Turns unfold parts of the strip in frames of their own. The final path needs a single frame.
     pullAllTight();
     while (turnSharpBends() || shorten) {
       if (shorten) passOverVertices();

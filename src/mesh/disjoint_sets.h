@@ -7,7 +7,8 @@
 
 namespace karcher {
 
-/// Sets of numbers. The name of each is its smallest number (R. Tarjan, 1975; with path halving).
+/// Disjoint sets of numbers, each named by its smallest number (R. Tarjan, 1975; with path
+/// halving).
 class DisjointSets {
  public:
   explicit DisjointSets(int count) : parent_(static_cast<size_t>(count)) {
@@ -19,7 +20,7 @@ class DisjointSets {
     return v;
   }
 
-  /// Unites the sets of two numbers. Returns false if they were one set already.
+  /// Unites the sets of two numbers. Returns false if both were in one set already.
   bool unite(int a, int b) {
     a = find(a);
     b = find(b);
@@ -39,7 +40,7 @@ class DisjointSets {
   Array<int> parent_;
 };
 
-/// Sets of faces with known orientations relative to each other.
+/// Disjoint sets of faces whose orientations relative to each other are known.
 class OrientedSets {
  public:
   explicit OrientedSets(int count)
@@ -60,7 +61,7 @@ class OrientedSets {
       root = parent_[root];
     }
     const Place place{root, turned};
-    // Every face on the path then points at the root.
+    // From now on, every face on the path points at the root.
     while (f != root) {
       const int up = parent_[f];
       const bool own = turned_[f] != 0;

@@ -6,14 +6,15 @@
 
 namespace karcher {
 
-/// One of an edge's half-edges, numbered 3 f + k, in the list of the edge's lesser vertex.
+/// A half-edge 3 f + k of an edge, in the list of the edge's smaller vertex.
 struct EdgeSide {
-  int otherVertex;  ///< the greater of the edge's two vertices
+  int otherVertex;  ///< the larger of the edge's two vertices
   int halfedge;
 };
 
-/// The half-edges of faces, by the smaller vertex v of their edge: from sides[start[v]] up to
-/// sides[start[v + 1]], sorted by the other vertex and then by half-edge.
+/// The half-edges of faces, grouped by the smaller vertex of their edge. Those of vertex v begin at
+/// sides[start[v]] and end before sides[start[v + 1]]. They are sorted by the other vertex and then
+/// by half-edge.
 struct SortedSides {
   Array<int> start;
   Array<EdgeSide> sides;

@@ -11,7 +11,7 @@ enum class ErrorCode {
   kBadIndex,           ///< a face or a point names a vertex or face that does not exist
   kNotFinite,          ///< a coordinate, weight or distance is NaN or infinite
   kDegenerateFace,     ///< a face has a repeated corner or no area
-  kNonManifoldEdge,    ///< an edge has more than two faces, or two that disagree on its direction
+  kNonManifoldEdge,    ///< an edge has more than two faces, or two run along it in one direction
   kNonManifoldVertex,  ///< the faces around a vertex form more than one fan
   kNotOrientable,      ///< the surface has only one side
   kBadPoint,           ///< barycentric weights are negative or do not sum to 1
@@ -24,16 +24,16 @@ enum class ErrorCode {
   kNoEmbedding,        ///< the mesh has no acceptable embedding, for weighted averages
 };
 
-/// The name of a code, for callers in other languages: "nonManifoldEdge".
+/// The name of a code, for callers in other languages, such as "nonManifoldEdge".
 const char* errorCodeName(ErrorCode code);
 
-/// A number for a sentence, with at most `digits` digits: 0.25, 1e-07.
+/// A number for a sentence, with at most `digits` digits, such as 0.25 or 1e-07.
 std::string inSentence(double value, int digits = 6);
 
-/// A number with enough digits to identify the double, at least six: 3.000000000001.
+/// A number with at least six digits, and enough to identify the double, such as 3.000000000001.
 std::string inFull(double value);
 
-/// A failure of the engine, of any kind: a code, and a sentence that names the thing and the limit.
+/// A failure of the engine: a code, and a sentence that names the object and the limit.
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& sentence) : std::runtime_error(sentence), code_(code) {}

@@ -5,7 +5,7 @@
 namespace karcher {
 
 /// A tree of boxes around the faces of a mesh, which finds the point of the surface nearest to a
-/// place. A box holds faces of consecutive numbers, which are neighbours in an imported mesh
+/// place. A box holds faces with consecutive indices, which lie near each other in an imported mesh
 /// (morton.h).
 class FaceTree {
  public:
@@ -18,8 +18,9 @@ class FaceTree {
     double distance = kInfinity;
   };
 
-  /// The nearest point. If several are equally near, it is in the face of the smallest number.
-  /// Throws Error kNotFinite, and kBadArgument for a place beyond 1e30.
+  /// The nearest point. If several are equally near, it is in the face with the smallest index.
+  /// Throws Error kNotFinite for a place that is not finite, and kBadArgument for a coordinate
+  /// beyond 1e30.
   Nearest nearest(const Vec3& place) const;
 
  private:

@@ -76,7 +76,7 @@ class Flips {
   void cut(int g, int a, int b, int c, double s, Array<int>& flat) {
     const Triangle corners = faces_.corners[g];
     alive_[g] = 0;
-    // The face is the other side of the flat triangle, so it has no area either.
+    // The face has the same corners as the flat triangle, so it has no area either.
     if ((corners.array() == c).any()) return;
     const std::array<Vec3, 3> weights = faces_.weightsOf(g);
     int atA = 0;

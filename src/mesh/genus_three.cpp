@@ -11,7 +11,7 @@
 
 // A slab of cubes without three of them has the right topology. Subdivision of its faces adds
 // vertices. They move to the zero set of a smooth function and spread out there. Further rounds do
-// the same, each at half the size.
+// the same, each with triangles of half the size.
 
 namespace karcher {
 namespace {

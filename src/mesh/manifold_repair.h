@@ -7,17 +7,17 @@ namespace karcher {
 struct ManifoldRepairs {
   int turnedOver = 0;  ///< the number of faces turned over
   int branching = 0;   ///< the number of edges of more than two faces
-  /// the number of split vertices, without those at the ends of such edges
+  /// the number of split vertices, without those at the ends of edges of more than two faces
   int bowTies = 0;
 };
 
-/// Turns faces that may not form a manifold into one. If faces disagree with their neighbours on
-/// the direction of an edge, the faces of the rarer orientation in each connected part turn over.
-/// If an edge has more than two faces, pairs of them with the widest dihedral angle share an edge,
-/// and the others have edges of their own. A vertex whose faces form several fans becomes one
-/// vertex for each fan; the fan with the file's first face keeps the number. Fills the adjacency of
-/// `mesh` and changes its positions and faces and the numbers in `numbering`. Throws Error
-/// kNotOrientable, with the caller's numbers.
+/// Makes a manifold of faces that may not form one. If neighbours run along an edge in the same
+/// direction, the faces of the rarer orientation in each connected part turn over. If an edge has
+/// more than two faces, pairs of them with the widest dihedral angle share an edge, and the
+/// remaining faces have edges of their own. A vertex whose faces form several fans becomes one
+/// vertex for each fan; the fan with the file's first face keeps the vertex's number. Fills the
+/// adjacency of `mesh` and changes its positions and faces and the numbers in `numbering`. Throws
+/// Error kNotOrientable, whose sentence has the caller's numbers.
 ManifoldRepairs connectRepaired(TriangleMesh& mesh, Numbering& numbering);
 
 }  // namespace karcher

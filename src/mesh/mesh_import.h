@@ -33,7 +33,7 @@ struct Repair {
   std::string sentence;
 };
 
-/// The name of a kind of repair in reports: "welded".
+/// The name of a kind of repair in reports, such as "welded".
 const char* repairName(Repair::Kind kind);
 
 struct ImportOptions {
@@ -61,12 +61,12 @@ struct ImportedMesh {
 /// - omits faces with a repeated corner, and duplicates;
 /// - flips the longest edges of faces without area (`flipFlatTriangles`);
 /// - turns faces over until they agree, separates edges of more than two faces, and splits vertices
-///   between several fans (`connectRepaired`). A mesh without such defects stays unchanged, to the
-///   last bit.
+///   between several fans (`connectRepaired`).
 ///
-/// Throws what `buildMesh` throws, and Error kNotOrientable, kBadArgument (a weld that is not a
-/// number); errors name the caller's vertices and triangles. Vertices that no face uses may have
-/// any position.
+/// A mesh without such defects keeps its positions and faces, to the last bit; only their order
+/// changes. Throws what `buildMesh` throws, and Error kNotOrientable, kBadArgument (a weld that is
+/// not a number); errors name the caller's vertices and triangles. Vertices that no face uses may
+/// have any position.
 ImportedMesh importMesh(TriangleSoup soup, const ImportOptions& options = {});
 
 /// Cuts polygons as `cutPolygons` does, and imports the triangles. Face numbers are those of

@@ -15,8 +15,8 @@
 namespace karcher {
 namespace {
 
-/// Edges of at most this length, relative to the diagonal, count as having no length. So do edges
-/// up to kLocalRounding of their face's longest edge.
+/// Edges of at most this length, relative to the diagonal, count as edges without length. So do
+/// edges of at most kLocalRounding times the longest edge of their face.
 constexpr double kShortOfDiagonal = 1e-14;
 
 /// The vertices that faces use, in ascending order.
@@ -118,7 +118,7 @@ class MeshRepair {
     return contracted;
   }
 
-  /// Checks that the remaining faces can form a surface.
+  /// Checks that faces remain, and that each has an area.
   void checkFaces() const {
     if (faces_.corners.empty()) {
       throw Error(ErrorCode::kDegenerateFace,
@@ -184,7 +184,8 @@ class MeshRepair {
     tell(Repair::Kind::kBowTie, repairs.bowTies);
   }
 
-  /// The image of an input triangle that is not a whole face of the engine.
+  /// The image of an input triangle that is not a whole face of the engine. Creates it if
+  /// necessary.
   FaceImage& imageOf(int t) {
     Numbering& numbering = result_.numbering;
     int& entry = numbering.engineFace[t];
@@ -236,7 +237,7 @@ class MeshRepair {
     }
   }
 
-  /// A mark in `engineFace` of a triangle whose image is still unknown.
+  /// The entry in `engineFace` of a triangle that has no image yet.
   static constexpr int kGone = std::numeric_limits<int>::min();
 
   TriangleSoup soup_;

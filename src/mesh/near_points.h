@@ -12,7 +12,7 @@ class NearPoints {
   /// `radius` is the largest distance of the points to find.
   NearPoints(const Array<Vec3>& positions, const Array<int>& points, double radius);
 
-  /// Calls visit(q) for each point q > p within the radius, and for some beyond.
+  /// Calls visit(q) for each point q > p within the radius of p, and for some farther points.
   template <class Visit>
   void forEachNear(int p, Visit&& visit) const {
     const Cell cell = cellOf(p);
@@ -38,7 +38,7 @@ class NearPoints {
   Cell cellOf(int p) const {
     return ((positions_[p] - low_) / width_).array().floor().matrix().cast<int64_t>();
   }
-  /// Cells have numbers from 1, so that their neighbours have keys, too.
+  /// Keys count cells from 1, so that the neighbours of the first cells have keys, too.
   static uint64_t keyOf(const Cell& cell) {
     return static_cast<uint64_t>(cell[0] + 1) << 42 | static_cast<uint64_t>(cell[1] + 1) << 21 |
            static_cast<uint64_t>(cell[2] + 1);

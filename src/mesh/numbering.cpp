@@ -36,8 +36,8 @@ SurfacePoint inPieces(const FaceImage& image, const Vec3& bary) {
     most = least;
     best = {piece.face, weights};
   }
-  // The point is outside all pieces only by rounding, which is large in a piece much smaller than
-  // the whole.
+  // The point can be outside all pieces only by rounding. This is large in a piece much smaller
+  // than the whole triangle.
   best.bary = best.bary.cwiseMax(0);
   best.bary /= best.bary.sum();
   return clampedPoint(best.face, best.bary);
@@ -51,9 +51,9 @@ Vec3 placeIn(const FaceImage& image, const Vec3& bary) {
   return place;
 }
 
-/// The nearest point of the adjacent faces, and of faces that the search reaches from them by steps
-/// that each come nearer. The steps lead past other triangles without area, several of which may
-/// lie side by side.
+/// The nearest point that a search finds. It begins at the adjacent faces, and goes on to the faces
+/// around the nearest one as long as these come nearer. So it gets past other triangles without
+/// area, several of which may lie side by side.
 SurfacePoint nearestBeside(const TriangleMesh& mesh, const FaceImage& image, const Vec3& place) {
   SurfacePoint best;
   double nearest = kInfinity;

@@ -15,7 +15,7 @@ struct FacePiece {
   std::array<Vec3, 3> corners;
 };
 
-/// An input triangle that is not one face of the engine.
+/// An input triangle that did not become a single face of the engine.
 struct FaceImage {
   Triangle corners;            ///< the input vertices
   std::array<Vec3, 3> places;  ///< the places of the corners
@@ -28,11 +28,11 @@ struct Numbering {
   /// engine vertex. For a split vertex, the entry is its first part.
   Array<int> engineVertex;
   Array<int> inputVertex;  ///< the first input vertex that became each engine vertex
-  /// The engine's face that equals each input triangle, with the same order of corners unless it is
-  /// turned over. If no face does, the entry is -1 - i, and images[i] describes the triangle's
-  /// image.
+  /// For each input triangle, the face of the engine that equals it, with the same order of corners
+  /// unless it is turned over. If there is no such face, the entry is -1 - i, and images[i]
+  /// describes the triangle's image.
   Array<int> engineFace;
-  Array<int> inputFace;  ///< the input triangle that each engine face is, or is a part of
+  Array<int> inputFace;  ///< the input triangle that contains each engine face
   /// 1 for each input triangle whose face turned over, which swaps corners 1 and 2; empty if no
   /// face did
   Array<uint8_t> turnedOver;
@@ -46,10 +46,10 @@ struct Numbering {
 };
 
 /// Converts a caller's point to the engine's and checks it by `checkedPoint`. If the input triangle
-/// was cut, the result lies in the piece that holds the point. If it was omitted, the result is the
-/// nearest point of the adjacent faces; without these, the nearest point of the mesh if it is
-/// within 1e-6 of the diagonal. Throws what `checkedPoint` throws, and Error kBadIndex if there is
-/// no such point.
+/// was cut, the result lies in the piece that contains the point. If it was omitted, the result is
+/// the nearest point that a search from the adjacent faces finds. If it has no adjacent faces, the
+/// result is the nearest point of the mesh, which must be at most 1e-6 diagonals away. Throws what
+/// `checkedPoint` throws, and Error kBadIndex if there is no such point.
 SurfacePoint toEngine(const Numbering& numbering, const TriangleMesh& mesh, int inputFace,
                       const Vec3& bary);
 

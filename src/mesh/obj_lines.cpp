@@ -12,7 +12,7 @@ bool isSpace(char c) { return c == ' ' || c == '\t'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 
-/// The most digits of an exponent. More are not meaningful; these fit an integer.
+/// The most digits of an exponent. They fit an integer; longer exponents have no meaning.
 constexpr size_t kMostExponentDigits = 9;
 
 size_t countDigits(std::string_view word, size_t from) {
@@ -21,7 +21,7 @@ size_t countDigits(std::string_view word, size_t from) {
   return end - from;
 }
 
-/// The length of the line end at `from`: 0 to 2.
+/// The length of the line end at `from`: 1 or 2; 0 if there is none.
 size_t lineEnd(std::string_view text, size_t from) {
   if (from == text.size() || !isLineEnd(text[from])) return 0;
   return text[from] == '\r' && from + 1 < text.size() && text[from + 1] == '\n' ? 2 : 1;
@@ -51,7 +51,8 @@ size_t gap(std::string_view line, size_t from) {
   return end == 0 ? 0 : 1 + end;
 }
 
-/// Whether the word is nan, inf or infinity, as C and Python print them, or 1.# as in 1.#INF.
+/// Whether the word is nan, inf or infinity, as C and Python print them, or begins with 1.#, such
+/// as 1.#INF.
 bool isNotFinite(std::string_view word) {
   std::string lower(word.substr(word.find_first_not_of("+-") == 1 ? 1 : 0));
   for (char& c : lower) {
@@ -133,8 +134,8 @@ class LineCheck {
     ++found_.faces;
   }
 
-  /// Checks a corner such as 7, 7/1 or 7//2: the number of a vertex, and after slashes numbers that
-  /// do not matter. A negative number counts back from the latest vertex.
+  /// Checks a corner such as 7, 7/1 or 7//2: the number of a vertex; numbers after slashes do not
+  /// matter. A negative number counts back from the latest vertex.
   void checkCorner(std::string_view word) {
     const size_t sign = word[0] == '-' || word[0] == '+' ? 1 : 0;
     const size_t digits = countDigits(word, sign);

@@ -7,10 +7,10 @@
 
 namespace karcher {
 
-/// Cuts the next line off the front of `text` and returns it without its end (\n, \r or both) and
-/// without a comment, which begins at a # that starts a word. A backslash at the end of a line,
-/// unless in a comment, continues the line on the next one; the returned line then has line ends
-/// inside.
+/// Cuts the next line off the front of `text`. Returns it without its line end (\n, \r or both) and
+/// without its comment. A comment begins at a # that starts a word. A backslash at the end of a
+/// line, unless in a comment, continues the line on the next one. The returned line then contains
+/// line ends.
 std::string_view takeObjLine(std::string_view& text);
 
 /// Cuts the next word off the front of `line`, which may continue on other lines. Returns an empty

@@ -28,8 +28,8 @@ namespace {
 
 /// A checked file in a form that tinyobjloader reads, since tinyobjloader knows neither a backslash
 /// at a line's end nor a comment after a number. The form has only the lines that matter, none of
-/// them continued, and only the vertex of each corner. A vertex's color takes the place of a
-/// normal: in the versions of Debian 12 and 13, callbacks do not receive colors.
+/// them continued, and only the vertex of each corner. A line `vn` of a normal holds a vertex's
+/// color, since in the tinyobjloader of Debian 12 and 13 callbacks do not receive colors.
 class PlainLines : public plain::streambuf {
  public:
   explicit PlainLines(std::string_view text) : text_(text) {}
@@ -58,7 +58,7 @@ class PlainLines : public plain::streambuf {
         add(" ");
         add(corner.substr(0, corner.find('/')));
       }
-      // Tinyobjloader does not report a face without corners, which the check has counted.
+      // Tinyobjloader does not report a face without corners, but the check has counted it.
       if (block_.size() == begin) add(" 0");
       add("\n");
     } else if (keyword == "o" || keyword == "g" || keyword == "usemtl") {

@@ -20,7 +20,8 @@
 
 /// The streams that tinyobjloader uses: the standard ones, or, if KARCHER_PLAIN_STREAMS is defined,
 /// classes with only the part of their interface that tinyobjloader uses. The standard streams
-/// would link all locales with their dates and money: 34 KB of the compressed WebAssembly module.
+/// would link all locales with their formats of dates and money, which take 34 KB of the compressed
+/// WebAssembly module.
 namespace karcher::plain {
 
 using namespace std;  // NOLINT(google-build-using-namespace): all but the streams is standard

@@ -96,7 +96,7 @@ class EarClipping {
     while (ring_.count() >= 3) {
       int ear = shortest();
       if (diagonal_[ear] == kInfinity) {
-        // The removed corner may have blocked other ears.
+        // Corners that were removed may have blocked other ears.
         for (int i = 0; i < ring_.count(); ++i) diagonal_[i] = earDiagonal(i);
         ear = shortest();
         if (diagonal_[ear] == kInfinity) return {};
@@ -146,7 +146,7 @@ class EarClipping {
       // if the ring enters the ear.
       return p != b || isBetween(next_[k], a, b, c, flat) || isBetween(previous_[k], a, b, c, flat);
     };
-    // The slack of `flat` reaches slightly beyond the triangle.
+    // With the slack of `flat`, corners slightly outside the triangle also block the ear.
     const Vec2 low = a.cwiseMin(b).cwiseMin(c);
     const Vec2 high = a.cwiseMax(b).cwiseMax(c);
     const Vec2 slack = kBeside * (high - low).maxCoeff() * Vec2::Ones();

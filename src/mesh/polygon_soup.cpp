@@ -88,7 +88,7 @@ CutPolygons cutPolygons(PolygonSoup polygons, bool mend,
     corner += count;
     ++number.polygon;
     if (mend && takeOnce(ring)) {
-      // The importer counts a face that has lost all but two corners.
+      // If only one or two different corners remain, the importer counts the face.
       result.repeatedCorners += ring[1] != ring[2] ? 1 : 0;
       if (ring.count() == 3) {
         triangles.emplace_back(ring[0], ring[1], ring[2]);

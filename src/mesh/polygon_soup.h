@@ -15,7 +15,7 @@ struct PolygonSoup {
   Array<int> mark;         ///< a number for each face, which its triangles inherit; may be empty
 };
 
-/// A face's number among all faces, and among those of more than three corners.
+/// The number of a face among all faces, and its number among the faces of more than three corners.
 struct PolygonNumber {
   int face = -1;
   int polygon = -1;
@@ -27,7 +27,7 @@ struct CutPolygons {
   TriangleSoup soup;
   Array<int> mark;      ///< the mark of each triangle's face; empty without marks
   int polygonsCut = 0;  ///< the number of polygons cut into triangles
-  /// the number of polygons that named a vertex twice in a row, which counts once
+  /// the number of polygons that lost repetitions of a vertex in a row
   int repeatedCorners = 0;
   int leftOut = 0;  ///< the number of faces that cannot be cut
   PolygonNumber firstLeftOut;

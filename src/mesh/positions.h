@@ -10,10 +10,11 @@ namespace karcher {
 /// Error kNotFinite, kBadArgument.
 double checkPositions(const Array<Vec3>& positions, const Array<int>* vertices = nullptr);
 
-/// Checks a place beside a mesh as `checkPositions` does. Throws Error kNotFinite, kBadArgument.
+/// Checks a point of space with the limits of `checkPositions` for coordinates. Throws Error
+/// kNotFinite, kBadArgument.
 void checkPlace(const Vec3& place);
 
-/// Twice the largest distance of a position from the mean of all; 0 without positions.
+/// Twice the largest distance of a position from the mean of all positions; 0 without positions.
 double extentOf(const Array<Vec3>& positions);
 
 }  // namespace karcher

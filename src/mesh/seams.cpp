@@ -11,8 +11,8 @@
 namespace karcher {
 namespace {
 
-/// The default tolerance relative to the shortest edge; relative to the diagonal it is
-/// kFloatRounding.
+/// The default tolerance is at most this number times the shortest edge, and at most kFloatRounding
+/// times the diagonal.
 constexpr double kNearPartOfEdge = 0.01;
 /// The largest tolerance relative to the shortest edge, also for a caller's own tolerance, so that
 /// triangles keep their shape.
@@ -235,11 +235,11 @@ class Seams {
     return any;
   }
 
-  /// Points in heaps: each heap has the points in one cube.
+  /// Points in groups: each group has the points in one cube.
   struct Heaps {
-    Array<int> points;  ///< the points, one heap after the other
-    Array<int> begin;   ///< the begin of each heap, and the end of the last
-    Array<int> first;   ///< the first point of each heap
+    Array<int> points;  ///< the points, one group after the other
+    Array<int> begin;   ///< the begin of each group, and the end of the last
+    Array<int> first;   ///< the first point of each group
 
     std::span<const int> at(int i) const {
       return std::span(points).subspan(static_cast<size_t>(begin[i]),
@@ -247,8 +247,8 @@ class Seams {
     }
   };
 
-  /// The points in heaps, one for each cube. The cubes are so small that no two points of one are
-  /// farther apart than `width`. If they would be too many to number exactly, each point is a heap.
+  /// Groups points by cubes. The cubes are so small that no two points in a cube are farther apart
+  /// than `width`. If the cubes would be too many to number exactly, each point is a group.
   Heaps heapsOf(const Array<int>& points, double width) const {
     Heaps heaps;
     heaps.points = points;
@@ -356,8 +356,8 @@ class Seams {
 
   /// Finds edges that two faces share in the file, but more faces would share after welding. The
   /// repair of such an edge might separate the two faces, so one end of the edge stays unwelded.
-  /// Then a sheet and its turned copy, welded along their rim, do not tear at an edge from rim to
-  /// rim. Returns whether it found such an edge.
+  /// For example, a sheet and its turned copy, welded along their rim, then do not tear at an edge
+  /// from rim to rim. Returns whether it added an unwelded end.
   bool keepWholeEdges() {
     // the most sides compared; the time grows with their square
     constexpr size_t kMostCompared = 64;

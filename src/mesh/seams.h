@@ -13,7 +13,7 @@ struct SeamOptions {
   /// vertex.
   double tolerance = -1;
   /// Whether to weld only vertices at exactly the same place, and only if every edge then has at
-  /// most two faces, in opposite directions. No face is omitted.
+  /// most two faces, in opposite directions. The function then omits no face.
   bool exact = false;
 };
 
@@ -33,15 +33,16 @@ struct SeamRepairs {
 
 /// Welds vertices where two faces have an edge at the same place: vertices at the same position (0
 /// and -0 are the same), and on boundaries those within the tolerance. Parts that only touch stay
-/// apart, and so do the corners of one face. If the two edges have the same direction, one side
-/// turns over (`connectRepaired`), unless that would make the surface one-sided.
+/// apart, and so do the corners of one face. If the two faces run along the edge in the same
+/// direction, `connectRepaired` turns one side over later. The function does not weld such an edge
+/// if that would make the surface one-sided.
 ///
-/// No third face may join an edge that two faces share. If welding would add one, one of the ends
-/// to be welded stays apart: the first if there are two.
+/// No third face may join an edge that two faces share. If welding would add one, the vertices at
+/// one end of the edge stay apart: at the end with the smaller index if both are to be welded.
 ///
-/// The function omits a face at the place of an earlier one if both have the same orientation. With
-/// opposite orientations it does so only if an edge of the face has more than two faces, and the
-/// face either is attached to no other or has the same vertices as the earlier one.
+/// The function omits a face at the place of an earlier one if both have the same orientation. If
+/// their orientations are opposite, it does so only if an edge of the face has more than two faces,
+/// and the face either is attached to no other or has the same vertices as the earlier one.
 ///
 /// `order` lists the vertices of the faces, equal positions next to each other (`mortonOrder`).
 /// `target` maps each vertex to its representative; the function updates it.

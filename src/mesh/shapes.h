@@ -16,23 +16,23 @@ enum class Shape {
 inline constexpr Shape kShapes[] = {Shape::kSphere, Shape::kTorus, Shape::kKnot, Shape::kGenus3,
                                     Shape::kOpenSheet};
 
-/// The name of a shape in the interface: "genus3".
+/// The name of a shape in the interface, such as "genus3".
 const char* shapeName(Shape shape);
 
 inline constexpr int kFewestShapeTriangles = 500;
 inline constexpr int kMostShapeTriangles = 1'000'000;
 
-/// A shape of about `triangles` triangles. Shapes come in steps: the count is within 5 % of the
-/// given number, below 2,000 within 12 %, and for kGenus3 between 2/3 and 3/2 of it. Throws Error
-/// kBadArgument for less than 500 or more than 1,000,000.
+/// A shape of about `triangles` triangles. Not every count is possible: the actual count is within
+/// 5 % of the given number, or within 12 % below 2,000; for kGenus3 it is between 2/3 and 3/2 of
+/// the given number. Throws Error kBadArgument for less than 500 or more than 1,000,000.
 TriangleSoup makeShape(Shape shape, int triangles);
 
 /// The unit sphere of 20 frequency^2 triangles.
 TriangleSoup icosphere(int frequency);
 
 /// The torus about the z axis, with the circle of centers of radius 1 and the tube of radius 0.4.
-/// It is the image of the plane under a map that keeps angles, with periods 2 pi and kTorusPeriod.
-/// x is the longitude; y = 0 is the outer equator.
+/// It is the image of the plane under a conformal map with periods 2 pi and kTorusPeriod. x is the
+/// longitude; y = 0 is the outer equator.
 inline constexpr double kTorusMajor = 1;
 inline constexpr double kTorusMinor = 0.4;
 extern const double kTorusPeriod;

@@ -22,9 +22,9 @@ inline GridSize staggeredGridSize(double uLength, double vLength, int triangles)
   return {static_cast<int>(rows), static_cast<int>(columns)};
 }
 
-/// A closed surface from point(u, v), periodic in u and v with period 1; u is a multiple of 1 /
-/// rows in [0, 1). Its faces are oriented outwards if the derivatives by u and v turn
-/// counterclockwise.
+/// A closed surface of the points point(u, v). The function is periodic in u and v with period 1; u
+/// is a multiple of 1 / rows in [0, 1). The faces are counterclockwise seen from the side on which
+/// the derivatives with respect to u, then v turn counterclockwise.
 template <class Point>
 TriangleSoup closedGrid(const GridSize& size, Point&& point) {
   TriangleSoup soup;
@@ -52,8 +52,8 @@ TriangleSoup closedGrid(const GridSize& size, Point&& point) {
 }
 
 /// A sheet from point(u, v) for u and v in [0, 1]. Shifted rows have half steps at their ends. The
-/// faces are counterclockwise seen from the side on which the derivatives by v, then u turn
-/// counterclockwise.
+/// faces are counterclockwise seen from the side on which the derivatives with respect to v, then u
+/// turn counterclockwise.
 template <class Point>
 TriangleSoup openGrid(const GridSize& size, Point&& point) {
   TriangleSoup soup;

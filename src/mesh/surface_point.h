@@ -12,9 +12,9 @@ struct SurfacePoint {
   Vec3 bary = Vec3(1, 0, 0);
 };
 
-/// Checks and cleans a caller's point on a mesh of `faceCount` faces. It clamps weights within 1e-6
-/// of the triangle, sets weights below kLocalRounding to 0, and the sum to 1. Throws Error:
-/// kBadIndex (no such face), kNotFinite, kBadPoint.
+/// Checks and cleans a caller's point on a mesh of `faceCount` faces. Weights may be negative, and
+/// their sum may differ from 1, by up to 1e-6. Weights below kLocalRounding become 0, and the sum
+/// becomes 1. Throws Error: kBadIndex (no such face), kNotFinite, kBadPoint.
 SurfacePoint checkedPoint(int faceCount, int face, const Vec3& bary);
 inline SurfacePoint checkedPoint(const TriangleMesh& mesh, int face, const Vec3& bary) {
   return checkedPoint(mesh.faceCount(), face, bary);
@@ -33,7 +33,8 @@ inline SurfacePoint clampedPoint(int face, const Vec3& bary) {
   return point;
 }
 
-/// The point at a vertex, in the vertex's first face.
+/// The point at a vertex, in the vertex's first face. Throws Error kBadIndex if there is no such
+/// vertex.
 SurfacePoint vertexPoint(const TriangleMesh& mesh, int vertex);
 
 Vec3 position(const TriangleMesh& mesh, const SurfacePoint& point);

@@ -6,8 +6,8 @@
 
 /// A manifold, consistently oriented triangle mesh with half-edge adjacency.
 ///
-/// Half-edge 3 f + k runs along face f from corner k to corner k + 1 (mod 3); it also stands for
-/// the corner of its tail, and the corner opposite to it is corner k + 2.
+/// Half-edge 3 f + k runs along face f from corner k to corner k + 1 (mod 3). It also stands for
+/// the corner at its tail. The corner opposite to it is corner k + 2.
 namespace karcher {
 
 struct TriangleMesh {
@@ -78,14 +78,14 @@ inline HalfedgesAround<TriangleMesh> outgoingHalfedges(const TriangleMesh& mesh,
   return {mesh, mesh.outgoing[vertex]};
 }
 
-/// Whether the triangle's corners lie on a line: its height over its longest edge is below 1e-12 of
-/// that edge, so that its angles are rounding noise.
+/// Whether the triangle's corners lie on a line: its height over its longest edge is at most 1e-12
+/// of that edge, so that its angles are rounding noise.
 bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Builds the adjacency. Every vertex must belong to a face; the mesh may have any number of
 /// components and boundaries. Throws Error: kBadFile (no faces), kBadIndex, kNotFinite,
-/// kBadArgument (size), kDegenerateFace, kNonManifoldEdge, kNonManifoldVertex. Each names the place
-/// by the caller's indices.
+/// kBadArgument (size), kDegenerateFace, kNonManifoldEdge, kNonManifoldVertex. Each error names the
+/// place by the caller's indices.
 TriangleMesh buildMesh(Array<Vec3> positions, Array<Triangle> faces);
 
 /// The first half of `buildMesh`, for callers that renumber before the second. Checks positions and
@@ -97,8 +97,8 @@ void checkTriangles(const Array<Vec3>& positions, const Array<Triangle>& triangl
 /// vertices.
 void checkCorners(int vertexCount, const Array<Triangle>& triangles);
 
-/// The part of `checkTriangles` that checks that a triangle has an area. `name` is its number in
-/// errors.
+/// The part of `checkTriangles` that checks that a triangle has three different corners and an
+/// area. `name` is its number in errors.
 void checkArea(const Array<Vec3>& positions, const Triangle& triangle, int name);
 
 /// The numbers of vertices and faces in errors, if they differ from the mesh's own.
@@ -115,8 +115,8 @@ struct MeshNames {
 TriangleMesh connectMesh(Array<Vec3> positions, Array<Triangle> faces, const MeshNames& names);
 
 /// Fills `outgoing` and `onBoundary` from `twin`. If a vertex has several fans of faces, its
-/// half-edge belongs to one of them, at the boundary if possible. Every vertex must belong to a
-/// face.
+/// `outgoing` half-edge belongs to one of them, at the boundary if possible. Every vertex must
+/// belong to a face.
 void connectVertices(TriangleMesh& mesh);
 
 /// The length of the bounding box's diagonal.

@@ -9,9 +9,9 @@ namespace karcher {
 /// represents welded vertices.
 struct WorkFaces {
   Array<Triangle> corners;
-  Array<int> source;  ///< the input triangle that each face is, or is a part of
-  /// The index, for each face, of its corners' weights in `weights`; -1 if the face is the whole
-  /// input triangle. The array is empty if all faces are whole.
+  Array<int> source;  ///< the input triangle that contains each face
+  /// For each face, the index in `weights` of the weights of its corners; -1 if the face is the
+  /// whole input triangle. The array is empty if all faces are whole.
   Array<int> part;
   Array<std::array<Vec3, 3>> weights;
 
