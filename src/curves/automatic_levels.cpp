@@ -10,8 +10,8 @@
 namespace karcher {
 namespace {
 
-/// The least convexity of a safe piece, half of that on the plane. On the sphere, its legs reach
-/// over at most 67 degrees.
+/// The least convexity of a safe piece, half of the plane's. On the sphere, the squared distance
+/// from a point has this convexity at 67 degrees from the point.
 constexpr double kLeastConvexity = 0.5;
 
 /// The largest detail on a leg of a safe piece, in radians. In the study of steadiness, curves with

@@ -15,9 +15,9 @@
 ///   it is safe, or more if tracing is then faster.
 ///
 /// These decisions use only the control polygon and the faces that its legs cross, with one
-/// exception. At level 0, the tightened legs between two points must be a shortest path, which only
-/// distance fields can tell. If the legs go around a tube, they may not be, and centers of mass
-/// jump to the other side of the tube.
+/// exception. At level 0, the legs between two points, pulled tight, must be a shortest path, which
+/// only distance fields can tell. Legs around a tube may be longer; centers of mass then jump to
+/// the other side of the tube.
 namespace karcher {
 
 /// The largest distance, in mean edges, by which levels may move a curve that is safe without
@@ -37,17 +37,17 @@ struct LevelsWorkspace {
 /// pieces are the curve's segments.
 bool isSafe(const Geometry& geometry, const RefinedPolygon& polygon, LevelsWorkspace& workspace);
 
-/// The number of levels that make a polygon safe, judged by the legs of the control polygon; at
-/// least 1 if the shape takes levels. If the legs go around the rim of an ear that the curve
-/// crosses, the refined polygon may need more.
+/// The number of levels after which a polygon is probably safe, estimated from the detail along the
+/// control polygon's legs. It is at least 1 if the shape takes levels. The refined polygon may need
+/// more, for instance if the legs go around the rim of an ear that the curve crosses.
 int levelsToSafety(const Geometry& geometry, const CurveShape& shape, int points,
                    const Array<SurfacePath>& legs);
 
-/// Whether the fields of a curve with these levels are near ones (PointField::setPoint). At level 0
-/// they are not. At other levels they are if a piece's legs cross no more faces than the search in
-/// sight does: then the points mostly see the vertices at which their fields are evaluated. At
-/// larger distances each value would take a path search, as expensive as a wavefront that finds all
-/// values; a curve of two pieces on a fine mesh took minutes. If the curve can take no more levels,
+/// Whether a curve with these levels uses near fields (PointField::setPoint). At level 0 it does
+/// not. At other levels it does if a piece's legs cross at most kMostFacesOfSight faces, since its
+/// points then mostly see the vertices at which their fields are evaluated. At larger distances
+/// each value would need a path search, which costs as much as a wavefront that finds all values; a
+/// curve of two pieces on a fine mesh took minutes. If the curve can take no more levels, its
 /// fields are near in any case, since so many wavefronts would not fit into memory.
 bool areFieldsNear(const CurveShape& shape, int points, const Array<SurfacePath>& legs, int levels);
 
@@ -57,7 +57,7 @@ bool areFieldsNear(const CurveShape& shape, int points, const Array<SurfacePath>
 int quickLevels(const CurveShape& shape, int points, const Array<SurfacePath>& legs);
 
 /// An upper bound, in the mesh's units, of the distance by which levels move a control polygon's
-/// curve. It includes a margin, since the estimate is right to about a third.
+/// curve. It includes a margin, since the underlying estimate may be a third too low.
 double levelsDeviation(const Geometry& geometry, const RefinedPolygon& polygon,
                        LevelsWorkspace& workspace);
 
@@ -66,9 +66,9 @@ double levelsDeviation(const Geometry& geometry, const RefinedPolygon& polygon,
 double tightLength(const Geometry& geometry, const RefinedPolygon& polygon,
                    const SegmentLayout& segment, int from, int to, LevelsWorkspace& workspace);
 
-/// The number of levels after which no leg is longer than two mean edges: at least 2, but no more
-/// than the work limit allows, and 0 if it does not allow 2. The averages at this level lie within
-/// a small fraction of an edge of the subdivision curve.
+/// The number of levels after which no leg is longer than two mean edges: at least 2, at most as
+/// many as the work limit allows, and 0 if the limit does not allow 2. The distance of the averages
+/// at this level from the subdivision curve is a small fraction of an edge.
 int levelsToLimit(const Geometry& geometry, const CurveShape& shape, int points,
                   const Array<SurfacePath>& legs);
 

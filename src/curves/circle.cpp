@@ -102,7 +102,7 @@ void checkRadiusIsTold(const Geometry& geometry, const SurfacePoint& center, dou
   } else if (location.simplex == Simplex::kEdge && mesh.twin[location.halfedge] >= 0) {
     take(faceOf(mesh.twin[location.halfedge]));
   }
-  // A chain of computations does not resolve shorter lengths beside edges and coordinates of this
+  // Shorter lengths are lost in the rounding of computations with edges and coordinates of this
   // size.
   const double least =
       kChainRounding * std::max(longest, position(mesh, center).cwiseAbs().maxCoeff());
@@ -126,7 +126,8 @@ void checkRadius(const TriangleMesh& mesh, const WindowDistance& distance, doubl
                   " from the center");
 }
 
-/// The distance of a point from the squared distances and log vectors at its face's corners.
+/// The distance of a point from the center, interpolated from the squared distances and the log
+/// vectors at the corners of the point's face.
 double distanceAt(const Geometry& geometry, const WindowDistance& distance,
                   const SurfacePoint& point) {
   const Vec2 x = pointInFace(geometry, point);
@@ -143,7 +144,7 @@ double distanceAt(const Geometry& geometry, const WindowDistance& distance,
   return std::sqrt(std::max(squared, 0.0));
 }
 
-/// The place of a control point.
+/// The polar coordinates of a control point about the center.
 struct ArcPoint {
   double direction = 0;
   double distance = 0;
@@ -156,8 +157,8 @@ struct Arc {
   double middleWeight = 0;
 };
 
-/// The arcs as one closed NURBS curve of degree 2. Its doubled knots make each arc a rational
-/// quadratic Bezier curve.
+/// The options of the closed NURBS curve of degree 2 that consists of the arcs. Its doubled knots
+/// make each arc a rational quadratic Bezier curve.
 CurveOptions optionsOfArcs(const Array<Arc>& arcs, const CircleOptions& options) {
   CurveOptions result{
       {CurveKind::kBSpline, true, 2, KnotRule::kOwn}, options.samples, options.field};
@@ -205,7 +206,8 @@ Array<CurveSample> planeArc(const Center& from, const ArcPoint (&control)[3],
   return samples;
 }
 
-/// The surface must extend to `radius` from the center.
+/// Traces the arcs. Throws Error kRadiusTooLarge if no vertex is as far as `radius` from the
+/// center, and kBoundary if a geodesic to a control point meets the boundary.
 GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double radius,
                          const Array<Arc>& arcs, const CircleOptions& options) {
   const Geometry& geometry = surface.geometry();
@@ -262,7 +264,8 @@ GeodesicCircle traceArcs(Surface& surface, const SurfacePoint& center, double ra
   return circle;
 }
 
-/// The arcs of a circle between directions from its center, which ascend from 0 to the total angle.
+/// The arcs of a circle between consecutive directions from its center. The directions ascend from
+/// 0 to the total angle.
 Array<Arc> arcsBetween(const Array<double>& directions, double radius) {
   Array<Arc> arcs;
   for (int j = 0; j + 1 < directions.count(); ++j) {
@@ -323,8 +326,8 @@ Array<double> cutInto(const Array<int>& parts, const Array<double>& directions) 
   return result;
 }
 
-/// The number of samples of each arc: as dense on the widest arc as `samples` on a seventh of a
-/// turn, but at least 5, or `samples` if that is fewer.
+/// The number of samples of each arc. On the widest arc they are as dense as `samples` on a seventh
+/// of the turn. The number is at least 5, or `samples` if that is less.
 int samplesOfArcs(const Array<double>& directions, int samples) {
   double widest = 0;
   for (int j = 0; j + 1 < directions.count(); ++j) {

@@ -13,8 +13,9 @@ struct CircleOptions {
   /// The number of equally wide arcs, 3 to 64. By default as many as the tolerance needs, or 7 for
   /// an ellipse.
   std::optional<int> arcs = {};
-  /// The number of samples of each arc, both ends included. A fitting arc of a seventh of the turn
-  /// has this number; narrower ones have proportionally fewer, but at least 5.
+  /// The number of samples of each arc, both ends included. Without `arcs`, it is the number for
+  /// arcs of a seventh of the turn. If the widest arc is narrower, all arcs have proportionally
+  /// fewer samples, but at least 5.
   int samples = 32;
   FieldOptions field;
   /// The levels, as for a curve (curve_value.h).
@@ -29,7 +30,7 @@ struct GeodesicCircle {
   Array<Array<Bridge>> bridges;
   Array<JoinedPath> paths;
   int levels = 0;  ///< the number of levels
-  /// The numbers of the arcs for which a geodesic from the center is not a shortest path.
+  /// The indices of the arcs for which a geodesic from the center is not a shortest path.
   Array<int> notShortest;
   /// For circles, the largest difference between a sample's exact distance from the center and the
   /// radius, relative to the radius.
@@ -44,15 +45,16 @@ struct GeodesicCircle {
 /// of the plane, or of the cone about a vertex.
 ///
 /// A circle of fitting arcs begins with seven in a full turn. Each round divides the arcs that
-/// deviate from the radius by more than the tolerance; the number of parts assumes that deviations
-/// fall with the square of the width. There are up to four rounds and 128 arcs; the result is the
-/// circle of the least deviation. Division helps wherever geodesics from the center stay shortest
-/// and adjacent ones spread little. Beyond the center's cut locus no arcs keep to the radius;
-/// there, and where saddles spread the geodesics apart, `deviation` is larger than the tolerance.
-/// Throws Error: kBadArgument (radius not positive and finite, or less than a billionth of the
-/// longest edge at the center or of its largest coordinate; arcs, samples), kBoundary (the center
-/// lies on the boundary, or a geodesic of the named arc meets it), kRadiusTooLarge (no vertex of
-/// the component is that far away).
+/// deviate from the radius by more than the tolerance; the number of an arc's parts assumes that
+/// its deviation falls with the square of its width. There are up to four rounds and 128 arcs; the
+/// result is the circle of the least deviation. Division helps wherever geodesics from the center
+/// stay shortest and adjacent ones spread little. Beyond the center's cut locus no arcs keep to the
+/// radius; there, and where saddles spread the geodesics apart, `deviation` is larger than the
+/// tolerance. Throws Error: kBadArgument (a radius that is not positive and finite, or less than a
+/// billionth of the longest edge at the center or of the center's largest coordinate; invalid
+/// options; too few arcs for the center's total angle), kBoundary (the center lies on the boundary,
+/// or a geodesic to a control point meets the boundary), kRadiusTooLarge (no vertex of the
+/// component is that far away).
 GeodesicCircle traceCircle(Surface& surface, const SurfacePoint& center, double radius,
                            const CircleOptions& options);
 

@@ -20,7 +20,7 @@ namespace {
 enum Side { kLeftSide, kRightSide };
 
 /// A place at which a path is divided. The strips of the pieces before and after it end at the
-/// perpendiculars `before` and `after`. Arrays are by side.
+/// perpendiculars `before` and `after`. The arrays are indexed by `Side`.
 struct Division {
   int index = 0;  ///< the index of the path's point
   SurfacePath before[2];
@@ -135,7 +135,8 @@ class CorneredOffset {
     Vec3 end;
   };
 
-  /// The divisions of a path; empty if it needs none or allows none.
+  /// The divisions of a path; empty if no corner needs a tip, or if a piece would end where it
+  /// starts.
   Array<Division> divide(const Array<SurfacePoint>& points, bool closed) const {
     const int last = points.count() - 1;
     Array<Division> divisions;
@@ -183,7 +184,8 @@ class CorneredOffset {
     return std::abs(kPi - std::abs(angle) * 2 * kPi / fan.total);
   }
 
-  /// The division at a point; empty if it would meet the boundary of the surface.
+  /// The division at a point; empty for a point on the boundary of the surface, and if a
+  /// perpendicular on the corner's outer side meets the boundary.
   std::optional<Division> divisionAt(const Array<SurfacePoint>& points, int index,
                                      const SurfacePoint& before) const {
     const SurfacePoint& point = points[index];
@@ -296,8 +298,9 @@ class CorneredOffset {
     }
   }
 
-  /// Leads the end of a run to the end of a strip, unless that is farther away than a chord is
-  /// long. The run misses the strip's end by at most the height of a chord.
+  /// Leads a run's last point to the end of one of two perpendiculars, where the strip's side ends:
+  /// to the first one that is no farther away than the longest chord, if any. A run that should end
+  /// there misses this place by at most the height of a chord.
   void leadToEnd(Array<SurfacePoint>& run, const SurfacePath* one, const SurfacePath* other) const {
     for (const SurfacePath* end : {one, other}) {
       if (end == nullptr || run.count() < 3) continue;
@@ -318,7 +321,7 @@ class CorneredOffset {
       try {
         region = combined(region, enclosed(all, tip, FillRule::kEvenOdd), Boolean::kUnion);
       } catch (const Error& error) {
-        // The lines of a tip may go round a handle of the surface that is no wider than the tip.
+        // The lines of a tip may go around a handle of the surface that is no wider than the tip.
         // Then they enclose nothing.
         if (error.code() != ErrorCode::kBadArgument) throw;
       }
@@ -348,7 +351,7 @@ class CorneredOffset {
   OffsetCorners corners_;
   std::vector<Piece> pieces_;
   Array<SurfacePath> lines_;
-  /// a bit set for each line: 1 for the left side, 2 for the right, 4 round an end
+  /// a bit set for each line: 1 for the left side, 2 for the right, 4 around an end
   Array<uint8_t> sideOf_;
   Array<PathRange> tips_;
 };

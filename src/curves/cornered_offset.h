@@ -5,17 +5,18 @@
 #include "curves/offset.h"
 #include "distance/path_distance.h"
 
-/// Offsets with mitred or bevelled corners. Perpendiculars divide a path at its corners and after
-/// each further turn by a right angle, so that no piece turns back to the area in front of its own
-/// end. A piece's strip is the part of the surface within the distance of the piece, without the
-/// parts in front of its ends. At a corner the strips leave a gap on the outer side, which a tip
-/// fills: a mitre continues the sides of both strips by geodesics until they meet; a bevel joins
-/// the ends of the sides. The offset is the boundary of the union of all strips and tips.
+/// Offsets with mitred or bevelled corners. Perpendiculars divide a path at its corners, and
+/// wherever it has turned by a right angle since the last division. So no piece turns back to the
+/// area in front of its own end. A piece's strip is the part of the surface within the offset's
+/// distance from the piece, except in front of its ends at perpendiculars. At a corner the strips
+/// leave a gap on the outer side, which a tip fills: a mitre continues the sides of both strips by
+/// geodesics until they meet; a bevel joins the ends of the sides. The offset is the boundary of
+/// the union of all strips and tips.
 ///
 /// The lines of the strips and tips divide the surface into cells (regions/arrangement.h); a cell
-/// is inside if one of its points is. A corner stays round if it lies on the boundary of the
-/// surface, if a perpendicular on its outer side meets the boundary, or if it turns by less than
-/// kLeastCorner.
+/// belongs to the union if a point inside the cell does. A corner stays round if it lies on the
+/// boundary of the surface, if a perpendicular on its outer side meets the boundary, or if it turns
+/// by less than kLeastCorner.
 namespace karcher {
 
 /// The longest side of a piece of a face, relative to the distance. The arc over such a chord is
@@ -34,7 +35,7 @@ inline const double kLeastCorner = std::sqrt(8 * kOffsetTolerance);
 inline constexpr int64_t kMostCorneredVertices = 20'000'000;
 
 /// A line of points at one distance from a path, or a part of such a line whose shortest
-/// connections arrive from the same side. Nearer points lie on its left.
+/// connections all meet the path from one side. Nearer points lie on the left of the run.
 struct OffsetRun {
   Array<SurfacePoint> points;
   SideOfPath side = SideOfPath::kEnd;

@@ -71,15 +71,17 @@ double legsLength(const RefinedPolygon& polygon, const SegmentLayout& piece) {
   return length;
 }
 
-/// The number of even samples whose chords stay within a tolerance of a polynomial curve. In degree
-/// n, the second derivative is at most 2 n (n - 1) times the control polygon's length. A chord over
-/// 1 / m of the curve deviates by at most an eighth of the second derivative over m^2.
+/// The number of evenly spaced samples with which the chords of a polynomial curve stay within a
+/// tolerance of it. In degree n, the second derivative is at most 2 n (n - 1) times the control
+/// polygon's length. A chord over the fraction 1 / m of the curve deviates by at most 1 / (8 m^2)
+/// times the second derivative.
 int samplesWithin(double tolerance, int degree, double polygonLength) {
   const double chords = std::sqrt(degree * (degree - 1) / 4.0 * polygonLength / tolerance);
   return 2 + static_cast<int>(std::min(chords, kMostSamples - 2.0));
 }
 
-/// The leg that a value omits: the shortest path, which is exact for a polyline.
+/// The path for a leg that a value omits: the fast path (find_path.h), or for a polyline the exact
+/// shortest path.
 SurfacePath shortestLeg(const Geometry& geometry, const CurveOptions& options,
                         const SurfacePoint& from, const SurfacePoint& to) {
   SurfacePath leg;
@@ -222,8 +224,8 @@ void Curve::check(const CurveValue& value) const {
   checkLegCount(value);
 }
 
-/// Extends each leg that does not reach its points, up to them. If no strip of faces extends a leg,
-/// or the curve does not use legs, the leg becomes the shortest path.
+/// Extends each leg that does not reach its points. If no strip of faces joins a leg to its points,
+/// or if the curve does not use legs, the leg becomes the shortest path.
 void Curve::continueLegs(CurveValue& value) {
   const Geometry& geometry = surface().geometry();
   StripWorkspace& workspace = workspace_->averaging.strip;
@@ -242,8 +244,8 @@ void Curve::continueLegs(CurveValue& value) {
   }
 }
 
-/// Writes the legs of a value; those that the value omits are shortest paths. `legs` may be this
-/// curve's own legs if the value has none.
+/// Writes the legs of a value; those that the value omits are shortest paths. `legs` may be `legs_`
+/// itself if that list is empty.
 void Curve::takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const {
   const Geometry& geometry = surface().geometry();
   const int points = value.points.count();
@@ -310,13 +312,13 @@ void Curve::makeSegments(Next& next) {
   }
 }
 
-/// Finds the pieces that are their own subdivision: each crosses a face that is larger than the
-/// piece, and its points do not see a corner of a face along its legs. Such a corner is far away,
-/// across creases or many faces, and matters little to the curve. The piece itself lies in a few
-/// faces. Its subdivision needs no field, and is the same curve except at the edges between these
-/// faces. Curves with a caller's levels or exact fields are always centers of mass. So are
-/// B-splines: some of their joints are not control points, and at these a center and an average
-/// differ.
+/// Finds the pieces that are subdivision curves instead of centers of mass. Such a piece crosses a
+/// face larger than itself, and its points do not see all corners of the faces along its legs. A
+/// hidden corner is far away, across creases or many faces, and matters little to the curve. The
+/// piece itself lies in a few faces. Its subdivision curve needs no field, and differs from the
+/// center of mass only at the edges between these faces. Curves with a caller's levels or exact
+/// fields are always centers of mass. So are B-splines: some of their joints are not control
+/// points, and at these a center and an average differ.
 void Curve::findSubdivided(const Next& next) {
   const RefinedPolygon& polygon = next.polygon;
   Array<char>& isSubdivided = workspace_->isSubdivided;
@@ -382,7 +384,8 @@ void Curve::layKnots(const Next& next) {
   spaceKnots(workspace_->spacings, shape.closed, workspace_->layout);
 }
 
-/// Sets piece `part` of segment j to an equal piece of this curve, or to a new one without a trace.
+/// Sets piece `part` of segment j. If `keep`, it becomes a copy of an equal piece of this curve, if
+/// there is one; otherwise it becomes a new piece, not yet traced.
 void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const PartOfSegment& part,
                       bool keep) {
   const RefinedPolygon& polygon = next.polygon;
@@ -403,7 +406,7 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
     piece.points_.push_back(polygon.points[i].point);
     if (polygon.weighted) piece.pointWeights_.push_back(polygon.points[i].weight);
   }
-  const Piece* before = nullptr;  // the piece of the same number, which may have the same weights
+  const Piece* before = nullptr;  // the piece with these indices, which may have the same weights
   if (keep && j < segments_.count() && part.index < segments_[j].pieces.count()) {
     before = &segments_[j].pieces[part.index];
   }

@@ -25,7 +25,7 @@ struct StageTimes {
 
 /// The curve of a value (curve_value.h) on a surface. Every edit sets another value.
 ///
-/// The parameter runs from 0 to segmentCount(): the number of a segment plus t in [0, 1].
+/// A parameter is the index of a segment plus t in [0, 1]; it runs from 0 to segmentCount().
 class Curve {
  public:
   /// A piece of a segment (piece.h): a center of mass of a few points of the refined polygon.
@@ -36,8 +36,9 @@ class Curve {
     const Array<CurveSample>& samples() const { return traced_->samples; }
     const Array<Bridge>& bridges() const { return traced_->bridges; }
     const JoinedPath& path() const { return traced_->path; }
-    /// Whether the piece is its own subdivision: it crosses a face larger than itself, and its
-    /// points do not see a corner of a face that it crosses (findSubdivided).
+    /// Whether the piece is a subdivision curve instead of a center of mass: it crosses a face
+    /// larger than itself, and its points do not see all corners of the faces along its legs
+    /// (findSubdivided).
     bool isSubdivided() const { return isSubdivided_; }
     /// The points' weights at t in [0, 1] of the piece.
     Array<double> weights(double t) const;
@@ -48,7 +49,8 @@ class Curve {
     Array<double> pointWeights_;  ///< empty if the basis is not rational
     SegmentBasis basis_;
     PartOfSegment part_;
-    /// The weights by the basis alone, and those with the points' weights. Pieces share them.
+    /// The weights by the basis alone, and those with the points' weights as factors. Pieces with
+    /// equal weights share a table.
     std::shared_ptr<PieceWeights> basisTable_;
     std::shared_ptr<const PieceWeights> table_;
     std::shared_ptr<TracedPiece> traced_;
@@ -59,18 +61,19 @@ class Curve {
     Array<std::shared_ptr<PointField>> fields_;  ///< the points' fields, after their first use
   };
 
-  /// The surface must outlive the curve. Throws what `set` throws. The clock, if present, measures
-  /// the stages of all edits, including this first one.
+  /// The surface must outlive the curve. Throws what `set` and `checkGivenShape` throw. The clock,
+  /// if present, measures the stages of all edits, including this first one.
   Curve(Surface& surface, CurveValue value, std::function<double()> clock = {});
   Curve(Surface& surface, CurveOptions options, Array<SurfacePoint> points)
       : Curve(surface, CurveValue{std::move(options), std::move(points), {}}) {}
   /// A curve that shares its fields with all users of these sets.
   Curve(std::shared_ptr<FieldSets> sets, CurveValue value, std::function<double()> clock = {});
 
-  /// Becomes the curve of another value, equal to a new curve of this value. Keeps the fields of
-  /// unchanged points and the traces of unchanged pieces. On failure the curve is unchanged. Throws
-  /// Error: kUnreachable (points on several components), kBadArgument (samples, tolerance, levels,
-  /// the number of legs), what `checkGivenShape` throws, and what a basis of the caller's throws.
+  /// Becomes the curve of another value. The result equals a new curve of this value. Keeps the
+  /// fields of unchanged points and the traces of unchanged pieces. On failure the curve is
+  /// unchanged. Throws Error: kUnreachable (points on several components), kBadArgument (field
+  /// options, samples, tolerances, levels, the number of legs), what `checkShape` throws (with new
+  /// field options also `checkGivenShape`), and what a basis of the caller's throws.
   void set(CurveValue value);
 
   // Each edit sets the value that results from it.
@@ -96,9 +99,9 @@ class Curve {
   /// The number of levels, which the options may leave to the curve. It is 0 if a Catmull-Rom
   /// curve's handle would lie beyond the surface's boundary.
   int levels() const { return levels_; }
-  /// The estimated largest distance, in the mesh's units, between the curve and its curve of level
-  /// 0 (Eq. 4); 0 without levels. NaN if the curve of level 0 is not safe (automatic_levels.h), so
-  /// that the distance has no meaning.
+  /// The estimated largest distance, in the mesh's units, between the curve and the curve of level
+  /// 0 with the same points (Eq. 4); 0 without levels. NaN if the curve of level 0 is not safe
+  /// (automatic_levels.h), so that the distance has no meaning.
   double deviation();
   /// Whether the curve's points are centers of mass. Otherwise they lie on legs or are averages of
   /// two points.
@@ -122,7 +125,7 @@ class Curve {
   /// The fields of a piece's points.
   Array<PointField*> fieldsOf(int segment, int k = 0);
 
-  /// The numbers of the control points that a segment blends, at level 0.
+  /// The indices of the control points that a segment blends, at level 0.
   const Array<int>& pointsOf(int segment) const { return segments_[segment].points; }
   /// The weights of a segment's control points at t, at level 0.
   Array<double> weights(int segment, double t) const { return piece(segment, 0).weights(t); }
@@ -139,8 +142,8 @@ class Curve {
     Array<int> points;  ///< the control points at level 0
     std::shared_ptr<TracedSegment> whole;
   };
-  /// The state of the curve after an edit, until it replaces the present state. Then it holds the
-  /// replaced state, whose memory the next edit reuses.
+  /// The state of the curve after an edit. When the edit succeeds, the curve exchanges it with the
+  /// present state, whose memory the next edit reuses.
   struct Next {
     CurveValue value;
     int levels = 0;
@@ -159,11 +162,11 @@ class Curve {
     LevelsWorkspace levels;
     RefinedPolygon control;  ///< the control polygon, which determines the levels
     FacesAlongLegs along;
-    Array<char> isSubdivided;  ///< whether each piece of the refined polygon is its own subdivision
+    Array<char> isSubdivided;  ///< whether each piece of the refined polygon is a subdivision curve
     Array<std::shared_ptr<PointField>> near;     ///< the fields that decided `isSubdivided`
     Array<std::shared_ptr<PointField>> ofKnots;  ///< the fields that space the knots
-    /// The last layout of a curve of level 0 with `layoutPoints` points, except for the spacing of
-    /// knots.
+    /// The segments of the last control polygon, which had `layoutPoints` points and the shape
+    /// `layoutShape`. Their knots may still have the spacing of another polygon.
     Array<SegmentLayout> layout;
     CurveShape layoutShape;
     int layoutPoints = 0;

@@ -53,11 +53,11 @@ RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<Surfac
   return polygon;
 }
 
-/// Whether the legs from each point of a segment to both ends, pulled tight, are shortest paths, by
-/// the fields of level 0. If a shorter path goes another way, for instance round a tube, centers of
-/// mass would jump to it. If the field's distance is larger, the field is wrong, since the
-/// tightened legs are a path. The function releases the field's memory, since the curve may need no
-/// other field.
+/// Whether the legs from each point of a segment to the segment's ends, pulled tight, are as long
+/// as the distances by the fields of level 0. If a distance is smaller, a shorter path goes another
+/// way, for instance around a tube, and centers of mass would jump to it. If it is larger, the
+/// field is wrong, since the tightened legs are a path. The function releases the field's memory,
+/// since the curve may need no other field.
 bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
   const Geometry& geometry = surface().geometry();
   bool areShortest = true;
@@ -98,7 +98,8 @@ double Curve::distanceTo(const SurfacePoint& place, PointField& field) {
   return std::sqrt(std::max(blendFields().blend.energy(place, weights), 0.0));
 }
 
-/// The levels of a curve with automatic levels. Its refined polygon may need more.
+/// The number of levels of a curve with automatic levels, judged by its control polygon. The
+/// refined polygon may need more.
 int Curve::levelsOf(const Next& next) {
   const CurveOptions& options = next.value.options;
   const Geometry& geometry = surface().geometry();

@@ -92,7 +92,8 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   if (!isOfCenters(options, next.levels) || piece.isSubdivided_) {
     findAveragedSamples(next, piece, segment);
     if (piece.isSubdivided_) {
-      // The neighbouring pieces may be centers of mass, which begin and end at these centers.
+      // The neighbouring pieces may be centers of mass; these begin and end at the centers by the
+      // fields (`centerOf`).
       piece.traced_->samples.front().point = first ? *first : centerOf(next, piece.points_.front());
       piece.traced_->samples.back().point = last ? *last : centerOf(next, piece.points_.back());
     }
@@ -123,8 +124,9 @@ std::optional<SurfacePoint> Curve::knownEnd(const Next& next, const Piece& piece
   return onlyPoint(piece.points_, piece.weights(t));
 }
 
-/// The center of mass of one point by its field, at which the adjacent pieces begin or end. The
-/// zero of the interpolated field lies up to a hundredth of an edge from the point.
+/// The center of mass of one control point by its field. The adjacent pieces begin or end at this
+/// center, not at the point: the zero of the interpolated field lies up to a hundredth of an edge
+/// away from the point.
 SurfacePoint Curve::centerOf(const Next& next, const SurfacePoint& point) {
   const std::shared_ptr<PointField> field = fieldSet_->at(point, next.isNear);
   workspace_->fields.assign(1, field.get());
@@ -148,7 +150,8 @@ void Curve::findAveragedSamples(const Next& next, Piece& piece, int segment) {
   }
 }
 
-/// Marks a piece as its own subdivision: its one bridge leads from end to end, through its samples.
+/// Gives a piece that is a subdivision curve its single bridge, which leads from end to end through
+/// the samples.
 void Curve::layOwnSubdivision(Piece& piece) {
   TracedPiece& traced = *piece.traced_;
   traced.bridges.resize(1);

@@ -24,7 +24,7 @@ bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
   return a.face == b.face && a.bary == b.bary;
 }
 
-/// The numbers of the two legs that meet at a point. At an end of an open curve, one of them does
+/// The indices of the two legs that meet at a point. At an end of an open curve, one of them does
 /// not exist.
 std::array<int, 2> legsAt(const CurveValue& value, int i) {
   return {i, i > 0 ? i - 1 : value.points.count() - 1};

@@ -73,7 +73,7 @@ CurveValue withPointDragged(CurveValue value, int i, const SurfacePoint& point,
 // kBadIndex for a point that does not exist.
 CurveValue withPointInserted(CurveValue value, int i, const SurfacePoint& point);
 CurveValue withPointRemoved(CurveValue value, int i);
-/// Moves point `from` in the order so that its number becomes `to`.
+/// Moves point `from` in the order so that its index becomes `to`.
 CurveValue withPointMovedInOrder(CurveValue value, int from, int to);
 CurveValue reversed(CurveValue value);
 CurveValue withKind(CurveValue value, CurveKind kind);

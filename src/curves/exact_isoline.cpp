@@ -9,14 +9,16 @@
 
 /// In a face, the points nearer than the radius form a union: each image of the source contributes
 /// the part of its disk that its paths reach. The border of the union consists of arcs. The edges
-/// of the face and the rays of the image cut each image's circle into pieces; those in the face and
-/// between the rays remain. Other images undercut parts of these pieces; the circles and rays of
-/// the other images bound these parts. Finally the arcs of all faces join where their ends meet.
+/// of the face, and the two rays that bound an image's paths, cut the image's circle into pieces.
+/// The pieces in the face and between the rays remain, without the parts that other images
+/// undercut; the circles and rays of those images bound these parts. Finally the arcs of all faces
+/// join where their ends meet.
 namespace karcher {
 namespace {
 
 /// The distance, in mean edges, up to which two ends of arcs may be one point. If an arc grazes an
-/// edge or a ray, its end moves by the square root of the rounding. The nearest ends join first.
+/// edge or a ray, its end moves by the square root of the rounding error. The nearest ends join
+/// first.
 constexpr double kMeet = 1e-3;
 
 struct Arc {
@@ -127,8 +129,8 @@ class FaceArcs {
     }
   }
 
-  /// Joins the last arc of a circle and the first if no cut separates them. A single arc becomes a
-  /// full circle.
+  /// Joins the last and the first arc of a circle if no gap separates them. If there is only one
+  /// arc, it becomes a full circle.
   void joinRound(int first, Array<Arc>& arcs) {
     if (arcs.count() == first) return;
     Arc& begin = arcs[first];
@@ -173,7 +175,7 @@ class FaceArcs {
   }
 
   /// Whether another image has a shorter path to a point of the circle. If both paths are equally
-  /// short, the earlier image counts.
+  /// long, that of the earlier image counts as shorter.
   bool undercuts(const SourceImage& other, const SourceImage& own, const Vec2& x) const {
     if (!holds(other, x, rounding_)) return false;
     const double way = other.offset + (x - other.source).norm();
@@ -212,7 +214,8 @@ class ArcChains {
     const auto follow = [&](int end) {
       Isoline line;
       line.closed = false;
-      // The chain follows an arc to its other end, and goes on to the end that meets it.
+      // The chain follows an arc to its other end, and continues with the arc whose end meets that
+      // end.
       while (end >= 0 && !used[end / 2]) {
         used[end / 2] = 1;
         appendArc(end, line);
@@ -249,8 +252,8 @@ class ArcChains {
   }
 
   /// Pairs each end with the nearest free end, the nearest pairs first. The search radius grows in
-  /// steps. Most ends meet up to rounding, so that few ends remain when the radius is so large that
-  /// it contains all ends in a narrow face.
+  /// steps. Most ends meet up to rounding. So only few ends remain for large radii, within which
+  /// all ends in a narrow face may lie.
   void pairEnds() {
     const int count = 2 * arcs_.count();
     partner_.assign(static_cast<size_t>(count), -1);
@@ -301,8 +304,8 @@ class ArcChains {
     }
   }
 
-  /// Whether two ends may be one point. The two ends of one arc may only if the arc spans more than
-  /// half a turn.
+  /// Whether two ends may be one point. The ends of the same arc may be one point only if the arc
+  /// spans more than half a turn.
   bool mayMeet(int a, int b) const {
     const Arc& arc = arcs_[a / 2];
     return b != (a ^ 1) || arc.end - arc.begin > kPi;
@@ -347,7 +350,7 @@ Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& sourc
   }
   Array<Arc> arcs;
   FaceArcs faceArcs(geometry, radius);
-  // Whether a whole face is nearer than the radius, by paths over one of its corners.
+  // Whether a whole face is nearer than the radius, by paths through one of its corners.
   const auto isNearer = [&](int face) {
     for (int k = 0; k < 3; ++k) {
       const int h = 3 * face + k;
@@ -359,8 +362,8 @@ Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& sourc
   for (int i = 0; i < images.count();) {
     int end = i;
     while (end < images.count() && images[end].face == images[i].face) ++end;
-    // A face without a point at the radius lacks some images, so that nothing would undercut the
-    // others.
+    // If no point of a face lies at the radius, some of its images are missing, so that nothing
+    // would undercut the others.
     if (!isNearer(images[i].face)) faceArcs.append(images.data() + i, images.data() + end, arcs);
     i = end;
   }

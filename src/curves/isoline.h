@@ -23,9 +23,10 @@ void checkIsolineRadius(double radius);
 Array<Isoline> linearIsolines(const TriangleMesh& mesh, const Array<double>& values, double level);
 
 /// The exact isoline at distance `radius` from the source. In each face it consists of arcs about
-/// the source's images (source_images.h) that no other path undercuts. The arcs are divided so that
-/// their chords stay within `tolerance` mean edges of them. Lengths are those of the arcs. Throws
-/// Error: kBadArgument (radius or tolerance not positive and finite).
+/// the source's images (source_images.h), without the points to which another path is shorter. The
+/// points of the lines divide the arcs so that the chords stay within `tolerance` mean edges of the
+/// arcs. The lengths of the lines are those of the arcs. Throws Error: kBadArgument (radius or
+/// tolerance not positive and finite).
 Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& source, double radius,
                              double tolerance = 1e-3);
 

@@ -5,7 +5,7 @@
 namespace karcher {
 namespace {
 
-/// The number, before the change, of the point that has number i after it; -1 if it is new.
+/// The index before the change of the point that has index i after the change; -1 for a new point.
 int numberBefore(const PointChange& change, int i) {
   if (i == change.to) return change.from;
   const int others = change.to >= 0 && i > change.to ? i - 1 : i;

@@ -19,9 +19,9 @@ namespace karcher {
 namespace {
 
 /// The length, relative to the scale, down to which the tracer divides a side that the isoline
-/// crosses twice, for instance in the tip of a gap. On a shorter side whose ends are both nearer or
+/// crosses twice, for instance in the tip of a gap. On a shorter side with both ends nearer, or
 /// both farther, no point lies across the line by more than half the side's length, since distances
-/// are Lipschitz. That is the tolerance.
+/// are Lipschitz. This half is the tolerance.
 constexpr double kShortestSide = 2 * kOffsetTolerance;
 
 /// The number of steps of a search for the extremum on a side. Each keeps 0.62 of the interval.
@@ -30,8 +30,8 @@ constexpr int kExtremumSteps = 14;
 /// The most halvings of a chord that deviates from the distance.
 constexpr int kMostChordHalvings = 14;
 
-/// A corner of a piece of a face. All pieces at the corner, in both faces of an edge, have exactly
-/// the same weights.
+/// A corner of a piece of a face. All pieces at the corner, in both faces at an edge, use exactly
+/// the same weights for it.
 struct PieceCorner {
   Vec3 bary;
   Vec2 place;
@@ -44,8 +44,8 @@ struct Piece {
   const PieceCorner& operator[](int k) const { return corners[k]; }
 };
 
-/// The key of the side of a piece that the isoline crosses. Both pieces at the side compute the
-/// same numbers.
+/// The key of a piece's side that the isoline crosses. Both pieces at the side compute the same
+/// key.
 using CrossingKey = std::array<double, 5>;
 
 struct LinePoint {
@@ -176,7 +176,7 @@ class OffsetTracer {
     return field_.at(face, pointInFace(geometry_, {face, bary})).value;
   }
 
-  /// The half-edge that represents, in both faces at it, the edge opposite to a corner.
+  /// The half-edge that represents the edge opposite to a corner: the same in both faces.
   int edgeOf(int face, int corner) const {
     const int h = next(3 * face + corner);
     return mesh_.twin[h] < 0 ? h : std::min(h, mesh_.twin[h]);
@@ -274,8 +274,7 @@ class OffsetTracer {
     return {};
   }
 
-  /// The barycentric coordinates of a side's point: on an edge the same number in both of its
-  /// faces.
+  /// The barycentric weights of a side's point: on an edge exactly the same in both of its faces.
   Vec3 placeOn(const Side& side, int face, double t) const {
     if (side.halfedge >= 0) {
       const bool isOwn = faceOf(side.halfedge) == face;
@@ -291,7 +290,7 @@ class OffsetTracer {
     return {1 - second - third, second, third};
   }
 
-  /// The number of the isoline's point between two corners, just one of which is nearer.
+  /// The index of the isoline's crossing between two corners, just one of which is nearer.
   int crossing(int face, const PieceCorner& a, const PieceCorner& b) {
     const Side side = sideBetween(face, a, b);
     const auto [entry, isNew] = numbers_.try_emplace(side.key, crossings_.count());
@@ -340,7 +339,7 @@ class OffsetTracer {
     strands_.push_back(std::move(strand));
   }
 
-  /// Appends points between two others, so that the chords stay at the distance.
+  /// Appends points between two others, so that chords stay at the distance up to the tolerance.
   void refine(int face, const Vec2& from, const Vec2& to, int halvings, Array<LinePoint>& inner) {
     const Vec2 middle = (from + to) / 2;
     const double atMiddle = field_.at(face, middle).value;
@@ -368,7 +367,7 @@ class OffsetTracer {
     double reach = std::min(1.0, edge);
     double atPart = atMiddle;
     // The tip of a gap may lie farther away than the chord is long. So the step doubles as long as
-    // it comes nearer to the line, and ends at the edge of the face, along which the line may run.
+    // this leads nearer to the line. It ends at the edge of the face, along which the line may run.
     while (true) {
       const double atReach = value(reach);
       if (isNearer(atReach) != isNearer(atPart)) {

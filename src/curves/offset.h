@@ -19,29 +19,31 @@ struct OffsetCorners {
   double miterLimit = 4;
 };
 
-/// The points at one distance from paths: isolines of the exact distance (path_distance.h), whose
-/// corners are round and which do not intersect themselves. An offset on one side has the points
+/// The points at one distance from paths: isolines of the exact distance (path_distance.h), with
+/// round corners and without intersections with themselves. An offset on one side has the points
 /// whose shortest connection meets the path from that side; an offset on both sides also has those
-/// around the ends of open paths. Lines on one side run in the direction of the paths; on both,
-/// they have nearer points on their left.
+/// around the ends of open paths. The lines on one side run in the direction of the paths; those on
+/// both sides have nearer points on their left.
 ///
-/// The tracer halves faces along their longest sides until these are short compared with the
+/// The tracer halves faces at their longest sides until all sides are short compared with the
 /// distance. Since distances are Lipschitz, it can skip pieces too near or too far to contain the
-/// line. Points lie at the distance up to rounding, and chords stay within kOffsetTolerance of it.
-/// The lines may omit features narrower than a twelfth of the distance.
+/// line. Points lie at the distance up to rounding, and chords deviate from it by at most
+/// kOffsetTolerance, relative to the distance. The lines may omit features narrower than a twelfth
+/// of the distance.
 ///
-/// Several distances belong to equally spaced places along each path, with linear interpolation by
-/// length; on a closed path the first follows the last. The lines are then the border of the union
-/// of disks around all points of the paths, whose radii are the distances there. Along a straight
-/// piece the border is straight, and touches the disks at both ends. Tolerances are relative to the
-/// smallest distance or to kNarrowestOffset times the largest, whichever is larger.
+/// If there are several distances, they belong to equally spaced places along each path, with
+/// linear interpolation by length; on a closed path the first follows the last. The lines are then
+/// the border of the union of disks around all points of the paths, whose radii are the distances
+/// there. Along a straight piece the border is straight, and touches the disks at both ends.
+/// Tolerances are relative to the smallest distance or to kNarrowestOffset times the largest,
+/// whichever is larger.
 ///
 /// Corners that are not round follow cornered_offset.h.
 ///
-/// Throws Error kBadArgument (no distance that is positive, one that is negative or not finite,
-/// several with corners that are not round, a path without length, points without a face in common,
-/// a limit of mitres below 1, more than kMostOffsetPieces pieces of faces, or too many corners that
-/// are not round).
+/// Throws Error kBadArgument: no positive distance; a negative or infinite distance; several
+/// distances with corners that are not round; a path without length; consecutive points without a
+/// common face; a mitre limit below 1; more than kMostOffsetPieces pieces of faces; too many
+/// corners that are not round.
 Array<Isoline> offsetLines(const Geometry& geometry, std::span<const SurfacePath> paths,
                            std::span<const double> distances, OffsetSide side,
                            const OffsetCorners& corners = {});

@@ -3,7 +3,7 @@
 /// The engine's public header: `#include <karcher/karcher.h>`. Headers that it does not include,
 /// directly or indirectly, are internal and not installed.
 
-// Meshes: reading and repairing, shapes, subdivision, the nearest point on them.
+// Meshes: reading, repair, shapes, subdivision, nearest points.
 #include "mesh/error.h"
 #include "mesh/face_tree.h"
 #include "mesh/loop_subdivision.h"

@@ -224,7 +224,7 @@ class Builder {
     }
     for (int i = 0; i < loops.count(); ++i) {
       if (!loops[i].isOutside) continue;
-      // The next steps find the smallest loop around the leftmost place of the present one.
+      // The smallest loop around the leftmost vertex of loop i gives the piece.
       const Vec2 place = leftmost(loops[i]);
       int around = -1;
       for (int j = 0; j < loops.count(); ++j) {
@@ -304,7 +304,7 @@ class Builder {
   const TriangleMesh& mesh_;
   Drawing drawing_;
   Arrangement all_;
-  Array<int> sideStart_;  ///< the first half-edge on each half-edge of the mesh
+  Array<int> sideStart_;  ///< for each half-edge of the mesh, the first half-edge on it
   // The state of the current face.
   int first_ = 0;
   Array<Vec2> places_;

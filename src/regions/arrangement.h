@@ -3,10 +3,10 @@
 #include "intrinsic/geometry.h"
 #include "regions/drawing.h"
 
-/// The surface divided by paths into cells, as half-edges. The drawing's lines divide each face
-/// into pieces; a piece with isolated lines inside has several loops. Pieces meet across an edge of
-/// the mesh at the drawing's vertices on it. Both faces at the edge share these vertices, so that
-/// the pieces always fit. A cell is a maximal connected set of pieces that no path separates.
+/// The surface divided by paths into cells, as a half-edge structure. The drawing's lines divide
+/// each face into pieces; a piece with isolated lines inside has several loops. The drawing's
+/// vertices divide the edges of the mesh. Both faces at an edge share the vertices on it, so that
+/// their pieces always fit. A cell is a maximal connected set of pieces that no path separates.
 namespace karcher {
 
 /// The use of an edge of the arrangement by a path.
@@ -14,14 +14,14 @@ struct PathUse {
   int halfedge = 0;  ///< the smaller of the edge's two half-edges
   int path = 0;
   int part = 0;
-  int sign = 1;  ///< the sign: -1 if the path's direction is opposite to the half-edge's
+  int sign = 1;  ///< 1 if the path runs along the half-edge, -1 if against it
 };
 
 struct Arrangement {
   int meshVertices = 0;
   int paths = 0;
-  /// The vertices that paths add to the mesh's. Numbers are consecutive: first the mesh's vertices,
-  /// then these.
+  /// The vertices that paths add to the mesh's. Vertices are numbered consecutively: first those of
+  /// the mesh, then these.
   Array<DrawnVertex> added;
 
   // Arrays by half-edge. The half-edges of face f are those from firstOfFace[f] to before
@@ -66,7 +66,7 @@ inline Vec2 inFrame(const Geometry& geometry, int face, const Vec2& way) {
 /// The length of a half-edge.
 double lengthOf(const Geometry& geometry, const Arrangement& arrangement, int h);
 
-/// A point inside each cell, away from its border: in the largest of its pieces.
+/// For each cell, a point inside it and away from its border, in the cell's largest piece.
 Array<SurfacePoint> pointsInside(const Geometry& geometry, const Arrangement& arrangement);
 
 /// The piece that contains a point. For a point on a line it is the piece on one side.

@@ -11,13 +11,13 @@
 namespace karcher {
 namespace {
 
-/// The triangles of a face, stored as the vertex opposite to each side. Numbers of vertices are
-/// those within the face.
+/// The triangles of a face, stored as the vertex opposite to each side. Vertices are numbered
+/// within the face.
 class FaceTriangles {
  public:
   using Side = std::pair<int, int>;
 
-  /// The first three of `places` are the face's corners; `frame` has the places in the face's
+  /// The first three of `places` are the face's corners; `frame` has the same places in the face's
   /// frame.
   FaceTriangles(const Array<Vec2>& places, const Array<Vec2>& frame)
       : places_(places), frame_(frame) {

@@ -2,9 +2,10 @@
 
 #include "regions/arrangement.h"
 
-/// Division of the surface along paths into triangles. Flips triangulate the vertices and lines of
-/// a face together (S. Sloan, "A fast algorithm for generating constrained Delaunay
-/// triangulations", 1993), with exact decisions, so that thin pieces fit as well as others.
+/// The surface divided along paths into triangles. In each face, flips of edges triangulate the
+/// vertices and lines together (S. Sloan, "A fast algorithm for generating constrained Delaunay
+/// triangulations", 1993), with exact decisions, so that the triangles of thin pieces fit as well
+/// as those of others.
 namespace karcher {
 
 /// The triangles of a divided surface. Cells have no vertices in common. Along a path that ends

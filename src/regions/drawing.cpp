@@ -141,7 +141,8 @@ class Drawer {
                          [&](int vertex, double value) { return alongEdge(h, vertex) < value; });
     const double up = after == vertices.end() ? kInfinity : alongEdge(h, *after) - t;
     const double down = after == vertices.begin() ? kInfinity : t - alongEdge(h, *(after - 1));
-    // If both are near, the older one takes the point, as it did before the other one existed.
+    // If both neighbours are near, the older one takes the point, as it did before the other one
+    // existed.
     if (std::max(up, down) <= kTogether) return std::min(*after, *(after - 1));
     if (std::min(up, down) <= kTogether) return up < down ? *after : *(after - 1);
     const int vertex = addVertex({karcher::faceOf(h), h, t, placeOnSide(cornerOf(h), t)});

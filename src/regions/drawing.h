@@ -21,16 +21,16 @@ struct DrawnVertex {
   Vec2 place = Vec2::Zero();
 };
 
-/// A straight piece of a path between two vertices, without other vertices on it. Numbers of
-/// vertices are consecutive: first the mesh's vertices, then the drawing's.
+/// A straight piece of a path between two vertices, without other vertices on it. Vertices are
+/// numbered consecutively: first those of the mesh, then those of the drawing.
 struct DrawnPiece {
   int from = 0;
   int to = 0;
   int path = 0;
-  int part = 0;  ///< the number of the path's point before the piece
+  int part = 0;  ///< the index of the path's point before the piece
 };
 
-/// An edge's vertices in the order along the drawing's half-edge, and the pieces on it.
+/// An edge's vertices in order along its `drawnHalfedge`, and the pieces on the edge.
 struct DrawnEdge {
   int halfedge = 0;
   Array<int> vertices;
@@ -50,10 +50,10 @@ struct Drawing {
   Array<DrawnVertex> added;
   Array<DrawnEdge> edges;
   Array<DrawnFace> faces;
-  /// the index in `edges` by half-edge, the smaller of an edge's two; -1 for an edge without
-  /// vertices or pieces
+  /// for each `drawnHalfedge`, the index of its edge in `edges`; -1 for an edge without vertices or
+  /// pieces
   Array<int> edgeOf;
-  Array<int> faceOf;  ///< the index in `faces` by face; -1 for a face without any
+  Array<int> faceOf;  ///< the index of each face in `faces`; -1 if it has no vertices or pieces
 };
 
 /// The half-edge that represents an edge in the drawing.

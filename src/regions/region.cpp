@@ -14,13 +14,13 @@ namespace {
 /// The uses of one edge of the arrangement by the paths of a range, summed up.
 struct EdgeCount {
   int halfedge = 0;
-  int change = 0;  ///< the change of the count from the right to the left of the half-edge
+  int change = 0;  ///< the change of the label from the right to the left of the half-edge
   /// the earliest use by the range's first path; its path is -1 if the first path does not use the
   /// edge
   PathUse firstOfAll;
 };
 
-/// The count of the edge of use i. Advances `i` to the first use of the next edge.
+/// The summed-up uses of the edge of use i. Advances `i` to the first use of the next edge.
 EdgeCount countAt(const Arrangement& all, const PathRange& paths, int& i) {
   EdgeCount count;
   count.halfedge = all.uses[i].halfedge;
@@ -210,8 +210,8 @@ bool isBorder(const Arrangement& all, const Region& region, int h) {
   return region[all.cell(h)] != 0 && (all.twin[h] < 0 || region[all.cell(all.twin[h])] == 0);
 }
 
-/// The next half-edge of a region's boundary after h: the first one around the head of h, through
-/// the region.
+/// The next half-edge of a region's boundary after h: the first one on a turn around the head of h,
+/// through the region.
 int nextBorder(const Arrangement& all, const Region& region, int h) {
   int next = all.next[h];
   // This turns around the vertex at most once, since the reverse of h is on the boundary.

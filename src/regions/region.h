@@ -4,12 +4,12 @@
 
 #include "regions/arrangement.h"
 
-/// Regions as sets of cells, regions that curves enclose, and booleans. A cell on the left of a
-/// path counts one more than the cell on its right. Summed from cell to cell, the counts label all
-/// cells up to a constant if the paths bound a region. If the counts do not cancel around a handle
-/// of the surface, or around the end of a path, the paths enclose no region. A surface has no
-/// natural outside. The outside is the label with the largest area, unless a given cell with this
-/// label must lie inside.
+/// Regions as sets of cells, regions that curves enclose, and booleans. The label of a cell on the
+/// left of a path is one more than that of the cell on its right. If the paths bound a region, this
+/// determines the labels of all cells up to a constant. If the changes of the label do not cancel
+/// around a handle of the surface, or around the end of a path, the paths enclose no region. A
+/// surface has no natural outside. On each component, all cells of one label are outside. It is the
+/// label with the largest area, except that of a given cell that must lie inside.
 namespace karcher {
 
 /// A region: 1 for each cell that belongs to it, else 0.
@@ -37,9 +37,10 @@ Region enclosed(const Arrangement& arrangement, const PathRange& paths, FillRule
 /// The sides of a path, seen along it.
 enum class PathSide { kLeft, kRight };
 
-/// The cell on a side of the first of these paths, at the first place where the counts of the cells
-/// on its two sides differ; with kEvenOdd, where they differ by an odd number. The result is empty
-/// if they differ nowhere, or if the side is beyond the boundary.
+/// The cell on a side of the first of these paths, at the path's first place where the labels on
+/// its two sides differ (with kEvenOdd, by an odd number). Places inside the surface take
+/// precedence over those on its boundary. The result is empty if there is no such place, or if the
+/// side lies beyond the boundary.
 std::optional<int> cellBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                               PathSide side);
 
@@ -52,9 +53,9 @@ Region combined(const Region& a, const Region& b, Boolean how);
 
 double areaOf(const Arrangement& arrangement, const Region& region);
 
-/// The half-edges that have the region only on their left, including the surface's boundary, in
-/// loops. Where a region touches itself at a vertex, a loop stays in its own corner of the region
-/// instead of passing through.
+/// The half-edges that have the region on their left but not on their right, in loops. They include
+/// half-edges on the surface's boundary. Where a region touches itself at a vertex, a loop stays in
+/// its own corner of the region and does not pass into another one.
 Array<Array<int>> boundaryOf(const Arrangement& arrangement, const Region& region);
 
 /// A loop of half-edges as a path that ends where it starts.

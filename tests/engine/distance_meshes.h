@@ -22,8 +22,8 @@ struct MeasuredMesh {
   const Geometry geometry;
 };
 
-/// Three quarters of the square from (0, 0) to (2n, 2n), without the upper right one. The boundary
-/// has a reentrant corner at (n, n).
+/// The square from (0, 0) to (2n, 2n) without its upper right quarter. The boundary has a reentrant
+/// corner at (n, n).
 inline TriangleMesh lShape(int n) {
   const TriangleSoup square = [&] {
     TriangleSoup soup;

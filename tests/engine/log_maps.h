@@ -4,9 +4,9 @@
 
 namespace karcher {
 
-/// The log map from any point, in the frame of its face: the log maps from the face's corners,
-/// turned by cornerRotation and interpolated by the point's barycentric weights, as in the authors'
-/// library; the paper does not treat such sources.
+/// The log map from any point, in the frame of the point's face. As in the authors' library, it
+/// interpolates the log maps from the face's corners, turned by cornerRotation, with the point's
+/// barycentric weights. The paper does not treat sources other than vertices.
 inline LogMap logMapFromPoint(const Geometry& geometry, const LogMapFromVertex& fromVertex,
                               const SurfacePoint& source) {
   LogMap logs(geometry.mesh->positions.size(), Vec2::Zero());

@@ -8,7 +8,7 @@
 /// Small random meshes for tests of properties that hold on every surface.
 namespace karcher {
 
-/// The seed of case i: KARCHER_SEED in the environment draws other cases.
+/// The seed of case i. KARCHER_SEED in the environment selects other cases.
 uint64_t seedOf(int first, int i);
 
 /// A sheet of thin triangles, up to 10,000 times as long as wide.

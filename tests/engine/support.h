@@ -19,7 +19,7 @@ TriangleMesh planeGrid(int columns, int rows);
 /// from each other.
 TriangleMesh twoGrids();
 
-/// An L of unit squares: of those from (0, 0) to (12, 12), the ones left of x = 4 or below y = 4.
+/// An L of unit squares: those between (0, 0) and (12, 12) that lie left of x = 4 or below y = 4.
 /// The boundary has a corner at (4, 4) that points inwards.
 TriangleMesh gridWithCorner();
 
@@ -35,12 +35,12 @@ std::ifstream testData(const std::string& name);
 /// std::runtime_error if the set-up has not written it.
 TriangleMesh bunnyMesh();
 
-/// Whether to draw the large numbers of cases: with KARCHER_LONG=1 in the environment, as `npm run
-/// check:long` sets it.
+/// Whether to draw the large numbers of cases: whether the environment has KARCHER_LONG=1, which
+/// `npm run check:long` sets.
 bool longRun();
 
-/// Whether sanitizers run, which make the tests ten times as slow, and KARCHER_SANITIZED=all is not
-/// in the environment, as `npm run check:long` sets it.
+/// Whether to leave out the longest tests: sanitizers run, which make the tests ten times as slow,
+/// and the environment lacks KARCHER_SANITIZED=all, which `npm run check:long` sets.
 bool leavesLongestOut();
 
 /// The first line of the slowest tests, which repeat numerics in many similar cases and always run
@@ -48,7 +48,7 @@ bool leavesLongestOut();
 #define SKIP_WHERE_SANITIZED() \
   if (leavesLongestOut()) GTEST_SKIP() << "in a long run, or without sanitizers"
 
-/// The code of the Error that the action throws; a failure of the test if it throws none.
+/// The code of the Error that the action throws. If it throws none, the test fails.
 ErrorCode codeOf(const std::function<void()>& action);
 
 }  // namespace karcher

@@ -6,8 +6,8 @@
 namespace karcher {
 namespace {
 
-/// A leg of at most this many faces counts as having no detail: over about an edge length, it sees
-/// only the mesh itself.
+/// A leg across at most this many faces counts as having no detail: it is about one edge long, and
+/// shows only the mesh itself.
 constexpr int kFewFaces = 4;
 
 /// The number of equal intervals of a piece's parameter. The convexity is computed at their ends.
@@ -31,7 +31,7 @@ void layAlong(const Geometry& geometry, const Array<SurfacePath>& legs, const Se
   }
 }
 
-/// Writes d J' / J at all places beyond `from` on one side.
+/// Writes d J' / J at all places on one side of `from`: after it if `onward`, otherwise before it.
 void growJacobiField(const ConvexityWorkspace& along, double from, bool onward,
                      double* convexities) {
   const Array<double>& places = along.places;

@@ -3,23 +3,23 @@
 #include "curves/polygon/levels.h"
 
 /// Safety of centers of mass along a control polygon: they are safe if they move continuously, and
-/// no more roughly than the surface itself. This is computed from the curvature of the faces that
-/// the polygon's legs cross, without a distance field.
+/// turn little more than the surface does. The functions here decide this by the curvature of the
+/// faces that the polygon's legs cross, without a distance field.
 namespace karcher {
 
 /// Reusable scratch memory.
 struct ConvexityWorkspace {
   // Data along the legs of one piece.
-  Array<double> places;      ///< lengths from the first point at which a face begins or ends
-  Array<double> curvatures;  ///< curvature per area of the face after each place but the last
+  Array<double> places;      ///< the lengths along the legs at which faces begin or end
+  Array<double> curvatures;  ///< the curvatures per area of the faces between the places
   Array<double> points;      ///< the places of the piece's points
   Array<double>
       convexities;  ///< for each point, the convexities of its squared distance at each place
   Array<double> weights;
 };
 
-/// The Gaussian curvature per area of a face. Each interior corner vertex contributes a share of
-/// its angle defect, in proportion to the face's angle there.
+/// The Gaussian curvature per area of a face. Each corner contributes a share of its vertex's angle
+/// defect, in proportion to the face's angle there; vertices on the boundary contribute nothing.
 double curvatureOf(const Geometry& geometry, int face);
 
 /// The least second derivative across the legs, relative to the plane's, of the energies whose

@@ -11,17 +11,17 @@ struct DeviationWorkspace {
   Array<Vec2>
       unrolled;  ///< a segment's polygon in the plane, with the turning angles of the surface
   Array<double> weights;
-  // A row of averages about the center: its points, their moves by the curvature, and their
-  // weights.
+  // A row of the pyramid of averages, relative to the center of mass: the points, their moves by
+  // the curvature, and their weights.
   Array<Vec2> row;
   Array<Vec2> moves;
   Array<double> rowWeights;
 };
 
 /// The largest distance between the curve of a segment's centers of mass and its subdivision curve,
-/// to the first order in the curvature. The function assumes a constant curvature: the largest mean
-/// along one of the legs. The distance vanishes where the polygon is straight or the surface is
-/// developable.
+/// to the first order in the curvature. The function assumes a constant curvature: the largest
+/// absolute value of the legs' mean curvatures. The distance vanishes where the polygon is straight
+/// or the surface is developable.
 ///
 /// In normal coordinates about the center of mass the points' weighted sum is 0, so that the center
 /// does not move. The point at the fraction s of the path from p to q is p + s (q - p), moved by K

@@ -6,7 +6,7 @@
 /// Averages on the legs of a control polygon, and the paths that join them.
 namespace karcher {
 
-/// A control point with its weight. The average of two has a weight, too.
+/// A control point with its weight. The weight of an average is the sum of both weights.
 struct WeightedPoint {
   SurfacePoint point;
   double weight = 1;

@@ -46,7 +46,7 @@ void replaceByAverages(const Geometry& geometry, AveragingWorkspace& workspace) 
 
 // Bezier curves.
 
-/// The numbers of items of a refined polygon written so far.
+/// The numbers of points, legs and pieces that a refined polygon has so far.
 struct Written {
   int points = 0;
   int legs = 0;

@@ -9,11 +9,11 @@
 /// Subdivision before averages. A center of mass of distant points is rough on a rough surface,
 /// since their squared distances have creases everywhere. So averages of two points along the legs
 /// subdivide the control polygon first, and each piece of the curve is a center of mass of a few
-/// points near it. On the plane this is the same curve. Elsewhere, more levels bring it nearer to
-/// the subdivision curve of C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive
-/// Bezier Splines on Surface Meshes" (2022).
+/// points near it. On the plane this does not change the curve. Elsewhere, more levels bring it
+/// nearer to the subdivision curve of C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf:
+/// Interactive Bezier Splines on Surface Meshes" (2022).
 ///
-/// No average searches for a path. It straightens a path that consists of parts of adjacent legs,
+/// Averages do not search for paths. They straighten paths that consist of parts of adjacent legs,
 /// so that the curve moves continuously with the legs.
 namespace karcher {
 
@@ -23,7 +23,8 @@ inline constexpr int kMostLevels = 8;
 /// center of mass of all their points.
 bool takesLevels(CurveKind kind);
 
-/// The pieces of a curve after some levels: each a center of mass of a few points.
+/// A control polygon after some levels, and the pieces of its curve: each is a center of mass of a
+/// few points.
 struct RefinedPolygon {
   Array<WeightedPoint> points;
   /// The pieces in order, 2^levels for each segment of the curve. Their points are indices into
@@ -64,14 +65,14 @@ struct AveragingWorkspace {
 /// and for a closed curve also from the last to the first.
 /// - de Casteljau's algorithm divides Bezier curves, also rational ones, at 1/2;
 /// - B-splines get a new knot in the middle of each span. A new point is the repeated average of
-///   its parents, from both ends of their row towards its middle (subdivision.h), with the weights
-///   of the knot insertion. In degrees up to 3, with even knots, that is Lane and Riesenfeld's
-///   algorithm;
+///   consecutive old points, its parents, from both ends of their row towards the middle
+///   (subdivision.h), with the weights of the knot insertion. In degrees up to 3, with even knots,
+///   that is Lane and Riesenfeld's algorithm;
 /// - Catmull-Rom curves count as cubic Bezier curves, with handles by log and exp maps at the
 ///   points.
 ///
-/// The result of reversed points and legs is the reversed result. Writes to `refined`. Returns
-/// false if a handle would lie beyond the surface's boundary.
+/// Reversed points and legs give the reversed result. Writes to `refined`. Returns false if a
+/// handle would lie beyond the surface's boundary.
 bool refinePolygon(const Geometry& geometry, const CurveShape& shape,
                    const Array<SurfacePoint>& points, const Array<SurfacePath>& legs, int levels,
                    AveragingWorkspace& workspace, RefinedPolygon& refined);

@@ -76,8 +76,8 @@ class KnotHalving {
     return knots;
   }
 
-  /// The open knots with halved spans, without needless outer ones. The outer spans are halved,
-  /// too, so that the first and the last points approach the curve.
+  /// The open knots with halved spans, without the outer knots that no point needs. The outer spans
+  /// are halved, too, so that the first and the last points approach the curve.
   Array<double> openHalved() const {
     Array<double> all = everySpanHalved();
     const auto first = std::upper_bound(all.begin(), all.end(), old_[degree_]) - 1 - degree_;
@@ -92,7 +92,7 @@ class KnotHalving {
 
   /// The old span whose polynomial gives new point j: the widest one in the new point's support, or
   /// the first of equally wide ones. Weights extrapolated from a narrow span beside wide ones would
-  /// lose their digits.
+  /// lose accuracy.
   template <class Refined>
   int spanFor(const Refined& refined, int j) const {
     int span = degree_;
@@ -217,8 +217,8 @@ class SplineLevelStep {
     return average.point;
   }
 
-  /// Writes an anchor: it leads along the path from the length `from` to the path's end `to`, and
-  /// on to the side's parent.
+  /// Writes an anchor. It leads along `path_` from the length `from` to an end of `path_` at the
+  /// length `to`, and on to the side's parent.
   void lead(double from, double to, const Side& side, Anchor& anchor) const {
     takePart(mesh_, path_, from, to, anchor.path);
     appendPart(mesh_, side.toParent, 0, side.toParent.length(), anchor.path);
@@ -253,7 +253,7 @@ class SplineLevelStep {
   void writeLeg(int to, int j, SplineLevel& next) {
     const Anchor& start = next.anchors[2 * j + 1];
     const Anchor& end = next.anchors[2 * to];
-    // Past the end of a closed curve, the numbers of parents restart.
+    // Past the end of a closed curve, the indices of parents restart.
     const int parent = end.parent + (to <= j ? count_ : 0);
     SurfacePath& path = next.legs[j];
     Chain chain(mesh_, path);

@@ -10,14 +10,14 @@ namespace karcher {
 struct SplineLevel {
   /// The parents of a point: the consecutive points of the previous level that it averages.
   struct Parents {
-    /// the number of the first parent; it may be negative or go past the end of a closed curve
+    /// the index of the first parent; on a closed curve it may be negative or past the last point
     int first = 0;
     Array<double> weights;
   };
   /// A path from a point to one of its parents. The new legs follow such paths.
   struct Anchor {
     SurfacePath path;
-    int parent = 0;  ///< the parent's number, as in `Parents::first`
+    int parent = 0;  ///< the parent's index, as in `Parents::first`
   };
 
   Array<WeightedPoint> points;
@@ -31,10 +31,10 @@ struct SplineLevel {
 /// Scratch memory of a B-spline's levels. It keeps knots and weights for the next curve of the same
 /// shape, since a drag changes neither.
 struct SplineWorkspace {
-  /// The average of the parents so far, from one end of their row.
+  /// The average of the parents included so far, from one end of their row.
   struct Side {
     WeightedPoint point;
-    int parent = 0;        ///< the number of the last parent averaged
+    int parent = 0;        ///< the index of the parent included last
     SurfacePath toParent;  ///< the path to that parent, initially without length
   };
 
@@ -49,10 +49,10 @@ struct SplineWorkspace {
   Side far;
 };
 
-/// Subdivides a B-spline's control polygon `levels` times, as `refinePolygon` (levels.h) does;
-/// `legs` are as there. Each level adds a knot in the middle of each span. A new point is the
-/// repeated average of its parents, with the weights of the knot insertion. Writes to the
-/// workspace's levels and pieces.
+/// Subdivides a B-spline's control polygon `levels` times, as `refinePolygon` (levels.h) does, with
+/// the same `legs`. Each level adds a knot in the middle of each span. A new point is the repeated
+/// average of its parents, with the weights of the knot insertion. Writes to the workspace's levels
+/// and pieces.
 void refineSpline(const Geometry& geometry, const CurveShape& shape,
                   const Array<WeightedPoint>& points, const Array<SurfacePath>& legs, int levels,
                   StripWorkspace& strip, SplineWorkspace& workspace);

@@ -6,9 +6,9 @@
 #include "distance/find_path.h"
 #include "intrinsic/straightest.h"
 
-/// Curves by repeated geodesic averages of two points, which are continuous wherever their control
-/// points lie: C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive Bezier
-/// Splines on Surface Meshes" (2022).
+/// Curves by repeated geodesic averages of two points. They are continuous wherever their control
+/// points lie. Source: C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive
+/// Bezier Splines on Surface Meshes" (2022).
 namespace karcher {
 
 /// Reusable scratch memory.
@@ -29,9 +29,10 @@ SurfacePoint averageAlongGeodesic(const Geometry& geometry, const SurfacePoint& 
 
 /// The repeated average of weighted points, two at a time. It goes from both ends of the list
 /// towards its middle, so that neighbours meet first and the reversed list gives the same point.
-/// With the weights of a knot insertion the result is the new point of this insertion. Points of
-/// negative weight have an average of their own. Seen from it, the result lies beyond the average
-/// of the others. The weights sum to 1, and at least one is positive.
+/// With the weights of a knot insertion the result is the new point of this insertion. The function
+/// averages points of negative weight separately. The result lies on the path from their average to
+/// that of the others, continued beyond its end. The weights sum to 1, and at least one is
+/// positive.
 SurfacePoint repeatedAverage(const Geometry& geometry, const Array<SurfacePoint>& points,
                              const Array<double>& weights, SubdivisionWorkspace& workspace);
 
@@ -41,10 +42,10 @@ struct ParametricLine {
   Array<double> t;
 };
 
-/// Appends the Bezier curve of the control points, at least two, over [t0, t1]. The first control
-/// polygon has fast paths as legs. The function halves it (levels.h) until a part is short, has one
-/// leg, or is 2^-6 of the curve. The control polygons of the parts approximate the curve. If `line`
-/// is not empty, it must end at the first point, which is not repeated.
+/// Appends the Bezier curve of the control points, at least two, over [t0, t1]. The legs of their
+/// polygon are fast paths (find_path.h). The function halves the polygon (levels.h) until each part
+/// is short, has one leg, or is 2^-6 of the curve. The control polygons of the parts approximate
+/// the curve. If `line` is not empty, it must end at the first point, which is not repeated.
 void appendBezier(const Geometry& geometry, std::span<const SurfacePoint> points, double t0,
                   double t1, SubdivisionWorkspace& workspace, ParametricLine& line);
 

@@ -27,8 +27,9 @@ bool findHandles(const Geometry& geometry, const CurveShape& shape,
                  const Array<SurfacePoint>& points, const Array<SurfacePath>& legs,
                  HandleWorkspace& workspace);
 
-/// Writes the Bezier polygon of segment j. Its handles must be known. Its middle leg leads back
-/// along the first handle, along the curve's leg and along the second handle, and is straightened.
+/// Writes the Bezier polygon of segment j, whose handles must be known. For the polygon's middle
+/// leg, the function straightens the path back along the first handle, along the curve's leg and
+/// along the second handle.
 void takeBezierPolygon(const Geometry& geometry, const Array<SurfacePoint>& points,
                        const Array<SurfacePath>& legs, int j, StripWorkspace& strip,
                        const HandleWorkspace& workspace, LeggedPolygon& polygon);

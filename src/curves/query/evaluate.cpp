@@ -12,7 +12,7 @@
 namespace karcher {
 namespace {
 
-/// The number of the first sample at or after t; at least 1.
+/// The index of the first sample at or after t; at least 1.
 int sampleAfter(const Array<CurveSample>& samples, double t) {
   const auto before = [](const CurveSample& sample, double value) { return sample.t < value; };
   const auto found = std::lower_bound(samples.begin(), samples.end(), t, before);
@@ -26,7 +26,7 @@ struct PathPiece {
   double duration = 1;  ///< the difference of t between the samples
 };
 
-/// A parameter as one of a segment's pieces and t in [0, 1] of it.
+/// A parameter as a piece of a segment and the piece's own t in [0, 1].
 struct PieceParameter {
   int segment = 0;
   int piece = 0;
@@ -66,8 +66,8 @@ FieldBlend blendOf(Curve& curve, const PieceParameter& at) {
 
 /// The center at a parameter between two samples. As in the search for jumps (jumps.h), the
 /// function bisects t. Each search starts at the earlier end of the remaining interval, or at the
-/// later one if the earlier is no center. A search from a more distant sample could find another
-/// minimum.
+/// later end if the earlier one is no center. A search from a more distant sample could find
+/// another minimum.
 CurveSample centerBetween(const Curve& curve, FieldBlend& fields, const PieceParameter& at,
                           CurveSample from, CurveSample to) {
   const TriangleMesh& mesh = curve.surface().mesh();
@@ -92,7 +92,8 @@ CurveSample centerBetween(const Curve& curve, FieldBlend& fields, const PiecePar
 /// The derivatives of a piece's weights with respect to its t, by differences of second order that
 /// stay inside [0, 1].
 Array<double> weightDerivatives(const Curve::Piece& piece, double t) {
-  // Central differences are most exact if their step is the cube root of the rounding.
+  // Central differences are most accurate if their step is about the cube root of the relative
+  // rounding error.
   const double step = std::cbrt(kStepRounding);
   const double middle = std::clamp(t, step, 1 - step);
   const Array<double> before = piece.weights(middle - step);

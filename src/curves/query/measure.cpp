@@ -51,7 +51,7 @@ CurveLine lineOf(const Curve& curve) {
   for (int j = 0; j < curve.segmentCount(); ++j) {
     const Array<CurveSample>& samples = curve.samples(j);
     const JoinedPath& path = curve.path(j);
-    int first = line.path.points.count();  // the number of the first point after the last sample
+    int first = line.path.points.count();  // the index of the first point after the last sample
     for (int i = 0; i < path.line.points.count(); ++i) {
       const Vec3 here = position(mesh, path.line.points[i]);
       const double step = line.path.points.empty() ? 0 : (here - line.positions.back()).norm();

@@ -2,12 +2,12 @@
 
 #include "curves/query/evaluate.h"
 
-/// Lengths along a curve and its point nearest to a given place, on the path that joins its
-/// samples.
+/// Lengths along a curve, on the path that joins its samples, and the curve's point nearest to a
+/// place.
 namespace karcher {
 
-/// The vertices of a joined curve. Each has its position, the curve's parameter (between samples,
-/// in proportion to length) and the length from the curve's start.
+/// The path that joins a curve's samples, with the position and the parameter of each of its
+/// points. Between samples, parameters grow in proportion to length.
 struct CurveLine {
   SurfacePath path;
   // The positions of the path's points.
@@ -17,8 +17,8 @@ struct CurveLine {
 
 CurveLine lineOf(const Curve& curve);
 
-/// The length from the start to a parameter, as for `segmentParameter`. After a whole turn of a
-/// closed curve it is the whole length.
+/// The length from the curve's start to a parameter, which may be any that `segmentParameter`
+/// accepts. On a closed curve, a whole number of turns above 0 gives the length of one turn.
 double lengthAt(const Curve& curve, const CurveLine& line, double parameter);
 
 /// The point at a length from the start of the line. On a closed curve the length may be negative
@@ -27,8 +27,8 @@ double lengthAt(const Curve& curve, const CurveLine& line, double parameter);
 CurvePoint pointAtLength(const Curve& curve, const CurveLine& line, double length);
 
 /// `count` points with equal lengths between consecutive ones. They include both ends of an open
-/// curve, and begin at the start of a closed one. Throws Error kBadArgument for less than 2 or more
-/// than 1,000,000.
+/// curve, and begin at the start of a closed one. Throws Error kBadArgument for a count below 2 or
+/// above 1,000,000.
 Array<CurvePoint> equallySpaced(const Curve& curve, const CurveLine& line, int count);
 
 struct NearestOnCurve {
@@ -37,8 +37,8 @@ struct NearestOnCurve {
 };
 
 /// The point of the curve nearest in space to a place: the lowest of the minima in the intervals
-/// between samples (nearest.cpp). The relative error of its parameter is 1e-13. The point is
-/// `pointAt` of that parameter.
+/// between samples (nearest.cpp). The search narrows the parameter u to an interval of the length
+/// 1e-12 (1 + u). The point is `pointAt` of the parameter.
 NearestOnCurve nearestOnCurve(Curve& curve, const CurveLine& line, const Vec3& place);
 
 }  // namespace karcher

@@ -19,7 +19,8 @@ namespace {
 constexpr double kBend = 2;
 /// The least number of divisions of an interval between samples.
 constexpr int kFewestCuts = 3;
-/// A bound for curves that are equally near everywhere, such as a circle around the place.
+/// The most evaluations of a curve, for curves that are equally near everywhere, such as a circle
+/// around the place.
 constexpr int kMostEvaluations = 20'000;
 
 class NearestSearch {
@@ -43,7 +44,7 @@ class NearestSearch {
   }
 
  private:
-  /// An interval between two samples, with the line's least distance.
+  /// An interval between two samples, with the least distance of its line from the place.
   struct Interval {
     double from = 0;
     double to = 0;

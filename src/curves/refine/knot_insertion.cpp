@@ -11,8 +11,8 @@ namespace {
 
 int countOf(const ControlPolygon& polygon) { return polygon.points.count(); }
 
-/// The index at which u enters the knot vector, and the number of the span in which u lies: the
-/// last one that starts at or before u.
+/// The index at which u enters the knot vector, and the index of the span in which u lies: the last
+/// span that starts at or before u.
 struct KnotPlace {
   int place = 0;
   int span = 0;
@@ -27,8 +27,8 @@ KnotPlace placeOf(const ControlPolygon& polygon, double u) {
   return {place, place - 1 - (polygon.closed ? 0 : polygon.degree)};
 }
 
-/// The legs from the start of a run of legs to its end, through an average on each leg of the run:
-/// one more than the run has.
+/// The new legs over a run of consecutive legs: from the run's start, through the average on each
+/// of its legs, to its end. There is one more than the run has.
 Array<SurfacePath> legsOver(const Geometry& geometry, const Array<SurfacePath>& run,
                             const Array<LegAverage>& averages) {
   const TriangleMesh& mesh = *geometry.mesh;
@@ -163,7 +163,7 @@ ControlPolygon partBefore(const Geometry& geometry, ControlPolygon open, double 
 ControlPolygon partAfter(const Geometry& geometry, ControlPolygon open, double u) {
   insertFully(geometry, open, u);
   const auto beyond = std::upper_bound(open.knots.begin(), open.knots.end(), u);
-  // At u the curve passes through the point with the number of the last knot u, less p.
+  // At u the curve passes through a control point. Its index is that of the last knot u, minus p.
   const int point = static_cast<int>(beyond - open.knots.begin()) - open.degree - 1;
   Array<double> knots(static_cast<size_t>(open.degree) + 1, u);
   knots.insert(knots.end(), beyond, open.knots.end());
@@ -180,7 +180,7 @@ ControlPolygon cutOpen(const Geometry& geometry, ControlPolygon closed, double u
   const double period = closed.knots.back() - closed.knots.front();
   const double start = u == closed.knots.back() ? u - period : u;
   const auto beyond = std::upper_bound(closed.knots.begin(), closed.knots.end(), start);
-  // The last span that starts there blends the points from the number `span` on.
+  // The last span that starts there blends the points from index `span` on.
   const int span = static_cast<int>(beyond - closed.knots.begin()) - 1;
   ControlPolygon open;
   open.degree = p;

@@ -3,8 +3,8 @@
 #include "curves/polygon/leg_average.h"
 
 /// The classical refinements of B-splines and Bezier curves, with averages of two points along the
-/// legs of the control polygon. New legs are parts of old ones; between points on two legs, the
-/// parts of both are pulled tight. On the plane the refinements do not change the curve. On a
+/// legs of the control polygon. A new leg is part of an old one, or consists of parts of two
+/// adjacent old legs, pulled tight. On the plane the refinements do not change the curve. On a
 /// curved surface averages of averages depend on their order, so that the curve changes by an
 /// amount that vanishes with the curvature.
 namespace karcher {
@@ -24,7 +24,7 @@ int multiplicity(const ControlPolygon& polygon, double knot);
 
 /// Inserts a knot u between the first and the last of the spans (W. Boehm, "Inserting new knots
 /// into B-spline curves", 1980). In degree p, with the knot's multiplicity m before the insertion,
-/// p - m new points replace p - m - 1 old ones; m must be less than p. Returns the number of the
+/// p - m new points replace p - m - 1 old ones; m must be less than p. Returns the index of the
 /// first new point.
 int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u);
 

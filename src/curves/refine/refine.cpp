@@ -107,9 +107,10 @@ ControlPolygon splineOf(LeggedPolygon bezier) {
           points - 1, false};
 }
 
-/// Sets betas from their logarithms. A common factor does not change the curve; it makes the
-/// largest beta 1. If the smallest beta would then be too small, the factor makes the product of
-/// the smallest and the largest beta 1.
+/// Replaces the logarithms of betas by the betas. A common factor, which does not change the curve,
+/// makes the largest beta 1. If the smallest beta would then be too small, the factor makes the
+/// product of the smallest and the largest beta 1. Throws Error kBadArgument if this does not
+/// suffice.
 void setBetas(Array<double>& logs) {
   const auto [least, most] = std::minmax_element(logs.begin(), logs.end());
   const double range = *most - *least;
@@ -127,8 +128,9 @@ void setBetas(Array<double>& logs) {
 }
 
 /// The part of a barycentric curve from `from` to `to`, with `nodes` evenly spaced nodes. The curve
-/// is p / q with polynomials p and q. In barycentric form at other nodes, it interpolates its own
-/// points there, and its betas are those of a polynomial times |q|.
+/// is p / q with polynomials p and q. In barycentric form with other nodes, its control points are
+/// its own points at these nodes. Its betas are those of a polynomial, the binomial coefficients,
+/// times |q| at the nodes.
 CurveParts barycentricPart(Curve& curve, double from, double to, int nodes) {
   Array<double> betas = curve.shape().betas;
   betas.resize(static_cast<size_t>(curve.pointCount()), 1);
@@ -169,17 +171,17 @@ CurveParts barycentricPart(Curve& curve, double from, double to, int nodes) {
   refuse("a curve with its own basis can be neither refined, split nor joined");
 }
 
-/// A point of a Catmull-Rom curve or polyline, and the two parts of the leg that it cuts. They are
-/// shortest paths if the leg is one.
+/// A point of a Catmull-Rom curve or polyline, and the two parts of the leg that it cuts. If the
+/// leg is omitted, and so stands for the shortest path, the parts are omitted, too.
 struct CutThroughPoints {
   SurfacePoint point;
   SurfacePath before;
   SurfacePath after;
 };
 
-/// Writes the two parts of a leg before and after the fraction t of its length. They meet at `cut`,
-/// a point near the leg, if it is given, otherwise on the leg. A part that cannot lead to `cut` has
-/// no points.
+/// Writes the two parts of a leg before and after the fraction t of its length. If `cut` is given,
+/// a point near the leg, the parts meet there, otherwise on the leg. A part that cannot lead to
+/// `cut` has no points.
 void cutLeg(const Geometry& geometry, const SurfacePath& leg, double t, const SurfacePoint* cut,
             SurfacePath& before, SurfacePath& after) {
   const double at = t * leg.length();
@@ -376,7 +378,8 @@ Array<CurveParts> splitAt(Curve& curve, double parameter) {
   const bool atStart = at.segment == 0 && at.t == 0;
   const bool atEnd = at.segment == curve.segmentCount() - 1 && at.t == 1;
   const bool onePiece = isBezier(shape.kind) || shape.kind == CurveKind::kBarycentric;
-  // A closed curve of one segment is only continuous at its start.
+  // A closed curve of one segment begins and ends at the same point, where it is continuous but not
+  // smooth.
   if ((!shape.closed || onePiece) && (atStart || atEnd)) {
     refuse("the curve cannot be split at " + inSentence(parameter) +
            ", its end; it runs from 0 to " + std::to_string(curve.segmentCount()));

@@ -16,11 +16,11 @@ struct CurveParts {
 
 struct RefinedCurve {
   CurveParts curve;
-  int point = 0;  ///< the number of the new control point that is nearest to the parameter
+  int point = 0;  ///< the index of the new control point nearest to the parameter
 };
 
 /// The curve with one more control point, at a parameter (curve.h):
-/// - B-splines: the new knot lies there, and the knots become the curve's own;
+/// - B-splines: the curve gets a knot there, and its knots become KnotRule::kOwn;
 /// - Bezier curves: the degree grows by one, whatever the parameter; all inner points are new;
 /// - barycentric curves: the degree grows by one; all inner points are new points on the curve,
 ///   with betas that leave it unchanged;
@@ -28,21 +28,24 @@ struct RefinedCurve {
 ///   curve a little.
 ///
 /// Throws Error kBadArgument if the curve cannot have such a point: the knot is repeated too often,
-/// a control point lies there already, or the basis is the caller's own.
+/// a control point lies there already, the betas would differ too much, or the basis is the
+/// caller's own.
 RefinedCurve withPointOnCurve(Curve& curve, double parameter);
 
 /// The curves before and after a parameter; a closed B-spline, Catmull-Rom curve or polyline
 /// becomes one open curve instead. B-splines are clamped at the cut. Bezier curves divide by de
 /// Casteljau's algorithm. Barycentric curves get new control points on the curve, with betas that
 /// leave it unchanged. Catmull-Rom curves change a little next to the cut. Throws Error
-/// kBadArgument at the ends of an open curve and for a basis of the caller's own.
+/// kBadArgument at the ends of an open curve or of a closed one of one segment, if betas would
+/// differ too much, and for a basis of the caller's own.
 Array<CurveParts> splitAt(Curve& curve, double parameter);
 
 /// One curve along two open curves of the same kind. If they meet, it has their common end point
-/// once. B-splines, and Bezier curves of degree 1 to 5, become one B-spline that runs along both,
-/// with a geodesic between them if they do not meet. For other kinds, the result is the curve
-/// through the points of both. Throws Error kBadArgument if kinds or degrees differ, a curve is
-/// closed, or the basis is the caller's own; kUnreachable if the points lie on several components.
+/// once. B-splines, and Bezier curves of degree 1 to 5 after elevation to the same degree, become
+/// one B-spline that runs along both, with a geodesic between them if they do not meet. For other
+/// kinds, the result is the curve through the points of both. Throws Error kBadArgument if the
+/// kinds or the degrees of B-splines differ, a Bezier curve has a higher degree than 5, a curve is
+/// closed, or a basis is the caller's own; kUnreachable if the points lie on several components.
 CurveParts joined(const Curve& first, const Curve& second);
 
 }  // namespace karcher

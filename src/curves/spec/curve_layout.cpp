@@ -9,8 +9,8 @@ namespace karcher {
 namespace {
 
 /// A segment that blends the control points `numbers`, one for each weight of the basis. If the
-/// segment goes all around a closed curve, a number may occur several times. Its points are then
-/// sorted as in the other segments, so that adjacent segments agree where they meet.
+/// segment goes all around a closed curve, a number may occur several times. The segment's points
+/// are then sorted, as in all other segments, so that adjacent segments agree where they meet.
 SegmentLayout segmentOf(SegmentBasis basis, const Array<int>& numbers) {
   SegmentLayout segment;
   for (const int number : numbers) {

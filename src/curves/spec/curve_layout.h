@@ -7,7 +7,7 @@
 namespace karcher {
 
 struct SegmentLayout {
-  Array<int> points;  ///< numbers of different control points
+  Array<int> points;  ///< the indices of distinct control points
   SegmentBasis basis;
 };
 
@@ -20,8 +20,8 @@ void catmullRomSpacings(const Array<double>& gaps, bool centripetal, Array<doubl
 /// even knots until `spaceKnots` spaces them.
 Array<SegmentLayout> layOut(const CurveShape& shape, int points);
 
-/// Spaces the knots of a Catmull-Rom curve's segments by the lengths of its spans, one for each
-/// segment.
+/// Spaces the knots of a Catmull-Rom curve's segments by the lengths of its spans, one length for
+/// each segment.
 void spaceKnots(const Array<double>& spacings, bool closed, Array<SegmentLayout>& segments);
 
 /// Whether two shapes have the same segments for equal numbers of points, up to the spacing of

@@ -53,7 +53,7 @@ void checkPositive(const Array<double>& values, const std::string& what, int poi
            std::to_string(values.count()) + " " + what + "s");
   }
   for (int i = 0; i < points; ++i) {
-    // A drag checks each step, so only a failure builds the name.
+    // This check runs at every step of a drag, so only a failure builds the name.
     const auto entry = [&] { return "the " + what + " of point " + std::to_string(i); };
     if (!std::isfinite(values[i])) {
       throw Error(ErrorCode::kNotFinite, entry() + " is not a finite number");
@@ -99,7 +99,7 @@ void checkShape(const CurveShape& shape, int points) {
   if (shape.degree < 1 || shape.degree > kMostSplineDegree) {
     refuse("a B-spline has degree 1 to 5, not " + std::to_string(shape.degree));
   }
-  // A drag checks each step, so only a failure builds the name.
+  // This check runs at every step of a drag, so only a failure builds the name.
   const auto name = [&] { return nameInSentence(shape); };
   const int fewest = fewestPoints(shape);
   if (points < fewest) {

@@ -8,16 +8,16 @@
 /// (mod n).
 namespace karcher {
 
-/// The integers, with span 0 from 0 to 1.
+/// Consecutive integers as knots, with span 0 from 0 to 1.
 Array<double> uniformKnots(int points, int degree, bool closed);
 
 /// Open knots 0, ..., 0, 1, 2, ..., n - p, ..., n - p with p + 1 equal ones at each end, so that
 /// the curve starts at its first and ends at its last point.
 Array<double> clampedKnots(int points, int degree);
 
-/// Throws Error: kBadArgument (a wrong number of knots, decreasing knots, only equal knots, a knot
-/// repeated so often that the curve would break, one beyond 1e100, or two different ones less than
-/// 1e-100 apart), kNotFinite.
+/// Throws Error: kBadArgument (a wrong number of knots, decreasing knots, no span longer than 0, a
+/// knot repeated so often that the curve would break, a knot with an absolute value above 1e100, or
+/// two different knots less than 1e-100 apart), kNotFinite.
 void checkKnots(const Array<double>& knots, int points, int degree, bool closed);
 
 /// The number of spans, empty ones included.
@@ -27,7 +27,7 @@ int spanCount(const Array<double>& knots, int degree, bool closed);
 double knotOfSpan(const Array<double>& knots, int degree, bool closed, int j);
 
 /// The knots with a new control point before point i: a new knot halves the span at the middle of
-/// the new point's support.
+/// the new point's support, or the nearest span that is not empty.
 Array<double> knotsWithPoint(const Array<double>& knots, int degree, bool closed, int i);
 
 /// The knots without control point i: the knot at the middle of its support is removed.
@@ -37,8 +37,8 @@ Array<double> knotsWithoutPoint(const Array<double>& knots, int degree, bool clo
 /// its first point.
 Array<double> reversedKnots(const Array<double>& knots, int degree, bool closed);
 
-/// Closed knots: the spans of the open ones, and further spans of their mean length across the
-/// join.
+/// Closed knots: the spans of the open ones, and then `degree` spans of the same mean length across
+/// the join.
 Array<double> closedKnots(const Array<double>& open, int degree);
 
 /// Open knots with the first spans of the closed ones.

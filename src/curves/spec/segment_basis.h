@@ -30,11 +30,11 @@ struct SegmentBasis {
 };
 
 /// The weights of the segment's points at t in [0, 1]; they sum to 1. Throws Error kBadWeights if a
-/// caller's basis returns another number of weights or another sum.
+/// caller's basis returns a wrong number of weights, or weights that do not sum to 1.
 Array<double> weightsAt(const SegmentBasis& basis, double t);
 
-/// Writes the same weights to `weights`. If `pointWeights` is not empty, it multiplies them by
-/// these and divides them by their sum.
+/// Writes the same weights to `weights`. If `pointWeights` is not empty, the weights are multiplied
+/// by these factors and divided by the sum of the products.
 void weightsAt(const SegmentBasis& basis, const Array<double>& pointWeights, double t,
                Array<double>& weights);
 

@@ -116,9 +116,9 @@ class BridgeBuilder {
     }
   }
 
-  /// Finds the weights of the control points of the cubic Bezier curve that interpolates the basis
-  /// at four parameters of [t0, t1]. If the degree of the basis is at most 3, the curve has exactly
-  /// the weights of the basis.
+  /// Finds the weights of the segment's points for each control point of a cubic Bezier curve. This
+  /// curve interpolates the basis at four parameters of [t0, t1]. It reproduces a polynomial basis
+  /// of degree at most 3 exactly.
   void findBezierWeights(double t0, double t1) {
     auto& [first, second, third, last] = workspace_.bezier;
     weightsAt(basis_, pointWeights_, t0, first);

@@ -15,7 +15,7 @@ namespace karcher {
 struct Bridge {
   double t0 = 0;
   double t1 = 1;
-  /// kJump, kSubdivided, or the status of the first sample in the interval.
+  /// kJump, kSubdivided, or the status of the interval's first search that found no center.
   SampleStatus reason = SampleStatus::kJump;
   /// The bridge's line over [t0, t1].
   ParametricLine line;
@@ -46,7 +46,7 @@ struct BridgeWorkspace {
   SubdivisionWorkspace subdivision;
   Array<SurfacePoint> points;  ///< the segment's control points
   Array<SurfacePoint> polygon;
-  std::array<Array<double>, 4> bezier;  ///< the weights of a cubic's control points
+  std::array<Array<double>, 4> bezier;  ///< the weights for each control point of a cubic
   SurfacePath chord;
   ParametricLine line;  ///< the line of the current bridge
 };
@@ -65,7 +65,7 @@ const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 /// samples (two at least, ascending in t) are not converged or jump, bridges these intervals, and
 /// moves the samples inside onto the bridges with the status kBridged. Between two neighbouring
 /// samples a bridge is the geodesic that joins them. At a t where one control point has all the
-/// weight, a bridge passes through it. `basis` and `pointWeights` give the weights
+/// weight, a bridge passes through that point. `basis` and `pointWeights` give the weights
 /// (segment_basis.h).
 ///
 /// `table` has the weights with which `traceSegment` found the samples; it is null if a tolerance

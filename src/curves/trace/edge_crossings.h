@@ -3,10 +3,10 @@
 #include "curves/trace/segment.h"
 
 /// Crossings of a curve of centers of mass with the edges of the mesh. The faces on both sides of
-/// an edge share its frame. In it, the blended field along the edge is linear between its values
-/// X_a(t) and X_b(t) at the ends, or, if faces are divided, at one end and at the middle (cells.h).
-/// It has a zero on the edge's line where X_a(t) x X_b(t) = 0: at this t the curve passes from face
-/// to face, through the same point from either side.
+/// an edge share its frame. In this frame, the blended field along the edge is linear between its
+/// values X_a(t) and X_b(t) at the ends. If faces are divided (cells.h), it is linear between an
+/// end and the middle. It has a zero on the edge's line where X_a(t) x X_b(t) = 0: at this t the
+/// curve passes from face to face, through the same point from either side.
 ///
 /// Inside a face the field also depends on transport, so that the curve in the face ends a small
 /// fraction of an edge beside that point (crossing_study). The polyline through the crossings
@@ -28,9 +28,8 @@ class EdgeCrossings {
 
   /// Appends the crossings between two converged samples, in ascending t, and the later sample. If
   /// the samples' faces do not share an edge, the function finds more samples and appends them.
-  /// Returns false and leaves `out` unchanged if a search for a sample fails, or if
-  /// 2^-kMostBisections of the interval is too coarse to decide which edges the curve crosses, such
-  /// as near a vertex.
+  /// Returns false and leaves `out` unchanged if a search for a sample fails, or if kMostBisections
+  /// bisections do not suffice to decide which edges the curve crosses, such as near a vertex.
   bool append(const CurveSample& from, const CurveSample& to, Array<SurfacePoint>& out);
 
   /// The result of the last call: the crossings, on edges, and the samples between them.
@@ -41,9 +40,9 @@ class EdgeCrossings {
  private:
   bool appendBetween(const CurveSample& from, const CurveSample& to, int bisections);
   bool appendCrossing(int h, double t0, double t1);
-  /// Appends the crossing of an edge, or of one half of it if faces are divided. By rounding, the
-  /// curve may not pass the edge's line between t0 and t1. With `orNearest` the crossing is then at
-  /// the nearer of the two. Returns false if there is no crossing.
+  /// Appends the crossing of an edge, or of one half of it if faces are divided. Rounding may hide
+  /// that the curve passes the edge's line between t0 and t1. With `orNearest` the crossing is then
+  /// at t0 or t1, where the curve is nearer to the line. Returns false if there is no crossing.
   bool appendCrossing(int h, int half, double t0, double t1, bool orNearest);
 
   const Geometry& geometry_;

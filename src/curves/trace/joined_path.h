@@ -15,10 +15,10 @@ enum class CurveGeometry {
 /// samples.
 struct JoinedPath {
   SurfacePath line;
-  /// The number of the sample to which each point's piece leads.
+  /// For each point, the index of the sample to which its piece of the path leads.
   Array<int> sample;
-  /// Whether each point's piece lies on a bridge over a gap or leads to a sample that is not
-  /// converged. Pieces that are their own subdivision do not count.
+  /// For each point, whether its piece of the path lies on a bridge over a gap, or leads to a
+  /// sample that is not converged. Bridges with the reason kSubdivided do not count.
   Array<uint8_t> unconverged;
 };
 

@@ -28,8 +28,8 @@ class JumpSearch {
         longest_(kLongestStep * geometry_.meanEdge),
         weights_(weights) {}
 
-  /// The reason if the curve from one converged sample to the next breaks, in either direction.
-  /// `middle` has the weights in the middle, or is empty.
+  /// The reason why the curve between two converged samples breaks, in either direction; empty if
+  /// it does not break. `middle` has the weights in the middle, or is empty.
   std::optional<SampleStatus> run(const CurveSample& from, const CurveSample& to, Weights middle) {
     if (!middle.empty() && isContinuous(from.point, to.point, middle)) return std::nullopt;
     bool differ = false;
@@ -104,7 +104,7 @@ class JumpSearch {
 
   /// Whether the zero of the field in one cell moves continuously and stays the center. It does if
   /// the step keeps away from the edges, so that no other cell has a deeper zero, and if the zero
-  /// for the weights in its middle lies between its ends.
+  /// for the weights in the step's middle lies between the step's ends.
   bool staysInCell(const SurfacePoint& from, const SurfacePoint& to, Weights middleWeights) const {
     if (from.face != to.face) return false;
     const Cells& cells = fields_.cells();
@@ -195,7 +195,8 @@ class JumpSearch {
     return Vec2(geometry_.edgeLength[h], 0) - besideEdge(h, bary);
   }
 
-  /// The distance of a point of a half-edge's face from the lines of the other two edges.
+  /// The distance of a point of a half-edge's face from the nearer one of the lines along the other
+  /// two edges.
   double keptOff(int h, const Vec3& bary) const {
     const double area = doubleArea(geometry_, faceOf(h));
     const int edges[] = {next(h), previous(h)};

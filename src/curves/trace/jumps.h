@@ -11,7 +11,7 @@ inline constexpr double kLongestStep = 0.05;
 
 /// A step between two samples at which the curve of centers of mass breaks.
 struct Jump {
-  int step = 0;  ///< the number of the step's first sample
+  int step = 0;  ///< the index of the step's first sample
   SampleStatus reason = SampleStatus::kJump;
 };
 

@@ -3,15 +3,15 @@
 namespace karcher {
 namespace {
 
-/// The sign of i / (samples - 1) - k / count: the side of part k's start on which even sample i
-/// lies.
+/// The sign of i / (samples - 1) - k / count: the side of part k's start on which the evenly spaced
+/// sample i lies.
 int sideOf(int i, int samples, int k, int count) {
   const int64_t sample = static_cast<int64_t>(i) * count;
   const int64_t joint = static_cast<int64_t>(k) * (samples - 1);
   return sample < joint ? -1 : sample > joint ? 1 : 0;
 }
 
-/// The first even sample after the start of part k.
+/// The index of the first evenly spaced sample after the start of part k.
 int firstBehind(int samples, int k, int count) {
   return static_cast<int>(static_cast<int64_t>(k) * (samples - 1) / count) + 1;
 }

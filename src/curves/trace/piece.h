@@ -18,8 +18,8 @@ struct PartOfSegment {
 };
 
 /// Writes to `table` the weights at the evenly spaced samples of the segment that lie in the piece,
-/// and at both ends of the piece. The rows have the piece's own t in [0, 1]. `row` is scratch
-/// memory.
+/// at both ends of the piece, and in the middles between these. The rows have the piece's own t in
+/// [0, 1]. `row` is scratch memory.
 void tabulatePiece(const SegmentBasis& basis, int samples, const PartOfSegment& part,
                    Array<double>& row, PieceWeights& table);
 
@@ -38,8 +38,8 @@ struct TracedPiece {
 using TracedSegment = TracedPiece;
 
 /// Writes a segment's pieces one after the other to `whole`. `even` is the number of evenly spaced
-/// samples of the segment, or 0 if a tolerance placed them; with even samples, a joint between
-/// pieces is a sample only if it coincides with one of them.
+/// samples of the segment, or 0 if a tolerance placed them; with evenly spaced samples, a joint
+/// between pieces is a sample only if it coincides with one of them.
 void mergePieces(const Array<const TracedPiece*>& pieces, int even, TracedSegment& whole);
 
 }  // namespace karcher

@@ -5,7 +5,7 @@ namespace karcher {
 TracedPiece traceLeg(const TriangleMesh& mesh, const SurfacePath& leg, int samples) {
   TracedPiece piece;
   JoinedPath& path = piece.path;
-  int next = 1;  // the number of the leg's next point
+  int next = 1;  // the index of the leg's next point
   for (int i = 0; i < samples; ++i) {
     const double t = static_cast<double>(i) / (samples - 1);
     const double length = t * leg.length();

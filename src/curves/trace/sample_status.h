@@ -14,8 +14,8 @@ enum class SampleStatus {
   kLimit,
   kJump,     ///< the reason of a bridge: the curve jumps from one local minimum to another
   kBridged,  ///< the sample lies on a bridge
-  /// the sample lies on a piece that is its own subdivision, since it crosses faces larger than
-  /// itself (Curve::findSubdivided); also the reason of a bridge
+  /// the sample lies on a piece that is a subdivision curve, since it crosses a larger face
+  /// (Curve::findSubdivided); also the reason of a bridge
   kSubdivided,
 };
 inline constexpr SampleStatus kLastSampleStatus = SampleStatus::kSubdivided;

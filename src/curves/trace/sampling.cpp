@@ -14,13 +14,13 @@ namespace {
 constexpr int kIntervalsAPoint = 2;
 constexpr int kFewestIntervals = 8;
 constexpr int kMostBisections = 20;
-/// The number of evaluations in an interval: for each face that the geodesic crosses, at least, and
-/// at most.
+/// The number of evaluations in an interval: `kLooksAFace` for each face that the geodesic crosses,
+/// but at least `kFewestLooks` and at most `kMostLooks`.
 constexpr int kLooksAFace = 3;
 constexpr int kFewestLooks = 12;
 constexpr int kMostLooks = 256;
-/// The longest step between two evaluations in different faces, relative to even steps. A bisection
-/// divides longer ones.
+/// The longest step between two evaluations in different faces, relative to steps of equal length.
+/// A bisection divides longer ones.
 constexpr double kLongestOfSteps = 1.5;
 constexpr int kMostHalvings = 4;
 /// The most bisections where samples do not converge: at the border of such a stretch, and inside

@@ -17,15 +17,15 @@ struct SamplingWorkspace {
   StripWorkspace strip;
 };
 
-/// Samples of a segment by bisection of t. It stops when the curve between two neighbouring samples
-/// lies within the tolerance, relative to the bounding box's diagonal, of the geodesic that joins
-/// them. If the curve jumps at an edge of the mesh (kLongestStep in jumps.h), samples approach the
-/// jump as closely as the tolerance needs, and a geodesic crosses it. Between two samples the curve
-/// is evaluated 12 to 256 times: three times for each face that the geodesic crosses, and more
-/// often where it moves fast or between faces without a common edge. The largest change between two
-/// evaluations counts as deviation, too. This is no proof, since the basis may make an excursion
-/// between two evaluations. In tests no curve exceeded a tolerance of 1e-3 or 1e-4, and one of
-/// fifty exceeded 1e-5.
+/// Samples of a segment by bisection of t. The bisection stops when the curve between two
+/// neighbouring samples lies within the tolerance, relative to the bounding box's diagonal, of the
+/// geodesic that joins them. If the curve jumps at an edge of the mesh (kLongestStep in jumps.h),
+/// samples approach the jump as closely as the tolerance needs, and a geodesic crosses it. Between
+/// two samples the curve is evaluated 12 to 256 times: three times for each face that the geodesic
+/// crosses, and more often where it moves fast or between faces without a common edge. The largest
+/// change between two evaluations counts as deviation, too. This is no proof, since the basis may
+/// make an excursion between two evaluations. In tests no curve exceeded a tolerance of 1e-3 or
+/// 1e-4, and one curve in fifty exceeded 1e-5.
 ///
 /// There is a sample at each of the `nodes` (segment_basis.h). The search for these and for the
 /// ends starts as in `traceSegment`. The border between converged samples and others is exact to

@@ -26,7 +26,8 @@ using Basis = std::function<Array<double>(double t)>;
 /// The same function, but it writes the weights to an existing array.
 using BasisWriter = std::function<void(double t, Array<double>& weights)>;
 
-/// A basis at given parameters. All segments with the basis share a table of even parameters.
+/// The weights of a basis at given parameters. All segments with the same basis share a table of
+/// evenly spaced parameters.
 struct WeightTable {
   int points = 0;
   Array<double> t;
@@ -82,11 +83,12 @@ struct SegmentFields {
 /// tries only the heaviest.
 void findRestarts(Weights weights, Method method, bool isEnd, Array<int>& order);
 
-/// One sample for each row of the table. The search for the first and the last sample starts at the
-/// control point of largest weight. Each other search starts at the last converged sample. A failed
-/// search starts again at the control points of `findRestarts`. So the result depends only on the
-/// fields and the weights, and the end of one segment is the start of the next. If `backwards`, the
-/// search goes from the last row to the first. The result reuses the memory of `samples`.
+/// One sample for each row of the table. A known center at an end needs no search. Otherwise the
+/// search for the first and the last sample starts at the control point of largest weight. Each
+/// other search starts at the last converged sample. A failed search starts again at the control
+/// points of `findRestarts`. So the result depends only on the fields and the weights, and the end
+/// of one segment is the start of the next. If `backwards`, the search goes from the last row to
+/// the first. The result reuses the memory of `samples`.
 Array<CurveSample> traceSegment(SegmentFields& fields, const WeightTable& table, Method method,
                                 Array<CurveSample> samples = {}, bool backwards = false);
 
