@@ -21,7 +21,7 @@ export function barsOf({ pattern, spacing }: Pick<FillStyle, 'pattern' | 'spacin
 
 export const partPainted = ({ from, to }: Bars) => to - from;
 
-/** x and y of a place on paper, and the distance there. */
+/** x and y of a place on paper, and the distance at this place. */
 type Valued = readonly [number, number, number];
 
 /** The largest number of bars of a triangle. With more, too fine to see, it is painted whole. */

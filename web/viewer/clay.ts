@@ -163,7 +163,7 @@ const clay = {
 const material = new ShaderMaterial(clay);
 /**
  * The inner sides, if both sides are visible. They lie farthest back whatever their slope, so that
- * no specks of them show before the outer sides at the rim.
+ * no specks of them appear in front of the outer sides at the rim.
  */
 const inner = new ShaderMaterial({
   ...clay,

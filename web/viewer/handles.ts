@@ -14,8 +14,8 @@ export interface Handle {
 
 export interface HandleEvents {
   /**
-   * The start of a drag, each further step, and the end. The place is that of the handle's middle,
-   * in the window's pixels.
+   * `grab` reports the start of a drag, `drag` each step, and `release` the end. The place is that
+   * of the handle's middle in the window, in CSS pixels.
    */
   grab(id: string, clientX: number, clientY: number): void;
   drag(id: string, clientX: number, clientY: number): void;
@@ -94,8 +94,8 @@ export class Handles {
   }
 
   /**
-   * Marks a place: a measured one, or that of a point that a click would add on the surface, in the
-   * curve, or on a target to which it snaps. `name` is the target's name.
+   * Marks a measured place, or the place of a point that a click would add: on the surface, on the
+   * curve, or on a target to which the point snaps. `name` is the target's name.
    */
   showPreview(
     position: Vector3 | null,

@@ -45,8 +45,8 @@ export function seenOutline(mesh: Mesh, tree: MeshBVH, sight: Sight): Float32Arr
 }
 
 /**
- * The visible parts of a line in front of the camera. If `aside` is positive, places at this
- * distance on both sides are tested instead of the line, and one of the two suffices.
+ * The visible parts of a line in front of the camera. If `aside` is positive, the function tests
+ * places at this distance on both sides instead of the line. One visible place suffices.
  */
 export function visibleParts(
   line: Float32Array,

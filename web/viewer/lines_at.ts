@@ -24,18 +24,18 @@ export class LinesAt {
     private readonly place: { x: number; y: number },
   ) {}
 
-  /** The curve's visible point there, in the scene; null without one. */
+  /** The curve's visible point at the place, in the scene; null without one. */
   curve(within: number): Vector3 | null {
     return this.#pointOf(this.lines.curve, within, this.lines.style);
   }
 
-  /** Whether the edited object is visible there. */
+  /** Whether the edited object is visible at the place. */
   own(within: number): boolean {
     const { own, style } = this.lines;
     return own.some((line) => this.#pointOf(line, within, style));
   }
 
-  /** The id of the topmost other object that is visible there; null without one. */
+  /** The id of the topmost other object visible at the place, unless locked; null without one. */
   object(within: number): number | null {
     const found = this.lines.objects.findLast(({ locked, style, lines, dots }) => {
       const isSeen = (line: Float32Array) => this.#pointOf(line, within, style);
@@ -44,7 +44,7 @@ export class LinesAt {
     return found?.id ?? null;
   }
 
-  /** The index of the shorter path that is visible there; -1 without one. */
+  /** The index of the first shorter path visible at the place; -1 without one. */
   shorter(within: number): number {
     return this.lines.shorter.findIndex((line) => this.#pointOf(line, within));
   }

@@ -69,8 +69,8 @@ export class OrbitView {
     private readonly stage: HTMLElement,
     private readonly moved: () => void,
   ) {
-    // This listener runs before the controls: the surface under the pointer becomes the pivot and
-    // the target of zooms.
+    // This listener runs before the controls: the surface under the pointer becomes the pivot of
+    // turns and the target of zooms.
     stage.addEventListener('pointerdown', (event) => this.#hold(event), { capture: true });
     stage.addEventListener('wheel', (event) => this.#wheel(event), {
       ...{ capture: true, passive: false },

@@ -76,8 +76,8 @@ function faceNormals({ positions, triangles }: Mesh): Float64Array {
 }
 
 /**
- * The opposite side of each side, in the triangle beyond it; -1 on the boundary. Where more than
- * two triangles meet at an edge, their sides form pairs, and an odd last one has -1.
+ * For each side of a triangle, the matching side of the neighboring triangle; -1 on the boundary.
+ * Where more than two triangles meet at an edge, their sides form pairs. An odd last side has -1.
  */
 function sidesAcross({ positions, triangles }: Mesh): Int32Array {
   const across = new Int32Array(triangles.length).fill(-1);

@@ -39,8 +39,8 @@ function isSteadier(a: Stability, b: Stability): boolean {
 const mostLost = 0.05;
 
 /**
- * The larger fraction of samples that the paper's method loses on the armadillo, of the runs with
- * graph and with exact distances; null if the folder of meshes does not have it.
+ * The fraction of samples that the paper's method loses on the armadillo: the larger of those with
+ * graph and with exact distances; null if the folder of meshes does not contain the armadillo.
  */
 function armadillo({ all: { meshes } }: Evidence): { lost: number | null; measured: string } {
   const found = meshes?.find(({ name }) => name.startsWith('armadillo'));
