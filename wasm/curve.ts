@@ -298,9 +298,9 @@ export class Curve {
   /**
    * Adds a control point at a parameter, and returns the point's number. On a plane the curve stays
    * unchanged, elsewhere nearly so. A B-spline gets a knot at the parameter, and its knots become
-   * custom ones. A curve of one segment rises in degree by one, so that all its inner points are
-   * new. A Catmull-Rom curve or polyline gets a point on the curve, which changes a Catmull-Rom
-   * curve a little. Throws `KarcherError` badArgument if the curve cannot have such a point.
+   * custom ones. A curve of one segment rises in degree by one: all its inner points are new. Other
+   * kinds get a point on the curve; a Catmull-Rom curve changes a little. Throws `KarcherError`
+   * badArgument if a control point or too many knots are there already, and for the kind `custom`.
    */
   insertOnCurve(parameter: number): number {
     return this.#edit('insertOnCurve', checkNumber(parameter, 'the parameter'));

@@ -102,11 +102,12 @@ export class Mesh extends MeshPlaces {
    * negative. The weights sum to 1 within 1e-9, unless `normalize` divides them by their sum. The
    * result is a center of mass only if the status is `converged`; see `Status`.
    *
-   * Fields of up to half a million values stay until the next call. A call with other weights then
-   * needs no new fields, and a moved point needs only its own field. With the method `karcher` and
-   * the solvers `fast` and `exact`, 64 different points or more need no fields, except for
-   * `uniqueness`, for a negative weight, or if the search ends at a boundary. The search then
-   * starts at some of the points, and takes about as long for thousands of points as for hundreds.
+   * Fields with at most half a million values in total stay until the next call. A call with other
+   * weights then needs no new fields, and a moved point needs only its own field. With the method
+   * `karcher` and the solvers `fast` and `exact`, 64 different points or more need no fields,
+   * except for `uniqueness`, for a negative weight, or if the search ends at a boundary. The search
+   * then starts at some of the points, and takes about as long for thousands of points as for
+   * hundreds.
    *
    * Throws `KarcherError` badWeights (the number or the sum of the weights is wrong), tooFewPoints
    * (there are none), unreachable (the points lie on several components), badArgument (the limits
