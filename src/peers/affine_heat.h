@@ -5,10 +5,10 @@
 /// The affine heat method: Y. Soliman, N. Sharp, "The Affine Heat Method", Computer Graphics Forum
 /// 44 (2025), the successor of the vector heat method for log maps. Heat transports positions
 /// instead of directions. Each vertex sees the source as a point of its own tangent plane, in
-/// homogeneous coordinates (v, u). Along an edge, such a point is rotated, and translated by the
-/// edge. The heat starts at the source, as the origin of the source's plane. At each vertex that
-/// the heat (v, u) reaches, the logarithm is v / u, turned back by a transported frame. The method
-/// needs no Poisson equation and is exact on the plane.
+/// homogeneous coordinates (v, u). Transport along an edge rotates such a point and translates it
+/// by the edge. The heat starts at the source, as the origin of the source's plane. At each vertex
+/// that the heat (v, u) reaches, the logarithm is v / u, turned back by a transported frame. The
+/// method needs no Poisson equation and is exact on the plane.
 ///
 /// The 3 n x 3 n operator of the paper is block triangular: u is ordinary heat, and v is heat of
 /// vectors with a source that u determines. So both variants need only the factors of the vector

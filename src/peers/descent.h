@@ -33,10 +33,10 @@ Vec2 faceGradient(const Geometry& geometry, const Array<double>& values, int f);
 DescentPath descendDistance(const Geometry& geometry, const Array<double>& distances,
                             const SurfacePoint& source, const SurfacePoint& start);
 
-/// The center of mass of two points that a path joins, the source with weights[0] and the start
-/// with weights[1]. Its distance from the source along the path is weights[1] times the path's
-/// length. The status is kNoProgress if the path did not arrive. Throws Error kBadWeights unless
-/// there are two weights, neither negative, with the sum 1.
+/// The center of mass of the two ends of a path: the source with weights[0] and the start with
+/// weights[1]. Its distance from the source along the path is weights[1] times the path's length.
+/// The status is kNoProgress if the path did not arrive. Throws Error kBadWeights unless there are
+/// two weights, neither negative, with the sum 1.
 CenterOfMass descentCenterOfMass(const Geometry& geometry, const DescentPath& path,
                                  Weights weights);
 

@@ -3,7 +3,7 @@
 #include "mesh/surface_point.h"
 
 /// The triangles in which a blended field is linear: the faces of the mesh or, if faces are cut,
-/// the four triangles into which the midpoints of its edges cut each face.
+/// the four triangles into which each face is cut by the lines between the midpoints of its edges.
 ///
 /// A cut face f has the cells 4 f + k at its corners k and the cell 4 f + 3 in its middle:
 ///

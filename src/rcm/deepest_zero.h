@@ -11,7 +11,7 @@ namespace karcher {
 /// center does not depend on the cell that the search visited first.
 ///
 /// `zero` is the blend's zero in `cell` and lies inside it. Returns the deepest of this zero and
-/// those around it. Usually `isTheOnlyZero` shows quickly that this is `zero` itself.
+/// the zeros around it. Usually `isTheOnlyZero` shows quickly that no other zero is near.
 SurfacePoint deepestZero(FieldBlend& fields, Weights weights, int cell, const CellZero& zero);
 
 /// If all weights of a zero exceed this bound, no other zero is near, since the field's

@@ -55,7 +55,8 @@ struct Stencil {
   const StencilTerm* end = nullptr;
   double logVectorShare = 0;  ///< the share r
 
-  /// The estimate from log vectors and squared distances, both functions of the vertex.
+  /// The estimate from log vectors and squared distances. Both are given as functions of the
+  /// vertex.
   template <class LogVectorAt, class SquaredDistanceAt>
   Vec2 apply(double ownSquaredDistance, const LogVectorAt& logVectorAt,
              const SquaredDistanceAt& squaredDistanceAt) const {

@@ -46,7 +46,7 @@ std::shared_ptr<PointField> FieldSet::at(const SurfacePoint& point, bool isNear)
     }
   } catch (...) {
     // The map must not find a half-built field, and the set must not keep it. Nothing may be
-    // allocated here.
+    // allocated here, since memory may have run out.
     if (place + 1 < fields_.count()) {
       std::swap(fields_[place], fields_.back());
       renumber(place);

@@ -5,8 +5,8 @@
 #include "intrinsic/geometry.h"
 #include "rcm/field_blend.h"
 
-/// The start of the first search for a mean of few points, and bounds on the starts from which
-/// other searches could find a lower mean.
+/// The start of the first search for a mean of few points, and a bound on the places of lower
+/// means, near which other searches start.
 namespace karcher {
 
 /// The weighted average of the first two points on the path between them, then of this average and

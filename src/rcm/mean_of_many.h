@@ -9,8 +9,8 @@
 /// gradient only at the places that it visits (one_source_energy.h), so that the work hardly grows
 /// with the number of points.
 ///
-/// It compares K at some of the points, spread evenly by weight, and starts descents (BFGS) at the
-/// lowest few. The descents use the distances of the options' solver.
+/// The search compares K at some of the points, spread evenly by weight, and starts descents (BFGS)
+/// at the few points where K is lowest. The descents use the distances of the options' solver.
 namespace karcher {
 
 /// The number of different points, near or far, from which on this search is at least as fast as

@@ -20,8 +20,8 @@ void setOtherMinima(const Geometry& geometry, const Array<Minimum>& minima, Mean
 
 /// The mean in a blend of fields. Fields and points have separate weights, since one summed field
 /// of many points has one weight. Without options.start the mean is the lowest minimum found. The
-/// first search then starts at `shared` if present, else at the average of averages
-/// (first_start.h).
+/// first search by kKarcher then starts at `shared` if present, else at the average of averages
+/// (first_start.h). The first search by the paper's method starts at a control point.
 Mean findMean(Surface& surface, FieldBlend& fields, const Array<double>& weights,
               const Array<SurfacePoint>& points, const Array<double>& ofPoints,
               const MeanOptions& options, const SurfacePoint* shared = nullptr);

@@ -32,9 +32,9 @@ Vec2 logOf(const TriangleMesh& mesh, const SurfacePoint& point, const DistanceSo
   return log;
 }
 
-/// The squared distance of a point from the source, by the source's positions as seen from the
-/// corners of the point's face. If these positions differ, as across the cut locus, the nearest one
-/// counts; else the squared distances are blended.
+/// The squared distance of a point from the source. Each corner of the point's face sees the source
+/// at a position in the plane of the face. If these positions differ, as across the cut locus, the
+/// nearest one counts; else the squared distances from them are blended.
 double squaredDistanceOf(const Geometry& geometry, const SurfacePoint& point,
                          const DistanceSolver& solver) {
   const Vec2 place = pointInFace(geometry, point);

@@ -37,8 +37,8 @@ Array<Vec2> logVectors(const Geometry& geometry, const Array<SurfacePoint>& poin
   return vectors;
 }
 
-/// Whether a point is the median: the joint pull of all others there is no more than its own
-/// weight.
+/// Whether a point is the median. It is if the joint pull of all other points there is at most its
+/// own weight.
 bool isMedian(const Geometry& geometry, const Array<SurfacePoint>& points,
               const Array<double>& weights, int at) {
   const Array<Vec2> vectors = logVectors(geometry, points, points[at]);

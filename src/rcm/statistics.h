@@ -58,9 +58,10 @@ EnergyGradient energyAt(const Geometry& geometry, const Array<SurfacePoint>& poi
                         Weights weights, const SurfacePoint& place);
 
 /// The second derivatives of the energy at a place inside a face, along the axes of the face's
-/// frame, by differences of gradients on both sides. On a plane the Hessian is twice the sum of the
-/// weights times the identity. It does not exist where several shortest paths lead to one of the
-/// points. Throws as above, and Error kBadArgument for a place on an edge or at a vertex.
+/// frame. They are computed by differences of gradients on both sides. On a plane the Hessian is
+/// twice the sum of the weights times the identity. It does not exist where several shortest paths
+/// lead to one of the points. Throws as above, and Error kBadArgument for a place on an edge or at
+/// a vertex.
 Eigen::Matrix2d hessianAt(const Geometry& geometry, const Array<SurfacePoint>& points,
                           Weights weights, const SurfacePoint& place);
 
@@ -73,10 +74,10 @@ Array<Vec2> weightDerivatives(const Geometry& geometry, const Array<SurfacePoint
 
 /// The derivatives of the center of mass with respect to each point: a matrix that maps a vector in
 /// the frame of the point's face to one in the frame of the center's face. The Hessian times this
-/// matrix is twice the point's weight times the derivative of its log vector at the center, by
-/// differences. If the path passes through no vertex, the derivative of the log vector is parallel
-/// transport along the path. The center and the points must lie inside faces. Throws what
-/// `weightDerivatives` throws.
+/// matrix is twice the point's weight times the derivative of the point's log vector at the center,
+/// which is computed by differences. If the path passes through no vertex, the derivative of the
+/// log vector is parallel transport along the path. The center and the points must lie inside
+/// faces. Throws what `weightDerivatives` throws.
 Array<Eigen::Matrix2d> pointDerivatives(const Geometry& geometry, const Array<SurfacePoint>& points,
                                         Weights weights, const SurfacePoint& center);
 

@@ -34,7 +34,7 @@ struct FaceSet {
 };
 
 /// The faces within `radius` of the center in space that are connected to the center's face through
-/// edges of such faces. They contain the geodesic ball of that radius.
+/// edges between such faces. They contain the geodesic ball of that radius.
 FaceSet facesWithin(const TriangleMesh& mesh, const SurfacePoint& center, double radius) {
   const Vec3 place = position(mesh, center);
   FaceSet found;

@@ -9,9 +9,9 @@
 
 #include "mesh/error.h"
 
-/// Failures on their way to JavaScript. An exception that leaves the module loses its sentence. So
-/// each binding runs under a guard, which keeps the failure's code and sentence and returns an
-/// empty result. The facade takes the failure after each call.
+/// How failures reach JavaScript. An exception that leaves the module loses its sentence. So each
+/// binding runs under a guard, which keeps the failure's code and sentence and returns an empty
+/// result. The TypeScript facade takes the failure after each call.
 namespace karcher::bindings {
 
 /// Keeps a failure until `takeFailure`.

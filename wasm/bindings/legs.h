@@ -34,8 +34,9 @@ class Legs {
 val legsToJs(const MeshHandle& mesh, const Array<SurfacePath>& legs,
              const FindPathOptions& shortest);
 
-/// A list with {path, shorter} for each of a curve's legs: the leg's path (path.h) and, unless the
-/// leg is a shortest one, a shorter path between its ends, if a search finds one.
+/// A list with {path, shorter} for each leg of a curve. `path` is the leg's path (path.h).
+/// `shorter` is a shorter path between the leg's ends; it is missing for shortest legs and if a
+/// search finds none.
 val legsAndShorterToJs(const MeshHandle& mesh, Curve& curve);
 
 }  // namespace karcher::bindings

@@ -169,7 +169,8 @@ val MeshHandle::transportAlong(const val& line, const val& vectors) const {
   Array<double> carried;
   for (int i = 0; i < ways.count() / 3; ++i) {
     Vec2 way = tangentFromSpace(geometry, path.start(), vectorAt(ways, i));
-    // The path may turn at every point. Its pieces are straight.
+    // The path may turn at every point, but each piece of it is straight. So the pieces transport
+    // the vector one after the other.
     for (int k = 1; k < path.points.count(); ++k) {
       const SurfacePath piece{{path.points[k - 1], path.points[k]},
                               {0, path.lengths[k] - path.lengths[k - 1]}};

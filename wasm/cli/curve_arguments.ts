@@ -79,7 +79,10 @@ export async function readCurve(args: Arguments): Promise<CurveRecord> {
   );
 }
 
-/** The curves of the arguments, or all curves of the file if the arguments choose none. */
+/**
+ * The curves of the arguments: the curve that they describe or choose from a file, else all curves
+ * of the file.
+ */
 export async function readCurves(args: Arguments): Promise<[CurveRecord, ...CurveRecord[]]> {
   if (args.given('curve')) {
     const names = partOptions.map(({ name }) => name);

@@ -112,7 +112,7 @@ export function standardOptions(method: ComparedMethod, plan: CurvePlan): Method
   };
 }
 
-/** The options of a method in words: the solver of its distances, or its log maps. */
+/** A description of a method's options: of the solver of its distances, or of its log maps. */
 export function solverWords(options: MethodOptions): string {
   const { method, solver, rings = 6, star = 'wide', seeds = 'heaviest' } = options;
   const delaunay = options.delaunay ? ', on the intrinsic Delaunay triangulation' : '';
