@@ -20,8 +20,7 @@
 /// the other side of the tube.
 namespace karcher {
 
-/// The largest distance, in mean edges, by which levels may move a curve that is safe without
-/// levels.
+/// The largest distance, in mean edges, by which levels may move a curve that is safe at level 0.
 inline constexpr double kLevelsTolerance = 0.02;
 
 /// Reusable scratch memory.

@@ -195,7 +195,7 @@ class FaceArcs {
   const SourceImage* begin_ = nullptr;
   const SourceImage* end_ = nullptr;
   Array<double> cuts_;
-  /// The pieces of the current circle, with angles from `first_` to a full turn beyond.
+  /// The pieces of the current circle, with angles from `first_` to `first_` plus a full turn.
   Array<Piece> pieces_;
   Array<Piece> before_;
   double first_ = 0;

@@ -25,8 +25,8 @@ struct Arrangement {
   Array<DrawnVertex> added;
 
   // Arrays by half-edge. The half-edges of face f are those from firstOfFace[f] to before
-  // firstOfFace[f + 1]. The first of them lie on the face's sides, counterclockwise from corner 0.
-  // Each piece lies left of its half-edges.
+  // firstOfFace[f + 1]. Those on the face's sides come first, counterclockwise from corner 0. Each
+  // piece lies left of its half-edges.
   Array<int> firstOfFace;
   Array<int> tail;
   Array<int> next;
@@ -69,7 +69,7 @@ double lengthOf(const Geometry& geometry, const Arrangement& arrangement, int h)
 /// For each cell, a point inside it and away from its border, in the cell's largest piece.
 Array<SurfacePoint> pointsInside(const Geometry& geometry, const Arrangement& arrangement);
 
-/// The piece that contains a point. For a point on a line it is the piece on one side.
+/// The piece that contains a point. For a point on a line it is the piece on one side of the line.
 int pieceHolding(const TriangleMesh& mesh, const Arrangement& arrangement,
                  const SurfacePoint& point);
 

@@ -90,8 +90,8 @@ class FaceTriangles {
       const double toC = left(a, b, p);
       const double toA = left(b, c, p);
       const double toB = left(c, a, p);
-      // At most one side of a triangle holds the place. The loop visits each triangle from each of
-      // its sides, so that one visit has this side as (a, b).
+      // The place lies on at most one side of the triangle. The loop visits each triangle from each
+      // of its sides, so that one visit has this side as (a, b).
       if (toC < 0 || toA <= 0 || toB <= 0) continue;
       const int apex = c;
       if (toC > 0) {

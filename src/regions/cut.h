@@ -14,7 +14,7 @@ namespace karcher {
 struct CutSurface {
   Array<Vec3> positions;
   Array<Triangle> triangles;
-  Array<int> faceOf;  ///< the face to which each triangle belongs
+  Array<int> faceOf;  ///< the face of the mesh that contains each triangle
   Array<int> cellOf;  ///< the cell of each triangle
 };
 

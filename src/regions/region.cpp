@@ -81,8 +81,8 @@ Steps stepsOf(const Arrangement& all, const PathRange& paths) {
   refuse(sentence + ", around an end or a handle of the surface");
 }
 
-/// Decides which cells of a connected part of the surface are outside, and writes its cells to
-/// `region`.
+/// Decides which cells of a component of the surface are outside, and writes to `region` whether
+/// each of its cells is inside.
 void chooseSide(const Arrangement& all, const Array<int>& cells, const Array<int>& labels,
                 std::optional<int> inside, Region& region) {
   struct LabelArea {

@@ -39,7 +39,7 @@ class Chain {
     // Straightening leaves a path of one point as it is, so its length is set here.
     path.lengths.assign(1, 0.0);
   }
-  /// Appends the part between two lengths, backwards if from > to.
+  /// Appends the part of a path between two lengths, backwards if from > to.
   void append(const SurfacePath& next, double from, double to) {
     appendPart(mesh_, next, from, to, points_);
   }

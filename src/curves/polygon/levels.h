@@ -37,7 +37,7 @@ struct RefinedPolygon {
 };
 
 /// Throws Error kBadArgument for levels outside 0 to 8, for a kind that takes none, and for
-/// excessive work (Bezier curves of very many points).
+/// excessive work (curves of very many points, above all Bezier curves).
 void checkLevels(const CurveShape& shape, int points, int levels);
 
 /// Whether `checkLevels` accepts these levels.
@@ -66,8 +66,8 @@ struct AveragingWorkspace {
 /// - de Casteljau's algorithm divides Bezier curves, also rational ones, at 1/2;
 /// - B-splines get a new knot in the middle of each span. A new point is the repeated average of
 ///   consecutive old points, its parents, from both ends of their row towards the middle
-///   (subdivision.h), with the weights of the knot insertion. In degrees up to 3, with even knots,
-///   that is Lane and Riesenfeld's algorithm;
+///   (subdivision.h), with the weights of the knot insertion. In degrees up to 3, with evenly
+///   spaced knots, that is Lane and Riesenfeld's algorithm;
 /// - Catmull-Rom curves count as cubic Bezier curves, with handles by log and exp maps at the
 ///   points.
 ///

@@ -36,8 +36,8 @@ inline CurvePoint pointAt(Curve& curve, double parameter) {
 }
 
 /// The tangent by the implicit function theorem: the field sum_i w_i(t) grad d_i^2 stays zero along
-/// the curve. On polylines, and where the curve is no center of mass, it is the direction of the
-/// path.
+/// the curve. Where the curve is no center of mass, such as on polylines, or where the theorem does
+/// not apply, it is the derivative along the path that joins the samples.
 CurveTangent tangentAt(Curve& curve, const SegmentParameter& at);
 inline CurveTangent tangentAt(Curve& curve, double parameter) {
   return tangentAt(curve, segmentParameter(curve, parameter));

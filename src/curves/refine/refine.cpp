@@ -38,7 +38,7 @@ void setPoints(CurveParts& parts, const Array<WeightedPoint>& points) {
   if (!weighted) parts.shape.weights.clear();
 }
 
-/// Whether the curve follows given legs.
+/// Whether the curve uses legs, of which its value gives at least one.
 bool followsLegs(const Curve& curve) {
   const auto isGiven = [](const SurfacePath& leg) { return !leg.points.empty(); };
   const Array<SurfacePath>& given = curve.value().legs;
@@ -75,7 +75,7 @@ CurveParts partsOf(ControlPolygon polygon) {
   return parts;
 }
 
-/// The parts of a curve, without legs unless the curve follows given legs.
+/// The given parts, without their legs if the curve does not follow given legs.
 CurveParts alike(const Curve& curve, CurveParts parts) {
   if (!followsLegs(curve)) parts.legs.clear();
   return parts;

@@ -70,7 +70,8 @@ Array<SegmentLayout> catmullRomSegments(const CurveShape& shape, int points) {
       segments.push_back(segmentOf(std::move(basis), consecutive(j + points - 1, 4, points)));
       continue;
     }
-    // Beyond an end the curve continues to the mirror image of the second point in the first.
+    // Beyond an end the curve continues to the mirror image of the neighbouring point in the end
+    // point.
     SegmentLayout segment;
     const int begin = first ? 0 : j - 1;
     const int end = last ? points - 1 : j + 2;
@@ -112,7 +113,7 @@ void catmullRomSpacings(const Array<double>& gaps, bool centripetal, Array<doubl
 void spaceKnots(const Array<double>& spacings, bool closed, Array<SegmentLayout>& segments) {
   const int count = segments.count();
   for (int j = 0; j < count; ++j) {
-    // Beyond an end the curve continues with the span at that end.
+    // Beyond an end, the knots repeat the span at that end.
     const int before = j > 0 ? j - 1 : closed ? count - 1 : 0;
     const int after = j + 1 < count ? j + 1 : closed ? 0 : count - 1;
     segments[j].basis.numbers.assign(

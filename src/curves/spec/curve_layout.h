@@ -12,12 +12,13 @@ struct SegmentLayout {
 };
 
 /// The lengths of a Catmull-Rom curve's knot spans, up to a common factor: the square roots of the
-/// distances between consecutive points if the curve is centripetal, otherwise 1.
+/// distances between consecutive points if the curve is centripetal, otherwise 1. Distances below
+/// 1e-4 of the largest count as 1e-4 of it.
 void catmullRomSpacings(const Array<double>& gaps, bool centripetal, Array<double>& spacings);
 
 /// The segments of a curve with a shape that `checkShape` accepts. A segment runs from t = 0 to 1,
 /// and its end is the start of the next one. The result omits empty spans. A Catmull-Rom curve has
-/// even knots until `spaceKnots` spaces them.
+/// evenly spaced knots until `spaceKnots` spaces them.
 Array<SegmentLayout> layOut(const CurveShape& shape, int points);
 
 /// Spaces the knots of a Catmull-Rom curve's segments by the lengths of its spans, one length for

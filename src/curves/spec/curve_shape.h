@@ -50,7 +50,7 @@ struct CurveShape {
   KnotRule knotRule = KnotRule::kUniform;
   Array<double> knots = {};  ///< the knots with KnotRule::kOwn
   /// Whether the square roots of the points' geodesic distances space a Catmull-Rom curve's knots.
-  /// Otherwise the knots are even.
+  /// Otherwise the knots are evenly spaced.
   bool centripetal = true;
   /// one positive weight for each point of kBSpline and kRational; if empty, all are 1
   Array<double> weights = {};

@@ -141,7 +141,7 @@ Array<double> knotsWithoutPoint(const Array<double>& knots, int degree, bool clo
   const int spans = spanCount(knots, degree, closed);
   Array<double> result = knots;
   if (closed) {
-    // This knot is never the first or the last, which are the same.
+    // The removed knot is never the first or the last, which are the same knot of the closed curve.
     const int k = middleSpan(i, degree, closed, spans);
     result.erase(result.begin() + std::max(k, 1));
   } else {

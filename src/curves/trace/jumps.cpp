@@ -166,8 +166,8 @@ class JumpSearch {
 
   /// The largest distance between the zeros of both faces when the zero reaches half-edge h. There
   /// the values at the ends of h are opposite and cancel. The faces turn these values relative to
-  /// each other (CellZero::holonomy), so that a rest perpendicular to them remains and separates
-  /// the zeros.
+  /// each other (CellZero::holonomy), so that a component perpendicular to them remains and
+  /// separates the zeros.
   double gapAtEdge(int h, const CellZero& zero) const {
     const Vec2& tail = zero.field.corner[cornerOf(h)];
     const Vec2& head = zero.field.corner[cornerOf(next(h))];
