@@ -185,7 +185,7 @@ export function checkPointLike(value: unknown, what: string): Float64Array {
 export const namesOf = <Options>(all: Record<keyof Options, true>): readonly string[] =>
   Object.keys(all);
 
-/** Freezes the numbers and repairs of a mesh, so that nobody can change them. */
+/** Freezes the information about a mesh and its repairs, so that nobody can change it. */
 export function frozenInfo(info: MeshInfo): MeshInfo {
   info.repairs.forEach(Object.freeze);
   Object.freeze(info.repairs);

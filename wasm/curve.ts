@@ -85,7 +85,7 @@ export class Curve {
 
   /**
    * The curve's value: options from which the curve can be created again. It omits numbers that the
-   * kind does not use, and options for samples, levels and fields that were not given.
+   * kind does not use, and those options for samples, levels and fields that were not given.
    */
   value(): CurveValue {
     const parts = this.#shape;
@@ -204,12 +204,12 @@ export class Curve {
     return this.#shape.centripetal ? 'centripetal' : 'uniform';
   }
 
-  /** One weight for each point, also for kinds that do not use weights. */
+  /** One weight for each point; all 1 if the curve has no weights. */
   weights(): Float64Array {
     return this.#filled(this.#shape.weights);
   }
 
-  /** One beta for each point, also for kinds that do not use betas. */
+  /** One beta for each point; all 1 if the curve has no betas. */
   betas(): Float64Array {
     return this.#filled(this.#shape.betas);
   }

@@ -66,14 +66,16 @@ export interface EngineRegion {
   triangles: Int32Array;
   /**
    * The sides of the region within partial triangles, four numbers for each: the second and third
-   * weight of one end, and of the other.
+   * weight of one end, and then of the other end.
    */
   sides: Float64Array;
   /** For a region of one shape, whether it lies left of its first outline. */
   isLeft?: boolean;
 }
 
-/** The end points of the exp map: four numbers for each point, three for each direction. */
+/**
+ * The result of the exp map or of a mirror: four numbers for each point, three for each direction.
+ */
 export interface EngineMapped {
   points: Float64Array;
   directions: Float64Array;
@@ -271,7 +273,7 @@ export interface EngineCurvePoint {
   status: Status;
 }
 
-/** A path in arrays over its points. */
+/** A path as arrays, with one entry (or three) for each point. */
 export interface EnginePath {
   closed: boolean;
   length: number;
@@ -291,7 +293,7 @@ export interface EngineViewOptions {
 }
 
 export interface EngineCircle {
-  /** The view in 64 bits, with points. */
+  /** The view, with positions in 64 bits, and with the faces and weights of the path's points. */
   view: Uint8Array;
   notShortest: Int32Array;
   /** The deviation; undefined for ellipses, which have none. */

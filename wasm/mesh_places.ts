@@ -19,7 +19,7 @@ import type {
 export class MeshPlaces {
   readonly #handle: MeshHandle;
 
-  /** The numbers of the mesh's elements, and its repairs. */
+  /** The counts of the mesh's elements, its sizes, and its repairs. */
   readonly info: Readonly<MeshInfo>;
 
   /** @internal `Karcher` creates meshes. */

@@ -1,4 +1,4 @@
-/** The types of meshes: the options for reading one, its repairs, and its numbers. */
+/** The types of meshes: the options for reading one, its repairs, and its counts and sizes. */
 
 /** The options for reading a mesh. */
 export interface MeshOptions {
@@ -95,7 +95,7 @@ export interface Repair {
   message: string;
 }
 
-/** The numbers of a mesh's elements, and its repairs. */
+/** The counts of a mesh's elements, its sizes, and its repairs. */
 export interface MeshInfo {
   /** The number of vertices of the surface, after repairs. */
   vertices: number;

@@ -92,7 +92,7 @@ export const offsetOptionNames = namesOf<OffsetOptions>({
   corners: true,
   miterLimit: true,
 });
-/** The sides, in the order of the engine's numbers from -1. */
+/** The sides, in the order of the engine's numbers -1, 0 and 1. */
 export const offsetSides = ['right', 'both', 'left'] as const;
 
 /** The shapes of corners, in the order of the engine. */

@@ -30,7 +30,7 @@ export interface RegionValue {
   triangles: readonly number[];
   /**
    * The sides of the region within partial triangles, four numbers for each: the second and third
-   * weight of one end, and of the other.
+   * weight of one end, and then of the other end.
    */
   sides: readonly number[];
   /** Whether the region lies left of its first outline, for a region of one shape. */

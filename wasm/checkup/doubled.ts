@@ -49,7 +49,10 @@ export async function facesOnOthers(
   for (let i = 0; i < count; i++) {
     if ((i & batchMask) === 0 && slices.over) await slices.rest(0.7);
     if (starts[i + 1]! < starts[i]! + 2) continue;
-    /** The first face with each pair of other corners. A key has the lower corner first. */
+    /**
+     * The first face for each pair of corners beside the lowest one. A key has the lower corner
+     * first.
+     */
     const first = new Map<string, { face: number; rises: boolean }>();
     for (const face of listed.subarray(starts[i], starts[i + 1])) {
       const k = [0, 1, 2].find((corner) => numbers[3 * face + corner] === i)!;

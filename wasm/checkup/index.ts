@@ -9,7 +9,7 @@ export type { NearBoundaries } from './near_boundaries.js';
 export { type Solid, solidOf } from './solid.js';
 export { type Thickened, thickened } from './thicken.js';
 
-/** The properties of a mesh, triangle by triangle, and the places where it does not suit curves. */
+/** The measurements of a mesh's triangles, and the places that do not suit curves. */
 export interface CheckUp {
   /** The length of the shortest edge. */
   shortestEdge: number;
@@ -33,7 +33,7 @@ export interface CheckUp {
 
 /** A mesh in this thread or in a worker. */
 export interface CheckedMesh {
-  /** The numbers of the mesh's elements, as `Mesh.info`. */
+  /** The counts of the mesh's elements, its sizes and its repairs, as in `Mesh.info`. */
   readonly info: Readonly<MeshInfo>;
   /** The positions of the vertices, as `Mesh.positions` returns them. */
   positions(): Float64Array | Promise<Float64Array>;

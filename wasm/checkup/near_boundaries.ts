@@ -20,7 +20,7 @@ const nearness = 1e-4;
  * either vertex.
  */
 const partOfEdge = 1 / 3;
-/** The least tolerance in the advice, relative to the diagonal. */
+/** The least tolerance that is advised, relative to the diagonal. */
 const leastWeld = 1e-9;
 /**
  * The largest number of times that the width of cells is halved. Vertices with even shorter edges

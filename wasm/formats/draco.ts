@@ -2,7 +2,8 @@ import type { DracoAttribute, DracoModule } from './draco_decoder.mjs';
 import { badFile } from './failures.js';
 
 /**
- * A column to read: its Draco id, the type of its numbers as in glTF, and their number in a row.
+ * A column to read: its Draco id, the type of its numbers as in glTF, and the number of them in a
+ * row.
  */
 export interface DracoColumn {
   id: number;

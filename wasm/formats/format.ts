@@ -44,7 +44,7 @@ const endings = new Map<string, MeshFormat>([
   ['gltf', 'gltf'],
 ]);
 
-/** The endings of readable files' names. */
+/** The endings of the names of files that can be read. */
 export const fileEndings: readonly string[] = [...endings.keys()].map((ending) => `.${ending}`);
 
 /**

@@ -13,7 +13,10 @@ const componentBytes = new Map([
   [5125, 4],
   [5126, 4],
 ]);
-/** The divisors of normalized whole numbers, which stand for numbers from -1 or 0 to 1. */
+/**
+ * The divisors of normalized whole numbers. The quotients are from -1 to 1 for signed types, and
+ * from 0 to 1 for unsigned ones.
+ */
 const most = new Map([
   [5120, 127],
   [5121, 255],

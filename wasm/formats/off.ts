@@ -37,7 +37,7 @@ interface Source {
   end(): void;
   /** The place of the last number: "line 12", "byte 240". */
   place(): string;
-  /** The least numbers of bytes that a vertex and a face without corners take. */
+  /** The least number of bytes of a vertex, and that of a face without corners. */
   least: { vertex: number; face: number };
   /** The number of bytes that follow. */
   room(): number;

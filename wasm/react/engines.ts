@@ -7,7 +7,7 @@ interface Shared {
   users: number;
 }
 
-/** The engines that mounted components share, by `worker`. */
+/** The engines that mounted components share. A key says whether the engine runs in a worker. */
 const engines = new Map<boolean, Shared>();
 
 /** The engine of the page or of the worker. Its first user loads it, and all share it. */
@@ -22,8 +22,9 @@ export function takeEngine(worker: boolean): Promise<AnyKarcher> {
 }
 
 /**
- * Releases an engine. Its last user ends it, but only in the next task: StrictMode unmounts every
- * component once and mounts it again at once, which should not load a worker twice.
+ * Releases an engine. The engine ends when its last user has released it, but only in the next
+ * task: StrictMode unmounts every component once and mounts it again at once, which should not load
+ * a worker twice.
  */
 export function releaseEngine(worker: boolean): void {
   const shared = engines.get(worker)!;

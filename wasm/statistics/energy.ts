@@ -188,7 +188,9 @@ const dot = (a: ArrayLike<number>, b: ArrayLike<number>) =>
 const unit = (a: Vector): Vector => a.map((x) => x / Math.hypot(...a)) as Vector;
 const subtract = (a: Vector, b: Vector) => a.map((x, k) => x - b[k]!) as Vector;
 
-/** The face of a point, and points of this face near it. */
+/**
+ * The face of a point: two axes, a step for differences, and a function for points near the point.
+ */
 async function faceOf(mesh: AnyMesh, at: PointLike) {
   const inside = 'face' in at && Math.min(...at.bary) > 1e-9;
   if (!inside) {

@@ -25,7 +25,7 @@ export type AnyMesh = Mesh | RemoteMesh;
 export interface SurfaceHit {
   /** The place of the hit. */
   point: { readonly x: number; readonly y: number; readonly z: number };
-  /** The corners of the triangle. */
+  /** The vertex numbers of the triangle's corners. */
   face?: { readonly a: number; readonly b: number; readonly c: number } | null | undefined;
   /** The number of that triangle. */
   faceIndex?: number | null | undefined;

@@ -67,7 +67,8 @@ const leastPatience = 200;
  * terminates and replaces it. It sends the other calls to the new worker, which creates each mesh
  * and curve again before the first call that needs it. Before the client terminates a worker, it
  * waits for about as long as the creation of all meshes and curves takes, so that little is lost if
- * the call was about to end. No other data of `serve` may depend on earlier calls.
+ * the call was about to end. Except for meshes and curves, nothing in the worker may depend on
+ * earlier calls.
  */
 export class WorkerClient {
   readonly #start: (() => WorkerLike) | null;

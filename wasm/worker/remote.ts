@@ -9,7 +9,7 @@ import { checkLongWork } from '../options.js';
 import type { LongWorkOptions, MeshInfo, PolylineOptions } from '../types.js';
 import type { ClassNames } from './protocol.js';
 
-/** A sender of calls to the worker: of a method of an object there, or of the engine. */
+/** A sender of calls to the worker. A call is for a method of an object there, or of the engine. */
 interface Caller {
   call(
     name: string,
@@ -101,7 +101,7 @@ function isWork(value: unknown): value is LongWorkOptions {
   return names.length > 0 && names.every((name) => workNames.includes(name));
 }
 
-/** An object whose methods are calls into the worker: of `object`, or of the engine. */
+/** An object whose methods call those of `object` in the worker, or those of the engine there. */
 function calling(client: Caller, names: readonly string[], object?: object) {
   const callOf = (name: string): Call => {
     if (longMethods.includes(name)) return (...args) => client.call(name, args, object);
