@@ -179,7 +179,7 @@ void ComparedCurve::traceOn(int segment, int samples) {
   const int end = static_cast<int>(
       std::min<int64_t>(plan_.table.t.count(), static_cast<int64_t>(traced.count()) + samples));
   for (int i = traced.count(); i < end; ++i) {
-    // The end of one segment is the start of the next. By Seeds::kHeaviest, the searches for both
+    // The end of one segment is the start of the next. With Seeds::kHeaviest, the searches for both
     // begin at the same point, as in traceSegment.
     const bool isEnd = i == 0 || i == plan_.table.t.count() - 1;
     if (needsSeed(isEnd)) last_ = startOf(segment, i);

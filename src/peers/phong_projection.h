@@ -40,7 +40,7 @@ class PhongSurface {
 
   /// The projection of p. The search tries the start's face, then walks from face to face from the
   /// vertex nearest to p, then tries all faces around this vertex. The result is empty if the
-  /// projection lies beyond the boundary or no face has one.
+  /// projection lies beyond the boundary or in none of these faces.
   std::optional<SurfacePoint> project(const EmbeddedPoint& p, const SurfacePoint& start) const;
 
  private:

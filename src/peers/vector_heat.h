@@ -15,7 +15,7 @@
 namespace karcher {
 
 /// The logarithm of each vertex; (kInfinity, 0) for a vertex on another component, or so far away
-/// that the heat underflows (700 mean edges).
+/// that the heat underflows (more than 600 mean edges).
 using LogMap = Array<Vec2>;
 
 inline Vec2 noLogarithm() { return {kInfinity, 0}; }

@@ -70,7 +70,7 @@ class FieldSet {
   /// Updates the map for a field that has moved to a place in `fields_`.
   void renumber(int place);
 
-  /// The place of the next spare field, in turn; -1 if no field is spare.
+  /// The place of the next spare field in cyclic order; -1 if no field is spare.
   int findSpare();
 
   Surface& surface_;

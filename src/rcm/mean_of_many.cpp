@@ -62,7 +62,7 @@ enum class Ended {
   kAtMinimum,  ///< the next step is shorter than the accuracy of the gradient
   kStuck,      ///< the descent found no lower K within the accuracy of the gradient
   kAtBoundary,
-  kKnown,  ///< the descent came to the end of another one
+  kKnown,  ///< the descent came near the lowest end of earlier descents
 };
 
 struct Descent {
@@ -130,9 +130,10 @@ int nearestCorner(const TriangleMesh& mesh, const SurfacePoint& point) {
   return mesh.corner(point.face, corner);
 }
 
-/// The starts with the lowest K by distances along edges. Such distances take a quarter of the time
-/// and are all too long by nearly the same factor. K by straight lines in space is a lower bound;
-/// if a start's bound exceeds the kDescents lowest values found so far, the search skips the start.
+/// The starts with the lowest K by distances along edges. Such distances take a quarter of the
+/// solver's time, and all are too long by nearly the same factor. K by straight lines in space is a
+/// lower bound; if a start's bound exceeds the kDescents lowest values found so far, the search
+/// skips the start.
 Array<SurfacePoint> lowestStarts(const Geometry& geometry, const WeightedPoints& points) {
   const TriangleMesh& mesh = *geometry.mesh;
   const Array<SurfacePoint> starts = startsOf(points, kStarts);

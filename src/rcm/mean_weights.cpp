@@ -113,7 +113,7 @@ class Balance {
     return (met(weights) - Column(1, 0, 0)).norm();
   }
 
-  /// The held weight that the objective pulls most strongly above 0, or -1.
+  /// The held weight that the objective pulls most strongly above 0; -1 if it pulls none.
   int mostPulled(const Array<char>& free, const Column& multiplier) const {
     int most = -1;
     double pull = kLocalRounding;

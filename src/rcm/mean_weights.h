@@ -6,8 +6,8 @@
 namespace karcher {
 
 struct MeanWeightsOptions {
-  /// The target weights, divided by their sum; if empty, equal ones. The result has the least sum
-  /// of squared differences from them.
+  /// The target weights, which are divided by their sum; equal weights if empty. The result has the
+  /// least sum of squared differences from the target.
   Array<double> given;
   bool nonNegative = false;  ///< whether no weight may be below 0
 };
@@ -32,8 +32,8 @@ struct MeanWeights {
 MeanWeights weightsOf(FieldSet& set, const SurfacePoint& x, const Array<SurfacePoint>& points,
                       const MeanWeightsOptions& options);
 
-/// The same for vectors in the plane: weights with which their weighted sum vanishes. Throws Error
-/// as above.
+/// The same for given vectors v_i in the plane: weights with which their weighted sum vanishes.
+/// Throws Error as above, except kUnreachable.
 Array<double> balancedWeights(const Array<Vec2>& vectors, const Array<double>& given,
                               bool nonNegative);
 

@@ -13,7 +13,7 @@
 /// On a mesh the same is true for a ball of any size if no vertex has positive curvature and the
 /// ball lies in a disk: such a disk has unique shortest paths and convex squared distances (M.
 /// Bridson, A. Haefliger, "Metric Spaces of Non-Positive Curvature", chapter II.4; R. Bishop, "The
-/// Intrinsic Geometry of a Jordan Domain", for its boundary).
+/// Intrinsic Geometry of a Jordan Domain", for the boundary of the disk).
 namespace karcher {
 
 /// What is known of other minima of the energy.

@@ -22,8 +22,8 @@ import { type Described, formatOption, type Option, outOption } from './options.
 import { decimalOf, isJson, parseNumber, parsePoint, parsePoints, parseRows } from './syntax.js';
 
 /**
- * The checked arguments of one command: known options, once each, with a value if the option takes
- * one.
+ * The checked arguments of one command: only known options, each at most once, with a value if the
+ * option takes one.
  */
 export class Arguments {
   /** The files of the meshes. */

@@ -19,7 +19,7 @@ const vectorsOption: Option = {
   required: true,
 };
 
-/** The vectors, null for missing ones. */
+/** The vectors as triples [x, y, z]; null for a missing vector. */
 function* vectorRecords(flat: Float64Array) {
   for (const vector of triples(flat)) yield vector.some(Number.isNaN) ? null : vector;
 }

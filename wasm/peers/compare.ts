@@ -76,7 +76,7 @@ export interface MethodResult {
   drag: DragMeasures | null;
 }
 
-/** A result with its curve, if the method gave one. */
+/** A result, with the curve if the method gave one. */
 export interface MethodRun extends MethodResult {
   /** The samples and the line through them; null if the method failed. */
   curve: ({ samples: CurveSamples } & ComparedLine) | null;
