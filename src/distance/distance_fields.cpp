@@ -14,7 +14,8 @@
 namespace karcher {
 namespace {
 
-/// A thread's work: the fields of points that no other thread has taken, until no point remains.
+/// The work of a thread, which computes the fields of points that no other thread has taken until
+/// no point remains.
 class Worker {
  public:
   Worker(const Geometry& geometry, const Array<SurfacePoint>& points, double tolerance)

@@ -13,7 +13,7 @@ namespace {
 /// The largest distance between points for the thorough searches, in mean edges.
 constexpr double kNear = 100;
 
-/// The weight of searches between points that lie farther apart than kNear (strip_search.h).
+/// The weight (strip_search.h) of searches between points that are farther apart than kNear.
 constexpr double kGreedyWeight = 1.2;
 
 /// The length, in mean edges, of the pieces in which the search improves a path.

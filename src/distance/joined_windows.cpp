@@ -14,8 +14,8 @@ namespace {
 /// the mean error of distances is about zero.
 constexpr double kAboveKink = 0.25;
 
-/// The largest distance of a joint source, in widths of its window. Real fronts are never quite
-/// straight.
+/// The largest distance of a joint source, in widths of its window. The source of an almost
+/// straight front gets this distance.
 constexpr double kFarthestSource = 1000;
 
 /// The slope of distances along the edge at x: the cosine of the angle between the ray through x
@@ -29,7 +29,7 @@ double excessAt(const Window& w, const Window& other, double x) {
   return distanceAt(w, x) - distanceAt(other, x);
 }
 
-/// The extreme of the excess between two places, or 0 if there is none. It lies where the line
+/// The extremum of the excess between two places, or 0 if there is none. It lies where the line
 /// through both sources meets the edge, since there both slopes are equal.
 double excessBetween(const Window& w, const Window& other, double from, double to) {
   const double x = (w.sourceX * other.depth - other.sourceX * w.depth) / (other.depth - w.depth);

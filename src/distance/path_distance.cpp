@@ -21,8 +21,8 @@ Vec2 wayThrough(const Window& window, bool isFront, double x) {
   return isFront ? Vec2(window.sourceX, window.depth) : Vec2(x - window.sourceX, window.depth);
 }
 
-/// Trims the part of a front's window where paths over an end of its edge are shorter. `length` is
-/// the edge's. Returns false if nothing remains.
+/// Removes the part of a front's window where paths over an end of its edge are shorter. `length`
+/// is the length of the edge. Returns false if nothing remains.
 bool trimFront(Window& window, double tailDistance, double headDistance, double length) {
   const double slope = window.sourceX;
   const double tail = beatingLength(tailDistance);

@@ -67,7 +67,7 @@ class PathDistance {
     bool isFront = false;
     SideOfPath side = SideOfPath::kEnd;
     double offset = 0;
-    double least = 0;            ///< a lower bound on the distances through it
+    double least = 0;            ///< a lower bound on the distances through the image
     Vec2 source = Vec2::Zero();  ///< the unit direction of a front, or the center of a fan
     /// for a front, the right end of the line from which it starts; for a fan, a unit vector along
     /// its right side

@@ -102,7 +102,8 @@ void PathDistance::leavePath(const SurfacePath& path) {
     const SurfacePoint b = inFace(mesh_, points[i + 1], face);
     const double start = startAt(path, path.lengths[i]);
     const double growth = growthAfter(path, i);
-    // The piece's face, and if the piece lies on an edge also the face beyond it.
+    // The loop visits the piece's face and, if the piece lies on an edge, also the face beyond the
+    // edge.
     for (int k = -1; k < 3; ++k) {
       if (k >= 0 && (a.bary[k] != 0 || b.bary[k] != 0)) continue;
       const int other = k < 0 ? 3 * face : mesh_.twin[next(3 * face + k)];
@@ -153,7 +154,7 @@ void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, double
         foot <= (1 + kChainRounding) * width) {
       arrive(mesh_.tail(h), atTail, directionAtTail(geometry_, h, -way), side);
     }
-    // The part of the edge that lies over the piece.
+    // The following finds the part of the edge that the front reaches.
     const double out = way.x() * edge.y() - way.y() * edge.x();
     const int t = mesh_.twin[h];
     if (t < 0 || !(out > 0)) continue;
@@ -250,7 +251,7 @@ void PathDistance::leaveFan(const PointFan& fan, double from, double to, double 
 /// angles of its frame.
 void PathDistance::leaveCorner(int face, const Vec2& middle, double from, double to, double offset,
                                SideOfPath side) {
-  // Each part of a fan is narrower than half a turn.
+  // The sector of an image must be narrower than half a turn, so a wide fan is divided.
   const int parts = std::max(1, static_cast<int>(std::ceil((to - from) / (kPi / 2))));
   for (int part = 0; part < parts; ++part) {
     const double begin = from + (to - from) * part / parts;

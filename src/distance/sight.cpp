@@ -15,15 +15,16 @@ constexpr int kMostBends = 8;
 /// passes a vertex on the other side.
 constexpr int kMostWalks = 6;
 
-/// If the ratio of a path's length to the line in space is above this, the search compares the path
-/// with paths to either side: over a ridge, or around a limb, several paths are straight.
+/// If the ratio of a path's length to that of the line in space is above this, the search compares
+/// the path with paths to either side, since several paths may be straight over a ridge or around a
+/// limb.
 constexpr double kSmallDetour = 1.1;
-constexpr double kAside = 0.7;  ///< an angle in radians
-/// If the ratio of a path's length to the line in space is above this, the search rejects the path,
-/// since it may not be the shortest. The search also rejects all paths if one of the compared paths
-/// passes a vertex whose curvature exceeds kSharp.
+constexpr double kAside = 0.7;  ///< the angle of these paths to the first one, in radians
+/// If the ratio of a path's length to that of the line in space is above this, the search rejects
+/// the path, since it may not be the shortest. The search also rejects all paths if one of the
+/// compared paths passes a vertex whose curvature exceeds kSharp.
 constexpr double kMostDetour = 1.4;
-constexpr double kSharp = 0.25;  ///< an angle in radians
+constexpr double kSharp = 0.25;  ///< the absolute angle defect of a vertex, in radians
 
 /// The strip of faces between a source and a vertex, and the path in it. The strip is unfolded in
 /// the frame of the source's face, with the source at the origin.

@@ -7,8 +7,8 @@
 namespace karcher {
 namespace {
 
-/// If a corner at a vertex that is flat up to kChainRounding has an angle below this, in radians,
-/// the whole corner may lie in the vertex's shadow.
+/// The angle of a sliver's tip, in radians. If a vertex is flat up to kChainRounding and one of its
+/// corners has an angle below this, the whole corner may lie in the vertex's shadow.
 constexpr double kSliver = 1e-8;
 
 }  // namespace

@@ -7,7 +7,8 @@
 namespace karcher {
 namespace {
 
-/// The limit for the windows of one call. Only a surface folded upon itself many times comes near.
+/// The limit for the windows of one call. Only a surface folded upon itself many times comes near
+/// this limit.
 constexpr int kMostWindows = 200'000;
 
 /// Rings extend past a vertex only if it has at most this number of edges. Otherwise all its

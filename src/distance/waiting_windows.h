@@ -81,7 +81,7 @@ class WaitingWindows {
     int bucket = 0;  ///< the least bucket of the half-edge's windows, in its first block
     Window windows[kCapacity];
   };
-  /// The first blocks of the half-edges of 2^kPageBits faces, or -1.
+  /// For each half-edge of 2^kPageBits faces, the index of its first block, or -1.
   struct Page {
     static constexpr int kSize = 3 << kPageBits;
     Page() { std::fill_n(first, kSize, -1); }

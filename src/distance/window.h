@@ -63,8 +63,8 @@ inline Window mirrored(const Window& w, double length) {
   return m;
 }
 
-/// Trims the part of the interval where the path over the half-edge's tail and along the edge is
-/// shorter. Returns false if nothing remains.
+/// Removes the part of the interval where the path over the half-edge's tail and then along the
+/// edge is shorter. Returns false if nothing remains.
 inline bool trimByTail(Window& w, double tailDistance) {
   const double lead = beatingLength(tailDistance) - w.offset;
   const double leg = square(w.sourceX) + square(w.depth);

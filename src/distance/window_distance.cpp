@@ -184,8 +184,8 @@ double WindowDistance::direction(int vertex) const {
   return angle < 0 ? angle + total : angle >= total ? angle - total : angle;
 }
 
-/// Sends out paths from a point of a face to its corners and windows through its edges, except the
-/// edge on which it lies.
+/// Sends out paths from a point of a face to the corners of the face, and windows through its
+/// edges, except an edge on which the point lies.
 void WindowDistance::leaveSourceFace(int face, const SurfacePoint& source, int ownEdge) {
   if (images_.areKept()) images_.addSource(face, source);
   for (int k = 0; k < 3; ++k) {

@@ -36,8 +36,8 @@
 /// With a tolerance, windows that wait at an edge are joined if that changes distances along the
 /// edge by less than the tolerance times the height of the next face (after V. Surazhsky, T.
 /// Surazhsky, D. Kirsanov, S. Gortler, H. Hoppe, "Fast exact and approximate geodesics on meshes",
-/// 2005). The height is the length that a path gains in the face. A joint window's source and
-/// offset are those of the front to which both windows belong, so that on smooth surfaces distances
+/// 2005). The height is about the length of a path in the face. A joint window's source and offset
+/// are those of the front to which both windows belong, so that on smooth surfaces distances
 /// converge with the mesh as exact ones do. A joint window sees what both windows saw, except that
 /// the rays at its ends may turn by a few tolerances. Errors of many faces are of both signs, so
 /// that distances are off by far less than the tolerance. This is measured (`npm run study --
@@ -84,7 +84,8 @@ class WindowDistance final : public DistanceSolver {
     vertices_.forEach(visit);
   }
 
-  /// The path's last turn. It is meaningless where no path has arrived.
+  /// The distance of a vertex and the last turn of its path, which have no meaning where no path
+  /// has arrived.
   const Arrival& arrival(int vertex) const { return vertices_.find(vertex)->arrival; }
 
   /// The unscaled direction (geometry.h), in [0, total angle], in which the shortest path leaves

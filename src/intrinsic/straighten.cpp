@@ -87,7 +87,7 @@ class ChainStrip {
     }
   }
 
-  /// The unscaled direction at a vertex towards a point, both in the face.
+  /// The unscaled direction at a vertex of a face towards a point of the same face.
   double direction(int vertex, int face, const SurfacePoint& point) const {
     const int h = leaving(mesh_, face, vertex);
     return directionAtTail(geometry_, h, stepInFace(geometry_, face, edgePoint(h, 0), point));
@@ -111,7 +111,7 @@ class ChainStrip {
         from >= 0 ? direction(vertex, face_, points[from]) : geometry_.cumulatedAngle[here];
     double left = outgoing - incoming;
     if (left < 0) left += total;
-    // The path turns straight back along an edge, from the face on one side to the face on the
+    // Here the path turns straight back along an edge, from the face on one side to the face on the
     // other.
     if (std::min(left, total - left) < kChainRounding) return there == mesh_.twin[previous(here)];
     if (std::abs(2 * left - total) > kChainRounding) return 2 * left < total;

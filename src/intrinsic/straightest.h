@@ -4,8 +4,9 @@
 #include "intrinsic/surface_path.h"
 
 /// Straightest geodesics: K. Polthier, M. Schmies, "Straightest Geodesics on Polyhedral Surfaces"
-/// (1998). They are straight inside faces and across unfolded edges. At a vertex the path continues
-/// so that it halves the total angle; at the boundary it stops.
+/// (1998). They are straight inside faces and across unfolded edges. At an interior vertex the path
+/// continues so that it halves the total angle. At the boundary it stops, unless it can go straight
+/// on from a boundary vertex.
 namespace karcher {
 
 enum class TraceStop {

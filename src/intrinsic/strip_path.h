@@ -25,14 +25,14 @@ struct StripWorkspace {
   };
   /// A vertex where the path touches the strip's side.
   struct Bend {
-    int portal = 0;  ///< one of the crossings of edges that end at the vertex
+    int portal = 0;  ///< one of the crossed edges that end at the vertex
     bool onLeft = false;
     double leg = 0;  ///< the length of the path from the previous bend
     /// The angle, in radians, from that leg to the first crossed edge at the vertex.
     double before = 0;
     /// The angle, in radians, from the last crossed edge at the vertex to the next leg.
     double after = 0;
-    /// The part of the surface's angle at the vertex on the side away from the strip.
+    /// The angle of the surface at the vertex, on the side away from the strip.
     double outside = 0;
   };
   /// A vertex beside the path on whose other side the path may be shorter, and the gain.

@@ -288,8 +288,8 @@ bool Tightening::turnRound(const Bend& bend, int before, int after) {
   return true;
 }
 
-/// Pulls the path tight after `count` crossings have replaced [first, last) between two bends.
-/// These bends stay if the path still turns in the same direction.
+/// Pulls the path tight after `count` crossings have replaced [first, last) between two bends. A
+/// bend next to the new part stays only if the path still turns there in the same direction.
 void Tightening::pullTightAround(int before, int after, int first, int last, int count) {
   const Trimmed trimmed = trimEnds();
   while (before >= 0 && bends_[before].portal >= first) --before;

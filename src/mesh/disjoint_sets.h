@@ -29,7 +29,7 @@ class DisjointSets {
     return true;
   }
 
-  /// The smallest number of each number's set.
+  /// For each number, the smallest number of its set.
   Array<int> names() {
     Array<int> result(parent_.size());
     for (int v = 0; v < result.count(); ++v) result[v] = find(v);

@@ -15,7 +15,7 @@ enum class ErrorCode {
   kNonManifoldVertex,  ///< the faces around a vertex form more than one fan
   kNotOrientable,      ///< the surface has only one side
   kBadPoint,           ///< barycentric weights are negative or do not sum to 1
-  kBadWeights,         ///< weights do not sum to 1, or are too few
+  kBadWeights,         ///< the number or the sum of weights is wrong
   kTooFewPoints,       ///< the kind of curve needs more control points
   kBadArgument,        ///< any other argument is outside its range
   kUnreachable,        ///< points lie on different components

@@ -72,7 +72,8 @@ class Flips {
     for (const int g : across) cut(g, a, b, c, s, flat);
   }
 
-  /// Cuts face g between a and b by a line from c, which lies at s of the way from a to b.
+  /// Cuts face g between a and b by a line from c, which lies at the ratio s of the way from a to
+  /// b.
   void cut(int g, int a, int b, int c, double s, Array<int>& flat) {
     const Triangle corners = faces_.corners[g];
     alive_[g] = 0;
@@ -104,7 +105,7 @@ class Flips {
   const Array<Vec3>& positions_;
   WorkFaces& faces_;
   Array<uint8_t> alive_;  ///< whether each face exists
-  Array<int> first_;      ///< the first corner 3 f + k at each vertex
+  Array<int> first_;      ///< the first corner 3 f + k in the list of each vertex
   Array<int> next_;       ///< for each corner, the next one at the same vertex
 };
 

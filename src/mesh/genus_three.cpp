@@ -27,7 +27,7 @@ struct Implicit {
   Vec3 gradient;
 };
 
-/// The distances from three tori, blended by a smooth minimum.
+/// A smooth minimum of the distances from three tori.
 Implicit threeTori(const Vec3& p) {
   double sum = 0;
   Vec3 gradient = Vec3::Zero();
@@ -44,13 +44,13 @@ Implicit threeTori(const Vec3& p) {
   return {-kBlend * std::log(sum), gradient / sum};
 }
 
-/// The step of Newton's method along the gradient.
+/// The point after a step of Newton's method along the gradient.
 Vec3 nearerToSurface(const Vec3& p) {
   const Implicit f = threeTori(p);
   return p - f.value / std::max(f.gradient.squaredNorm(), 0.1) * f.gradient;
 }
 
-/// The outer faces of unit cubes in this plan, scaled to the rings.
+/// The surface of the cubes of this plan, scaled to the size of the rings.
 TriangleMesh slab() {
   const std::array<std::string_view, 3> plan = {"#######",  //
                                                 "# # # #",  //
@@ -128,7 +128,7 @@ TriangleMesh splitMesh(const TriangleMesh& mesh, int parts) {
 
 TriangleSoup genusThree(int triangles) {
   const TriangleMesh coarse = slab();
-  // The number of parts is 2 to 7, and doubles as often as needed.
+  // Each edge is first cut into 2 to 7 parts. Further rounds halve the parts.
   double parts = std::sqrt(static_cast<double>(triangles) / coarse.faceCount());
   int doublings = 0;
   for (; parts > 7.5; parts /= 2) ++doublings;

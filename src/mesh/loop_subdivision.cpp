@@ -14,7 +14,8 @@ Vec3 movedVertex(const TriangleMesh& mesh, int v) {
   const Vec3& p = mesh.positions[v];
   const int first = mesh.outgoing[v];
   if (mesh.onBoundary[v]) {
-    // The boundary leaves along `first` and arrives along the far side of the last face.
+    // The boundary leaves the vertex along `first`, and arrives along the far side of its last
+    // face.
     int last = first;
     for (const int h : outgoingHalfedges(mesh, v)) last = h;
     return 0.75 * p +

@@ -121,7 +121,7 @@ class ManifoldRepair {
             "that elsewhere");
   }
 
-  /// The unit vector, perpendicular to the edge of h, in which its face leaves it. `along` is the
+  /// The unit vector perpendicular to half-edge h that points into the face of h. `along` is the
   /// direction of h.
   Vec3 awayFromEdge(int h, const Vec3& along) const {
     const Vec3 out = mesh_.positions[mesh_.opposite(h)] - mesh_.positions[mesh_.tail(h)];
@@ -244,8 +244,9 @@ class ManifoldRepair {
     }
   }
 
-  /// Two edges may have the same vertices if one fan meets both. Separates their faces, which
-  /// splits the fan, too. Then pairs faces that still lie along each other.
+  /// Two edges may have the same two vertices if one fan meets both edges. This function separates
+  /// the faces of such edges, which also splits the fan. Then it pairs the faces that still lie
+  /// along each other.
   void partSharedEdges() {
     bool changed = true;
     for (int round = 0; changed && round < kMostPaired; ++round) {

@@ -16,8 +16,8 @@ namespace karcher {
 struct Repair {
   enum class Kind {
     kTriangulated,    ///< polygons cut into triangles
-    kLeftOut,         ///< omitted faces of fewer than three corners, or that cannot be cut
-    kContracted,      ///< vertices merged with neighbours at the other ends of edges without length
+    kLeftOut,         ///< omitted faces that have fewer than three corners or cannot be cut
+    kContracted,      ///< vertices merged with a neighbour along an edge without length
     kWelded,          ///< vertices at the same place that were merged
     kKeptApart,       ///< vertices at the same place that stay apart, since parts only touch there
     kRepeatedCorner,  ///< omitted faces with the same vertex at two corners
@@ -69,13 +69,13 @@ struct ImportedMesh {
 /// have any position.
 ImportedMesh importMesh(TriangleSoup soup, const ImportOptions& options = {});
 
-/// Cuts polygons as `cutPolygons` does, and imports the triangles. Face numbers are those of
-/// triangles. Throws what both throw, and kBadArgument if a face has fewer than 3 corners, or if
-/// the counts do not sum to the number of `corners`.
+/// Cuts polygons as `cutPolygons` does, and imports the triangles. Face numbers count triangles,
+/// not polygons. Throws what both functions throw, and kBadArgument if a face has fewer than 3
+/// corners, or if the counts do not sum to the number of `corners`.
 ImportedMesh importPolygons(PolygonSoup polygons, const ImportOptions& options = {});
 
-/// Imports the result of `readObj`. Face numbers are those of triangles. Throws what `importMesh`
-/// throws.
+/// Imports the result of `readObj`. Face numbers count triangles, not polygons. Throws what
+/// `importMesh` throws.
 ImportedMesh importObj(ObjContents contents, const ImportOptions& options = {});
 /// Reads an OBJ file's content and imports it.
 ImportedMesh importObj(std::string_view bytes, const ImportOptions& options = {});

@@ -33,8 +33,8 @@ Array<int> usedVertices(const TriangleSoup& soup) {
   return result;
 }
 
-/// The number of each face in the order of the faces' smallest vertices, and thus along the curve
-/// that the vertices follow.
+/// The index of each face after a sort by the faces' smallest vertices. So faces follow the same
+/// curve as vertices.
 Array<int> faceOrder(const Array<Triangle>& faces, int vertexCount) {
   Array<int> slot(static_cast<size_t>(vertexCount) + 1, 0);
   for (const Triangle& t : faces) ++slot[t.minCoeff() + 1];

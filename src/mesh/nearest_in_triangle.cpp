@@ -2,8 +2,8 @@
 
 namespace karcher {
 
-/// The algorithm decides by the regions around the triangle: Ericson, Real-Time Collision
-/// Detection, 5.1.5.
+/// The algorithm distinguishes the regions around the triangle (Ericson, Real-Time Collision
+/// Detection, 5.1.5).
 Vec3 nearestInTriangle(const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;

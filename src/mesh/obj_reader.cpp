@@ -132,7 +132,7 @@ class Reading {
     checkParts();
   }
 
-  /// The marks of the faces' triangles.
+  /// The marks of the file. `triangles` has the kind of each triangle.
   ObjMarks marksOf(const Array<int>& triangles) {
     ObjMarks marks;
     const auto of = [&](auto member) {

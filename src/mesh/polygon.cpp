@@ -53,7 +53,7 @@ class PointGrid {
     }
   }
 
-  /// Whether `test` is true for the number of a point in the cells that meet the box.
+  /// Whether `test` is true for the index of any point in the cells that meet the box.
   template <class Test>
   bool any(const Vec2& low, const Vec2& high, const Test& test) const {
     for (int row = place(low.y(), 1); row <= place(high.y(), 1); ++row) {

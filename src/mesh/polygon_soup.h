@@ -40,7 +40,7 @@ struct CutPolygons {
 /// crosses itself. Other polygons that cannot be cut are omitted.
 ///
 /// Without `mend`, or if no face would remain, throws Error kDegenerateFace for the first polygon
-/// that cannot be cut, and names it by `placeOf`: "line 12".
+/// that cannot be cut, and names it by `placeOf`, for example "line 12".
 CutPolygons cutPolygons(PolygonSoup polygons, bool mend,
                         const std::function<std::string(PolygonNumber)>& placeOf);
 

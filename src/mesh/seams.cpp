@@ -205,7 +205,7 @@ class Seams {
 
   /// Unites points that lie within each other's reach; `most` is the greatest reach. Returns
   /// whether it united any. Points in one small cube are all within each other's reach, so it
-  /// unites them without comparing pairs: a large cluster does not take quadratic time.
+  /// unites them without comparing pairs. A large cluster then does not take quadratic time.
   bool uniteNear(const Array<int>& points, const Array<double>& reach, double most,
                  DisjointSets& sets) const {
     double least = most;

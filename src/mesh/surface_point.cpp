@@ -19,7 +19,8 @@ SurfacePoint checkedPoint(int faceCount, int face, const Vec3& bary) {
       std::abs(bary.sum() - 1) <= kFloatRounding) {
     return clampedPoint(face, bary);
   }
-  // Only an error builds the point's name, which takes longer than the rest of the check.
+  // The text about the point is built only for an error, since it takes longer than the rest of the
+  // check.
   throw Error(isFinite ? ErrorCode::kBadPoint : ErrorCode::kNotFinite,
               "the point (" + inSentence(bary[0]) + ", " + inSentence(bary[1]) + ", " +
                   inSentence(bary[2]) + ") in face " + std::to_string(face) +
