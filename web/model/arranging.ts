@@ -56,7 +56,7 @@ export function onTop(drawing: Drawing, object: DrawnObject): Command {
 function begun(figure: Figure, kind: Kind): Figure {
   const { derived: _, ...bare } = figure;
   return {
-    // Nobody draws a derived object by hand, so the new one is of the first kind.
+    // Nobody draws a derived object by hand, so the new figure has the default kind.
     ...cleared({ ...bare, kind: isDerived(kind) ? emptyFigure.kind : kind }),
     points: [],
     circle: null,
@@ -346,7 +346,7 @@ export function grouping(drawing: Drawing, ids: readonly number[]): Command | nu
   return together(steps);
 }
 
-/** The ids, and those of all other objects in the same groups. */
+/** The ids of these objects and of all other members of their groups. */
 export function withGroups({ objects }: Drawing, ids: readonly number[]): number[] {
   const groups = new Set(
     objects.flatMap(({ id, group }) => (ids.includes(id) && group !== null ? [group] : [])),

@@ -1,4 +1,4 @@
-/** How the handles and the number fields of a circle or an ellipse change its shape. */
+/** Changes of the shape of a circle or an ellipse by its handles and its number fields. */
 import type { SurfacePoint } from 'karcher';
 import type { CircleShape, RoundKind, Vector } from './figure';
 import { cross, minus } from './vectors';
@@ -45,7 +45,9 @@ export function byRadii({ across, ...shape }: CircleShape, drawn: DrawnRadii | n
   return { ...shape, rim: { radius, direction }, ...(length && { across: { radius: length } }) };
 }
 
-/** The shape with one of its handles at a point; `grabbed` is the shape by its radii. */
+/**
+ * The shape with one of its handles at a point; `grabbed` is the shape with its radii as lengths.
+ */
 export function withHandle(
   shape: CircleShape,
   grabbed: CircleShape,
@@ -75,7 +77,10 @@ export function acrossDirection(direction: Vector, [a, b, c]: [Vector, Vector, V
   return length > 0 ? (across.map((value) => value / length) as Vector) : minus(b, a);
 }
 
-/** How far a geodesic with this length and initial direction reaches along another direction. */
+/**
+ * The distance by which a geodesic with this length and initial direction reaches in another
+ * direction.
+ */
 export function reachAlong(length: number, direction: Vector, along: Vector): number {
   return length * direction.reduce((sum, value, axis) => sum + value * along[axis]!, 0);
 }

@@ -79,8 +79,8 @@ const isBeside = (command: Command) =>
   command.type === 'activate' || (command.type === 'figure' && command.edit.type === 'inside');
 
 /**
- * The edit of the figure of the object with an id. Null if the command does anything else, apart
- * from selecting an object for editing or setting the enclosed side.
+ * The edit of an object's figure, if the command does nothing else, apart from selecting an object
+ * for editing or setting the enclosed side; otherwise null.
  */
 export function onlyEditOf(command: Command, id: number): FigureCommand | null {
   const [only, ...more] = stepsOf(command).filter((one) => !isBeside(one));

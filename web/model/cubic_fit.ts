@@ -196,11 +196,14 @@ export interface FitOptions {
   tolerances: readonly number[];
   /** The indices of points, beside the ends, where the curve may have a corner. */
   corners: readonly number[];
-  /** The distance between two points that determine a direction. */
+  /**
+   * The least distance between two points that determine a direction, if the points reach so far.
+   */
   reach: number;
   /**
-   * For a closed line, whose first and last points are the same: the angle of a direction at the
-   * last point relative to the same direction at the first one, and the least turn of a corner.
+   * For a closed line, whose first and last points are the same. `turn` is the angle of a direction
+   * at the last point relative to the same direction at the first one, and `cornerAngle` is the
+   * least turn of a corner.
    */
   loop?: { turn: number; cornerAngle: number };
 }
@@ -257,7 +260,7 @@ export function fittedCubics(
   return { pieces, isSmoothSeam };
 }
 
-/** The angle by which a line turns between the direction back and the direction onwards. */
+/** The angle by which a line turns at a point, from the directions back and onwards. */
 const turnBetween = (back: Planar, on: Planar) =>
   Math.PI - Math.acos(Math.min(1, Math.max(-1, dot(back, on))));
 

@@ -145,7 +145,7 @@ export interface Operand {
 export interface Figure {
   readonly kind: Kind;
   readonly settings: CurveSettings;
-  /** The points of all kinds except the round ones, which keep them unused. */
+  /** The points. Circles and ellipses keep them, but do not use them. */
   readonly points: readonly ControlPoint[];
   readonly circle: CircleShape | null;
   readonly circleForm: CircleForm;

@@ -39,7 +39,7 @@ export function withFittingLegs<Of extends Polygon>(polygon: Of, before: Polygon
   return { ...polygon, points };
 }
 
-/** The legs of a curve in its last drawing, and the indices of the dragged control points. */
+/** The legs of a curve as it was last drawn, and the indices of the dragged control points. */
 export interface DrawnBefore {
   legs: readonly DrawnLeg[];
   points: readonly number[];

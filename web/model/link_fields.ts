@@ -115,8 +115,8 @@ const { type, arcs } = defaultCircleForm;
 const arcsRange = { least: fewestArcs, most: mostArcs };
 export const circleFields = {
   circletype: oneOf<CircleType>(['arcs', 'linear', 'exact'], type),
-  // Older links omitted seven arcs, the default of that time. Their circles now keep nearer to
-  // their radius.
+  // Older links omitted the number of arcs if it was seven, the default of that time. Their circles
+  // now keep nearer to their radius.
   arcs: within(arcsRange, arcs, 'as many as keep to the radius', true),
 };
 

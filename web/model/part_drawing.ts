@@ -34,7 +34,7 @@ export function drawingOnPart(
     isDerived(figure.kind)
       ? figure.derived!.sources.every((id) => !stays.has(id))
       : placesOf(figure).every((place) => onPart.get(place));
-  // Each round finds the objects that derive from those of the rounds before.
+  // Each round finds the objects that derive only from objects found before.
   for (let before = -1; before !== stays.size; ) {
     before = stays.size;
     for (const object of drawn) if (comes(object)) stays.delete(object.id);

@@ -45,7 +45,7 @@ const vectorOf = ({ direction, length }: DrawnTangent): Tangent => ({ direction,
 
 /**
  * The handles of an anchor as vectors, which move with the anchor. A handle that is opposite to the
- * other one stays so.
+ * other one stays opposite.
  */
 export function byVectors(
   tangents: Tangents | undefined,
@@ -147,7 +147,7 @@ export function penOptions(
 
 /**
  * The indices of the control points of an anchor: its own and those of its handles. The anchor
- * where the curve closes has control points at both ends.
+ * where the curve closes has control points at both ends of the list.
  */
 export function controlPointsOf(figure: Figure, anchor: number): number[] {
   const last = 3 * segmentsOf(figure);

@@ -9,7 +9,7 @@ export interface OnSegment {
   /** The indices of the segment's anchors. */
   from: number;
   to: number;
-  /** The parameter between them, from 0 to 1. */
+  /** The parameter on the segment, from 0 to 1. */
   t: number;
 }
 
@@ -34,8 +34,8 @@ function handleOf(vector: Vector): Tangent | null {
 }
 
 /**
- * The figure after moves of a segment's handles by vectors at their anchors; smooth joints stay
- * smooth.
+ * The figure after the two handles of a segment have moved by vectors, given at their anchors.
+ * Smooth joints stay smooth.
  */
 export function withBentSegment(
   figure: Figure,
@@ -74,8 +74,8 @@ export function mergedCubic(
   const far = (p: Planar, q: Planar) => Math.hypot(p[0] - q[0], p[1] - q[1]);
   const [before, after] = [far(first[2], first[3]), far(second[0], second[1])];
   const [chord, next] = [far(first[0], first[3]), far(second[0], second[3])];
-  // De Casteljau's algorithm divides the handles of the removed anchor in the same ratio as the
-  // parameter.
+  // By De Casteljau's algorithm, the lengths of the removed anchor's two handles have the same
+  // ratio as the two parts of the parameter.
   const split = before > 0 && after > 0 ? before / (before + after) : chord / (chord + next || 1);
   const places = Array.from({ length: placesHeld + 1 }, (_, i) => i / placesHeld);
   const parameters = [

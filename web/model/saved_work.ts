@@ -5,8 +5,8 @@ import { type History, historyOf } from './history';
 import { drawingVersion, readDrawing, savedDrawing } from './saved_drawing';
 
 /**
- * The largest length of a history's text, in characters, since a tab's storage holds a few million.
- * Of a longer history only the newest steps stay.
+ * The largest length of a history's text, in characters: half for the steps done, half for those
+ * undone. A tab's storage holds a few million. Of a longer history only the newest steps stay.
  */
 const mostLetters = 1_500_000;
 

@@ -51,7 +51,7 @@ export function isLoop({ kind, settings, derived, operands = [] }: Figure): bool
 export const areLoops = (operands: readonly Operand[]): boolean =>
   operands.every(({ figure }) => isLoop(figure));
 
-/** The ids together with those of all sources of these objects. */
+/** The ids of these objects and of all their sources, to any depth, without missing objects. */
 export function withSources(drawing: Drawing, ids: readonly number[]): number[] {
   const all = new Set(ids);
   for (const id of all) {

@@ -10,7 +10,7 @@ const filesKept = 4;
 let heardOfKeeping: (kept: boolean) => void = () => {};
 
 /**
- * Adds a listener, which receives whether the browser kept all values that the page stored beyond
+ * Sets the listener, which receives whether the browser kept all values that the page stored beyond
  * this tab.
  */
 export function onKeeping(listener: (kept: boolean) => void): void {
@@ -48,7 +48,7 @@ export const recall = (name: string) => find(() => localStorage, name);
 
 /**
  * Keeps a value for this tab only, through reloads; false without room. Without room it also
- * removes the earlier value, since a reload would take that for the newest.
+ * removes the earlier value, since after a reload this value would count as the newest.
  */
 export function rememberInTab(name: string, value: string): boolean {
   if (keep(() => sessionStorage, name, value)) return true;

@@ -16,9 +16,9 @@ export interface StrokeSample {
   place: Vector;
   /** The unit normal. */
   normal: Vector;
-  /** The tolerance of the fit there. */
+  /** The tolerance of the fit at the sample. */
   tolerance: number;
-  /** The length of a pixel there. */
+  /** The length of a pixel at the sample. */
   pixel: number;
 }
 

@@ -114,8 +114,8 @@ function apartOf(plane: Plane, samples: readonly Vector[], nearest: NearestPlace
 }
 
 /**
- * The plane, turned and shifted so that the mirrored samples lie nearest: Gauss-Newton steps in
- * which far samples have little weight.
+ * The plane, turned and shifted so that the mirrored samples lie nearest to the surface:
+ * Gauss-Newton steps in which far samples have little weight.
  */
 function fittedPlane(begin: Plane, samples: readonly Vector[], nearest: NearestPlace): Plane {
   let plane = begin;

@@ -1,4 +1,4 @@
-/** Objects whose places relative to each other survive a move. */
+/** Objects that keep their places relative to each other in a move. */
 import type { Drawing, DrawnObject } from './drawing';
 import { placesOf } from './moving';
 import { withSources } from './sources';

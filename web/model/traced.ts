@@ -80,7 +80,7 @@ export interface ShorterLeg {
   part: number;
 }
 
-/** The points at a given distance, as lines for the page. */
+/** The isolines of a circle, or the lines of a derived object, as the page draws them. */
 export interface TracedIsolines {
   /** The lines; open ones end at the boundary. */
   lines: { closed: boolean; length: number; polyline: Float32Array }[];

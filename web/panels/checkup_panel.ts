@@ -37,7 +37,10 @@ export class CheckUpPanel {
     });
   }
 
-  /** Discards the findings, since another surface is visible, or the same one in another form. */
+  /**
+   * Takes the surface to check. For another surface, or the same one in another form, discards the
+   * findings, and checks again if the panel is open.
+   */
   show(client: CheckedSurface): void {
     this.#client = client;
     this.#toggle(null, []);

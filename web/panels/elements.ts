@@ -1,4 +1,4 @@
-/** An element of index.html. A wrong name is a programming error. */
+/** An element of index.html. A wrong id is a programming error. */
 export function byId<Type extends HTMLElement = HTMLElement>(id: string): Type {
   const element = document.getElementById(id);
   if (!element) throw new Error(`index.html has no element '${id}'`);

@@ -107,8 +107,8 @@ const shown = (knot: number) => `${Number(knot.toPrecision(6))}`;
 
 /**
  * A B-spline's knots as a list, which takes effect on Enter or when the field loses the focus. An
- * empty list makes the knots uniform. An invalid list stays in the field, with the engine's
- * sentence; Escape restores the previous one.
+ * empty list removes the curve's own knots. An invalid list stays in the field, with a sentence
+ * about the fault; Escape restores the previous list.
  */
 class KnotsField {
   readonly #text = byId<HTMLTextAreaElement>('knots');

@@ -305,7 +305,9 @@ export class ObjectPanel {
     }
   }
 
-  /** Shows the properties that the selected objects share, and leaves others empty. */
+  /**
+   * Shows the properties that the selected objects share, and leaves the fields of others empty.
+   */
   #showStyle(objects: readonly DrawnObject[], selected: number): void {
     const last = objects.at(-1)!;
     const common = <Key extends keyof (LineStyle & FillStyle)>(key: Key) =>

@@ -21,8 +21,8 @@ export const nameOf = ({ id, name, figure }: DrawnObject) =>
 type Toggled = 'visible' | 'locked';
 
 /**
- * The list of objects, the topmost first. Each group has a row of its own above its members, which
- * folds it.
+ * The list of objects, the topmost first. Each group has a row of its own above its members. This
+ * row folds the group.
  */
 export class ObjectRows {
   readonly #list = byId('objects');
@@ -45,7 +45,7 @@ export class ObjectRows {
 
   show(state: State): void {
     const { drawing, chosen } = state;
-    // The list omits an object that was only begun: a trial of a tool leaves no object.
+    // The list omits an empty object, which the user has only begun: trying a tool adds no row.
     const objects = drawing.objects.filter(({ figure }) => !isEmpty(figure)).toReversed();
     const active = state.none ? null : drawing.active;
     this.#rows = rowsOf(objects, this.#folded);

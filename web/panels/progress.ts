@@ -18,7 +18,7 @@ export interface ShownProgress {
   hide(): void;
 }
 
-/** Shows the progress of long work, instead of earlier work. */
+/** Shows the progress of long work, in place of the progress of earlier work. */
 export function showProgress(stage: string, onCancel: () => void): ShownProgress {
   const own = {};
   shown = own;

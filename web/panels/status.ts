@@ -289,7 +289,7 @@ function qualityText(
 
 const formatShift = (edges: number) => `${edges.toPrecision(2)} edges`;
 
-/** A remark about a center that is missing or not the only one; empty without one. */
+/** A remark if a center is missing or is not the only one; otherwise empty. */
 function centerHint({ status, uniqueness, otherMinima }: ShownCenter): string {
   if (status !== 'converged') return `No center was found: ${reasons[status as LostReason]}`;
   if (uniqueness !== 'notUnique' || otherMinima === 'notLooked') return '';

@@ -15,8 +15,8 @@ import type { ViewMenu } from './view_menu';
 export interface ToolEvents {
   removeSelected(): void;
   /**
-   * An address that opens the drawing again. A complete one also works in other browsers, and a
-   * short one in every program.
+   * An address that opens the drawing again. `complete` means that it also works in other browsers,
+   * and `short` that every program accepts it.
    */
   link(): { address: string; complete: boolean; short: boolean };
   saveJson(): void;
@@ -150,7 +150,7 @@ export class Tools {
       this.editor.begin();
       return;
     }
-    // The key of the digit counts, whatever it types with Shift.
+    // The position of the key counts, since with Shift a digit's key types another character.
     if (event.shiftKey && (event.code === 'Digit1' || event.code === 'Digit2')) {
       event.preventDefault();
       if (event.code === 'Digit1') this.viewer.resetView({ animated: true });

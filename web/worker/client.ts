@@ -168,7 +168,7 @@ export class EngineClient {
     }
   }
 
-  /** Whether the engine owes an answer. */
+  /** Whether the engine still has to answer a call. */
   get busy(): boolean {
     return this.#worker.busy;
   }

@@ -76,7 +76,7 @@ export async function partFile(
   );
 }
 
-/** Curves as a file has them: tubes in GLB, and lines in the other formats. */
+/** Curves in the form of a file: tubes in GLB, and lines in the other formats. */
 const writtenCurves = (
   curves: readonly SentCurve[],
   format: WrittenFormat,

@@ -14,8 +14,8 @@ export interface DerivedLines {
 }
 
 /**
- * The region that outlines enclose. Its inside is the smaller side, or the side that contains the
- * middle of the line `inside`.
+ * The region that outlines enclose. It lies on the smaller side or, with the line `inside`, on the
+ * side that contains the middle of this line.
  */
 const outlined = (
   mesh: Mesh,
@@ -37,8 +37,8 @@ function enclosed(mesh: Mesh, outlines: Outline[], enclosing: Enclosing): Region
 }
 
 /**
- * The offset of lines. Inwards is the enclosed side if all lines are closed, and else the left
- * side.
+ * The offset of lines. If all lines are closed and enclose a region, inwards is its side; otherwise
+ * inwards is the left side.
  */
 export function offsetOf(
   mesh: Mesh,

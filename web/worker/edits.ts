@@ -104,7 +104,7 @@ async function meantAt(
 
 const far = (p: Place, q: Place) => Math.hypot(...p.map((value, axis) => value - q[axis]!));
 
-/** Joins both curves into one, and reverses them if necessary. */
+/** Joins two curves at the ends that are nearest to each other, and reverses one if necessary. */
 async function joinedAtEnds(a: RemoteCurve, b: RemoteCurve): Promise<RemoteCurve> {
   const ends = async (curve: RemoteCurve) => {
     const { segmentCount } = await curve.view();

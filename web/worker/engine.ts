@@ -67,7 +67,7 @@ const calls = {
           progress(0.2 + 0.6 * done, fileStages[stage] ?? 'Reading the file'),
       });
     const whole = await read(parts).catch((error: unknown) => {
-      // The key names a piece of a file without parts.
+      // The key may name a connected piece of a file without parts, so the whole file is read.
       if (parts && error instanceof KarcherError && error.code === 'badArgument') return read(null);
       throw error;
     });

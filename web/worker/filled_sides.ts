@@ -1,8 +1,8 @@
 /**
  * Fills parts of faces, described by their sides. A sweep from left to right joins each vertex to
- * those of the swept part that it sees (S. Hertel, K. Mehlhorn, "Fast triangulation of simple
- * polygons", 1983). Triangles have corners only at ends of sides. So neighbors have whole edges in
- * common, also across faces, and no pixel between them is missing.
+ * the vertices of the swept part that it sees (S. Hertel, K. Mehlhorn, "Fast triangulation of
+ * simple polygons", 1983). Triangles have corners only at ends of sides. So neighbors have whole
+ * edges in common, also across faces, and no pixel between them is missing.
  */
 
 type Place = readonly [x: number, y: number];

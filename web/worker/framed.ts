@@ -24,8 +24,8 @@ export interface Framed {
 }
 
 /**
- * A step of a move: vectors and directions at a place, with the place's new position, or null if it
- * stays.
+ * A step of a move. The vectors and directions belong to the place `from`, which moves to `to`; it
+ * stays if `to` is null.
  */
 export interface Step {
   from: PointLike;

@@ -10,11 +10,13 @@ import { cross, minus } from '../model/vectors';
  * in each triangle.
  */
 const sidePart = 1 / 3;
-/** The approximate largest number of triangles; they are larger if necessary. */
+/**
+ * The approximate largest number of triangles. If the spacing needs more, they are larger instead.
+ */
 const mostTriangles = 150_000;
 /**
- * The reach of the line from which distances start, to each side of the region's middle, relative
- * to the distance from the middle to the region's farthest triangle.
+ * The length, to each side of the region's middle, of the geodesic from which the distances of a
+ * hatching start, relative to the distance from the middle to the region's farthest triangle.
  */
 const reachPart = 1.5;
 
@@ -27,8 +29,8 @@ const areaOf = ([a, b, c]: readonly [Corner, Corner, Corner]) =>
 
 /**
  * The pattern of a region. A hatched one has the distances from a geodesic through the region's
- * middle, and a striped one the distances from its border. Null if it has too many lines, or no
- * border.
+ * middle, and a striped one the distances from its border. Null if the pattern has too many lines,
+ * or if there is no geodesic or border.
  */
 export function patternOf(
   mesh: Mesh,

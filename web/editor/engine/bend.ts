@@ -101,7 +101,7 @@ export class Bend {
     return withBentSegment(figure, drawn, at, vectors as [Vector, Vector]);
   }
 
-  /** The vector at a point towards another one, along the shortest path. */
+  /** The log vector of the point `to` at the point `from`. */
   async #way(from: SurfacePoint, to: SurfacePoint): Promise<Vector> {
     const path = await this.client.mesh.shortestPath(from, plain(to));
     if (!(path.length > 0)) return [0, 0, 0];

@@ -46,8 +46,8 @@ interface Traced {
 }
 
 /**
- * The pause between the traces of derived objects in a drag, as a multiple of the time of the trace
- * before it.
+ * The pause in a drag between two traces of derived objects, as a multiple of the time of the first
+ * trace.
  */
 const restPart = 2;
 
@@ -64,7 +64,10 @@ export class BesideObjects {
   #last: readonly Beside[] = [];
   /** The lines of figures that are sources of others. */
   #outlines = new WeakMap<Figure, { method: MethodId; paths: readonly Path[] }>();
-  /** The last results for derived objects, by their ids. They stay visible until newer results. */
+  /**
+   * The last results for derived objects, by their ids. They stay visible until newer results
+   * arrive.
+   */
   readonly #lastOf = new Map<number, Traced>();
   #restUntil = 0;
   #timer: ReturnType<typeof setTimeout> | null = null;
@@ -110,7 +113,7 @@ export class BesideObjects {
     return fill && !traced.shown.fill ? null : traced;
   }
 
-  /** The side of its lines that a figure enclosed in its last result; null if unknown. */
+  /** The side of its lines that a figure encloses according to its last result; null if unknown. */
   insideOf(figure: Figure): Inside | null {
     return this.#traced.get(figure)?.shown.fill?.region?.side ?? null;
   }

@@ -83,7 +83,7 @@ async function acrossRadius(
 
 /**
  * The lines of a circle or an ellipse. Rejects if there are none with these radii. A draft of an
- * exact isoline is linear, since the time of a linear one does not depend on the radius.
+ * exact isoline is a linear one, which takes the same time for every radius.
  */
 export async function drawCircle(
   client: EngineClient,

@@ -53,8 +53,8 @@ export class Drag {
 }
 
 /**
- * Chooses the options for traces of a figure during its drag, for quick steps and without leaps of
- * the curve.
+ * Chooses the options for traces of a figure during its drag, so that the steps are quick and the
+ * curve does not leap.
  */
 export class HeldTracing {
   /** Whether the curve, with a tolerance, has more samples than its fixed number would give. */

@@ -13,7 +13,10 @@ import { directionsOf } from './moving';
  * run round a closed surface back to its start, or end near the mirrored objects.
  */
 const beyond = 0.8;
-/** The length in a second attempt, if the first line does not pass beside all mirrored objects. */
+/**
+ * The length beyond the points in a second attempt, if the first line is too short to pass beside
+ * all mirrored objects.
+ */
 const farther = 1.5;
 
 /**

@@ -65,8 +65,8 @@ export function movableObjects(drawing: Drawing, ids: readonly number[]): DrawnO
 }
 
 /**
- * The objects to copy for a copy of the given ones: those that a move changes, and unlocked derived
- * ones.
+ * The objects that are copied with the given ones: those that a move would change, and unlocked
+ * derived ones among the given objects and their sources.
  */
 export function copiedObjects(drawing: Drawing, ids: readonly number[]): DrawnObject[] {
   const moved = movableObjects(drawing, ids);
@@ -110,8 +110,8 @@ export const replacing = (objects: readonly DrawnObject[], to: readonly Figure[]
 });
 
 /**
- * The unit normal of a point's face in the surface's coordinates, on its outer side: turns are
- * counterclockwise as seen from there.
+ * The unit normal of a point's face, in the surface's coordinates, towards the outer side. Seen
+ * from this side, turns are counterclockwise.
  */
 export async function faceNormal(
   client: EngineClient,

@@ -1,6 +1,6 @@
 /**
  * Runs one job at a time. Meanwhile the newest request waits and replaces older ones. When none
- * waits, `idle` may do less urgent work, one piece a turn, until it returns false.
+ * waits, `idle` may do less urgent work, one piece at a time, until it returns false.
  */
 export class Newest<Job> {
   #waiting: { job: Job } | null = null;

@@ -26,8 +26,8 @@ const diagonal = 2;
 
 /**
  * The surface's plane of symmetry, in the scene, and the difference between the surface's sides
- * relative to its diagonal; null if there is no such plane. If there are many, as for a vase, it is
- * the one seen edge-on, with its normal to the right.
+ * relative to its diagonal; null if there is no such plane. A vase has many such planes; the result
+ * is then the one that is seen edge-on, with its normal to the right.
  */
 export async function planeOfSymmetry(surface: Surface, right: Vector3): Promise<Symmetry | null> {
   const pause = () => new Promise<void>((resolve) => setTimeout(resolve));

@@ -443,7 +443,7 @@ export class Session {
     });
   }
 
-  /** The centroid of an object's fill; null if nothing of it is filled. */
+  /** The centroid of an object's fill; null if the object has no filled region. */
   async centroidOf(id: number): Promise<SurfacePoint | null> {
     const [client, state] = [this.#client, this.#state];
     const one = state && this.painted(state).find(({ object }) => object.id === id);

@@ -6,9 +6,9 @@ import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
 
 /**
- * The ratio of a leg's new length to the old above which it counts as torn. A move to a differently
- * curved place also stretches figures, but less; points on both sides of a cut locus separate at
- * once.
+ * The ratio of a leg's new length to its old one above which the figure counts as torn. A move to a
+ * place of another curvature also stretches figures, but less; points on both sides of a cut locus
+ * separate at once.
  */
 const mostStretch = 4;
 
@@ -32,8 +32,8 @@ export async function isTorn(
       const next = (leg + 1) % points.length;
       const is = apart(moved[leg]!, moved[next]!) / (mostStretch * scale);
       if (is <= apart(points[leg]!, points[next]!)) continue;
-      // The distance in space may mislead: the two sides of an ear are near each other in space
-      // only.
+      // The distance in space may mislead: the two sides of an ear are near each other in space,
+      // but not along the surface.
       const [begin, end] = [points[leg]!, points[next]!];
       const way = await client.mesh.shortestPath(
         { face: begin.face, bary: begin.bary },

@@ -170,7 +170,7 @@ export class FreehandGestures {
     return points;
   }
 
-  /** The curve of anchors as a line on the stage; null if there is no such curve. */
+  /** The line of the anchors' curve on the stage; null if the anchors have no curve. */
   async #seen(points: readonly ControlPoint[], closed: boolean): Promise<SeenLine | null> {
     const { editor, session, viewer } = this;
     const { client } = session;
@@ -184,7 +184,7 @@ export class FreehandGestures {
   }
 }
 
-/** The distance of a place of the stage from a line there. */
+/** The distance between a place and a line, both on the stage. */
 function distanceTo(line: SeenLine, place: { x: number; y: number }): number {
   let least = Infinity;
   for (let i = 1; i < line.x.length; i++) {

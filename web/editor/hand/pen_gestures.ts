@@ -30,8 +30,8 @@ export interface HeldKeys {
 }
 
 /**
- * The pen: a click on the surface places a corner, and a drag from there a smooth anchor with its
- * handles under the pointer. Each is one step of the history.
+ * The pen: a click on the surface places a corner. A drag places a smooth anchor at its start, with
+ * one handle under the pointer and the other opposite to it. Each is one step of the history.
  */
 export class PenGestures {
   constructor(

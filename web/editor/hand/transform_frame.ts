@@ -74,7 +74,7 @@ async function inPlane(
 ): Promise<Vector> {
   const normal = await faceNormal(client, surface, at);
   const projected = new Vector3(...along).projectOnPlane(normal);
-  // Seen edge-on, the plane has no such direction, and another one replaces it.
+  // If `along` is nearly normal to the plane, another direction replaces it.
   if (projected.length() < 1e-3) projected.set(normal.z, normal.x, normal.y).projectOnPlane(normal);
   return projected.normalize().toArray();
 }

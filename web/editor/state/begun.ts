@@ -21,8 +21,8 @@ export class Begun {
   }
 
   /**
-   * Follows each lasting state. After an undo (`isBack`) the state may contain the begun object
-   * again.
+   * Updates which object counts as begun, after each lasting state. After an undo (`isBack`) this
+   * may again be an unfinished object.
    */
   follow({ figure, drawing }: State, isBack = false): void {
     const { active } = drawing;

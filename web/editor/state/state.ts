@@ -36,7 +36,7 @@ export interface State {
   readonly dragged: readonly number[];
   /** The tool, which determines what a click does; `split`, `join` and `look` are for one click. */
   readonly tool: CurveTool;
-  /** The revision, which grows with every change of the drawing or the method. */
+  /** The revision, which grows with every change of the surface, the drawing or the method. */
   readonly revision: number;
   /**
    * The epoch, which grows with changes after which an older curve must not stay visible. A drag's

@@ -2,7 +2,7 @@
  * The tool of the pointer on the stage. `select` only selects and moves, `insert` places a point on
  * the surface or in the edited curve, `freehand` draws a stroke, `transform` moves, turns and
  * scales in a frame, and `mirror` mirrors. `split` cuts the curve, `join` joins another one to it,
- * `look` takes the look of another object, and `measure` measures.
+ * `look` copies the look of another object to the selected ones, and `measure` measures.
  */
 export type CurveTool = RestingTool | 'split' | 'join' | 'look' | 'measure' | 'mirror';
 /** The tools that stay active: after a tool for one click, the last of these is active again. */
