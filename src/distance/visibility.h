@@ -7,8 +7,8 @@ namespace karcher {
 
 /// The vertices that a point sees in a straight line across the unfolded faces around it. The graph
 /// solver uses these lines as arcs. A window is the part of an edge that the point sees. It crosses
-/// the face behind and splits at the vertex there. Unlike in window_distance.h, paths do not turn
-/// at vertices: a path that does consists of several arcs.
+/// the face behind the edge and splits at the opposite vertex. Unlike in window_distance.h, paths
+/// do not turn at vertices: a path with turns consists of several arcs.
 class Visibility {
  public:
   struct Sight {

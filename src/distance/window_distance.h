@@ -16,15 +16,15 @@
 
 /// Geodesic distances from a point of the surface, by windows: exact, or with a tolerance.
 ///
-/// A window is an interval of an edge with the position of the source, or of a vertex at which
-/// shortest paths turn, unfolded into the plane of the face behind it: all points of the interval
-/// see that source in a straight line. Windows cross the faces from the nearest outwards (J. Chen,
-/// Y. Han, "Shortest paths on a polyhedron", 1990). A vertex of their face with shorter paths trims
-/// or ends them (S. Xin, G. Wang, "Improving Chen and Han's algorithm on the discrete geodesic
-/// problem", 2009). All windows that wait at an edge cross its face at once. Edges follow in the
-/// order of distance, up to half an ordinary edge (after the triangle-oriented propagation of Y.
-/// Qin, X. Han, H. Yu, Y. Yu, J. Zhang, "Fast and exact discrete geodesic computation based on
-/// triangle-oriented wavefront propagation", 2016).
+/// A window is an interval of an edge and the position of its source: the source of the distances,
+/// or a vertex at which shortest paths turn. All points of the interval see this source in a
+/// straight line, unfolded into the plane of the face behind the edge. Windows cross the faces from
+/// the nearest outwards (J. Chen, Y. Han, "Shortest paths on a polyhedron", 1990). If a vertex of
+/// the face has shorter paths, it trims or ends windows (S. Xin, G. Wang, "Improving Chen and Han's
+/// algorithm on the discrete geodesic problem", 2009). All windows that wait at an edge cross its
+/// face at once. Edges are crossed in the order of distance, up to at most half a mean edge (after
+/// the triangle-oriented propagation of Y. Qin, X. Han, H. Yu, Y. Yu, J. Zhang, "Fast and exact
+/// discrete geodesic computation based on triangle-oriented wavefront propagation", 2016).
 ///
 /// Where edges of very different lengths meet, the rounding of the long ones may exceed the width
 /// of a window on the short ones, so that no window comes to a vertex. Paths along edges lead to

@@ -3,12 +3,12 @@
 #include "intrinsic/geometry.h"
 #include "intrinsic/strip_search.h"
 
-/// A* search for a strip of faces between two points, which measures paths in the unfolded strip.
-/// As in strip_search.h, it visits faces in order of the length so far plus the straight distance
-/// to the target. Like a window of the exact distances, each entered edge stores the position of
-/// the unfolded source and the two vertices between which the source sees the edge. So the length
-/// so far belongs to a path that is tight after its last bend. Each edge keeps its best window
-/// only. The search finds better strips than `searchStrip`, and takes three times the work.
+/// A* search for a strip of faces between two points. It measures paths in the unfolded strip. As
+/// in strip_search.h, it visits faces in order of the length so far plus the straight distance to
+/// the target. Like a window of the exact distances, each entered edge stores the position of the
+/// unfolded source and the two vertices between which the source sees the edge. So the length so
+/// far is that of a path that is straight after its last bend. Each edge keeps only its best
+/// window. The search finds better strips than `searchStrip`, and takes three times the work.
 namespace karcher {
 
 /// Reusable scratch memory of the search.

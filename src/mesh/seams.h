@@ -8,9 +8,9 @@ namespace karcher {
 struct SeamOptions {
   /// The diagonal of the box around the vertices.
   double diagonal = 0;
-  /// The largest distance between vertices that the function welds. 0 welds nothing. A negative
-  /// value stands for the smaller of 1e-6 of the diagonal and 1 % of the shortest edge at either
-  /// vertex.
+  /// The largest distance between vertices that the function welds, but at most a third of the
+  /// shortest edge at either vertex. 0 welds nothing. A negative value stands for the smaller of
+  /// 1e-6 of the diagonal and 1 % of the shortest edge at either vertex.
   double tolerance = -1;
   /// Whether to weld only vertices at exactly the same place, and only if every edge then has at
   /// most two faces, in opposite directions. The function then omits no face.
