@@ -29,8 +29,9 @@ class BucketQueue {
 
   bool empty() const { return count_ == 0; }
 
-  /// The bucket that `pop` is emptying, and the least key that an item may still have.
+  /// The bucket that `pop` is emptying.
   int current() const { return current_; }
+  /// The least key that an item may still have.
   double leastKey() const { return current_ * width_; }
 
   /// Removes the next item and returns true. Returns false if the queue is empty or `leastKey`

@@ -48,8 +48,8 @@ int PathDistance::partsOf(const SurfacePath& path) const {
   return samePlace(mesh_, path.points.front(), path.points.back()) ? count : count - 1;
 }
 
-/// The distance at which the fronts start from a path's place at a given length: the greatest width
-/// minus the width there.
+/// The distance with which fronts start at a place of a path: the greatest width minus the width at
+/// this place, or 0 without widths. `length` is the length of the path up to the place.
 double PathDistance::startAt(const SurfacePath& path, double length) const {
   const int parts = partsOf(path);
   if (parts == 0) return 0;
@@ -120,7 +120,8 @@ void PathDistance::leavePath(const SurfacePath& path) {
   if (!samePlace(mesh_, points.front(), points.back())) leaveTurn(path, points.count() - 1);
 }
 
-/// Sends out a front from a straight piece in a face to one side, and adds the front's image there.
+/// Sends out a front to one side of a straight piece in a face, and adds the front's image in this
+/// face.
 void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, double start,
                               double growth, SideOfPath side) {
   const double noHeight = kLocalRounding * geometry_.meanEdge;

@@ -271,8 +271,9 @@ SightSource sourceInFace(const Geometry& geometry, const SurfacePoint& point) {
   return source;
 }
 
-/// Whether paths from a source at a vertex to another vertex begin in the source's face: seen along
-/// the face's normal, the other vertex lies in the angle of the face's corner at the source.
+/// Whether paths from a source at a vertex to another vertex begin in the face of this source. They
+/// do if, seen along the face's normal, the other vertex lies in the angle of the face's corner at
+/// the source.
 bool isAhead(const Geometry& geometry, const SightSource& source, int vertex) {
   const Vec3 way = geometry.mesh->positions[vertex] - source.position;
   const Vec2 aim(way.dot(source.x), way.dot(source.y));

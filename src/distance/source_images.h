@@ -60,7 +60,7 @@ class SourceImages {
   void addCorner(int h, double distance, double from, double to);
 
  private:
-  /// Whether a face has no relevant points. All of its points have distances between `nearest` and
+  /// Whether no point of a face is relevant. The distances of its points lie between `nearest` and
   /// `farthest`.
   bool isNotAsked(int face, double nearest, double farthest) const {
     if (!faces_.empty()) return !std::binary_search(faces_.begin(), faces_.end(), face);

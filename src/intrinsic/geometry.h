@@ -84,9 +84,9 @@ Vec3 barycentric(const Geometry& geometry, int f, const Vec2& x);
 /// unfolded about the edge. The half-edge must have a twin.
 Vec2 acrossEdge(const Geometry& geometry, int h, const Vec2& vector);
 
-/// Converts a vector in the frame of face f to space, and a vector in space to the frame by
-/// projection.
+/// Converts a vector in the frame of face f to space.
 Vec3 toSpace(const Geometry& geometry, int f, const Vec2& vector);
+/// Projects a vector in space to the frame of face f.
 Vec2 toFace(const Geometry& geometry, int f, const Vec3& vector);
 
 /// The unscaled direction of a vector at the tail of half-edge h: the cumulated angle of h plus the

@@ -354,10 +354,10 @@ class Seams {
     repairs_.welded += target_.unite(v, w) ? 1 : 0;
   }
 
-  /// Finds edges that two faces share in the file, but more faces would share after welding. The
-  /// repair of such an edge might separate the two faces, so one end of the edge stays unwelded.
-  /// For example, a sheet and its turned copy, welded along their rim, then do not tear at an edge
-  /// from rim to rim. Returns whether it added an unwelded end.
+  /// Finds edges that two faces share in the file, and that more faces would share after welding.
+  /// The repair of such an edge might separate the two faces, so one end of the edge stays
+  /// unwelded. For example, a sheet and its turned copy, welded along their rim, then do not tear
+  /// at an edge from rim to rim. Returns whether it added an unwelded end.
   bool keepWholeEdges() {
     // the most sides compared; the time grows with their square
     constexpr size_t kMostCompared = 64;
