@@ -104,8 +104,8 @@ class MinimumSearch {
 constexpr double kSearched = 2;
 
 /// Searches from `start`, if any, and from the control points near which a lower minimum may be. It
-/// searches from all control points if `all` is set, if there is no start, or if the search from
-/// the start failed.
+/// searches from all control points if `all` is set, if there is no start, if the search from the
+/// start failed, or if a weight is negative.
 void searchFew(const TriangleMesh& mesh, const Array<SurfacePoint>& points,
                const Array<double>& weights, bool all, const std::optional<SurfacePoint>& start,
                MinimumSearch& minima) {
@@ -113,7 +113,8 @@ void searchFew(const TriangleMesh& mesh, const Array<SurfacePoint>& points,
   if (start) {
     minima.from(*start, true);
     const Mean& found = minima.best();
-    if (!all && found.status == Status::kConverged) {
+    const bool isBounded = *std::min_element(weights.begin(), weights.end()) >= 0;
+    if (!all && isBounded && found.status == Status::kConverged) {
       lower = lowerPlaces(mesh, points, weights, found.energy);
     }
   }

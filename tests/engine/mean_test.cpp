@@ -9,6 +9,7 @@
 #include "curve_support.h"
 #include "generators/gallery.h"
 #include "generators/random.h"
+#include "generators/random_points.h"
 #include "generators/smooth_surface.h"
 #include "mesh/error.h"
 #include "mesh/mesh_import.h"
@@ -243,6 +244,37 @@ TEST(Mean, KeepsNoFieldsBeyondTheBudgetOrAfterAnError) {
     options.mostValues = most;
     centerOfMass(sets, points, {0.5, 0.5}, options, kept);
     EXPECT_EQ(kept, nullptr);
+  }
+}
+
+/// Space does not bound where a lower mean lies if a weight is negative.
+TEST(Mean, OfRowsWithNegativeWeightsAreNoHigherThanSingleMeans) {
+  const uint64_t seed = 20261127;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  Surface surface(importMesh(makeShape(Shape::kTorus, 2000)).mesh);
+  MeanOptions options;
+  options.isChecked = false;
+  FieldSets sets(surface);
+  for (int i = 0; i < (longRun() ? 300 : 30); ++i) {
+    Array<SurfacePoint> points;
+    for (int k = 0; k < 4; ++k) points.push_back(randomPlace(surface.mesh(), random));
+    Array<double> rows;
+    for (int row = 0; row < 4; ++row) {
+      Array<double> weights;
+      for (int k = 0; k < 3; ++k) weights.push_back(random.uniform(0.2, 1));
+      weights.push_back(random.uniform(-0.8, -0.1));
+      const double sum = weights[0] + weights[1] + weights[2] + weights[3];
+      for (const double weight : weights) rows.push_back(weight / sum);
+    }
+    std::shared_ptr<FieldSet> kept;
+    const Array<Mean> means = centersOfMass(sets, points, rows, options, kept);
+    for (int row = 0; row < 4; ++row) {
+      const Array<double> weights(rows.begin() + 4 * row, rows.begin() + 4 * row + 4);
+      const Mean single = centerOfMass(sets, points, weights, options, kept);
+      if (single.status != Status::kConverged) continue;
+      EXPECT_LT(means[row].energy, single.energy + 1e-9) << "set " << i << ", row " << row;
+    }
   }
 }
 

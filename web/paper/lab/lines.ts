@@ -65,21 +65,21 @@ export async function dragLine(
   const plan = planOf(task);
   const { mesh } = task.scene;
   const levels = engineLevels[id];
-  if (levels !== undefined) {
-    const curve = mesh.curve(engineShape(task, levels));
-    const dragged = {
-      movePoint: (i: number, point: PointLike) => curve.movePoint(i, point),
-      trace: async () => 0,
-      samples: () => curve.samples(),
-    };
-    try {
-      return await measureDrag(dragged, mesh, plan, dragSteps, work);
-    } finally {
-      curve.dispose();
-    }
-  }
-  if (!options) return null;
   try {
+    if (levels !== undefined) {
+      const curve = mesh.curve(engineShape(task, levels));
+      const dragged = {
+        movePoint: (i: number, point: PointLike) => curve.movePoint(i, point),
+        trace: async () => 0,
+        samples: () => curve.samples(),
+      };
+      try {
+        return await measureDrag(dragged, mesh, plan, dragSteps, work);
+      } finally {
+        curve.dispose();
+      }
+    }
+    if (!options) return null;
     const curve = (await task.scene.method(options, work)).curve(plan);
     try {
       await curve.trace(work);
