@@ -29,7 +29,7 @@ export const fillPatterns: readonly FillPattern[] = ['solid', 'hatched', 'stripe
 
 /** The paint of the inside of a closed line. */
 export interface FillStyle {
-  /** The opacity from 0, no fill at all, to 1. */
+  /** The opacity, from 0 (no fill) to 1. */
   readonly fill: number;
   /** The color `#rrggbb`, or null for the line's color. */
   readonly fillColor: string | null;

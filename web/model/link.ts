@@ -40,7 +40,7 @@ export interface Link {
   drawing: Drawing;
   /** The place of the camera; null if the link has none. */
   view: ViewPlace | null;
-  /** The faulty parts that the drawing omits. */
+  /** The numbers of faulty points and circles, which the drawing omits. */
   unread: Lost;
   /** Sentences about other faulty parts, and what replaces them. */
   problems: readonly string[];
@@ -140,7 +140,7 @@ const countPlaces = ({ objects }: Drawing): Lost => ({
   circles: objects.filter(({ figure }) => figure.circle).length,
 });
 
-/** The parts of a link that its drawing lacks. */
+/** The numbers of a link's points and circles that a drawing lacks. */
 export function lostOf({ drawing: said, unread }: Link, drawing: Drawing): Lost {
   const [all, left] = [countPlaces(said), countPlaces(drawing)];
   return {

@@ -34,7 +34,7 @@ export interface Field<Value> {
 /** Fields by their names in a link, in the order of the link. */
 type Fields<Values> = { readonly [Name in keyof Values]: Field<Values[Name]> };
 
-/** The values in a link. */
+/** The values of fields in a link. Faulty and missing values are replaced by their defaults. */
 export function readFields<Values>(fields: Fields<Values>, link: URLSearchParams): Values {
   const all = Object.entries<Field<unknown>>(fields as Record<string, Field<unknown>>);
   const said = all.map(([name, { read, unsaid }]) => [name, read(link.get(name) ?? '') ?? unsaid]);

@@ -10,7 +10,7 @@ export interface LostInterval {
   from: number;
   to: number;
   reason: LostReason;
-  /** The number of its samples that did not converge. */
+  /** The number of samples in the part that did not converge. */
   samples: number;
   /** The place of the sample nearest to the part's middle. */
   position: [number, number, number];

@@ -17,7 +17,7 @@ export interface SurfacePart extends Shell {
   faces: Int32Array;
   /** Two numbers for each corner of a triangle: its second and third weight in that face. */
   weights: Float32Array;
-  /** A point inside one of its triangles. */
+  /** A point inside one of the part's triangles. */
   point: SurfacePoint;
   /**
    * The shell of a part with thickness. `most` is the largest thickness that the part's shape
@@ -67,7 +67,7 @@ export function isInTriangle(
   return signs.every((sign) => sign >= 0) || signs.every((sign) => sign <= 0);
 }
 
-/** The choices with a new one for a part. */
+/** The choices, with a new choice for a part in place of earlier ones. */
 export function withChoice(
   choices: readonly PartChoice[],
   part: SurfacePart,

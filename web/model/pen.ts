@@ -85,7 +85,7 @@ export function withHandleAt(
   };
 }
 
-/** The drawn handles, changed to another joint. */
+/** The drawn handles, changed so that they form another joint. */
 export function asJoint(
   tangents: Tangents | undefined,
   drawn: DrawnTangents,

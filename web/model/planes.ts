@@ -10,7 +10,7 @@ export interface Arrays {
 
 const seed = 8;
 
-/** The unit square in z = 0. */
+/** A triangulation of the unit square in z = 0. */
 export function planeArrays({
   tessellation,
   triangles,

@@ -22,7 +22,7 @@ export interface Region {
  */
 export interface Pattern {
   faces: Int32Array;
-  /** Corners as in a region. */
+  /** The weights of the triangles' corners, as in a region. */
   corners: Float64Array;
   values: Float32Array;
 }
@@ -82,7 +82,10 @@ export interface ShorterLeg {
 
 /** The isolines of a circle, or the lines of a derived object, as the page draws them. */
 export interface TracedIsolines {
-  /** The lines; open ones end at the boundary. */
+  /**
+   * The lines. An open isoline ends at the boundary, the offset of an open line also beside its
+   * ends.
+   */
   lines: { closed: boolean; length: number; polyline: Float32Array }[];
   /** The length of all lines. */
   length: number;

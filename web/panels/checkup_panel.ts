@@ -102,7 +102,7 @@ export class CheckUpPanel {
     this.#found.replaceChildren(facts, ...(rows.length > 0 ? [list] : []), expected);
   }
 
-  /** A button that joins boundaries that coincide. */
+  /** A button that joins boundaries that lie on each other, up to a tolerance. */
   #weldButton(tolerance: number): HTMLButtonElement {
     const button = make('button', 'Weld', { type: 'button', className: 'link' });
     button.title = `Read the file again and join what is up to ${tolerance} apart`;

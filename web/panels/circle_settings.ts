@@ -20,7 +20,7 @@ const typeNotes: Record<CircleType, string> = {
 
 const ellipseNote = 'Smooth arcs, joined. The handle Along also turns the ellipse.';
 
-/** The deviation of the visible circle from its radius. */
+/** A sentence about the deviation of the visible circle from its radius; empty if it is unknown. */
 function deviationOf({ curve }: View): string {
   if (typeof curve?.deviation !== 'number') return '';
   const percent = 100 * curve.deviation;

@@ -59,7 +59,7 @@ function showNumber(field: NumberField, shared: number | undefined): void {
   else field.show(shared);
 }
 
-/** The hexadecimal digits of a color written as `rgb(…)`. */
+/** A color in the form `#rrggbb`, from one in the form `rgb(…)`. */
 const hexOf = (color: string) =>
   `#${(color.match(/\d+/g) ?? [])
     .slice(0, 3)
@@ -269,7 +269,7 @@ export class ObjectPanel {
     byId<HTMLButtonElement>('new-object').disabled = isEmpty(activeObject(state.drawing).figure);
   }
 
-  /** Sets the surface's unit, which widths can have. */
+  /** Shows the surface's unit in the menu of units of widths. */
   showUnit(unit: Unit): void {
     this.#widthUnit.options[this.#widthUnit.options.length - 1]!.text = unit || 'units';
   }

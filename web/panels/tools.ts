@@ -144,7 +144,7 @@ export class Tools {
       return;
     }
     if (typing) return;
-    // On a button or a row, Enter presses it.
+    // If a button or a row has the focus, Enter presses it.
     if (key === 'enter' && !element?.closest('button, a, summary, input')) {
       event.preventDefault();
       this.editor.begin();

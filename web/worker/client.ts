@@ -188,7 +188,7 @@ export class EngineClient {
     this.#worker.giveUp(new Stopped());
   }
 
-  /** The calls of the surface. */
+  /** The surface in the worker. Its methods are calls of the worker. */
   get mesh(): RemoteMesh {
     return this.#loaded!.mesh;
   }

@@ -109,7 +109,9 @@ export class Bend {
   }
 }
 
-/** The value of a curve that is one segment, with the given number of samples. */
+/**
+ * The value of a curve that consists of one segment of a figure, with the given number of samples.
+ */
 export async function segmentValue(
   client: EngineClient,
   figure: Figure,

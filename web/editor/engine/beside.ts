@@ -26,9 +26,9 @@ export interface Beside {
   locked: boolean;
   /** The lines; empty before their trace. */
   lines: readonly Float32Array[];
-  /** The points in the form of dots. */
+  /** The points of a figure of single points, which appear as dots. */
   points: readonly SurfacePoint[];
-  /** A center of mass. */
+  /** The center of mass, if the figure is a center. */
   center: SurfacePoint | null;
   /** The region that the figure's lines enclose, if the object has a fill. */
   region: Region | null;

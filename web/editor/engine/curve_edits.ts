@@ -70,7 +70,7 @@ export class CurveEdits {
     }));
   }
 
-  /** Removes the selected control point, or the circle. */
+  /** Removes the selected control points or anchors, or the circle. */
   removeSelected(): Promise<void> {
     this.editor.interrupt();
     const { figure, selection, more } = this.editor.state;

@@ -113,7 +113,7 @@ function reversed(polyline: Float64Array): Float64Array {
   return turned;
 }
 
-/** Copies of objects with other figures. */
+/** Copies of objects, each with another figure in place of its own. */
 export const copiesOf = (
   objects: readonly DrawnObject[],
   figures: readonly Figure[],

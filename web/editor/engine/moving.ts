@@ -36,7 +36,7 @@ export interface Placed {
   beside: CarriedTo;
 }
 
-/** The reason why a move stops. */
+/** The sentences that say why a move stops. */
 export const leaves = 'The move stops where something would leave the surface.';
 const tears =
   'The move stops where it would tear a figure: from there its points go different ways round the surface.';

@@ -17,7 +17,7 @@ export class Newest<Job> {
     if (!this.#running) this.#loopEnd = this.#loop();
   }
 
-  /** Looks for idle work again. */
+  /** Looks again for idle work, if nothing runs. */
   wake(): void {
     if (!this.#running) this.#loopEnd = this.#loop();
   }

@@ -19,7 +19,7 @@ interface Grabbed {
   x: number;
   y: number;
   circle: CircleShape | null;
-  /** The pen's handles at the anchor, and at all anchors. */
+  /** The pen's handles at the dragged anchor, and at all anchors. */
   tangents: DrawnTangents;
   all: readonly DrawnTangents[];
   /** The selected points after a click. */

@@ -273,7 +273,7 @@ export class TransformGestures {
     const log = client.mesh
       .logMap(frame.pivot, [from])
       .then(({ vectors }) => new Vector3().fromArray(vectors));
-    // If they fail, the drag has no effect.
+    // If one of these fails, the drag has no effect.
     for (const promise of [move, log]) promise.catch(() => {});
     this.#held = { id, from, frame, move, log, stopped: false };
   }
