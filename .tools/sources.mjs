@@ -11,16 +11,12 @@ import { filesBelow, root } from './shell.mjs';
  */
 const ofReport = ['src', 'wasm/peers', 'web/paper'];
 
-/** Strings, which may look like comments, and comments. */
-const stringOrComment =
-  /"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'|`(?:\\.|[^`\\])*`|\/\/[^\n]*|\/\*[\s\S]*?\*\//g;
+/** Strings, which may look like comments, then comments and space. */
+const stringOrRest =
+  /"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'|`(?:\\.|[^`\\])*`|\/\/[^\n]*|\/\*[\s\S]*?\*\/|\s+/g;
 
-/** The lines of a file without comments and without the space around them. */
-function codeOf(text) {
-  const code = text.replace(stringOrComment, (part) => (part.startsWith('/') ? '' : part));
-  const lines = code.split('\n').map((line) => line.trim());
-  return lines.filter((line) => line !== '').join('\n');
-}
+/** A file without comments and without space outside strings. */
+const codeOf = (text) => text.replace(stringOrRest, (part) => (/^[/\s]/.test(part) ? '' : part));
 
 /** The SHA-256 of the code of files: `[name, text]` pairs, in any order. */
 export function digestOf(files) {
