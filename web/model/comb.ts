@@ -1,8 +1,8 @@
 /**
  * A curvature comb: teeth along a curve, whose lengths show its curvature within the surface. The
- * curvature at a point is that of the circle through this point and two others, a window before it
- * and a window behind it. The component of the curvature in the tangent plane is the geodesic
- * curvature, exact for circles in space.
+ * curvature at a point is that of the circle through this point and the two points at a fixed
+ * distance, the window, before and behind it. The component of the curvature in the tangent plane
+ * is the geodesic curvature, exact for circles in space.
  */
 import type { Vector } from './figure';
 import { cross, dot, minus, scaled } from './vectors';

@@ -197,7 +197,8 @@ export interface FitOptions {
   /** The indices of points, beside the ends, where the curve may have a corner. */
   corners: readonly number[];
   /**
-   * The least distance between two points that determine a direction, if the points reach so far.
+   * The least distance between two points that determine a direction. It is less if the points end
+   * before.
    */
   reach: number;
   /**

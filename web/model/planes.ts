@@ -58,8 +58,8 @@ const fairPoints: Scatter = (flat, count, least, random) => {
 };
 
 /**
- * A grid. With `jitter`, vertices move by up to that many cells in each coordinate, those of the
- * border only along it, and diagonals are random.
+ * A grid. With `jitter`, vertices move by up to that many cells in each coordinate, and diagonals
+ * are random. Vertices of the border move only along it.
  */
 function grid(columns: number, rows: number, jitter: number): Arrays {
   const random = randomFrom(seed);

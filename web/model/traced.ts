@@ -83,8 +83,8 @@ export interface ShorterLeg {
 /** The isolines of a circle, or the lines of a derived object, as the page draws them. */
 export interface TracedIsolines {
   /**
-   * The lines. An open isoline ends at the boundary, the offset of an open line also beside its
-   * ends.
+   * The lines. An open isoline ends at the boundary. An open offset ends at the boundary or beside
+   * an end of its line.
    */
   lines: { closed: boolean; length: number; polyline: Float32Array }[];
   /** The length of all lines. */

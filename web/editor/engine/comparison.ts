@@ -11,7 +11,7 @@ import type { View } from './view';
 /** The edited curve by a second method, for comparison with the visible one. */
 export interface Compared {
   method: MethodId;
-  /** The second curve; null if there is no visible curve, or no second one. */
+  /** The second curve; null if it or the visible curve does not exist. */
   polyline: Float32Array | null;
   /**
    * The distance between the two curves, in mean edges and relative to the visible curve's length.

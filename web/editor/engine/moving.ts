@@ -15,8 +15,8 @@ import type { Session } from './session';
 import { isTorn } from './tearing';
 
 /**
- * The largest remaining length of a complete geodesic, in diagonals of the surface. A geodesic that
- * stops at the boundary has a longer one.
+ * The largest length that may remain of a complete geodesic, in diagonals of the surface. If more
+ * remains, the geodesic has stopped at the boundary.
  */
 const leftAtMost = 1e-9;
 

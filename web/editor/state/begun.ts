@@ -21,8 +21,8 @@ export class Begun {
   }
 
   /**
-   * Updates which object counts as begun, after each lasting state. After an undo (`isBack`) this
-   * may again be an unfinished object.
+   * Updates which object counts as begun, after each lasting state. After an undo (`isBack`), an
+   * unfinished edited object counts as begun again.
    */
   follow({ figure, drawing }: State, isBack = false): void {
     const { active } = drawing;
