@@ -69,7 +69,9 @@ class PagedArray {
 
  private:
   static constexpr int kMask = (1 << kPageBits) - 1;
-  static constexpr size_t kBytes = sizeof(T) << kPageBits;
+  /// A multiple of the alignment of a pointer, which the pool keeps in pages that no array holds.
+  static constexpr size_t kBytes =
+      ((sizeof(T) << kPageBits) + alignof(void*) - 1) / alignof(void*) * alignof(void*);
   static_assert(std::is_trivially_destructible_v<T>);
   static_assert(alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
 
