@@ -103,7 +103,7 @@ export class CurveView {
     return this.#data;
   }
 
-  /** @internal The path of a view in 64 bits with points. */
+  /** @internal The path of the curve, from a view in 64 bits that has surface points. */
   path(): Path {
     const position = this.polyline as Float64Array;
     const { length, lengths } = this;

@@ -67,7 +67,7 @@ class Center {
 
   double totalAngle() const { return total_; }
 
-  /// The direction, as for `trace`, of a vector in the frame of the center's face.
+  /// The direction, which `trace` accepts, of a vector in the frame of the center's face.
   double directionOf(const Vec2& vector) const {
     if (location_.simplex != Simplex::kVertex) return angleOf(vector);
     int h = 3 * point_.face;

@@ -37,8 +37,8 @@ double bucketWidth(const Geometry& geometry) {
 /// difference of long ones. Windows that leave a source inside a face always use both ends.
 constexpr double kWide = 1e6;
 
-/// The ratio of the longest to the shortest edge above which a window may circle over the same
-/// edges without coming nearer to a vertex that would beat it.
+/// If the longest edge is more than this many times as long as the shortest, a window may circle
+/// over the same edges and never come nearer to a vertex that gives shorter paths.
 constexpr double kThin = 1e3;
 
 /// The angle, in tolerances, by which a join may turn the rays at the ends of a window. A parabola

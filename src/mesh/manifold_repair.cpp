@@ -13,7 +13,8 @@
 namespace karcher {
 namespace {
 
-/// The most faces of an edge that the repair pairs. The time grows with the square of their number.
+/// The largest number of faces at an edge that the repair still pairs. The time grows with the
+/// square of this number.
 constexpr int kMostPaired = 64;
 
 class ManifoldRepair {

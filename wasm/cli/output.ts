@@ -133,8 +133,8 @@ export function* jsonLine(value: unknown): Generator<string> {
 export type Pieces = Iterable<string | Uint8Array> | AsyncIterable<string | Uint8Array>;
 
 /**
- * Writes pieces to a stream. Joins short texts to fewer writes, each of which waits for the end of
- * the previous one. `name` names the stream in errors.
+ * Writes pieces to a stream. Combines short texts into fewer writes, and waits for the end of each
+ * write before the next. `name` names the stream in errors.
  */
 export async function print(
   pieces: Pieces,

@@ -35,7 +35,7 @@ export interface MeshMaker<Mesh extends MarkedMesh> {
     triangles: Int32Array,
     options?: MeshOptions,
   ): Mesh | Promise<Mesh>;
-  /** Creates a mesh from polygons, as `Karcher.meshFromPolygons`. */
+  /** Creates a mesh from polygons, as `Karcher.meshFromPolygons` does. */
   meshFromPolygons(
     positions: Float64Array,
     corners: Int32Array,

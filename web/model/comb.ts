@@ -27,11 +27,11 @@ export interface Comb {
 const cornerAngle = Math.PI / 6;
 
 /**
- * The teeth of a polyline, x, y, z each, evenly spaced by length; `countOn` returns the number of
- * teeth for a length. The curvature of a tooth follows from the points at the distance `window`
- * before and behind it, or at a quarter of the length if that is less. Nearer than this distance to
- * a corner, or to an end of an open curve, there are no teeth. `normalAt` returns the surface's
- * unit normal.
+ * The teeth of a polyline, evenly spaced by length. `polyline` has x, y, z of each point, and
+ * `countOn` returns the number of teeth for a length. The curvature at a tooth follows from the
+ * points at the distance `window` before and after it, or at a quarter of the length if that is
+ * less. No tooth is nearer than this distance to a corner, or to an end of an open curve.
+ * `normalAt` returns the surface's unit normal.
  */
 export function combOf(
   polyline: ArrayLike<number>,

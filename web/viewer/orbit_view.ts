@@ -150,8 +150,8 @@ export class OrbitView {
   }
 
   /**
-   * Moves the controls' target to the depth of the surface at a place of the window or, if there is
-   * none, in the middle. The view does not change, but the controls move it in proportion to the
+   * Moves the controls' target to the depth of the surface at a place of the window, or in the middle
+   * of the window if the place is beside the surface. The view does not change, but the controls move it in proportion to the
    * target's distance. Returns the surface's point.
    */
   #turnTo(x: number, y: number): Vector3 | null {

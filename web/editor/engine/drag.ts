@@ -57,7 +57,7 @@ export class Drag {
  * curve does not leap.
  */
 export class HeldTracing {
-  /** Whether the curve, with a tolerance, has more samples than its fixed number would give. */
+  /** Whether the tolerance gives the curve more samples than the fixed number of its settings. */
   #manySamples = false;
   /**
    * The number of automatic levels of a curve: the present one between drags, the largest so far in
