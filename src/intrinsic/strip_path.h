@@ -35,8 +35,8 @@ struct StripWorkspace {
     /// The angle of the surface at the vertex, on the side away from the strip.
     double outside = 0;
   };
-  /// A vertex beside the path, and the length that the path may save if it passes the vertex on the
-/// other side.
+  /// A vertex beside the path, and the length that the path may save if it passes the vertex on
+  /// the other side.
   struct Passage {
     int portal = 0;
     bool onLeft = false;
