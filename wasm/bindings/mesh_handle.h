@@ -110,9 +110,9 @@ class MeshHandle {
   val distanceFromPaths(const val& outlines, const val& points) const;
   /// A list of {area, perimeter, boundary, share, triangles, sides}. If `combine` is "none" it has
   /// one such object for each shape, with `isLeft`; else it has one object in all. `counts` has the
-  /// number of outlines of each shape. `insides` has an array for each shape. The array is empty, or
-  /// holds a point inside, or the side of the first outline that is inside (1 for the left, 0 for
-  /// the right).
+  /// number of outlines of each shape. `insides` has an array for each shape. The array is empty,
+  /// or holds a point inside, or the side of the first outline that is inside (1 for the left, 0
+  /// for the right).
   val regions(const val& outlines, const val& counts, const val& insides, const std::string& rule,
               const std::string& combine) const;
   /// A list of {positions, triangles, faces}, one for each cell. `report` is a function of the
