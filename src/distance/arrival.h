@@ -17,9 +17,9 @@ struct Arrival {
 /// through the window.
 inline constexpr double kSeenTolerance = 1e-10;
 
-/// The length with which a path competes if it bends slightly at the end of a window. It exceeds
-/// the path's length by a rounding error, so that a straight path of the same length wins: the
-/// direction of a straight path is exact.
+/// The length of a path that bends slightly at the end of a window, for comparisons with other
+/// paths. It exceeds the true length by a rounding error, so that a straight path of the same
+/// length wins: the direction of a straight path is exact.
 inline double bentLength(double length) { return length * (1 + kLocalRounding); }
 
 /// Whether two lengths differ only by rounding. If so, the indices of half-edges and vertices

@@ -6,10 +6,10 @@
 
 namespace karcher {
 
-/// A queue of items with keys >= 0. Buckets of equal width leave in the order of their keys; within
-/// a bucket, items leave first in, first out. An item may enter the bucket that `pop` is emptying.
-/// The number of buckets is fixed: an item whose key lies beyond the last bucket leaves early,
-/// never late.
+/// A queue of items with keys >= 0, in buckets of equal width. Items leave bucket by bucket in the
+/// order of their keys; within a bucket, they leave first in, first out. An item may enter the
+/// bucket that `pop` is emptying. The number of buckets is fixed: an item whose key lies beyond the
+/// last bucket leaves early, never late.
 class BucketQueue {
  public:
   explicit BucketQueue(double width)
@@ -65,7 +65,7 @@ class BucketQueue {
   double inverseWidth_;
   Array<Array<int>> buckets_;
   int current_ = 0;
-  int next_ = 0;  ///< the place in the current bucket
+  int next_ = 0;  ///< the index of the next item in the current bucket
   int64_t count_ = 0;
 };
 

@@ -14,8 +14,8 @@
 namespace karcher {
 namespace {
 
-/// The work of a thread, which computes the fields of points that no other thread has taken until
-/// no point remains.
+/// The work of a thread. It takes a point that no other thread has taken, computes its field, and
+/// continues until no point remains.
 class Worker {
  public:
   Worker(const Geometry& geometry, const Array<SurfacePoint>& points, double tolerance)

@@ -17,15 +17,16 @@ struct MidpointArrival {
   Vec2 toSource = Vec2(1, 0);
 };
 
-/// The last step of the path to a vertex. It starts on the line between two neighbours of the
-/// vertex, at the ratio `part` of the way from `tail` to `head`.
+/// The last step of the path to a vertex. It starts on the line from `tail` to `head`, two
+/// neighbours of the vertex. `part` is the ratio of the start's distance from `tail` to the line's
+/// length.
 struct PathStep {
   int tail = -1;  ///< the neighbour at `part` 0, or -1 at the source
   int head = -1;
   double part = 0;  ///< a number in [0, 1]
 };
 
-/// The aim of paths: they lead to a ball in space, and none is longer than `mostLength`.
+/// The aim of a search: the paths that lead to a ball in space and are no longer than `mostLength`.
 struct PathAim {
   Vec3 center = Vec3::Zero();
   double radius = 0;
@@ -43,10 +44,10 @@ class DistanceSolver {
   /// mesh that the previous search reached.
   virtual void setSource(const SurfacePoint& source) = 0;
 
-  /// From the next `setSource` on, the solver may omit a place if the path to it, continued
-  /// straight through space to the aim's ball, is longer than `mostLength`. This changes no
-  /// distance up to `mostLength` of a point in the ball. All other distances are upper bounds,
-  /// whatever `reached` returns. Without an aim, the solver omits nothing.
+  /// Limits the searches from the next `setSource` on to an aim. The solver may omit a place if the
+  /// path to it, continued straight through space to the aim's ball, is longer than `mostLength`.
+  /// For points in the ball, distances up to `mostLength` stay exact. All other distances are upper
+  /// bounds, whatever `reached` returns. Without an aim, the solver omits nothing.
   virtual void aimAt(const std::optional<PathAim>&) {}
 
   /// Works until all vertices within `radius` (any number up to kInfinity) are final.
@@ -73,8 +74,8 @@ class DistanceSolver {
   /// The last step of the path to a final vertex; an empty step if the solver does not know it.
   virtual PathStep stepTo(int) const { return {}; }
 
-  /// From the next `setSource` on, also finds the midpoints of edges. Returns false if the solver
-  /// cannot.
+  /// From the next `setSource` on, the solver also finds the arrivals at the midpoints of edges.
+  /// Returns false if it cannot.
   virtual bool keepMidpoints() { return false; }
 
   /// The arrival at the midpoint of an edge that is not on the boundary; the argument is one of its
@@ -93,15 +94,15 @@ class DistanceSolver {
 /// The distances from a point to all vertices; kInfinity where no path leads.
 Array<double> distancesFrom(DistanceSolver& solver, const SurfacePoint& source, int vertexCount);
 
-/// -2 log_v(source) of a vertex, by its distance and the unscaled direction (geometry.h) back to
-/// the source.
+/// The vector -2 log_v(source) at a vertex v, from its distance and the unscaled direction
+/// (geometry.h) in which the path leaves it towards the source.
 inline Vec2 logVectorAlong(const Geometry& geometry, int vertex, double distance,
                            double direction) {
   return -2 * distance * unitVector(geometry.angleScale[vertex] * direction);
 }
 
-/// `growTo` for a solver that grows by radius only: first to the straight distance, then in steps
-/// small enough to do little excess work.
+/// `growTo` for a solver that can only grow by radius. It first grows to the length of the line
+/// through space, then in small steps, so that it does little excess work.
 template <class Solver>
 double growInSteps(Solver& solver, const Geometry& geometry, const SurfacePoint& source,
                    int vertex) {

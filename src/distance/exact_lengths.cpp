@@ -51,8 +51,8 @@ Array<double> exactLengths(const Geometry& geometry, const SurfacePoint& source,
   writeLengths(geometry, distance, points, lengths);
   const auto isBeyond = [&](double length) { return length > likely; };
   if (std::none_of(lengths.begin(), lengths.end(), isBeyond)) return lengths;
-  // Any path to a point bounds its length, so the search first reaches the face of each point that
-  // has no path yet.
+  // The length of any path to a point bounds the point's distance. So the search first reaches the
+  // face of each point that has no path yet.
   for (int i = 0; i < points.count(); ++i) {
     if (lengths[i] == kInfinity) distance.growTo(geometry.mesh->corner(points[i].face, 0));
   }

@@ -21,8 +21,8 @@ constexpr double kPiece = 24;
 
 /// Whether a comes before b, in an order of a path's ends that depends neither on the path's
 /// direction nor on the surface's position in space. It compares the largest and then the smallest
-/// barycentric weights, then the total angles at the corners of the largest weights, and last the
-/// vertex and face numbers.
+/// barycentric weights, then the total angles at the vertices with the largest weights, and last
+/// the numbers of these vertices and of the faces.
 bool isBefore(const Geometry& geometry, const SurfacePoint& a, const SurfacePoint& b) {
   const auto told = [&](const SurfacePoint& point) {
     int corner = 0;

@@ -4,12 +4,12 @@
 #include "intrinsic/surface_path.h"
 #include "intrinsic/taut_search.h"
 
-/// A fast search for a short path between any two points. It finds strips of faces from both ends
-/// and pulls the paths in them tight. It also leads a strip around the other side of an adjacent
-/// vertex if that shortens the path. The result is the shortest of these paths. It is locally
-/// shortest, and seldom longer than the shortest path by more than a thousandth. The work grows as
-/// the square of the distance up to a hundred mean edges. For greater distances, a greedier search
-/// finds a first path, which is then improved piece by piece.
+/// A fast search for a short path between any two points. It searches strips of faces from both
+/// ends, and pulls the path in each strip tight. If a path becomes shorter on the other side of a
+/// vertex beside it, the strip changes to that side. The result is the shortest of these paths. It
+/// is locally shortest, and seldom longer than the shortest path by more than a thousandth. The
+/// work grows as the square of the distance up to a hundred mean edges. For greater distances, a
+/// greedier search finds a first path, which is then improved piece by piece.
 namespace karcher {
 
 /// Reusable scratch memory.

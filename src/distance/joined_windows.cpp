@@ -9,13 +9,13 @@
 namespace karcher {
 namespace {
 
-/// The joint window cuts off the kink where two windows meet. This is the depth of the cut,
-/// relative to the kink's height over the chord between the windows' outer ends. With this value
-/// the mean error of distances is about zero.
+/// Where two windows meet, the distances along the edge have a kink, which the joint window cuts
+/// off. This is the depth of the cut, relative to the kink's height over the chord between the
+/// windows' outer ends. With this value the mean error of distances is about zero.
 constexpr double kAboveKink = 0.25;
 
-/// The largest distance of a joint source, in widths of its window. The source of an almost
-/// straight front gets this distance.
+/// The largest distance of a joint source from its window, in widths of the window. The source of
+/// an almost straight front gets this distance.
 constexpr double kFarthestSource = 1000;
 
 /// The slope of distances along the edge at x: the cosine of the angle between the ray through x
@@ -36,16 +36,16 @@ double excessBetween(const Window& w, const Window& other, double from, double t
   return from < x && x < to ? excessAt(w, other, x) : 0;
 }
 
-/// What the joins at a window have changed so far.
+/// A window's changes by all joins so far.
 struct Origin {
   double change = 0;      ///< a bound on the changes of distances along the edge so far
   double beginSlope = 0;  ///< the original slope at the window's begin, if `change` > 0
 };
 
 /// Joins two windows, neither of which contains the other, into one over both. The joint source
-/// keeps the distances at the two outer ends. Together with the distance where the windows meet,
-/// these give the front's curvature, and so the offset. Returns false if distances along the edge
-/// would change by more than the tolerance, or if there is no such source.
+/// keeps the distances at the two outer ends. These, together with the distance where the windows
+/// meet, determine the front's curvature, and so the offset. Returns false if distances along the
+/// edge would change by more than the tolerance, or if there is no such source.
 bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& origin) {
   const double tolerance = edge.tolerance - origin.change;
   const double begin = first.begin;
@@ -102,7 +102,7 @@ bool join(Window& first, const Window& second, const JoinedEdge& edge, Origin& o
   if (!(beginLeg >= 0 && endLeg >= 0 && squaredDepth >= 0)) return false;
   joint.sourceX = begin + x;
   joint.depth = std::sqrt(squaredDepth);
-  // On each side of the middle, the joint window is compared with the window that was there.
+  // On each side of the middle, the joint window is compared with the original window.
   const double firstEnd = std::min(first.end, middle);
   const double secondBegin = std::max(second.begin, middle);
   for (const double excess :

@@ -8,7 +8,7 @@ namespace karcher {
 /// The tolerances of joins at a half-edge.
 struct JoinedEdge {
   double tolerance = 0;  ///< the largest permitted change of distances along the edge
-  /// the most by which the rays at the ends of windows may turn inwards, as a change of slope
+  /// the largest change of slope by which the ray at an end of a window may turn inwards
   double turn = 0;
 };
 

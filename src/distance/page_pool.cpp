@@ -8,8 +8,8 @@
 namespace karcher {
 namespace {
 
-/// If no page is spare, the pool allocates a block. Its number of pages is 1 / kGrowth of the
-/// present number, plus one.
+/// If no page of a size is spare, the pool allocates a block. The block has 1 / kGrowth of the
+/// present number of pages of this size, plus one.
 constexpr int kGrowth = 8;
 
 /// The number of page numbers for which an array first reserves memory.

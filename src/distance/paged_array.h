@@ -69,7 +69,8 @@ class PagedArray {
 
  private:
   static constexpr int kMask = (1 << kPageBits) - 1;
-  /// A multiple of the alignment of a pointer, which the pool keeps in pages that no array holds.
+  /// The size of a page. It is a multiple of the alignment of a pointer, since the pool stores a
+  /// pointer in each page that no array holds.
   static constexpr size_t kBytes =
       ((sizeof(T) << kPageBits) + alignof(void*) - 1) / alignof(void*) * alignof(void*);
   static_assert(std::is_trivially_destructible_v<T>);

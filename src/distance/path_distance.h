@@ -8,22 +8,23 @@
 #include "intrinsic/point_fan.h"
 #include "intrinsic/surface_path.h"
 
-/// Exact geodesic distances from paths, up to a limit. If the places of the paths have widths,
-/// these are the radii of disks around the places. Distances are then those from the disks, plus
-/// the greatest radius.
+/// Exact geodesic distances from paths, up to a limit. A path may have a width at each place, which
+/// is the radius of a disk around the place. Distances are then those from the disks, plus the
+/// greatest radius.
 ///
-/// A shortest connection to a path meets it at a right angle, or at a point where the path turns or
-/// ends, in the wedge between the right angles there. So each straight piece of a path sends out a
-/// front to each side, and each turn or end sends out a fan. Fronts and fans travel from face to
-/// face as windows (D. Bommes, L. Kobbelt, "Accurate computation of geodesic distance fields for
-/// polygonal curves on triangle meshes", 2007). As in window_distance.h, vertices with shorter
-/// paths trim or end windows, and vertices of negative curvature send out fans behind them. Every
-/// face keeps the images of the paths that it sees, from which the distance of any point follows.
+/// A shortest connection meets a straight piece of a path at a right angle, or it meets a point
+/// where the path turns or ends. In the second case, it lies in the wedge between the right angles
+/// at that point. So each straight piece of a path sends out a front to each side, and each turn or
+/// end sends out a fan. Fronts and fans travel from face to face as windows (D. Bommes, L. Kobbelt,
+/// "Accurate computation of geodesic distance fields for polygonal curves on triangle meshes",
+/// 2007). As in window_distance.h, vertices with shorter paths trim or end windows, and vertices of
+/// negative curvature send out fans behind them. Every face keeps the images of the paths that it
+/// sees, from which the distance of any point follows.
 ///
-/// Where the width changes along a piece, its fronts are tilted: the cosine of their angle with the
-/// piece is the rate at which the width decreases. If the width changes by the length of a piece or
-/// more, the piece lies in the disk of one of its ends. The fan of that end then replaces the
-/// piece's fronts.
+/// Where the width changes along a piece, the piece's fronts are tilted: the cosine of the angle
+/// between a front's direction and the piece is the rate at which the width decreases. If the width
+/// changes along a piece by the piece's length or more, the piece lies in the disk of one of its
+/// ends. The fan of that end then replaces the piece's fronts.
 namespace karcher {
 
 /// The side of a path from which a shortest connection arrives; kEnd if it arrives around an end.

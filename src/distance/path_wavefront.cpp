@@ -130,7 +130,7 @@ void PathDistance::leaveFront(int face, const Vec2& from, const Vec2& to, double
   const Vec2 aside = (isLeft ? 1.0 : -1.0) * leftOf(along);
   const double rise = std::sqrt((1 - growth) * (1 + growth));
   const Vec2 way = growth * along + rise * aside;
-  // This unit vector is perpendicular to the way, towards the direction of the piece.
+  // This unit vector is perpendicular to `way`, on the side towards which the piece leads.
   const Vec2 across = rise * along - growth * aside;
   const double width = across.dot(to - from);
   Image image;
@@ -209,8 +209,8 @@ void PathDistance::leaveTurn(const SurfacePath& path, int index) {
     if (to - from > kChainRounding) leaveFan(fan, from, to, start, side);
   };
   // The fan covers the directions counterclockwise from one piece to another. At a point of the
-  // boundary it may have two parts. If a path ends there, the second part lies on the path's other
-  // side.
+  // boundary, the boundary may divide the fan into two parts. If a path ends there, the first part
+  // lies on one side of the path and the second part on the other side.
   const auto leaveBetween = [&](const Piece& one, const Piece& other, SideOfPath side,
                                 SideOfPath second) {
     const double from = one.angle + one.opening;

@@ -3,10 +3,10 @@
 #include "distance/visibility.h"
 #include "intrinsic/geometry.h"
 
-/// The graph of the paper's approximate distances. Arcs join each vertex to the vertices of its
-/// k-ring, and are as long as the straight lines between them across the faces of the ring (a
-/// variation of S. Xin, G. Wang 2007). Vertices of the ring that do not see each other have no arc:
-/// a shortest path between them turns at vertices and consists of several arcs. The program of the
+/// The graph of the paper's approximate distances (a variation of S. Xin, G. Wang 2007). Arcs join
+/// each vertex to those vertices of its k-ring that it sees in a straight line across the faces of
+/// the ring. An arc is as long as this line. Vertices that do not see each other have no arc: a
+/// shortest path between them turns at vertices and consists of several arcs. The program of the
 /// paper's authors also joins vertices whose path turns at a saddle. Its curves lie .02 to .08 mean
 /// edges from ours; its fields take half the time.
 namespace karcher {

@@ -13,13 +13,12 @@
 namespace karcher {
 namespace {
 
-/// The largest relative difference between the length measured along a path's points and the path's
-/// distance.
+/// The largest relative difference between a path's distance and its length as measured along its
+/// points.
 [[maybe_unused]] constexpr double kSameMeasure = 1e-6;
 
-/// The vertex at a point of a walk, or -1. A straight piece through the point may go through this
-/// vertex. The point may miss the vertex by ten times kSeenTolerance, since windows see past their
-/// ends.
+/// The vertex at which a point of a straight walk lies, or -1. The point may miss the vertex by ten
+/// times kSeenTolerance, since windows see past their ends.
 int vertexAt(const Geometry& geometry, const SurfacePoint& point) {
   int corner = 0;
   if (point.bary.maxCoeff(&corner) < 1 - kChainRounding) return -1;

@@ -9,20 +9,20 @@
 namespace karcher {
 namespace {
 
-/// The most bends of a path. Solvers find paths with more.
+/// The largest number of bends of a path. Only solvers find paths with more bends.
 constexpr int kMostBends = 8;
-/// The most strips that the search tries for a path. After the first, each has a better aim or
-/// passes a vertex on the other side.
+/// The largest number of strips that the search tries for a path. Each strip after the first has a
+/// better aim than the previous one, or passes a vertex on the other side.
 constexpr int kMostWalks = 6;
 
-/// If the ratio of a path's length to that of the line in space is above this, the search compares
-/// the path with paths to either side, since several paths may be straight over a ridge or around a
-/// limb.
+/// A threshold for the ratio of a path's length to the length of the line in space. Above it, the
+/// search compares the path with paths to either side, since several paths may be straight over a
+/// ridge or around a limb.
 constexpr double kSmallDetour = 1.1;
-constexpr double kAside = 0.7;  ///< the angle of these paths to the first one, in radians
-/// If the ratio of a path's length to that of the line in space is above this, the search rejects
-/// the path, since it may not be the shortest. The search also rejects all paths if one of the
-/// compared paths passes a vertex whose curvature exceeds kSharp.
+constexpr double kAside = 0.7;  ///< the angle between these paths and the first, in radians
+/// A threshold for the same ratio. Above it, the search rejects the path, since it may not be the
+/// shortest. If a path is the shortest of those compared so far and a vertex beside it has a
+/// curvature above kSharp, the search rejects all paths.
 constexpr double kMostDetour = 1.4;
 constexpr double kSharp = 0.25;  ///< the absolute angle defect of a vertex, in radians
 
@@ -79,7 +79,7 @@ class SightLine {
     double x;
     double y;
     int vertex;
-    int sign;  ///< the side of the path: 1 for the right, -1 for the left
+    int sign;  ///< the side on which the vertex lies: 1 for the right, -1 for the left
 
     Vec2 at() const { return {x, y}; }
   };
@@ -144,8 +144,8 @@ class SightLine {
     return better_.allFinite();
   }
 
-  /// Bends the path between two places around the vertices first <= i < last beside the strip that
-  /// are in its way. Returns false if it bends too often.
+  /// Bends the path between two places around vertices beside the strip that are in the path's way.
+  /// Considers only the vertices first <= i < last. Returns false if the path bends too often.
   bool pullTight(const Vec2& from, const Vec2& to, int first, int last) {
     const Vec2 way = to - from;
     int bend = -1;
@@ -153,7 +153,7 @@ class SightLine {
     for (int i = first; i < last; ++i) {
       const Vec2 off = sides_[i].at() - from;
       const double area = -sides_[i].sign * cross(off, way);
-      // Vertices behind the start of the part are not in its way.
+      // Vertices behind `from` are not in the way.
       if (area <= 0 || off.dot(way) <= 0) continue;
       const double sine = area / off.norm();
       if (!(sine > most)) continue;
@@ -180,7 +180,7 @@ class SightLine {
     return sum;
   }
 
-  /// The index of a vertex beside the strip on whose other side the path is shorter, or -1.
+  /// The index of a vertex beside the strip that a shorter path passes on the other side, or -1.
   int passedOnWrongSide() const {
     for (int k = 0; k < bendCount_; ++k) {
       const Vec2 before = bendAt(k) - partStart(k);
@@ -197,9 +197,9 @@ class SightLine {
   }
 
   /// Returns the index of a vertex that a straight part passes on the wrong side, or -1. Two
-  /// straight paths lead around a vertex of positive curvature; the shorter one passes it at a
-  /// greater distance. If both have the same length, the path to the left of the vertex counts as
-  /// shorter.
+  /// straight paths lead around a vertex of positive curvature; the shorter of them passes the
+  /// vertex at the greater distance. If both have the same length, the path to the left of the
+  /// vertex counts as shorter.
   int passedTooNear(const Vec2& from, const Vec2& to) const {
     const Vec2 way = to - from;
     const double squared = way.squaredNorm();
@@ -249,8 +249,8 @@ class SightLine {
   /// the numbers, in `sides_`, of the vertices at which the path bends
   int bends_[kMostBends] = {};
   int bendCount_ = 0;
-  int leaving_ = -1;            ///< the half-edge that leaves the vertex in the last face
-  Vec2 at_ = Vec2::Zero();      ///< the place of the vertex
+  int leaving_ = -1;            ///< the half-edge that leaves the target in the last face
+  Vec2 at_ = Vec2::Zero();      ///< the place of the target
   Vec2 better_ = Vec2::Zero();  ///< the vector from the aim to a better one
   Vec2 edge_ = Vec2::Zero();    ///< the vector of the half-edge `leaving_`
 };

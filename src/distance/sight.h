@@ -15,7 +15,7 @@
 /// armadillo, and .2 % on spot, whose ears are thin. No path is too long by more than a quarter.
 namespace karcher {
 
-/// The most faces that a path crosses. Solvers find paths that cross more.
+/// The largest number of faces that these paths cross. Only solvers find paths that cross more.
 inline constexpr int kMostFacesOfSight = 64;
 
 /// The start of paths, as a point of one of the faces that contain it.
@@ -31,7 +31,7 @@ struct SightSource {
 /// at a vertex.
 using SightSources = Array<SightSource>;
 
-/// Writes to `sources` the data of a point that `sightFrom` needs.
+/// Computes the sources of a point for `sightFrom`.
 void findSightSources(const Geometry& geometry, const SurfacePoint& point, SightSources& sources);
 
 struct Sight {
@@ -40,7 +40,8 @@ struct Sight {
 };
 
 /// The path from a source to a near vertex. It depends only on the source and the vertex; on a
-/// plane it is the straight line. It is empty if the search finds no straight path, or if the path
+/// plane it is the straight line. The result is empty if the search finds no straight path, or if
+/// its path is so much longer than the line in space that another path may be shorter.
 /// is so much longer than the line in space that another may be shorter.
 std::optional<Sight> sightFrom(const Geometry& geometry, const SightSources& sources, int vertex);
 

@@ -51,9 +51,9 @@ class SourceImages {
   /// Adds the source in one of its own faces.
   void addSource(int face, const SurfacePoint& source);
   /// Adds the sources of windows that cross the face of half-edge h, if the face may have points at
-  /// the distance. An image without such points may still matter: at points where another image
-  /// gives this distance, paths through the first one may be shorter. Omits windows beyond the
-  /// distance. `tailDistance` is the distance of h's tail.
+  /// the distance. Keeps even an image that gives smaller distances in the whole face: it shows
+  /// that points to which another image gives this distance are nearer. Omits windows that start
+  /// beyond the distance. `tailDistance` is the distance of h's tail.
   void addWindows(int h, const Array<Window>& windows, double tailDistance);
   /// Adds the tail of half-edge h, a vertex at `distance` from the source that sends out paths.
   /// These leave in the corner of h between the angles `from` and `to`, measured from h.

@@ -39,9 +39,9 @@ void SourceVectors::know(int vertex, const Vec2& vector) {
 }
 
 const Vec2& SourceVectors::at(const DistanceSolver& solver, int vertex) {
-  // The loop ends, since it visits each vertex at most once. By rounding, each of two vertices may
-  // be an end of the edge from which the other's path comes. One of the two then takes its vector
-  // from the other end of its edge alone.
+  // The loop ends, since it visits each vertex at most once. Rounding may make two vertices wait
+  // for each other: each is an end of the edge that the other's path crosses last. One of the two
+  // then takes its vector from the other end of its edge alone.
   ask(solver, vertex);
   while (!asked_.empty()) {
     const Asked last = asked_.back();

@@ -5,8 +5,8 @@
 /// The log vectors of vertices at the source of their distances: the directions in which shortest
 /// paths leave the source, scaled to their lengths.
 ///
-/// A path to a vertex last crosses the edge between two others. At the crossing, the class
-/// interpolates the log vectors of the edge's ends. From there to the vertex, only the vector's
+/// The last edge that a path to a vertex crosses joins two other vertices. At the crossing, the
+/// class interpolates the log vectors of these two. From there to the vertex, only the vector's
 /// length changes. So directions spread outwards from the source (after E. Melvaer, M. Reimers,
 /// "Geodesic Polar Coordinates on Polygonal Meshes", 2012, who interpolate angles). On a plane they
 /// are exact.

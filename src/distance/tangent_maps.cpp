@@ -12,7 +12,7 @@
 namespace karcher {
 namespace {
 
-/// The number of parts of a line. The search for the nearest point begins at their ends.
+/// The search for the nearest point begins at the ends of this number of equal parts of the line.
 constexpr int kParts = 12;
 
 /// A point of a line, and the path to it from the mirrored point.

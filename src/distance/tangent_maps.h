@@ -4,10 +4,10 @@
 #include "intrinsic/tangent.h"
 
 /// Log and exp maps of points with directions, by parallel transport. The paths of the log map are
-/// the fast ones (find_path.h): locally shortest, and the same in both directions. The maps are
-/// inverse to each other if the straightest geodesic of the exp map is the path that the log map
-/// finds to its end. Vectors and directions are those of tangent planes (tangent.h). A direction of
-/// length 0 stands for no direction.
+/// the fast ones (find_path.h): locally shortest, and the same in both directions. The exp map
+/// follows straightest geodesics. The maps are inverse to each other where the log map, given the
+/// end of such a geodesic, finds this geodesic. Vectors and directions are those of tangent planes
+/// (tangent.h). A direction of length 0 stands for no direction.
 namespace karcher {
 
 /// The path of the log map. Throws Error kUnreachable if the points lie on different components.
@@ -36,7 +36,7 @@ ExpMapped expMap(const Geometry& geometry, const SurfacePoint& from, const Vec2&
 /// is reflected there and continues by the same length. At the nearest point the path is
 /// perpendicular to the line, up to rounding. The search for this point begins near the best of a
 /// dozen points of the line. Throws Error kUnreachable as above, and kBadArgument if the line has
-/// no length, or if its nearest point is an end without a perpendicular to the point.
+/// no length, or if its nearest point is an end at which the path is not perpendicular to the line.
 ExpMapped mirrored(const Geometry& geometry, const SurfacePath& line, const SurfacePoint& point,
                    const Vec2& direction, FindPathWorkspace& workspace);
 

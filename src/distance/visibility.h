@@ -46,8 +46,8 @@ class Visibility {
 
   const Geometry& geometry_;
   const TriangleMesh& mesh_;
-  /// For each vertex, the numbers of the last call that allowed it and of the last call that saw
-  /// it. So a new call need not clear the arrays.
+  /// For each vertex, the number of the last call that allowed the vertex, and of the last call
+  /// that saw it. So a new call need not clear the arrays.
   Array<int> ringCall_;
   Array<int> sightCall_;
   Array<int> sightOf_;  ///< the number of each vertex in sights_

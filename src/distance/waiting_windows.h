@@ -73,12 +73,12 @@ class WaitingWindows {
  private:
   static constexpr int kPageBits = 7;
 
-  /// Some of the windows of a half-edge, and the next block with more of them.
+  /// Up to kCapacity windows of a half-edge, and the index of the block with more of its windows.
   struct Block {
     static constexpr int kCapacity = 8;
     int count = 0;
     int next = -1;
-    int bucket = 0;  ///< the least bucket of the half-edge's windows, in its first block
+    int bucket = 0;  ///< in the first block, the least bucket of all windows
     Window windows[kCapacity];
   };
   /// For each half-edge of 2^kPageBits faces, the index of its first block, or -1.

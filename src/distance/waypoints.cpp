@@ -7,11 +7,12 @@
 namespace karcher {
 namespace {
 
-/// The number of equal parts into which a comparison divides two paths. It compares them at the
+/// The number of equal parts into which a comparison divides each of two paths. It compares the
 /// ends of the parts.
 constexpr int kComparedParts = 32;
 
-/// The largest distance between equal paths at these places, relative to their length.
+/// Paths count as equal if their lengths, and the places at these ends, differ by at most this
+/// ratio of the length.
 constexpr double kSamePath = 1e-4;
 
 bool areAlike(const TriangleMesh& mesh, const SurfacePath& a, const SurfacePath& b) {

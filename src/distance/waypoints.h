@@ -2,7 +2,7 @@
 
 #include "distance/find_path.h"
 
-/// Paths between two points that are not the shortest, determined by a few of their points.
+/// Paths that are not the shortest between their ends, determined by a few of their points.
 namespace karcher {
 
 /// Writes to `path` the locally shortest path from `from` to `to` along the waypoints: the fast
@@ -14,10 +14,10 @@ bool findPathBy(const Geometry& geometry, const SurfacePoint& from,
                 const Array<SurfacePoint>& waypoints, const SurfacePoint& to,
                 FindPathWorkspace& workspace, SurfacePath& path);
 
-/// A few points of a locally shortest path by which `findPathBy` finds it again, to a
-/// ten-thousandth of its length. The result is empty if `findPath` with these options finds the
-/// path between its ends. If a few points are not enough, it has all points of the path except the
-/// ends.
+/// A few points of a locally shortest path. With them, `findPathBy` finds the path again, to a
+/// ten-thousandth of its length. The result is empty if `findPath` finds the path between its ends,
+/// both without options and with these options. If a few points are not enough, the result has all
+/// points of the path except the ends.
 Array<SurfacePoint> waypointsOf(const Geometry& geometry, const SurfacePath& path,
                                 FindPathWorkspace& workspace, const FindPathOptions& options = {});
 

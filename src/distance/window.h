@@ -7,8 +7,8 @@
 #include "mesh/types.h"
 
 /// Windows on half-edges: see window_distance.h. In the frame of a half-edge its tail is the
-/// origin, its head lies on the positive x axis, its face above the axis and the window's source
-/// below.
+/// origin, and its head lies on the positive x axis. The half-edge's face lies above the axis, and
+/// the window's source below the axis.
 namespace karcher {
 
 struct Window {
@@ -25,11 +25,11 @@ struct Window {
 inline constexpr int kMostWindowsPerFace = 10'000;
 
 /// The least width of a window, also of a trimmed one, relative to its edge. The solver drops
-/// narrower windows. Their neighbours reach the region behind, with an error of second order in
-/// this number.
+/// narrower windows. Paths through their neighbours then reach the region behind them, with an
+/// error of second order in this number.
 inline constexpr double kNarrowestWindow = 1e-11;
 
-/// The length of a path plus a rounding error. The path beats all paths that are longer than this.
+/// The length of a path plus a rounding error. The path beats only paths longer than this sum.
 inline double beatingLength(double length) { return length * (1 + kLocalRounding); }
 
 inline double square(double x) { return x * x; }
@@ -92,16 +92,16 @@ inline bool trimByHead(Window& w, double headDistance, double length) {
 
 inline bool isTooNarrow(const Window& w, double width) { return !(w.end - w.begin > width); }
 
-/// The window carried across its face, to the edge that leaves the tail along the unit vector
-/// `along`. It is in the frame of that edge, with the same tail. `from` is the half-edge's length,
-/// and `length` that of the new edge. `apexCrossing` is where the line from the source to the
-/// face's apex crosses the half-edge.
+/// The window after it crosses its face to the edge that leaves the half-edge's tail along the unit
+/// vector `along`. The result is in the frame of that edge, with the same tail. `from` is the
+/// length of the half-edge, and `length` that of the edge. The line from the source to the face's
+/// apex crosses the half-edge at `apexCrossing`.
 inline Window carriedToTailEdge(const Window& w, const Vec2& along, double from, double length,
                                 double apexCrossing) {
   // Positions on an edge, and those of sources beside it, have rounding errors relative to its
-  // length. If an end of a window lies this near to an end of the edge, or to the line to the apex,
-  // it moves there. Otherwise, on an edge much longer than the distance of the source, the windows
-  // would miss everything behind the gap.
+  // length. If an end of a window lies within this rounding of the tail, or of the line to the
+  // apex, it moves there. Otherwise a gap would remain there. On an edge much longer than the
+  // distance of the source, the windows would then miss everything behind the gap.
   const double rounding = kStepRounding * from;
   const auto hit = [&](double x) {
     const double across = along.x() * w.depth - along.y() * (x - w.sourceX);

@@ -32,21 +32,23 @@ double bucketWidth(const Geometry& geometry) {
   return width;
 }
 
-/// If the ratio of the longest to the shortest edge is above this, the solver computes the apex of
-/// a face from both ends of the edge that windows cross (FaceSides). So no short length is a
-/// difference of long ones. Windows that leave a source inside a face always use both ends.
+/// A threshold for the ratio of the longest edge to the shortest. Above it, the solver computes the
+/// apex of a face from both ends of the edge that windows cross (FaceSides), so that no short
+/// length is a difference of long ones. Windows that leave a source inside a face always use both
+/// ends.
 constexpr double kWide = 1e6;
 
-/// If the longest edge is more than this many times as long as the shortest, a window may circle
-/// over the same edges and never come nearer to a vertex that gives shorter paths.
+/// A threshold for the ratio of the longest edge to the shortest. Above it, a window may circle
+/// over the same edges and never come near a vertex from which shorter paths would end it.
 constexpr double kThin = 1e3;
 
-/// The angle, in tolerances, by which a join may turn the rays at the ends of a window. A parabola
-/// that is zero at both ends of a window and as high as the tolerance permits has this slope at the
-/// ends if the window is as wide as the face is high.
+/// The angle, in tolerances, by which a join may turn the rays at the ends of a window. It is the
+/// slope at the window's ends of a parabola that is zero there and as high as the tolerance
+/// permits, if the window is as wide as the face is high.
 constexpr double kTurn = 4;
 
-/// The widest gap at an end of an edge that the solver closes after joins, relative to the edge.
+/// After joins, the solver closes gaps at the ends of an edge up to this width, relative to the
+/// edge.
 constexpr double kWidestGap = 0.1;
 
 /// The largest difference, relative to the tolerance, between the distance of a vertex and the
@@ -107,7 +109,7 @@ WindowDistance::WindowDistance(const Geometry& geometry, double tolerance,
       waiting_(mesh_.faceCount(), pages),
       isWide_(geometry.longestEdge > kWide * geometry.shortestEdge),
       isThin_(geometry.longestEdge > kThin * geometry.shortestEdge),
-      // Between the ends of very short edges even windows just above rounding matter.
+      // Between the ends of very short edges, windows just wider than rounding matter, too.
       narrowest_(isWide_ ? kStepRounding : kNarrowestWindow),
       midpoints_(geometry),
       queue_(bucketWidth(geometry)),
@@ -303,7 +305,8 @@ void WindowDistance::carryAcross(int h) {
   VertexRecord& top = vertices_.touch(apexVertex);
 
   waiting_.take(h, batch_);
-  // Distances of joint windows, and of vertices that they reached, are right up to the tolerance.
+  // Distances through joint windows, and of vertices that these reached, are exact only up to the
+  // tolerance.
   double slack = 0;
   if (tolerance_ > 0) {
     const double least = length * apex.y() / std::max({length, leftLength, rightLength});
@@ -416,9 +419,9 @@ void WindowDistance::closeGaps(int h, const JoinedEdge& edge) {
   }
 }
 
-/// Offers the apex a path through a window that does not see it. The path bends slightly at an end
-/// of the window, so its length is an upper bound. The length is exact if the apex lies in a gap
-/// between two windows that only rounding left.
+/// Offers the apex a path through a window that does not see the apex. The path bends slightly at
+/// an end of the window, so its length is an upper bound. The length is exact if the apex lies in a
+/// gap that only rounding left between two windows.
 void WindowDistance::arriveBent(int vertex, VertexRecord& record, int via, const Vec2& apex,
                                 const Window& window, double crossing) {
   // If the straight path is too long, so is the bent one.

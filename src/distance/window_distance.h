@@ -22,9 +22,10 @@
 /// the nearest outwards (J. Chen, Y. Han, "Shortest paths on a polyhedron", 1990). If a vertex of
 /// the face has shorter paths, it trims or ends windows (S. Xin, G. Wang, "Improving Chen and Han's
 /// algorithm on the discrete geodesic problem", 2009). All windows that wait at an edge cross its
-/// face at once. Edges are crossed in the order of distance, up to at most half a mean edge (after
-/// the triangle-oriented propagation of Y. Qin, X. Han, H. Yu, Y. Yu, J. Zhang, "Fast and exact
-/// discrete geodesic computation based on triangle-oriented wavefront propagation", 2016).
+/// face at once. Windows cross edges in the order of distance; the order may deviate by up to half
+/// a mean edge (after the triangle-oriented propagation of Y. Qin, X. Han, H. Yu, Y. Yu, J. Zhang,
+/// "Fast and exact discrete geodesic computation based on triangle-oriented wavefront propagation",
+/// 2016).
 ///
 /// Where edges of very different lengths meet, the rounding of the long ones may exceed the width
 /// of a window on the short ones, so that no window comes to a vertex. Paths along edges lead to
@@ -127,8 +128,9 @@ class WindowDistance final : public DistanceSolver {
 
   struct VertexRecord {
     Arrival arrival;
-    /// The path arrives through the face of half-edge `via`, opposite to the vertex, and meets the
-    /// half-edge's line at `crossing` from its tail; `via` is -1 at the source.
+    /// The path arrives through the face of half-edge `via`, which is opposite to the vertex; `via`
+    /// is -1 at the source. `crossing` is the place where the path meets the line of this
+    /// half-edge, measured from the half-edge's tail.
     double crossing = 0;
     int via = -1;
     int bucket = kNotQueued;  ///< the bucket in which the vertex waits to send out its own windows

@@ -106,8 +106,8 @@ Vec3 barycentric(const Geometry& geometry, int f, const Vec2& x) {
 
 Vec2 stepInFace(const Geometry& geometry, int f, const SurfacePoint& from, const SurfacePoint& to) {
   const Vec3 change = inFace(*geometry.mesh, to, f).bary - inFace(*geometry.mesh, from, f).bary;
-  // The step along the two sides that meet at the corner whose weight changes most. If another
-  // weight does not change, only one side counts.
+  // The step is a sum along the two sides that meet at the corner whose weight changes most. If
+  // another weight does not change, only one of the two sides contributes.
   int corner = 0;
   change.cwiseAbs().maxCoeff(&corner);
   const int h = 3 * f + corner;

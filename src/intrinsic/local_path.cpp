@@ -3,7 +3,8 @@
 namespace karcher {
 namespace {
 
-/// Joins two points of faces that share the edge of half-edge h, if the straight line crosses it.
+/// Joins two points of the faces at half-edge h by a straight line, if the line crosses the
+/// half-edge.
 bool joinAcross(const Geometry& geometry, const SurfacePoint& from, int h, const SurfacePoint& to,
                 Array<SurfacePoint>& out) {
   const int t = geometry.mesh->twin[h];

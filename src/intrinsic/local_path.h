@@ -14,9 +14,9 @@ struct LocalPathOptions {
 };
 
 /// Appends the path's points after `from` to `out`: edge crossings, vertices, and `to`. Consecutive
-/// points share a face. At each vertex of the path that is not on the boundary, both sides have at
-/// least pi of surface. Returns false and changes nothing if the search ends before it reaches
-/// `to`, because the points are far apart or on different components.
+/// points share a face. At each interior vertex of the mesh on the path, the surface's angle is at
+/// least pi on both sides of the path. Returns false and changes nothing if the search ends before
+/// it reaches `to`, because the points are far apart or on different components.
 bool appendLocalPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                      StripWorkspace& workspace, Array<SurfacePoint>& out,
                      const LocalPathOptions& options = {});

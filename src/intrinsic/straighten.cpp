@@ -9,7 +9,7 @@
 namespace karcher {
 namespace {
 
-/// The half-edge that leaves a vertex in a face that holds it.
+/// The half-edge that leaves a vertex, in one of the vertex's faces.
 int leaving(const TriangleMesh& mesh, int face, int vertex) {
   int h = 3 * face;
   while (mesh.tail(h) != vertex) ++h;
@@ -71,7 +71,7 @@ class ChainStrip {
   void leave(const Array<SurfacePoint>& points, int at, const PointLocation& to) {
     const PointLocation here = locate(mesh_, points[at]);
     if (here.simplex == Simplex::kVertex) {
-      // The last earlier point at another place.
+      // The last earlier point at another place, or -1.
       int from = at - 1;
       while (from >= 0 && samePlace(mesh_, points[from], points[at])) --from;
       const int target = sharedFace(points, at);
@@ -87,7 +87,7 @@ class ChainStrip {
     }
   }
 
-  /// The unscaled direction at a vertex of a face towards a point of the same face.
+  /// The unscaled direction from a corner of a face to a point of the face.
   double direction(int vertex, int face, const SurfacePoint& point) const {
     const int h = leaving(mesh_, face, vertex);
     return directionAtTail(geometry_, h, stepInFace(geometry_, face, edgePoint(h, 0), point));
@@ -99,8 +99,8 @@ class ChainStrip {
                  int target) const {
     const int here = leaving(mesh_, face_, vertex);
     const int there = leaving(mesh_, target, vertex);
-    // Around a boundary vertex only one sense leads to `target`. It does not depend on rounding,
-    // even if the path turns straight back.
+    // Around a boundary vertex only one sense leads to `target`. Rounding must not decide the
+    // sense, even if the path turns straight back.
     if (mesh_.onBoundary[vertex]) {
       return geometry_.cumulatedAngle[there] > geometry_.cumulatedAngle[here];
     }
@@ -111,8 +111,8 @@ class ChainStrip {
         from >= 0 ? direction(vertex, face_, points[from]) : geometry_.cumulatedAngle[here];
     double left = outgoing - incoming;
     if (left < 0) left += total;
-    // Here the path turns straight back along an edge, from the face on one side to the face on the
-    // other.
+    // If the path turns straight back along an edge, `target` lies across this edge. The strip
+    // crosses only this edge.
     if (std::min(left, total - left) < kChainRounding) return there == mesh_.twin[previous(here)];
     if (std::abs(2 * left - total) > kChainRounding) return 2 * left < total;
     return leastNeighbor(vertex, target, true) < leastNeighbor(vertex, target, false);

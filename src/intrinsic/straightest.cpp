@@ -75,7 +75,7 @@ struct FaceExit {
 
 FaceExit exitOfFace(const Vec3& bary, const Vec3& rates) {
   FaceExit exit;
-  // A walk along an edge stays in the face, since its rate of leaving is rounding noise.
+  // The threshold keeps a walk along an edge in the face: its rate of leaving is rounding noise.
   const double threshold = -1e-13 * rates.cwiseAbs().maxCoeff();
   for (int k = 0; k < 3; ++k) {
     // A walk does not leave by the edge on which it starts. Otherwise it could circle a vertex
@@ -117,8 +117,8 @@ class Walk {
     path_.path.lengths.push_back(walked_);
   }
 
-  /// Walks through one face. Returns the walker in the next face; nothing at the end of the walk or
-  /// at the boundary.
+  /// Walks through one face. Returns the walker in the next face, or nothing if the walk ends here
+  /// or meets the boundary.
   std::optional<Walker> step(const Walker& walker) {
     const int f = walker.point.face;
     Vec3 bary = walker.point.bary;

@@ -22,9 +22,10 @@ struct StraightestOptions {
   int maxCrossings = 1'000'000;
 };
 
-/// The most edges that all steps of a search together may cross. A shortest path visits a face at
-/// most once and crosses far fewer edges. A longer walk winds around the surface, for example
-/// around the tip of a cone 1 wide and 1e5 high, where half the height takes a million crossings.
+/// The largest number of edges that the steps of a search may cross in total. A shortest path
+/// visits a face at most once and crosses far fewer edges. A longer walk winds around the surface,
+/// for example around the tip of a cone 1 wide and 1e5 high, where half the height takes a million
+/// crossings.
 int mostCrossingsOfSearch(const TriangleMesh& mesh);
 
 struct StraightestPath {

@@ -25,7 +25,7 @@ struct StripWorkspace {
   };
   /// A vertex where the path touches the strip's side.
   struct Bend {
-    int portal = 0;  ///< one of the crossed edges that end at the vertex
+    int portal = 0;  ///< the index of a crossed edge that ends at the vertex
     bool onLeft = false;
     double leg = 0;  ///< the length of the path from the previous bend
     /// The angle, in radians, from that leg to the first crossed edge at the vertex.
@@ -60,8 +60,8 @@ struct StripWorkspace {
 double appendStripPath(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                        StripWorkspace& workspace, Array<SurfacePoint>& out);
 
-/// The same path, but the strip also passes over vertices beside the path as long as that makes the
-/// path shorter.
+/// The same path, but the strip also passes over vertices beside the path as long as this shortens
+/// the path.
 double appendShorterStripPath(const Geometry& geometry, const SurfacePoint& from,
                               const SurfacePoint& to, StripWorkspace& workspace,
                               Array<SurfacePoint>& out);

@@ -23,7 +23,7 @@ Vec3 entryPoint(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) {
   return a + (determinant > 0 ? std::clamp(s, 0.01, 0.99) : 0.5) * e;
 }
 
-/// A* search over faces, towards the target in space.
+/// The A* search over faces.
 class StripSearch {
  public:
   StripSearch(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to,

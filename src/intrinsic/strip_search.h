@@ -3,7 +3,8 @@
 #include "mesh/sparse_index.h"
 #include "mesh/surface_point.h"
 
-/// A* search over faces for a strip between two points, towards the target in space.
+/// A* search over faces for a strip between two points. The straight distance to the target in
+/// space estimates the remaining length.
 namespace karcher {
 
 /// A sequence of faces in which consecutive faces share an edge. It consists of the first face and
@@ -33,10 +34,10 @@ struct StripSearchWorkspace {
 
 struct StripSearchOptions {
   int maxFaces = 4096;  ///< the number of faces after which the search gives up
-  /// The face in which to begin, which contains the start, or -1 for any such face.
+  /// The face in which the search begins. It must contain the start; -1 allows any face that does.
   int firstFace = -1;
-  /// The weight of the estimated remaining length. With a weight above 1 the search is faster and
-  /// the strip's path longer.
+  /// The weight of the estimated remaining length. A weight above 1 makes the search faster and the
+  /// path in the strip longer.
   double weight = 1;
 };
 

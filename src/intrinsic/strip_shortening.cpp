@@ -6,7 +6,8 @@
 namespace karcher {
 namespace {
 
-/// The most vertices beside a leg that the search tries. It tries those with the greatest gains.
+/// The largest number of vertices beside a leg that the search tries. It begins with the greatest
+/// gain.
 constexpr int kPassages = 4;
 
 }  // namespace
@@ -17,9 +18,9 @@ double Tightening::length() const {
   return sum;
 }
 
-/// Leads the path over vertices beside it wherever that makes it shorter. If a vertex has an angle
-/// of less than 2 pi, paths on both of its sides can be locally shortest. On a cone, the shorter
-/// path is on the side where the leg's ends span the smaller angle at the vertex.
+/// Leads the strip over vertices beside the path where this shortens the path. If a vertex has an
+/// angle of less than 2 pi, paths on both of its sides can be locally shortest. On a cone, the
+/// shorter path is on the side where the leg's ends span the smaller angle at the vertex.
 void Tightening::passOverVertices() {
   passagesLeft_ = 64 + 4 * crossingCount();
   for (int leg = 0; leg <= bends_.count() && passagesLeft_ > 0;) {

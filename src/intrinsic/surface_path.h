@@ -34,11 +34,12 @@ bool samePlace(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoi
 SurfacePoint pointBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b,
                           double s);
 
-/// The index k of the path's piece, between points k and k + 1, at a length from its start, clamped
-/// to the path. `lengths` are those of the path, which must have at least two points.
+/// The piece of a path at a length from the path's start: the index k of the piece between points k
+/// and k + 1. Lengths beyond an end of the path give the piece at this end. `lengths` are those of
+/// the path, which must have at least two points.
 int pieceAt(const Array<double>& lengths, double length);
 
-/// The point at a length from the start, clamped to the path.
+/// The point of a path at a length from the path's start. Lengths beyond an end give this end.
 SurfacePoint pointAlong(const TriangleMesh& mesh, const SurfacePath& path, double length);
 
 /// Appends to `out` the part of a path between two lengths from its start, backwards if `from` >
@@ -46,7 +47,7 @@ SurfacePoint pointAlong(const TriangleMesh& mesh, const SurfacePath& path, doubl
 void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
                 SurfacePath& out);
 
-/// The same without lengths, for a path that is to be straightened.
+/// The same part as points without lengths, for a path that the caller then straightens.
 void appendPart(const TriangleMesh& mesh, const SurfacePath& path, double from, double to,
                 Array<SurfacePoint>& out);
 

@@ -7,15 +7,15 @@
 namespace karcher {
 namespace {
 
-/// The half-edge that leaves a vertex in a face that holds it.
+/// The half-edge that leaves a vertex, in one of the vertex's faces.
 int cornerAt(const TriangleMesh& mesh, int vertex, int face) {
   int h = 3 * face;
   while (mesh.tail(h) != vertex) ++h;
   return h;
 }
 
-/// The log vector of a path at one of its ends, point `from`. The next point has the index `from +
-/// stride`.
+/// The log vector of a path at its end point `from`, 0 or the last index. `stride` leads to the
+/// next point: 1 or -1.
 Vec2 logAtEnd(const Geometry& geometry, const SurfacePath& path, int from, int stride) {
   const TriangleMesh& mesh = *geometry.mesh;
   const SurfacePoint& start = path.points[from];

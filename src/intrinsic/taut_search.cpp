@@ -162,7 +162,8 @@ class TautSearch {
     };
     const double low = std::clamp(meet(view.left, 0), 0.0, edge);
     const double high = std::clamp(meet(view.right, edge), low, edge);
-    // The point in view nearest to the straight line from the last point to the target.
+    // The point of the edge, within the view, that is nearest to the line from the last point to
+    // the target.
     const Vec3& tail = mesh_.positions[mesh_.tail(h)];
     const Vec3 along = mesh_.positions[mesh_.head(h)] - tail;
     const Vec3 on = target_ - last;

@@ -5,8 +5,8 @@
 
 /// A* search for a strip of faces between two points. It measures paths in the unfolded strip. As
 /// in strip_search.h, it visits faces in order of the length so far plus the straight distance to
-/// the target. Like a window of the exact distances, each entered edge stores the position of the
-/// unfolded source and the two vertices between which the source sees the edge. So the length so
+/// the target. Like the windows of the exact distances, each entered edge stores the position of
+/// the unfolded source, and the two vertices between which the source sees the edge. The length so
 /// far is that of a path that is straight after its last bend. Each edge keeps only its best
 /// window. The search finds better strips than `searchStrip`, and takes three times the work.
 namespace karcher {
@@ -14,7 +14,7 @@ namespace karcher {
 /// Reusable scratch memory of the search.
 struct TautSearchWorkspace {
   /// A half-edge through which the search enters a face. In its frame the tail is the origin, the
-  /// head lies on the positive x axis, and the source below.
+  /// head lies on the positive x axis, and the source lies below the axis.
   struct Node {
     int halfedge = -1;
     int before = -1;  ///< the node of the previous face, or -1 at the start
@@ -22,7 +22,7 @@ struct TautSearchWorkspace {
     double key = 0;
     double base = 0;  ///< the length of the path up to the source, its last bend
     Vec2 source;
-    Vec2 left;  ///< the vertices between which the view passes
+    Vec2 left;  ///< the vertices at the sides of the view
     Vec2 right;
     Vec3 entry;  ///< the point of the edge to which lengths are measured
   };

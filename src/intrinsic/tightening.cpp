@@ -14,7 +14,7 @@ bool liesOnEdge(const TriangleMesh& mesh, const PointLocation& point, int h) {
          (point.halfedge == h || (mesh.twin[h] >= 0 && point.halfedge == mesh.twin[h]));
 }
 
-/// Replaces the items [first, last) of an array.
+/// Replaces the items [first, last) of an array by the items [begin, end).
 void replaceItems(Array<int>& items, int first, int last, const int* begin, const int* end) {
   const auto count = static_cast<int>(end - begin);
   const int common = std::min(count, last - first);
@@ -42,7 +42,8 @@ Tightening::Trimmed Tightening::trimEnds() {
 }
 
 /// Unfolds the faces from the one before crossing `first` to the one after crossing `last`, in the
-/// frame of the first face. Returns the corner of the last face opposite to its entered edge.
+/// frame of the first face. Returns the corner of the last face opposite to the edge of crossing
+/// `last`.
 Vec2 Tightening::unfold(int first, int last) {
   if (workspace_.portals.count() < crossingCount()) {
     workspace_.portals.resize(static_cast<size_t>(crossingCount()));
@@ -137,8 +138,7 @@ void Tightening::measureBends(int first, int last, const Vec2& start, const Vec2
   }
 }
 
-/// Updates a bend's angle on the side away from the strip from the angles between its edges and
-/// legs.
+/// Updates the angle outside the strip at a bend: the vertex's total angle less all angles inside.
 void Tightening::updateOutside(Bend& bend) {
   const Run run = runAround(bend);
   double inside = bend.before + bend.after;
@@ -162,9 +162,9 @@ void Tightening::pullAllTight() {
   lastLeg_ = (end_ - (bends_.empty() ? start_ : positionOf(bends_.back()))).norm();
 }
 
-/// Pulls the part of the path between two bends tight, in a frame of its own. -1 stands for the
-/// path's start, and the number of bends for its end. Writes the bends of the part to `newBends` of
-/// the workspace.
+/// Pulls the part of the path between two bends tight, in a frame of its own. `before` is -1 for
+/// the path's start, and `after` the number of bends for its end. Writes the bends of the part to
+/// `newBends` of the workspace.
 void Tightening::pullBetween(int before, int after) {
   Bend* const a = before >= 0 ? &bends_[before] : nullptr;
   Bend* const b = after < bends_.count() ? &bends_[after] : nullptr;
@@ -187,7 +187,7 @@ void Tightening::pullBetween(int before, int after) {
     if (b) b->before = angleBetween(from - end, acrossFrom(*b, last) - end);
     (b ? b->leg : lastLeg_) = (end - from).norm();
   } else if (a && b) {
-    // The leg follows an edge of the mesh: the strip's side, or an edge that it crosses.
+    // The leg follows an edge of the mesh: a side of the strip, or an edge that the strip crosses.
     const bool atSide = first == last + 1;
     const int h = atSide ? crossing(first) : -1;
     const auto cornerAt = [&](int vertex) {
@@ -252,7 +252,7 @@ bool Tightening::turnSharpBends() {
 bool Tightening::turnRound(const Bend& bend, int before, int after) {
   const Run run = runAround(bend);
   const int lastFace = faceOf(mesh_.twin[crossing(run.last)]);
-  // The half-edge that leaves the vertex, in the strip's first face around it.
+  // The half-edge that leaves the vertex, in the first of the strip's faces around the vertex.
   int h = bend.onLeft ? next(crossing(run.first)) : crossing(run.first);
   Array<int>& turned = workspace_.turned;
   turned.clear();
@@ -265,7 +265,7 @@ bool Tightening::turnRound(const Bend& bend, int before, int after) {
     h = bend.onLeft ? next(t) : t;
   }
   Array<int>& crossings = strip_.crossings;
-  // The strip need not cross an edge and come straight back.
+  // Where the new strip would cross an edge and come straight back, it omits both crossings.
   int first = run.first;
   int last = run.last + 1;
   const int* begin = turned.data();

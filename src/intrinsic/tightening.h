@@ -31,9 +31,9 @@ class Tightening {
         bends_(workspace.bends) {}
 
   void run(bool shorten) {
-    // Each turn shortens the path. So a bound is needed only for turns at angles that equal pi up
-    // to rounding. To go around a corner, a strip may pass over all vertices in between, which are
-    // up to a quarter of the squared number of crossings.
+    // Each turn shortens the path, except at angles that equal pi up to rounding. Only such turns
+    // need a bound. A strip that goes around a corner may pass over all vertices on the way, up to
+    // a quarter of the squared number of crossings.
     const int64_t crossings = crossingCount();
     turnsLeft_ = 64 + 16 * crossings + crossings * crossings / 4;
     trimEnds();
@@ -84,7 +84,7 @@ class Tightening {
     const Portal& portal = workspace_.portals[bend.portal];
     return bend.onLeft ? portal.left : portal.right;
   }
-  /// The other end of a portal at a bend's vertex.
+  /// The end of a portal opposite to a bend's vertex. The portal must end at this vertex.
   Vec2 acrossFrom(const Bend& bend, int portal) const {
     return bend.onLeft ? workspace_.portals[portal].right : workspace_.portals[portal].left;
   }
@@ -93,7 +93,7 @@ class Tightening {
     return geometry_.totalAngle[vertexOf(bend)] - bend.outside;
   }
 
-  /// The portals around a bend's vertex: [first, last].
+  /// The portals that end at a bend's vertex: [first, last].
   struct Run {
     int first;
     int last;

@@ -93,8 +93,8 @@ class ComparedCurve {
   /// Replaces a control point, whose segments then need a new trace. Throws Error kBadIndex.
   void movePoint(int i, const SurfacePoint& point);
 
-  /// Sets the start of searches for a segment's ends, instead of the control point of the largest
-  /// weight.
+  /// Sets the start of searches that would otherwise start at a control point or a de Boor point
+  /// (`Seeds`).
   void startAt(const SurfacePoint& start) { start_ = start; }
 
   /// Does the next step: the field of one point, or up to `samples` samples of a segment. Returns

@@ -23,8 +23,8 @@ struct DescentPath {
   DescentStop stop = DescentStop::kStuck;
 };
 
-/// The gradient of the linear interpolation of `values` (one for each vertex) in face f, in its
-/// frame.
+/// The gradient, in the frame of face f, of the linear interpolation of `values` (one for each
+/// vertex).
 Vec2 faceGradient(const Geometry& geometry, const Array<double>& values, int f);
 
 /// Descends from `start` to `source`. `distances` are the distances of the vertices from `source`.

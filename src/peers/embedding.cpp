@@ -78,8 +78,8 @@ Scaling scaleLandmarks(const Landmarks& landmarks) {
   return scaleDistances(distances, options);
 }
 
-/// The positions of all vertices that minimize the sum of squared Laplacians for given positions of
-/// the landmarks.
+/// For given positions of the landmarks, the positions of all vertices that minimize the sum of
+/// squared Laplacians.
 class LeastSquaresMesh {
  public:
   explicit LeastSquaresMesh(const Geometry& geometry) {
@@ -163,8 +163,8 @@ Array<int> foldedFaces(const TriangleMesh& mesh, const Embedding& embedding) {
   return folded;
 }
 
-/// New landmarks: one corner of each folded face, but only of faces that share no corner, and at
-/// most kMostAtOnce.
+/// New landmarks: one corner of each folded face, and at most kMostAtOnce. Omits faces that share a
+/// corner with an earlier one.
 Array<int> newLandmarks(const TriangleMesh& mesh, const Array<int>& folded,
                         const Landmarks& landmarks) {
   constexpr int kMostAtOnce = 100;

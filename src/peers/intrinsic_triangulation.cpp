@@ -36,7 +36,8 @@ void moveHalfedge(IntrinsicTriangulation& triangulation, int from, int to) {
   triangulation.direction[to] = triangulation.direction[from];
 }
 
-/// The direction of the other side of the face's corner at the tail of h, counterclockwise from h.
+/// The direction of the corner's other side at the tail of h. The corner lies counterclockwise from
+/// h.
 double directionAfterCorner(const IntrinsicTriangulation& triangulation, int h) {
   const int v = triangulation.tail[h];
   const double total = triangulation.geometry->totalAngle[v];

@@ -31,8 +31,8 @@ struct IntrinsicTriangulation {
 /// The mesh's own triangles. The geometry must outlive the result.
 IntrinsicTriangulation meshTriangulation(const Geometry& geometry);
 
-/// Flips edges until the two angles opposite to each edge sum to at most pi. Stops at the latest
-/// after 100 times as many flips as there are half-edges. Returns the number of flips.
+/// Flips edges until the two angles opposite to each edge sum to at most pi. Stops early if the
+/// flips reach 100 times the number of half-edges. Returns the number of flips.
 int makeDelaunay(IntrinsicTriangulation& triangulation);
 
 /// Twice the area of face f.

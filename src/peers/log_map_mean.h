@@ -30,14 +30,15 @@ class LogMapMean {
   /// Replaces the control points and forgets all log maps.
   void setPoints(Array<SurfacePoint> points);
 
-  /// Replaces control point i, which must exist. Discards log maps that are not whole.
+  /// Replaces control point i, which must exist. Keeps only whole log maps in which the point has a
+  /// logarithm.
   void movePoint(int i, const SurfacePoint& point);
 
   /// The center of mass. The weights should sum to 1. Statuses: kConverged; kNoProgress if no step
-  /// lowers the energy or the weighted sum (log maps of neighbouring faces do not quite agree, and
-  /// a zero may lie in between); kBoundary if this happens at the boundary; kLimit. Throws Error:
-  /// kBadWeights if there is not one weight for each point, kUnreachable if a control point has no
-  /// logarithm at the place of the search.
+  /// lowers the energy or the weighted sum; kBoundary if this happens at the boundary; kLimit. A
+  /// search may make no progress because the log maps of neighbouring faces do not quite agree, so
+  /// that a zero may lie in between. Throws Error: kBadWeights if there is not one weight for each
+  /// point, kUnreachable if a control point has no logarithm at the place of the search.
   CenterOfMass centerOfMass(Weights weights, const SurfacePoint& start);
 
   /// Whether the last search met the stopping rule of the authors' library: a weighted sum shorter

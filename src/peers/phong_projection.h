@@ -44,12 +44,12 @@ class PhongSurface {
   std::optional<SurfacePoint> project(const EmbeddedPoint& p, const SurfacePoint& start) const;
 
  private:
-  /// A face in the coordinates of Newton's method: positions relative to corner 0, in the plane at
-  /// each corner. The two coordinates in a plane form a complex number.
+  /// A face in the coordinates of Newton's method. Positions are relative to corner 0, and are
+  /// projected to the plane at each corner. The two coordinates in a plane form a complex number.
   struct Patch {
-    /// the turn from the plane of corner k into the frame of the blend along the edge that leaves k
+    /// the turn from corner k's plane to the frame of the blend along the edge from k to k + 1
     Complex turnFirst[3];
-    Complex turnSecond[3];  ///< the same for the edge that leads to k
+    Complex turnSecond[3];  ///< the same for the edge from k - 1 to k
     Complex corners[3][3];  ///< corner c in the plane of corner k, as [k][c]
     Complex target[3];      ///< the point to project
   };

@@ -55,7 +55,7 @@ class SparseFactor {
     const Scalar* const value = lower().valuePtr();
     for (int j = 0; j < rows(); ++j) {
       const Row<kColumns> pivot = rowOf(x, j);
-      if (pivot.isZero(0)) continue;  // sources affect few columns
+      if (pivot.isZero(0)) continue;  // a few sources affect few columns of L
       for (int k = first[j]; k < first[j + 1]; ++k) subtractProduct(x, row[k], value[k], pivot);
     }
     for (int j = rows() - 1; j >= 0; --j) {
@@ -78,7 +78,8 @@ class SparseFactor {
     return Eigen::Map<const Row<kColumns>>(x.data() + static_cast<ptrdiff_t>(i) * kColumns);
   }
 
-  // Complex products are written out: the language's own check for infinities, which takes time.
+  // Complex products are written out, since the language's own products check for infinities, which
+  // takes time.
   template <int kColumns>
   static void subtractProduct(Columns<Scalar, kColumns>& x, int i, const Scalar& a,
                               const Row<kColumns>& b) {

@@ -3,10 +3,10 @@
 namespace karcher {
 namespace {
 
-/// The outward directions in one corner, on a small circle about its vertex, as coefficients of the
-/// hat functions at the far ends of the corner's sides. Each coefficient is an integral over the
-/// directions in the corner: of the hat's slope in a direction, times this direction. The x axis is
-/// the corner's first side.
+/// The outward directions in one corner, on a small circle about its vertex. They are given as
+/// coefficients of the hat functions at the far ends of the corner's two sides. Each coefficient is
+/// an integral over the directions in the corner. The integrand is the hat's slope in a direction,
+/// times this direction. The x axis is the corner's first side.
 struct CornerBall {
   Complex first;   ///< the coefficient of the hat at the end of the first side
   Complex second;  ///< the coefficient of the hat at the end of the second side
@@ -17,8 +17,8 @@ CornerBall cornerBall(const IntrinsicTriangulation& triangulation, int h) {
   const double area = doubleArea(triangulation, faceOf(h));
   const double sine = std::sin(angle);
   const double cosine = std::cos(angle);
-  // Each hat rises from 0 on the other side to 1 at its own vertex. These are the heights of the
-  // two vertices over those sides.
+  // Each hat rises from 0 on the corner's other side to 1 at the hat's own vertex. These are the
+  // heights of the two vertices over those sides.
   const double firstHeight = area / triangulation.length[previous(h)];
   const double secondHeight = area / triangulation.length[h];
   return {Complex(angle * sine, sine - angle * cosine) / (2 * firstHeight),
@@ -31,7 +31,7 @@ void addOutwardBall(const HeatOperators& operators, int vertex, Columns<Complex,
     const int last = previous(h);
     const CornerBall ball = cornerBall(triangulation, h);
     const Complex along = std::polar(1.0, std::arg(vectorAtTail(triangulation, h)));
-    // The direction in which each side arrives at its other end.
+    // The directions in which the two sides arrive at their far ends.
     const Complex arrivingFirst = -std::polar(1.0, std::arg(vectorAtHead(triangulation, h)));
     const Complex arrivingSecond = -std::polar(1.0, std::arg(vectorAtTail(triangulation, last)));
     const Complex secondSide = std::polar(1.0, cornerAngle(triangulation, h));

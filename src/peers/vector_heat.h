@@ -24,7 +24,7 @@ inline Vec2 noLogarithm() { return {kInfinity, 0}; }
 /// of the radial field as in its appendix A). It solves two systems of vectors and one of scalars.
 LogMap vectorHeatLogMap(const HeatOperators& operators, int vertex);
 
-/// A function that returns the log map from each vertex, such as vectorHeatLogMap of some
+/// A function that returns the log map from a vertex, such as vectorHeatLogMap with fixed
 /// operators.
 using LogMapFromVertex = std::function<LogMap(int vertex)>;
 

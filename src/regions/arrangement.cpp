@@ -12,7 +12,7 @@ namespace {
 /// A half-edge that leaves a vertex, in a face.
 struct Leaving {
   int vertex;
-  int rank;  ///< the half-plane of the direction; -1 for a direction along a side of the face
+  int rank;  ///< -1 on a side of the face, else 0 or 1 for the half-plane of the direction
   Vec2 direction;
   int halfedge;
 };
@@ -28,7 +28,7 @@ bool isBefore(const Leaving& a, const Leaving& b) {
 struct Loop {
   int first;
   double area;     ///< twice the loop's area in the face's own coordinates
-  bool isOutside;  ///< whether it surrounds isolated lines
+  bool isOutside;  ///< whether the loop runs around isolated lines
 };
 
 class Builder {
@@ -133,8 +133,8 @@ class Builder {
     }
   }
 
-  /// Sets the next half-edge of each half-edge: at its head, the first one to the right of its
-  /// reverse.
+  /// Links each half-edge to the next one of its loop: at its head, the first half-edge clockwise
+  /// from its reverse.
   void linkFace(int first, int end) {
     Array<Leaving>& leaving = leaving_;
     leaving.clear();
@@ -176,7 +176,7 @@ class Builder {
       if (std::pair(a.x(), a.y()) < std::pair(lowest.x(), lowest.y())) lowest = a;
       h = all_.next[h];
     } while (h != start);
-    // A loop surrounds isolated lines if one of its corners at its leftmost vertex contains the
+    // A loop runs around isolated lines if, at its leftmost vertex, one of its corners contains the
     // direction to the left.
     do {
       const int after = all_.next[h];

@@ -24,9 +24,9 @@ struct Arrangement {
   /// the mesh, then these.
   Array<DrawnVertex> added;
 
-  // Arrays by half-edge. The half-edges of face f are those from firstOfFace[f] to before
-  // firstOfFace[f + 1]. Those on the face's sides come first, counterclockwise from corner 0. Each
-  // piece lies left of its half-edges.
+  // Arrays by half-edge. The half-edges of face f are [firstOfFace[f], firstOfFace[f + 1]). Those
+  // on the face's sides come first, counterclockwise from corner 0. Each piece lies left of its
+  // half-edges.
   Array<int> firstOfFace;
   Array<int> tail;
   Array<int> next;
@@ -39,7 +39,7 @@ struct Arrangement {
   Array<int> cellOfPiece;
 
   Array<double> cellArea;
-  /// The uses, sorted by half-edge.
+  /// The uses of edges by paths, sorted by half-edge.
   Array<PathUse> uses;
 
   int halfedgeCount() const { return tail.count(); }
@@ -69,7 +69,7 @@ double lengthOf(const Geometry& geometry, const Arrangement& arrangement, int h)
 /// For each cell, a point inside it and away from its border, in the cell's largest piece.
 Array<SurfacePoint> pointsInside(const Geometry& geometry, const Arrangement& arrangement);
 
-/// The piece that contains a point. For a point on a line it is the piece on one side of the line.
+/// The piece that contains a point. If the point lies on a line, it is the piece on either side.
 int pieceHolding(const TriangleMesh& mesh, const Arrangement& arrangement,
                  const SurfacePoint& point);
 

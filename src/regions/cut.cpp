@@ -30,8 +30,8 @@ class FaceTriangles {
   void addLine(int from, int to) {
     lines_.emplace(std::minmax(from, to), 0);
     Array<Side> crossed = sidesAcross(from, to);
-    // A flip may leave a side that crosses the line, and the sides of a nonconvex quad wait in the
-    // list. So the number of steps may be quadratic.
+    // A flip may leave a side that crosses the line, and sides of nonconvex quads return to the end
+    // of the list. So the number of steps may be quadratic.
     const int64_t most = 100 + int64_t{4} * crossed.count() * crossed.count();
     for (int i = 0; i < crossed.count(); ++i) {
       if (i == most) refuse("a face could not be cut into triangles");

@@ -4,8 +4,7 @@
 
 /// The surface divided along paths into triangles. In each face, flips of edges triangulate the
 /// vertices and lines together (S. Sloan, "A fast algorithm for generating constrained Delaunay
-/// triangulations", 1993), with exact decisions, so that the triangles of thin pieces fit as well
-/// as those of others.
+/// triangulations", 1993). Its decisions are exact, so that the triangles fit even in thin pieces.
 namespace karcher {
 
 /// The triangles of a divided surface. Cells have no vertices in common. Along a path that ends

@@ -63,9 +63,9 @@ class Drawer {
   }
 
   Drawing finish() {
-    // The most rounds. A new vertex on an edge puts the faces at the edge back in the queue.
-    // Vertices stay apart, so that their number is bounded and the rounds end; the limit is far
-    // beyond all observed numbers.
+    // The largest number of rounds. A new vertex on an edge puts the faces at the edge back in the
+    // queue. Vertices stay apart, so that their number is bounded and the rounds end; the limit is
+    // far beyond all observed numbers.
     constexpr int kMostRounds = 1000;
     for (int round = 0; !waiting_.empty(); ++round) {
       if (round == kMostRounds) refuse("the paths have too many crossings that lie together");
@@ -79,7 +79,7 @@ class Drawer {
   }
 
  private:
-  /// Whether a path ends where it starts. A difference by rounding does not open it.
+  /// Whether a path ends where it starts, up to a difference of kTogether.
   bool isClosed(const SurfacePath& path) const {
     if (path.points.count() < 2) return false;
     const int face = commonFace(mesh_, path.points.front(), path.points.back());
@@ -141,8 +141,8 @@ class Drawer {
                          [&](int vertex, double value) { return alongEdge(h, vertex) < value; });
     const double up = after == vertices.end() ? kInfinity : alongEdge(h, *after) - t;
     const double down = after == vertices.begin() ? kInfinity : t - alongEdge(h, *(after - 1));
-    // If both neighbours are near, the older one takes the point, as it did before the other one
-    // existed.
+    // If both neighbours are near, the older one takes the point. It would have done so before the
+    // newer one existed.
     if (std::max(up, down) <= kTogether) return std::min(*after, *(after - 1));
     if (std::min(up, down) <= kTogether) return up < down ? *after : *(after - 1);
     const int vertex = addVertex({karcher::faceOf(h), h, t, placeOnSide(cornerOf(h), t)});

@@ -61,7 +61,8 @@ inline int drawnHalfedge(const TriangleMesh& mesh, int h) {
   return mesh.twin[h] >= 0 ? std::min(h, mesh.twin[h]) : h;
 }
 
-/// The position in a face of a vertex in it or on one of its sides.
+/// The position of a vertex in the coordinates of a face, if the vertex is inside the face or on
+/// its sides.
 Vec2 placeIn(const TriangleMesh& mesh, const Array<DrawnVertex>& added, int face, int vertex);
 
 /// Throws Error kBadArgument if consecutive points of a path have no face in common.

@@ -11,11 +11,11 @@
 namespace karcher {
 namespace {
 
-/// The uses of one edge of the arrangement by the paths of a range, summed up.
+/// The uses of an edge of the arrangement by a range of paths, summed up.
 struct EdgeCount {
   int halfedge = 0;
   int change = 0;  ///< the change of the label from the right to the left of the half-edge
-  /// the earliest use by the range's first path; its path is -1 if the first path does not use the
+  /// the earliest use by the range's first path; its `path` is -1 if that path does not use the
   /// edge
   PathUse firstOfAll;
 };
@@ -43,7 +43,8 @@ struct Step {
   int change;
 };
 
-/// The steps across each edge with a path, in both directions, ordered by the cell that they leave.
+/// The steps over all edges with a path, in both directions, sorted by the cell from which they
+/// lead.
 struct Steps {
   Array<int> start;
   Array<Step> steps;
@@ -96,15 +97,15 @@ void chooseSide(const Arrangement& all, const Array<int>& cells, const Array<int
     if (areas.empty() || areas.back().label != labels[cell]) areas.push_back({labels[cell], 0});
     areas.back().area += all.cellArea[cell];
   }
-  // Of labels with equal areas up to rounding, the smallest is outside: it lies right of the
-  // curves.
+  // Of labels with equal areas up to rounding, the smallest is outside: it belongs to cells right
+  // of the curves.
   const LabelArea* outside = nullptr;
   for (const LabelArea& one : areas) {
     if (inside && one.label == labels[*inside]) continue;
     if (outside == nullptr || one.area > outside->area * (1 + kChainRounding)) outside = &one;
   }
-  // If all cells have the label of `inside`, such as for a curve along the boundary, none is
-  // outside.
+  // If all cells have the label of `inside`, for example with a curve along the boundary, no cell
+  // is outside.
   for (const int cell : cells) {
     region[cell] = outside == nullptr || labels[cell] != outside->label ? 1 : 0;
   }

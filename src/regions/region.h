@@ -8,8 +8,9 @@
 /// left of a path is one more than that of the cell on its right. If the paths bound a region, this
 /// determines the labels of all cells up to a constant. If the changes of the label do not cancel
 /// around a handle of the surface, or around the end of a path, the paths enclose no region. A
-/// surface has no natural outside. On each component, all cells of one label are outside. It is the
-/// label with the largest area, except that of a given cell that must lie inside.
+/// surface has no natural outside. On each component, the cells of one label are outside: the label
+/// whose cells have the largest area together. The label of a given cell that must lie inside is
+/// never outside.
 namespace karcher {
 
 /// A region: 1 for each cell that belongs to it, else 0.
@@ -37,10 +38,10 @@ Region enclosed(const Arrangement& arrangement, const PathRange& paths, FillRule
 /// The sides of a path, seen along it.
 enum class PathSide { kLeft, kRight };
 
-/// The cell on a side of the first of these paths, at the path's first place where the labels on
-/// its two sides differ (with kEvenOdd, by an odd number). Places inside the surface take
-/// precedence over those on its boundary. The result is empty if there is no such place, or if the
-/// side lies beyond the boundary.
+/// The cell on a side of the first of these paths. It is the cell at the path's first place where
+/// the labels on the two sides differ (with kEvenOdd, by an odd number). Places inside the surface
+/// take precedence over those on its boundary. The result is empty if there is no such place, or if
+/// the side lies beyond the boundary.
 std::optional<int> cellBeside(const Arrangement& arrangement, const PathRange& paths, FillRule rule,
                               PathSide side);
 
