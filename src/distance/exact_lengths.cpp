@@ -8,8 +8,8 @@
 namespace karcher {
 namespace {
 
-/// Writes, for each point, the length of the shortest path from an image in the point's face or
-/// over a corner of the face.
+/// Writes the length of the shortest path to each point. The path comes from an image in the
+/// point's face, or over a corner of this face.
 void writeLengths(const Geometry& geometry, const WindowDistance& distance,
                   const Array<SurfacePoint>& points, Array<double>& lengths) {
   Array<const SourceImage*> images;

@@ -8,8 +8,8 @@
 namespace karcher {
 
 /// Memory for the pages of paged arrays. A page that one array returns is used again by the next.
-/// So fields that move over a surface take new memory only when all of them together need more than
-/// ever before.
+/// So fields that move over a surface take new memory only when their total need exceeds every
+/// earlier one.
 class PagePool {
  public:
   PagePool() = default;
@@ -21,7 +21,7 @@ class PagePool {
   void* take(size_t bytes, int number, Array<int>& numbers);
   void give(void* page, size_t bytes) noexcept;
 
-  /// Frees the pages that no array holds. A page stays if its block has a page that an array holds.
+  /// Frees the blocks in which no array holds a page.
   void trim() noexcept;
 
  private:

@@ -33,7 +33,7 @@ class PagedArray {
     return page[i & kMask];
   }
 
-  /// The element, or null if nobody has touched an element of its page.
+  /// The element, or null if its page does not exist.
   const T* find(int i) const {
     const T* page = pageOf_[i >> kPageBits];
     return page == nullptr ? nullptr : page + (i & kMask);

@@ -248,8 +248,8 @@ void PathDistance::leaveFan(const PointFan& fan, double from, double to, double 
   }
 }
 
-/// Sends out the part of a fan in one face: from a point of the face, in the directions between two
-/// angles of its frame.
+/// Sends out the part of a fan in one face. It starts at the point `middle` and has the directions
+/// between the angles `from` and `to`, in the face's frame.
 void PathDistance::leaveCorner(int face, const Vec2& middle, double from, double to, double offset,
                                SideOfPath side) {
   // The sector of an image must be narrower than half a turn, so a wide fan is divided.

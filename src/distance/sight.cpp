@@ -225,8 +225,8 @@ class SightLine {
 
   double curvature(int vertex) const { return 2 * kPi - geometry_.totalAngle[vertex]; }
 
-  /// The position of the target in the unfolding of the faces on the other side of a vertex beside
-  /// the strip.
+  /// The position of the target if the faces are unfolded on the other side of a vertex beside the
+  /// strip.
   Vec2 seenOnOtherSide(const Side& side) const {
     const Vec2 turn = unitVector(-side.sign * curvature(side.vertex));
     return side.at() + rotate(turn, at_ - side.at());

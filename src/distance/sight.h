@@ -18,7 +18,7 @@ namespace karcher {
 /// The largest number of faces that these paths cross. Only solvers find paths that cross more.
 inline constexpr int kMostFacesOfSight = 64;
 
-/// The start of paths, as a point of one of the faces that contain it.
+/// The start of paths, in the coordinates of one of the faces that contain it.
 struct SightSource {
   int face = 0;
   Vec3 position = Vec3::Zero();

@@ -48,7 +48,7 @@ class SourceImages {
   void clear() { images_.clear(); }
   const Array<SourceImage>& all() const { return images_; }
 
-  /// Adds the source in one of its own faces.
+  /// Adds the source itself as an image in a face that contains it.
   void addSource(int face, const SurfacePoint& source);
   /// Adds the sources of windows that cross the face of half-edge h, if the face may have points at
   /// the distance. Keeps even an image that gives smaller distances in the whole face: it shows

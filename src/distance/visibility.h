@@ -29,7 +29,7 @@ class Visibility {
   const Array<Sight>& fromPoint(const SurfacePoint& point);
 
  private:
-  /// The part of a half-edge that the source sees, which continues through the half-edge's face.
+  /// The part of a half-edge that the source sees. It waits to cross the half-edge's face.
   struct WaitingWindow {
     int halfedge;
     Window window;
@@ -50,7 +50,7 @@ class Visibility {
   /// that saw it. So a new call need not clear the arrays.
   Array<int> ringCall_;
   Array<int> sightCall_;
-  Array<int> sightOf_;  ///< the number of each vertex in sights_
+  Array<int> sightOf_;  ///< the index of each vertex's line in sights_
   int call_ = 0;
   Array<int> ring_;
   Array<WaitingWindow> windows_;

@@ -284,8 +284,8 @@ void WindowDistance::leaveThroughCorner(int vertex, int h, double from, double t
   }
 }
 
-/// Leads the windows that wait at half-edge h across its face: first to the apex, whose best
-/// distance then trims them all, then to the edges on its sides.
+/// Leads the windows that wait at half-edge h across its face: first to the apex, then to the other
+/// two edges of the face. The apex's distance trims the windows on these edges.
 void WindowDistance::carryAcross(int h) {
   const double length = geometry_.edgeLength[h];
   const int left = previous(h);

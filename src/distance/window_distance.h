@@ -112,8 +112,8 @@ class WindowDistance final : public DistanceSolver {
   const TargetArrival& targetArrival() const { return target_.best(); }
 
   /// From the next `setSource` on, keeps the images with paths to points at this distance. Once all
-  /// points within the distance are final, the distance of such a point is the length of the
-  /// shortest path from an image to it.
+  /// points within the distance are final, the shortest path from an image to a point at this
+  /// distance has the point's distance as its length.
   void keepImages(double distance) { images_.keep(distance); }
   /// From the next `setSource` on, keeps all images in these faces.
   void keepImagesIn(Array<int> faces) { images_.keepIn(std::move(faces)); }

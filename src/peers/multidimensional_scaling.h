@@ -11,7 +11,7 @@ namespace karcher {
 struct ScalingOptions {
   int dimensions = 8;
   int maxIterations = 500;
-  double tolerance = 1e-5;  ///< the relative decrease of the stress below which the iterations stop
+  double tolerance = 1e-5;  ///< iterations stop if the stress decreases by a smaller ratio
 };
 
 struct Scaling {
