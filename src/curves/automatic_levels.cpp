@@ -10,22 +10,23 @@
 namespace karcher {
 namespace {
 
-/// The least convexity of a safe piece, half of the plane's. On the sphere, the squared distance
-/// from a point has this convexity at 67 degrees from the point.
+/// The least convexity of a safe piece: half the convexity in the plane. On the sphere, the squared
+/// distance from a point has this convexity at 67 degrees from the point.
 constexpr double kLeastConvexity = 0.5;
 
 /// The largest detail on a leg of a safe piece, in radians. In the study of steadiness, curves with
 /// more detail turn visibly more than the subdivision curve.
 constexpr double kMostDetail = 0.2;
 
-/// The most edges that a leg crosses at `quickLevels`. Such a leg is about three edge lengths long.
+/// The largest number of edges that legs cross at `quickLevels`, as a root mean square. A leg
+/// across so many edges is about three edge lengths long.
 constexpr double kFewEdges = 9;
 
-/// The factor on the estimate of a deviation: a margin, since the estimate may be a third too low.
+/// The factor that adds a margin to an estimated deviation, which may be a third too low.
 constexpr double kDeviationMargin = 1.5;
 
-/// The length of a leg of a piece at level 0, relative to a leg of the control polygon. The legs of
-/// a Catmull-Rom curve's Bezier polygons are a third as long.
+/// The length of a leg that levels subdivide, relative to a leg of the control polygon. In a
+/// Catmull-Rom curve, levels subdivide the legs of its Bezier polygons, which are a third as long.
 double partOfLeg(const CurveShape& shape) {
   return shape.kind == CurveKind::kCatmullRom ? 1.0 / 3 : 1;
 }
@@ -72,7 +73,8 @@ int levelsToSafety(const Geometry& geometry, const CurveShape& shape, int points
                    const Array<SurfacePath>& legs) {
   double detail = 0;
   for (const SurfacePath& leg : legs) detail = std::max(detail, detailAlong(geometry, leg));
-  // The detail grows with the square of a leg's length, which each level divides by 4.
+  // Each level halves the legs. The detail grows with the square of a leg's length, so that each
+  // level divides it by 4.
   detail *= partOfLeg(shape) * partOfLeg(shape);
   int levels = 0;
   while (mayTakeLevels(shape, points, levels + 1) &&

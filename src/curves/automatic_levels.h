@@ -8,16 +8,17 @@
 ///
 /// - A curve is safe at a number of levels if all its pieces are safe: their centers of mass move
 ///   continuously, and turn little more than the surface does (convexity.h).
-/// - If level 0 is safe, its curve is that of Mancinelli and Puppo, Eq. 4. If the curves of all
-///   levels lie within a tolerance of this one (deviation.h), the curve takes the number of levels
-///   with which tracing is fastest; otherwise it takes none.
-/// - If level 0 is not safe, such as on rough surfaces, the curve takes the fewest levels at which
-///   it is safe, or more if tracing is then faster.
+/// - If level 0 is safe, its curve is the curve of Mancinelli and Puppo, Eq. 4. If levels move it
+/// by
+///   no more than a tolerance (deviation.h), the curve takes the number of levels with which
+///   tracing is fastest; otherwise it takes none.
+/// - If level 0 is not safe, for instance on a rough surface, the curve takes the fewest levels at
+///   which it is safe, or more if tracing is then faster.
 ///
-/// These decisions use only the control polygon and the faces that its legs cross, with one
-/// exception. At level 0, the legs between two points, pulled tight, must be a shortest path, which
-/// only distance fields can tell. Legs around a tube may be longer; centers of mass then jump to
-/// the other side of the tube.
+/// These decisions use only the legs of the polygons and the faces that the legs cross, with two
+/// exceptions at level 0. A traced curve with bridges is not safe. And the legs between two points,
+/// pulled tight, must be a shortest path, which only distance fields can tell: if the legs go
+/// around a tube, a shorter path may go around its other side, and centers of mass jump to it.
 namespace karcher {
 
 /// The largest distance, in mean edges, by which levels may move a curve that is safe at level 0.
@@ -38,16 +39,17 @@ bool isSafe(const Geometry& geometry, const RefinedPolygon& polygon, LevelsWorks
 
 /// The number of levels after which a polygon is probably safe, estimated from the detail along the
 /// control polygon's legs. It is at least 1 if the shape takes levels. The refined polygon may need
-/// more, for instance if the legs go around the rim of an ear that the curve crosses.
+/// more, for instance if the legs go around the rim of an ear and the curve crosses the ear.
 int levelsToSafety(const Geometry& geometry, const CurveShape& shape, int points,
                    const Array<SurfacePath>& legs);
 
-/// Whether a curve with these levels uses near fields (PointField::setPoint). At level 0 it does
-/// not. At other levels it does if a piece's legs cross at most kMostFacesOfSight faces, since its
-/// points then mostly see the vertices at which their fields are evaluated. At larger distances
-/// each value would need a path search, which costs as much as a wavefront that finds all values; a
-/// curve of two pieces on a fine mesh took minutes. If the curve can take no more levels, its
-/// fields are near in any case, since so many wavefronts would not fit into memory.
+/// Whether the fields of a curve with these levels are near fields (PointField::setPoint). At level
+/// 0 they are not. At other levels they are if the legs of a piece cross at most kMostFacesOfSight
+/// faces, since the piece's points then see most of the vertices at which the fields are evaluated.
+/// At larger distances each value would need a path search, which costs as much as a wavefront that
+/// finds all values: on a fine mesh, a curve of two pieces took minutes. If the curve can take no
+/// more levels, its fields are near in any case, since so many wavefronts would not fit into
+/// memory.
 bool areFieldsNear(const CurveShape& shape, int points, const Array<SurfacePath>& legs, int levels);
 
 /// The number of levels with which tracing is fastest. At this level the legs cross few edges, and
@@ -60,14 +62,14 @@ int quickLevels(const CurveShape& shape, int points, const Array<SurfacePath>& l
 double levelsDeviation(const Geometry& geometry, const RefinedPolygon& polygon,
                        LevelsWorkspace& workspace);
 
-/// The length of the geodesic that results if the legs between two of a segment's points are pulled
-/// tight.
+/// The length of the legs between two points of a segment after they are pulled tight to a
+/// geodesic.
 double tightLength(const Geometry& geometry, const RefinedPolygon& polygon,
                    const SegmentLayout& segment, int from, int to, LevelsWorkspace& workspace);
 
-/// The number of levels after which no leg is longer than two mean edges: at least 2, at most as
-/// many as the work limit allows, and 0 if the limit does not allow 2. The distance of the averages
-/// at this level from the subdivision curve is a small fraction of an edge.
+/// The number of levels after which no leg is longer than two mean edges. It is at least 2 and at
+/// most what the limit of work allows, or 0 if this limit does not allow 2 levels. At this level,
+/// averages of two points lie within a small fraction of an edge from the subdivision curve.
 int levelsToLimit(const Geometry& geometry, const CurveShape& shape, int points,
                   const Array<SurfacePath>& legs);
 

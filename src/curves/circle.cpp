@@ -19,7 +19,7 @@ constexpr int kFewestArcs = 3;
 /// an ellipse's arcs.
 constexpr int kFirstArcs = 7;
 constexpr int kMostCuts = 4;
-constexpr int kMostParts = 4;  ///< the most parts of one arc in one round
+constexpr int kMostParts = 4;  ///< the largest number of parts of one arc in one round
 constexpr int kFewestSamples = 5;
 
 void checkRadiusIsPositive(double radius) {
@@ -67,7 +67,7 @@ class Center {
 
   double totalAngle() const { return total_; }
 
-  /// The direction, which `trace` accepts, of a vector in the frame of the center's face.
+  /// Returns an angle for `trace`: the direction of a vector in the frame of the center's face.
   double directionOf(const Vec2& vector) const {
     if (location_.simplex != Simplex::kVertex) return angleOf(vector);
     int h = 3 * point_.face;
@@ -88,7 +88,7 @@ class Center {
   double total_ = 2 * kPi;
 };
 
-/// Throws Error kBadArgument if doubles do not resolve the radius at the center.
+/// Throws Error kBadArgument if the radius is lost in rounding at the center.
 void checkRadiusIsTold(const Geometry& geometry, const SurfacePoint& center, double radius) {
   const TriangleMesh& mesh = *geometry.mesh;
   const PointLocation location = locate(mesh, center);
@@ -150,7 +150,7 @@ struct ArcPoint {
   double distance = 0;
 };
 
-/// An arc without its end, which is the next one's start.
+/// The start and the middle control point of an arc. Its end is the start of the next arc.
 struct Arc {
   ArcPoint start;
   ArcPoint middle;
@@ -181,8 +181,8 @@ bool isPlain(const TriangleMesh& mesh, const WindowDistance& distance, double ra
   return plain;
 }
 
-/// The samples of an arc in a disk without other vertices. There the centers of mass of the arc's
-/// control points are those in the plane onto which the disk unrolls.
+/// The samples of an arc in a disk without other vertices. Such a disk unrolls onto the plane, so
+/// that the arc's centers of mass are those of the unrolled control points.
 Array<CurveSample> planeArc(const Center& from, const ArcPoint (&control)[3],
                             const SurfacePoint& start, const SurfacePoint& end, double middleWeight,
                             int count) {
@@ -326,8 +326,9 @@ Array<double> cutInto(const Array<int>& parts, const Array<double>& directions) 
   return result;
 }
 
-/// The number of samples of each arc. On the widest arc they are as dense as `samples` on a seventh
-/// of the turn. The number is at least 5, or `samples` if that is less.
+/// The number of samples of each arc. It is `samples` if the widest arc is a seventh of the turn,
+/// and proportionally smaller if that arc is narrower. It is at least 5, or `samples` if that is
+/// less.
 int samplesOfArcs(const Array<double>& directions, int samples) {
   double widest = 0;
   for (int j = 0; j + 1 < directions.count(); ++j) {

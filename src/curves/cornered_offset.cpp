@@ -25,7 +25,7 @@ struct Division {
   int index = 0;  ///< the index of the path's point
   SurfacePath before[2];
   SurfacePath after[2];
-  SurfacePath tip[2];  ///< from the end of `before` to the end of `after`; empty if there is none
+  SurfacePath tip[2];  ///< from the end of `before` to the end of `after`; empty without a tip
 };
 
 /// The first point that two polylines of geodesics share.
@@ -103,8 +103,8 @@ class CorneredOffset {
     };
     Array<Isoline> result;
     for (Array<int>& loop : boundaryOf(all, region)) {
-      // A loop with unwanted half-edges begins with one, so that no wanted line spans the loop's
-      // start.
+      // A loop with unwanted half-edges is rotated to begin with one, so that no wanted line runs
+      // through the loop's start.
       const auto other = std::find_if_not(loop.begin(), loop.end(), isWanted);
       const bool closed = other == loop.end();
       if (!closed) std::rotate(loop.begin(), other, loop.end());
@@ -298,8 +298,9 @@ class CorneredOffset {
     }
   }
 
-  /// Leads a run's last point to the end of one of two perpendiculars, where the strip's side ends:
-  /// to the first one that is no farther away than the longest chord, if any. A run that should end
+  /// Leads the end of a run to the end of a perpendicular, where the side of the strip ends. The
+  /// function takes the first of the two perpendiculars whose end is no farther from the run's last
+  /// point than the longest chord; if there is none, the run stays as it is. A run that should end
   /// there misses this place by at most the height of a chord.
   void leadToEnd(Array<SurfacePoint>& run, const SurfacePath* one, const SurfacePath* other) const {
     for (const SurfacePath* end : {one, other}) {
@@ -351,7 +352,7 @@ class CorneredOffset {
   OffsetCorners corners_;
   std::vector<Piece> pieces_;
   Array<SurfacePath> lines_;
-  /// a bit set for each line: 1 for the left side, 2 for the right, 4 around an end
+  /// the bits of each line: 1 on the left side, 2 on the right side, 4 around an end
   Array<uint8_t> sideOf_;
   Array<PathRange> tips_;
 };

@@ -384,8 +384,8 @@ void Curve::layKnots(const Next& next) {
   spaceKnots(workspace_->spacings, shape.closed, workspace_->layout);
 }
 
-/// Sets piece `part` of segment j. If `keep`, it becomes a copy of an equal piece of this curve, if
-/// there is one; otherwise it becomes a new piece, not yet traced.
+/// Sets piece `part` of segment j. If `keep` and this curve has an equal piece, the function copies
+/// it. Otherwise the piece is new, and not yet traced.
 void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const PartOfSegment& part,
                       bool keep) {
   const RefinedPolygon& polygon = next.polygon;
@@ -406,7 +406,7 @@ void Curve::makePiece(Next& next, int j, const SegmentLayout& layout, const Part
     piece.points_.push_back(polygon.points[i].point);
     if (polygon.weighted) piece.pointWeights_.push_back(polygon.points[i].weight);
   }
-  const Piece* before = nullptr;  // the piece with these indices, which may have the same weights
+  const Piece* before = nullptr;  // this curve's piece of these indices, maybe of equal weights
   if (keep && j < segments_.count() && part.index < segments_[j].pieces.count()) {
     before = &segments_[j].pieces[part.index];
   }

@@ -49,8 +49,8 @@ class Curve {
     Array<double> pointWeights_;  ///< empty if the basis is not rational
     SegmentBasis basis_;
     PartOfSegment part_;
-    /// The weights by the basis alone, and those with the points' weights as factors. Pieces with
-    /// equal weights share a table.
+    /// `basisTable_` has the weights of the basis alone, `table_` has them with the points' weights
+    /// as factors. Pieces with equal weights share a table.
     std::shared_ptr<PieceWeights> basisTable_;
     std::shared_ptr<const PieceWeights> table_;
     std::shared_ptr<TracedPiece> traced_;
@@ -78,7 +78,8 @@ class Curve {
 
   // Each edit sets the value that results from it.
   void movePoint(int i, const SurfacePoint& point) { set(withPointPlaced(value_, i, point)); }
-  /// Moves a point as a drag does: the legs that meet at it are extended, not searched anew.
+  /// Moves a point in a drag: the curve extends the legs that meet at the point, and searches no
+  /// new ones.
   void dragPoint(int i, const SurfacePoint& point) {
     set(withPointDragged(value_, i, point, usesLegs(options()) ? legs() : usedLegs()));
   }
@@ -116,7 +117,7 @@ class Curve {
   int segmentCount() const { return segments_.count(); }
   const Array<CurveSample>& samples(int segment) const { return segments_[segment].whole->samples; }
   const JoinedPath& path(int segment) const { return segments_[segment].whole->path; }
-  /// The intervals of a segment where it is no center of mass.
+  /// The bridges of a segment, over the intervals in which its points are no centers of mass.
   const Array<Bridge>& bridges(int segment) const { return segments_[segment].whole->bridges; }
 
   /// The number of pieces of a segment, the same for all segments.
@@ -142,8 +143,8 @@ class Curve {
     Array<int> points;  ///< the control points at level 0
     std::shared_ptr<TracedSegment> whole;
   };
-  /// The state of the curve after an edit. When the edit succeeds, the curve exchanges it with the
-  /// present state, whose memory the next edit reuses.
+  /// The state that an edit prepares. If the edit succeeds, it becomes the state of the curve, and
+  /// the next edit reuses the memory of the old state.
   struct Next {
     CurveValue value;
     int levels = 0;

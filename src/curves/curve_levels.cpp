@@ -43,7 +43,7 @@ RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<Surfac
   takeControlPolygon(value, polygon);
   polygon.legs = legs;
   if (shape.kind == CurveKind::kCatmullRom) {
-    // The lengths of the known legs space the knots; distances of fields do not.
+    // The knots follow the lengths of the legs, which are known, and not distances by fields.
     Array<double>& gaps = workspace_->gaps;
     gaps.clear();
     for (const SurfacePath& leg : legs) gaps.push_back(leg.length());
@@ -53,18 +53,19 @@ RefinedPolygon& Curve::leggedPolygon(const CurveValue& value, const Array<Surfac
   return polygon;
 }
 
-/// Whether the legs from each point of a segment to the segment's ends, pulled tight, are as long
-/// as the distances by the fields of level 0. If a distance is smaller, a shorter path goes another
-/// way, for instance around a tube, and centers of mass would jump to it. If it is larger, the
-/// field is wrong, since the tightened legs are a path. The function releases the field's memory,
-/// since the curve may need no other field.
+/// Whether the tightened legs are shortest paths by the fields of level 0. From each point of a
+/// segment to both ends of the segment, the legs, pulled tight, must be as long as the field's
+/// distance. If the distance is smaller, a shorter path goes another way, for instance around a
+/// tube, and centers of mass would jump to it. If the distance is larger, the field is wrong, since
+/// the tightened legs are a path. The function releases the field's memory, since the curve may
+/// need no other field.
 bool Curve::joinsByShortestPaths(const RefinedPolygon& polygon) {
   const Geometry& geometry = surface().geometry();
   bool areShortest = true;
   {
     PointField field(surface(), fieldSet_->options());
-    // The tested pairs of points: for each first point, a bit for each number of legs to the
-    // second. Adjacent segments share such pairs.
+    // The tested pairs of points. Bit k of a point is set if the pair of this point and the point k
+    // legs later has been tested. Adjacent segments share pairs.
     Array<uint64_t> tested(polygon.points.size());
     const auto isShortest = [&](const SegmentLayout& segment, int from, int to) {
       const uint64_t bit = to - from < 64 ? uint64_t{1} << (to - from) : 0;
@@ -161,7 +162,7 @@ void Curve::makePolygon(Next& next) {
   next.polygon.legs.clear();
 }
 
-/// Whether a curve with automatic levels has no levels, but bridges.
+/// Whether a curve with automatic levels has bridges at level 0.
 bool Curve::jumpsAtLevelZero(const Next& next) const {
   if (next.levels > 0 || !mayHaveLevels(next.value.options)) return false;
   if (next.value.options.levels != kAutomaticLevels) return false;

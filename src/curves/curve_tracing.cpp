@@ -9,8 +9,9 @@
 /// Tracing of a curve's pieces.
 namespace karcher {
 
-/// Gives fields to each untraced piece. The piece first takes the existing fields at its points.
-/// Then the curve releases its old fields, and spare fields move to the other points.
+/// Gives fields to each untraced piece that needs them. The piece first takes the existing fields
+/// at its points. Then the curve releases its old fields, and moved or new fields serve the
+/// remaining points.
 void Curve::makeFields(Next& next) {
   if (!isOfCenters(next.value.options, next.levels)) return;
   const auto forEach = [&](const auto& work) {
@@ -48,7 +49,7 @@ SegmentFields& Curve::blendFields() {
   return *blend;
 }
 
-/// Traces the untraced pieces, and joins the segments.
+/// Traces the untraced pieces, and merges the pieces of each segment.
 void Curve::trace(Next& next) {
   double last = clock_ ? clock_() : 0;
   const auto timed = [&](double& stage) {
@@ -92,8 +93,8 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   if (!isOfCenters(options, next.levels) || piece.isSubdivided_) {
     findAveragedSamples(next, piece, segment);
     if (piece.isSubdivided_) {
-      // The neighbouring pieces may be centers of mass; these begin and end at the centers by the
-      // fields (`centerOf`).
+      // The neighbouring pieces may be centers of mass, which begin and end at the centers by the
+      // fields. So this piece begins and ends at these centers, too (`centerOf`).
       piece.traced_->samples.front().point = first ? *first : centerOf(next, piece.points_.front());
       piece.traced_->samples.back().point = last ? *last : centerOf(next, piece.points_.back());
     }
@@ -114,9 +115,9 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   }
 }
 
-/// The center at an end of an open curve, if one point has all the weight there. The center is then
-/// that point by definition, whereas the point's estimated field is zero only near the point. At
-/// joints of pieces, the curve searches the fields instead, as for the samples on both sides. The
+/// The center at an end of an open curve, if one point has all the weight there. This point is then
+/// the center by definition, whereas its estimated field is zero only near it. At joints of pieces
+/// no center is known: the search in the fields finds it, as on both sides of the joint. The
 /// paper's method always searches.
 std::optional<SurfacePoint> Curve::knownEnd(const Next& next, const Piece& piece, double t) {
   const bool isEnd = t == 0 ? piece.isFirst_ : piece.isLast_;
@@ -150,8 +151,8 @@ void Curve::findAveragedSamples(const Next& next, Piece& piece, int segment) {
   }
 }
 
-/// Gives a piece that is a subdivision curve its single bridge, which leads from end to end through
-/// the samples.
+/// Writes the single bridge of a piece that is a subdivision curve. The bridge leads from end to
+/// end through the samples.
 void Curve::layOwnSubdivision(Piece& piece) {
   TracedPiece& traced = *piece.traced_;
   traced.bridges.resize(1);

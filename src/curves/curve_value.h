@@ -7,7 +7,7 @@
 #include "rcm/field_options.h"
 
 /// A curve as a value, and its edits as pure functions from one value to another. A value
-/// determines its curve: `Curve` (curve.h) becomes the curve of a value.
+/// determines its curve, which `Curve` (curve.h) traces.
 namespace karcher {
 
 /// The curve chooses its number of levels, so that its pieces are safe centers of mass and tracing
@@ -29,12 +29,12 @@ struct CurveOptions {
   /// kLimitLevels. Each piece of the subdivided polygon gives a center of mass. With 0 each segment
   /// is one center of mass of all its points, as in the curve of Mancinelli and Puppo.
   int levels = kAutomaticLevels;
-  /// The fewest levels that kAutomaticLevels takes, 0 to 8. With it a drag keeps at least the
-  /// levels that the curve had.
+  /// The smallest number of levels that kAutomaticLevels chooses, 0 to 8. A drag uses it to keep at
+  /// least the levels that the curve had.
   int leastLevels = 0;
   /// The largest distance, in mean edges, by which kAutomaticLevels may move a curve that is a safe
-  /// center of mass without levels. With 0 the curve does not move; with infinity it takes the
-  /// levels that trace fastest, as for a draft.
+  /// center of mass without levels. With 0 the curve does not move. With infinity it takes the
+  /// levels that trace fastest, which suits a draft.
   double levelsTolerance = kLevelsTolerance;
 };
 

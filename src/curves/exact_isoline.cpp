@@ -7,18 +7,17 @@
 #include "mesh/rounding.h"
 #include "mesh/sorted_numbers.h"
 
-/// In a face, the points nearer than the radius form a union: each image of the source contributes
-/// the part of its disk that its paths reach. The border of the union consists of arcs. The edges
-/// of the face, and the two rays that bound an image's paths, cut the image's circle into pieces.
-/// The pieces in the face and between the rays remain, without the parts that other images
-/// undercut; the circles and rays of those images bound these parts. Finally the arcs of all faces
-/// join where their ends meet.
+/// The isoline in a face is the border of the union of disks about the source's images. Each disk
+/// counts only where the image's paths reach. The edges of the face, and the two rays that bound an
+/// image's paths, cut the image's circle into pieces. The pieces in the face and between the rays
+/// remain. Other images with shorter paths undercut parts of these pieces: their circles and rays
+/// bound such parts, which are removed. Finally the arcs of all faces join where their ends meet.
 namespace karcher {
 namespace {
 
-/// The distance, in mean edges, up to which two ends of arcs may be one point. If an arc grazes an
-/// edge or a ray, its end moves by the square root of the rounding error. The nearest ends join
-/// first.
+/// The largest distance, in mean edges, between two ends of arcs that may be one point. If an arc
+/// grazes an edge or a ray, its end moves by the square root of the rounding error. The nearest
+/// ends join first.
 constexpr double kMeet = 1e-3;
 
 struct Arc {
@@ -106,8 +105,8 @@ class FaceArcs {
     });
   }
 
-  /// Appends the parts between cuts whose middle satisfies `isKept`. Adjacent parts merge into one
-  /// piece.
+  /// Divides pieces at the cuts, and appends each part whose middle satisfies `isKept`. Adjacent
+  /// parts merge into one piece.
   template <typename IsKept>
   void keepPieces(const Array<Piece>& from, double radius, const IsKept& isKept) {
     for (const Piece& piece : from) {
@@ -175,7 +174,7 @@ class FaceArcs {
   }
 
   /// Whether another image has a shorter path to a point of the circle. If both paths are equally
-  /// long, that of the earlier image counts as shorter.
+  /// long, the path of the earlier image counts as shorter.
   bool undercuts(const SourceImage& other, const SourceImage& own, const Vec2& x) const {
     if (!holds(other, x, rounding_)) return false;
     const double way = other.offset + (x - other.source).norm();
@@ -222,7 +221,7 @@ class ArcChains {
         end = partner_[end ^ 1];
       }
       line.closed = end >= 0 || arcs_[first_ / 2].isCircle;
-      // A short open line is a scrap: the ends that should meet its ends are paired with others.
+      // A short open line is a scrap: the ends next to its own are paired with other ends.
       if (!line.closed && line.length <= kMeet * geometry_.meanEdge) return;
       if (line.closed) line.points.push_back(line.points.front());
       isolines.push_back(std::move(line));
@@ -252,8 +251,8 @@ class ArcChains {
   }
 
   /// Pairs each end with the nearest free end, the nearest pairs first. The search radius grows in
-  /// steps. Most ends meet up to rounding. So only few ends remain for large radii, within which
-  /// all ends in a narrow face may lie.
+  /// steps, since a large radius may hold all ends in a narrow face. Most ends meet up to rounding,
+  /// so that only few are still free when the radius is large.
   void pairEnds() {
     const int count = 2 * arcs_.count();
     partner_.assign(static_cast<size_t>(count), -1);
@@ -362,8 +361,8 @@ Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& sourc
   for (int i = 0; i < images.count();) {
     int end = i;
     while (end < images.count() && images[end].face == images[i].face) ++end;
-    // If no point of a face lies at the radius, some of its images are missing, so that nothing
-    // would undercut the others.
+    // If a whole face is nearer than the radius, it has no arcs. Some of its images are missing, so
+    // that nothing would undercut the others.
     if (!isNearer(images[i].face)) faceArcs.append(images.data() + i, images.data() + end, arcs);
     i = end;
   }

@@ -53,7 +53,8 @@ class LinearIsolines {
     return (mesh_.positions[mesh_.head(h)] - mesh_.positions[mesh_.tail(h)]).norm();
   }
 
-  /// The walk leaves each face once, so that it ends at its first face or at the boundary.
+  /// Follows a line that enters a face at half-edge `entry`. The line leaves each face once, so
+  /// that it ends at its first face or at the boundary.
   void follow(int entry) {
     Isoline line;
     line.closed = false;

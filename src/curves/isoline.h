@@ -17,15 +17,15 @@ struct Isoline {
 /// Throws Error kBadArgument for a distance that is not positive and finite.
 void checkIsolineRadius(double radius);
 
-/// The isolines of a distance that is linear in each triangle, given by its values at the vertices
-/// (kInfinity or any number). They are straight from edge to edge and have smaller values on their
-/// left. Throws Error kBadArgument (level not positive and finite).
+/// The isolines of a distance that is linear in each triangle. `values` are the distances of the
+/// vertices (kInfinity or any number). The lines are straight from edge to edge and have smaller
+/// values on their left. Throws Error kBadArgument (level not positive and finite).
 Array<Isoline> linearIsolines(const TriangleMesh& mesh, const Array<double>& values, double level);
 
-/// The exact isoline at distance `radius` from the source. In each face it consists of arcs about
-/// the source's images (source_images.h), without the points to which another path is shorter. The
-/// points of the lines divide the arcs so that the chords stay within `tolerance` mean edges of the
-/// arcs. The lengths of the lines are those of the arcs. Throws Error: kBadArgument (radius or
+/// The exact isolines at the distance `radius` from the source. In each face they consist of arcs
+/// about the source's images (source_images.h), without the points to which another path is
+/// shorter. Points divide each arc so that its chords stay within `tolerance` mean edges of it. The
+/// length of a line is the sum of the lengths of its arcs. Throws Error: kBadArgument (radius or
 /// tolerance not positive and finite).
 Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& source, double radius,
                              double tolerance = 1e-3);

@@ -18,20 +18,20 @@
 namespace karcher {
 namespace {
 
-/// The length, relative to the scale, down to which the tracer divides a side that the isoline
-/// crosses twice, for instance in the tip of a gap. On a shorter side with both ends nearer, or
-/// both farther, no point lies across the line by more than half the side's length, since distances
-/// are Lipschitz. This half is the tolerance.
+/// The tracer divides a side that the isoline crosses twice, for instance in the tip of a gap, only
+/// if the side is longer than this, relative to the scale. On a shorter side, no point lies across
+/// the line from both ends by more than half the side's length, since distances are Lipschitz. This
+/// half is the tolerance.
 constexpr double kShortestSide = 2 * kOffsetTolerance;
 
 /// The number of steps of a search for the extremum on a side. Each keeps 0.62 of the interval.
 constexpr int kExtremumSteps = 14;
 
-/// The most halvings of a chord that deviates from the distance.
+/// The largest number of halvings of a chord that deviates from the distance.
 constexpr int kMostChordHalvings = 14;
 
-/// A corner of a piece of a face. All pieces at the corner, in both faces at an edge, use exactly
-/// the same weights for it.
+/// A corner of a piece of a face. All pieces that meet at the corner, also those in the other face
+/// of an edge, use exactly the same weights for it.
 struct PieceCorner {
   Vec3 bary;
   Vec2 place;
@@ -109,7 +109,7 @@ class OffsetTracer {
     return lines;
   }
 
-  /// The place, still on a's side, at which the side changes between two consecutive points.
+  /// The place between consecutive points a and b at which the side changes, still on a's side.
   LinePoint changeBetween(const LinePoint& a, const LinePoint& b) const {
     LinePoint near = a;
     LinePoint far = b;
@@ -196,8 +196,8 @@ class OffsetTracer {
     return there.value < here.value ? there : here;
   }
 
-  /// A side of a piece, equal in both pieces at it. On an edge of the mesh it runs from the
-  /// parameter `from` to `to`; inside a face, from 0 to 1.
+  /// A side of a piece, the same for both pieces at it. On an edge of the mesh, its parameter goes
+  /// from `from` to `to`; inside a face, from 0 to 1.
   struct Side {
     int halfedge = -1;
     int face = -1;
@@ -290,7 +290,7 @@ class OffsetTracer {
     return {1 - second - third, second, third};
   }
 
-  /// The index of the isoline's crossing between two corners, just one of which is nearer.
+  /// The index of the isoline's crossing between a nearer and a farther corner.
   int crossing(int face, const PieceCorner& a, const PieceCorner& b) {
     const Side side = sideBetween(face, a, b);
     const auto [entry, isNew] = numbers_.try_emplace(side.key, crossings_.count());
@@ -366,8 +366,8 @@ class OffsetTracer {
     double part = 0;
     double reach = std::min(1.0, edge);
     double atPart = atMiddle;
-    // The tip of a gap may lie farther away than the chord is long. So the step doubles as long as
-    // this leads nearer to the line. It ends at the edge of the face, along which the line may run.
+    // The tip of a gap may lie farther away than the chord is long. So the step doubles while this
+    // leads nearer to the line, up to the edge of the face, along which the line may run.
     while (true) {
       const double atReach = value(reach);
       if (isNearer(atReach) != isNearer(atPart)) {

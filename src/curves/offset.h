@@ -19,11 +19,11 @@ struct OffsetCorners {
   double miterLimit = 4;
 };
 
-/// The points at one distance from paths: isolines of the exact distance (path_distance.h), with
-/// round corners and without intersections with themselves. An offset on one side has the points
-/// whose shortest connection meets the path from that side; an offset on both sides also has those
-/// around the ends of open paths. The lines on one side run in the direction of the paths; those on
-/// both sides have nearer points on their left.
+/// The offset of paths: the isolines of the exact distance from them (path_distance.h), with round
+/// corners and without self-intersections. An offset on one side consists of the points whose
+/// shortest connection meets a path from that side, and its lines run in the direction of the
+/// paths. An offset on both sides also has the points around the ends of open paths, and its lines
+/// have nearer points on their left.
 ///
 /// The tracer halves faces at their longest sides until all sides are short compared with the
 /// distance. Since distances are Lipschitz, it can skip pieces too near or too far to contain the
@@ -31,12 +31,12 @@ struct OffsetCorners {
 /// kOffsetTolerance, relative to the distance. The lines may omit features narrower than a twelfth
 /// of the distance.
 ///
-/// If there are several distances, they belong to equally spaced places along each path, with
-/// linear interpolation by length; on a closed path the first follows the last. The lines are then
-/// the border of the union of disks around all points of the paths, whose radii are the distances
-/// there. Along a straight piece the border is straight, and touches the disks at both ends.
-/// Tolerances are relative to the smallest distance or to kNarrowestOffset times the largest,
-/// whichever is larger.
+/// Several distances belong to equally spaced places along each path, and are interpolated linearly
+/// by length between these places. On a closed path, the first distance follows the last. The lines
+/// are then the border of a union of disks: each point of the paths is the center of a disk, and
+/// its distance is the radius. Along a straight piece the border is straight, and touches the disks
+/// at both ends. Tolerances are relative to the smallest distance or to kNarrowestOffset times the
+/// largest, whichever is larger.
 ///
 /// Corners that are not round follow cornered_offset.h.
 ///

@@ -63,7 +63,7 @@ double curvatureOf(const Geometry& geometry, int face) {
   double curvature = 0;
   for (int h = 3 * face; h < 3 * face + 3; ++h) {
     const int vertex = mesh.tail(h);
-    // The curvature at a boundary vertex is that of the boundary line.
+    // At a boundary vertex, the angles show how the boundary line bends, not the surface.
     if (mesh.onBoundary[vertex]) continue;
     const double defect = 2 * kPi - geometry.totalAngle[vertex];
     curvature += defect * geometry.cornerAngle[h] / geometry.totalAngle[vertex];

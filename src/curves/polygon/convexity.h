@@ -22,8 +22,9 @@ struct ConvexityWorkspace {
 /// defect, in proportion to the face's angle there; vertices on the boundary contribute nothing.
 double curvatureOf(const Geometry& geometry, int face);
 
-/// The least second derivative across the legs, relative to the plane's, of the energies whose
-/// minima are the points of a piece. As long as it is positive, the minima move continuously.
+/// The points of a piece are minima of energies. The function returns the least second derivative
+/// of these energies across the legs, relative to its value in the plane. As long as it is
+/// positive, the minima move continuously.
 ///
 /// Half the squared distance from a point has the second derivative d J'(d) / J(d) across a
 /// geodesic at the distance d, where J is the Jacobi field with J(0) = 0, J'(0) = 1, J'' = -K J (M.

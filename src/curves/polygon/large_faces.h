@@ -7,7 +7,7 @@ namespace karcher {
 /// A reusable list of the faces along the legs of a refined polygon.
 struct FacesAlongLegs {
   Array<int> faces;
-  /// the index of each leg's first face: leg k has faces[begin[k]] to before faces[begin[k + 1]]
+  /// the index in `faces` of each leg's first face: leg k has the faces [begin[k], begin[k + 1])
   Array<int> begin;
   Array<double> longest;  ///< the longest edge of each leg's faces
 };

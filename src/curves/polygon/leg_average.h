@@ -6,7 +6,8 @@
 /// Averages on the legs of a control polygon, and the paths that join them.
 namespace karcher {
 
-/// A control point with its weight. The weight of an average is the sum of both weights.
+/// A control point with its weight. The weight of an average of two points is the sum of their
+/// weights.
 struct WeightedPoint {
   SurfacePoint point;
   double weight = 1;

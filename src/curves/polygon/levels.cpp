@@ -11,7 +11,7 @@
 namespace karcher {
 namespace {
 
-/// The most averages in one curve. Every step of a drag computes all of them.
+/// The largest number of averages in one curve. Every step of a drag computes all averages.
 constexpr double kMostAverages = 1e6;
 
 bool isBezier(CurveKind kind) { return kind == CurveKind::kBezier || kind == CurveKind::kRational; }
@@ -29,7 +29,7 @@ void findAverages(const TriangleMesh& mesh, const Share& share, AveragingWorkspa
   }
 }
 
-/// Replaces the row by the averages on its legs, one point fewer.
+/// Replaces the row by the averages on its legs. The new row has one point fewer.
 void replaceByAverages(const Geometry& geometry, AveragingWorkspace& workspace) {
   const Array<LegAverage>& averages = workspace.averages;
   Array<SurfacePath>& legs = workspace.row.legs;
@@ -156,8 +156,8 @@ bool refinePolygon(const Geometry& geometry, const CurveShape& shape,
       }
     }
     if (shape.closed) {
-      // Both ends of a closed curve are the same point of the polygon, so that both find the zero
-      // of its field.
+      // Both ends of a closed curve use the same point of the polygon, so that both find the same
+      // zero of this point's field.
       refined.pieces.back().points.back() = 0;
       refined.points.pop_back();
     }

@@ -6,12 +6,12 @@
 #include "curves/spec/curve_layout.h"
 #include "intrinsic/surface_path.h"
 
-/// Subdivision before averages. A center of mass of distant points is rough on a rough surface,
-/// since their squared distances have creases everywhere. So averages of two points along the legs
-/// subdivide the control polygon first, and each piece of the curve is a center of mass of a few
-/// points near it. On the plane this does not change the curve. Elsewhere, more levels bring it
-/// nearer to the subdivision curve of C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf:
-/// Interactive Bezier Splines on Surface Meshes" (2022).
+/// Subdivision of a control polygon before its curve is traced. A center of mass of distant points
+/// is rough on a rough surface, since their squared distances have creases everywhere. So averages
+/// of two points along the legs subdivide the control polygon first, and each piece of the curve is
+/// a center of mass of a few points near it. On the plane this does not change the curve.
+/// Elsewhere, more levels bring it nearer to the subdivision curve of C. Mancinelli, G. Nazzaro, F.
+/// Pellacini, E. Puppo, "b/Surf: Interactive Bezier Splines on Surface Meshes" (2022).
 ///
 /// Averages do not search for paths. They straighten paths that consist of parts of adjacent legs,
 /// so that the curve moves continuously with the legs.
@@ -19,8 +19,8 @@ namespace karcher {
 
 inline constexpr int kMostLevels = 8;
 
-/// Whether averages of two points can subdivide a kind of curve. Curves of other kinds are one
-/// center of mass of all their points.
+/// Whether averages of two points can subdivide a kind of curve: B-splines, Bezier curves, also
+/// rational ones, and Catmull-Rom curves. Curves of other kinds have no levels.
 bool takesLevels(CurveKind kind);
 
 /// A control polygon after some levels, and the pieces of its curve: each is a center of mass of a
@@ -63,13 +63,13 @@ struct AveragingWorkspace {
 
 /// Subdivides a control polygon `levels` >= 1 times. `legs` are paths from each point to the next,
 /// and for a closed curve also from the last to the first.
-/// - de Casteljau's algorithm divides Bezier curves, also rational ones, at 1/2;
-/// - B-splines get a new knot in the middle of each span. A new point is the repeated average of
-///   consecutive old points, its parents, from both ends of their row towards the middle
-///   (subdivision.h), with the weights of the knot insertion. In degrees up to 3, with evenly
-///   spaced knots, that is Lane and Riesenfeld's algorithm;
-/// - Catmull-Rom curves count as cubic Bezier curves, with handles by log and exp maps at the
-///   points.
+/// - Bezier curves, also rational ones: de Casteljau's algorithm divides them at 1/2;
+/// - B-splines: each span gets a new knot in its middle. A new point is the repeated average
+///   (subdivision.h) of consecutive old points, its parents, with the weights of the knot
+///   insertion. In degrees up to 3, with evenly spaced knots, this is Lane and Riesenfeld's
+///   algorithm;
+/// - Catmull-Rom curves: they count as cubic Bezier curves. Log and exp maps at the points give the
+///   handles.
 ///
 /// Reversed points and legs give the reversed result. Writes to `refined`. Returns false if a
 /// handle would lie beyond the surface's boundary.

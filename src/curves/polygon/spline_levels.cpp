@@ -10,10 +10,10 @@
 namespace karcher {
 namespace {
 
-/// The row of a knot insertion for the new control point with the knots refined(j + 1), ...,
-/// refined(j + p): the weights of the p + 1 old points of span `span`, by the blossom of that
-/// span's polynomial (E. Cohen, T. Lyche, R. Riesenfeld, "Discrete B-splines and subdivision
-/// techniques", 1980). `old(k)` and `refined(k)` return knots.
+/// The row of a knot insertion for one new control point: the weights of the p + 1 old points of
+/// span `span`. They are the blossom of the span's polynomial at the new point's p knots, which
+/// begin with refined(j + 1) (E. Cohen, T. Lyche, R. Riesenfeld, "Discrete B-splines and
+/// subdivision techniques", 1980). `old(k)` and `refined(k)` return knots.
 template <class Old, class Refined>
 Array<double> insertionRow(const Old& old, const Refined& refined, int degree, int span, int j) {
   // This computes de Boor's pyramid row by row, on unit vectors.
@@ -41,7 +41,7 @@ Array<double> insertionRow(const Old& old, const Refined& refined, int degree, i
   return row;
 }
 
-/// Knots with one more in the middle of each span, and the parents of the new points.
+/// Inserts a knot in the middle of each span, and finds the parents of the new points.
 class KnotHalving {
  public:
   KnotHalving(const Array<double>& knots, int points, int degree, bool closed)
@@ -135,7 +135,8 @@ bool isKnown(const CurveShape& shape, int points, int levels, const SplineWorksp
          layAlike(workspace.shape, shape);
 }
 
-/// Computes what depends only on the shape and on counts, unless the workspace has it already.
+/// Computes the parents and the pieces, unless the workspace has them already: they depend only on
+/// the shape and on the numbers of points and levels.
 void layOutLevels(const CurveShape& shape, int points, int levels, SplineWorkspace& workspace) {
   if (isKnown(shape, points, levels, workspace)) return;
   workspace.points = 0;

@@ -23,8 +23,9 @@ struct SplineLevel {
   Array<WeightedPoint> points;
   Array<SurfacePath> legs;
   Array<Parents> parents;
-  /// Two anchors for each point: one for the leg that arrives at the point, and one for the leg
-  /// that leaves it. They lead to the parents that were averaged last from either end of the row.
+  /// Two anchors for each point: the first for the leg that arrives at the point, the second for
+  /// the leg that leaves it. The first leads to the parent averaged last from the start of the
+  /// parents' row, the second to the parent averaged last from its end.
   Array<Anchor> anchors;
 };
 

@@ -5,7 +5,7 @@
 namespace karcher {
 namespace {
 
-/// The length of a part's control polygon, in mean edges, below which the part is not halved.
+/// A part is not halved if its control polygon is shorter than this, in mean edges.
 constexpr double kShortest = 0.25;
 constexpr int kMostHalvings = 6;
 

@@ -6,9 +6,9 @@
 #include "distance/find_path.h"
 #include "intrinsic/straightest.h"
 
-/// Curves by repeated geodesic averages of two points. They are continuous wherever their control
-/// points lie. Source: C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive
-/// Bezier Splines on Surface Meshes" (2022).
+/// Curves by repeated geodesic averages of two points. They are continuous for any control points.
+/// Source: C. Mancinelli, G. Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive Bezier Splines
+/// on Surface Meshes" (2022).
 namespace karcher {
 
 /// Reusable scratch memory.
@@ -29,10 +29,10 @@ SurfacePoint averageAlongGeodesic(const Geometry& geometry, const SurfacePoint& 
 
 /// The repeated average of weighted points, two at a time. It goes from both ends of the list
 /// towards its middle, so that neighbours meet first and the reversed list gives the same point.
-/// With the weights of a knot insertion the result is the new point of this insertion. The function
-/// averages points of negative weight separately. The result lies on the path from their average to
-/// that of the others, continued beyond its end. The weights sum to 1, and at least one is
-/// positive.
+/// With the weights of a knot insertion the result is the new point of this insertion. The points
+/// of negative weight have an average of their own. The result then lies on the path from this
+/// average to the average of the other points, extended beyond the end. The weights sum to 1, and
+/// at least one is positive.
 SurfacePoint repeatedAverage(const Geometry& geometry, const Array<SurfacePoint>& points,
                              const Array<double>& weights, SubdivisionWorkspace& workspace);
 

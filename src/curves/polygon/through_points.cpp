@@ -31,7 +31,7 @@ bool findHandles(const Geometry& geometry, const CurveShape& shape,
   for (int j = 0; j < count; ++j) {
     auto& [after, before] = workspace.handles[j];
     const double length = legs[j].length();
-    // start + derivative / 3.
+    // The handle is start + derivative / 3.
     if (j == 0 && !shape.closed) {
       takePart(*geometry.mesh, legs[j], 0, length / 3, after);
     } else {
@@ -39,7 +39,7 @@ bool findHandles(const Geometry& geometry, const CurveShape& shape,
       const Vec2 derivative = derivativeAt(geometry, legs, spacings, last, j);
       areOnSurface &= expAlong(geometry, points[j], spacings[j] / 3 * derivative, after);
     }
-    // end - derivative / 3.
+    // The handle is end - derivative / 3.
     if (j == count - 1 && !shape.closed) {
       takePart(*geometry.mesh, legs[j], length, length * 2 / 3, before);
     } else {

@@ -27,8 +27,8 @@ bool findHandles(const Geometry& geometry, const CurveShape& shape,
                  const Array<SurfacePoint>& points, const Array<SurfacePath>& legs,
                  HandleWorkspace& workspace);
 
-/// Writes the Bezier polygon of segment j, whose handles must be known. For the polygon's middle
-/// leg, the function straightens the path back along the first handle, along the curve's leg and
+/// Writes the Bezier polygon of segment j, whose handles must be known. The polygon's middle leg is
+/// a path that the function straightens: back along the first handle, then along leg j, and then
 /// along the second handle.
 void takeBezierPolygon(const Geometry& geometry, const Array<SurfacePoint>& points,
                        const Array<SurfacePath>& legs, int j, StripWorkspace& strip,

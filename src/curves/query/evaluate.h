@@ -20,8 +20,8 @@ struct CurveTangent {
   Vec3 inSpace = Vec3::Zero();  ///< the same vector in space
 };
 
-/// A parameter as a segment and t in [0, 1]. A joint is the start of the later segment; the end of
-/// an open curve is the end of its last segment. The parameter of a closed curve may go around any
+/// A parameter as a segment and t in [0, 1]. At a joint it is the start of the later segment, at
+/// the end of an open curve the end of the last segment. On a closed curve it may go around any
 /// number of times. Throws Error kBadArgument for a parameter that is not finite or lies outside an
 /// open curve.
 struct SegmentParameter {
@@ -36,8 +36,8 @@ inline CurvePoint pointAt(Curve& curve, double parameter) {
 }
 
 /// The tangent by the implicit function theorem: the field sum_i w_i(t) grad d_i^2 stays zero along
-/// the curve. Where the curve is no center of mass, such as on polylines, or where the theorem does
-/// not apply, it is the derivative along the path that joins the samples.
+/// the curve. Where the curve's point is no center of mass, such as on polylines, or where the
+/// theorem does not apply, the tangent is the derivative along the path that joins the samples.
 CurveTangent tangentAt(Curve& curve, const SegmentParameter& at);
 inline CurveTangent tangentAt(Curve& curve, double parameter) {
   return tangentAt(curve, segmentParameter(curve, parameter));

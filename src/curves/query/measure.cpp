@@ -81,7 +81,7 @@ CurveLine lineOf(const Curve& curve) {
 double lengthAt(const Curve& curve, const CurveLine& line, double parameter) {
   const SegmentParameter at = segmentParameter(curve, parameter);
   const double inside = at.segment + at.t;
-  // On a closed curve, a whole turn counts as the end, although its point is the start.
+  // On a closed curve, a positive whole number of turns counts as the end, not as the start.
   if (parameter > 0 && inside == 0) return line.path.lengths.back();
   return between(line.path.lengths, placeOf(line.parameters, inside));
 }

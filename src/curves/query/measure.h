@@ -17,8 +17,8 @@ struct CurveLine {
 
 CurveLine lineOf(const Curve& curve);
 
-/// The length from the curve's start to a parameter, which may be any that `segmentParameter`
-/// accepts. On a closed curve, a whole number of turns above 0 gives the length of one turn.
+/// The length from the curve's start to a parameter that `segmentParameter` accepts. On a closed
+/// curve, a whole number of turns above 0 gives the length of one turn.
 double lengthAt(const Curve& curve, const CurveLine& line, double parameter);
 
 /// The point at a length from the start of the line. On a closed curve the length may be negative

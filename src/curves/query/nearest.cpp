@@ -6,11 +6,12 @@
 #include "mesh/rounding.h"
 #include "mesh/sorted_numbers.h"
 
-/// The traced line bounds the curve's distance in each interval between samples. The search takes
-/// the intervals that may hold the nearest point, the most promising first. It bisects them into
-/// parts inside one face of the mesh. There the curve is smooth and nearly straight, and golden
-/// sections find the minimum. At edges of the mesh the curve may jump by a small fraction of an
-/// edge, with a minimum on either side.
+/// The curve's point nearest to a place. The traced line bounds the curve's distance from the place
+/// in each interval between samples. The search takes the intervals that may hold the nearest
+/// point, the most promising first, and bisects them into parts inside one face of the mesh. In
+/// such a part the curve is smooth and nearly straight, and golden sections find the minimum. At
+/// edges of the mesh the curve may jump by a small fraction of an edge, with a minimum on either
+/// side.
 namespace karcher {
 namespace {
 
@@ -19,8 +20,8 @@ namespace {
 constexpr double kBend = 2;
 /// The least number of divisions of an interval between samples.
 constexpr int kFewestCuts = 3;
-/// The most evaluations of a curve, for curves that are equally near everywhere, such as a circle
-/// around the place.
+/// The largest number of evaluations. Only curves that are equally near everywhere, such as a
+/// circle around the place, reach it.
 constexpr int kMostEvaluations = 20'000;
 
 class NearestSearch {

@@ -27,8 +27,8 @@ KnotPlace placeOf(const ControlPolygon& polygon, double u) {
   return {place, place - 1 - (polygon.closed ? 0 : polygon.degree)};
 }
 
-/// The new legs over a run of consecutive legs: from the run's start, through the average on each
-/// of its legs, to its end. There is one more than the run has.
+/// Replaces a run of n legs by n + 1 new legs: from the run's start, through the average on each
+/// old leg, to the run's end.
 Array<SurfacePath> legsOver(const Geometry& geometry, const Array<SurfacePath>& run,
                             const Array<LegAverage>& averages) {
   const TriangleMesh& mesh = *geometry.mesh;
@@ -163,7 +163,7 @@ ControlPolygon partBefore(const Geometry& geometry, ControlPolygon open, double 
 ControlPolygon partAfter(const Geometry& geometry, ControlPolygon open, double u) {
   insertFully(geometry, open, u);
   const auto beyond = std::upper_bound(open.knots.begin(), open.knots.end(), u);
-  // At u the curve passes through a control point. Its index is that of the last knot u, minus p.
+  // At u the curve passes through a control point, whose index is that of the last knot u minus p.
   const int point = static_cast<int>(beyond - open.knots.begin()) - open.degree - 1;
   Array<double> knots(static_cast<size_t>(open.degree) + 1, u);
   knots.insert(knots.end(), beyond, open.knots.end());

@@ -22,18 +22,17 @@ struct ControlPolygon {
 /// The multiplicity of a knot. Knots of a closed curve are equal if they differ by the period.
 int multiplicity(const ControlPolygon& polygon, double knot);
 
-/// Inserts a knot u between the first and the last of the spans (W. Boehm, "Inserting new knots
-/// into B-spline curves", 1980). In degree p, with the knot's multiplicity m before the insertion,
-/// p - m new points replace p - m - 1 old ones; m must be less than p. Returns the index of the
-/// first new point.
+/// Inserts a knot u, which lies in the spans (W. Boehm, "Inserting new knots into B-spline curves",
+/// 1980). If the degree is p and the knot's multiplicity before the insertion is m < p, then p - m
+/// new points replace p - m - 1 old points. Returns the index of the first new point.
 int insertKnot(const Geometry& geometry, ControlPolygon& polygon, double u);
 
 /// The same Bezier curve with one more point, in a degree higher by one.
 LeggedPolygon elevated(const Geometry& geometry, const LeggedPolygon& bezier);
 
 /// The parts of an open B-spline before and after knot u, clamped there. If u is an end of the
-/// spans, one part is the whole curve, clamped. For a Bezier curve, a B-spline of one span, this is
-/// de Casteljau's algorithm.
+/// spans, one part is the whole curve, clamped at this end. For a Bezier curve, which is a B-spline
+/// of one span, this is de Casteljau's algorithm.
 ControlPolygon partBefore(const Geometry& geometry, ControlPolygon open, double u);
 ControlPolygon partAfter(const Geometry& geometry, ControlPolygon open, double u);
 

@@ -38,7 +38,7 @@ void setPoints(CurveParts& parts, const Array<WeightedPoint>& points) {
   if (!weighted) parts.shape.weights.clear();
 }
 
-/// Whether the curve uses legs, of which its value gives at least one.
+/// Whether the curve uses legs and its value gives at least one of them.
 bool followsLegs(const Curve& curve) {
   const auto isGiven = [](const SurfacePath& leg) { return !leg.points.empty(); };
   const Array<SurfacePath>& given = curve.value().legs;
@@ -93,7 +93,7 @@ double knotAtParameter(const ControlPolygon& polygon, const SegmentParameter& at
   return knot(span) + at.t * (knot(span + 1) - knot(span));
 }
 
-/// The polygon of a Bezier curve, which ends at its first point if it is closed.
+/// The polygon of a Bezier curve. If the curve is closed, its polygon ends at the first point.
 LeggedPolygon bezierPolygon(const Curve& curve) {
   LeggedPolygon bezier{weightedPoints(curve), legsOf(curve)};
   if (curve.shape().closed) bezier.points.push_back(WeightedPoint(bezier.points[0]));
@@ -128,9 +128,9 @@ void setBetas(Array<double>& logs) {
 }
 
 /// The part of a barycentric curve from `from` to `to`, with `nodes` evenly spaced nodes. The curve
-/// is p / q with polynomials p and q. In barycentric form with other nodes, its control points are
-/// its own points at these nodes. Its betas are those of a polynomial, the binomial coefficients,
-/// times |q| at the nodes.
+/// is p / q with polynomials p and q. In barycentric form with the new nodes, the control points
+/// are the curve's points at the nodes. The beta of a node is |q| there, times the binomial
+/// coefficient, which is the beta of a polynomial.
 CurveParts barycentricPart(Curve& curve, double from, double to, int nodes) {
   Array<double> betas = curve.shape().betas;
   betas.resize(static_cast<size_t>(curve.pointCount()), 1);
@@ -179,9 +179,9 @@ struct CutThroughPoints {
   SurfacePath after;
 };
 
-/// Writes the two parts of a leg before and after the fraction t of its length. If `cut` is given,
-/// a point near the leg, the parts meet there, otherwise on the leg. A part that cannot lead to
-/// `cut` has no points.
+/// Writes the two parts of a leg before and after the fraction t of its length. The parts meet on
+/// the leg, or at a point `cut` near the leg if one is given. A part that cannot lead to `cut` has
+/// no points.
 void cutLeg(const Geometry& geometry, const SurfacePath& leg, double t, const SurfacePoint* cut,
             SurfacePath& before, SurfacePath& after) {
   const double at = t * leg.length();
@@ -248,8 +248,8 @@ Array<CurveParts> splitThroughPoint(Curve& curve, const SegmentParameter& at) {
 }
 
 /// The legs of two joined curves, with `between` shortest paths between them. If `between` is 0,
-/// the second curve starts at the end of the first, the point `end`. The result is empty if neither
-/// curve has legs.
+/// the second curve starts at `end`, the end of the first. The result is empty if neither curve has
+/// legs.
 Array<SurfacePath> joinedLegs(const Geometry& geometry, Array<SurfacePath> first, int firstCount,
                               Array<SurfacePath> second, int secondCount, int between,
                               const SurfacePoint& end) {
@@ -266,7 +266,8 @@ Array<SurfacePath> joinedLegs(const Geometry& geometry, Array<SurfacePath> first
   return first;
 }
 
-/// Two clamped B-splines of the same degree as one. If they do not meet, a geodesic joins them.
+/// Joins two clamped B-splines of the same degree to one. If they do not meet, a geodesic connects
+/// them.
 ControlPolygon joinedPolygons(const Geometry& geometry, const ControlPolygon& first,
                               const ControlPolygon& second) {
   const int p = first.degree;
@@ -303,7 +304,7 @@ ControlPolygon joinedPolygons(const Geometry& geometry, const ControlPolygon& fi
   return result;
 }
 
-/// Two curves as one spline: the first one up to its end, and the second one from its start.
+/// Joins two B-splines to one: clamps the first at its end and the second at its start.
 CurveParts joinedSplines(const Curve& first, const Curve& second, ControlPolygon a,
                          ControlPolygon b) {
   const Geometry& geometry = first.surface().geometry();

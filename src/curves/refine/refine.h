@@ -32,20 +32,21 @@ struct RefinedCurve {
 /// caller's own.
 RefinedCurve withPointOnCurve(Curve& curve, double parameter);
 
-/// The curves before and after a parameter; a closed B-spline, Catmull-Rom curve or polyline
+/// The curves before and after a parameter. A closed B-spline, Catmull-Rom curve or polyline
 /// becomes one open curve instead. B-splines are clamped at the cut. Bezier curves divide by de
 /// Casteljau's algorithm. Barycentric curves get new control points on the curve, with betas that
 /// leave it unchanged. Catmull-Rom curves change a little next to the cut. Throws Error
-/// kBadArgument at the ends of an open curve or of a closed one of one segment, if betas would
-/// differ too much, and for a basis of the caller's own.
+/// kBadArgument if the parameter is an end of an open curve or of a closed curve of one segment, if
+/// betas would differ too much, or if the basis is the caller's own.
 Array<CurveParts> splitAt(Curve& curve, double parameter);
 
-/// One curve along two open curves of the same kind. If they meet, it has their common end point
-/// once. B-splines, and Bezier curves of degree 1 to 5 after elevation to the same degree, become
-/// one B-spline that runs along both, with a geodesic between them if they do not meet. For other
-/// kinds, the result is the curve through the points of both. Throws Error kBadArgument if the
-/// kinds or the degrees of B-splines differ, a Bezier curve has a higher degree than 5, a curve is
-/// closed, or a basis is the caller's own; kUnreachable if the points lie on several components.
+/// Joins two open curves of the same kind to one. If the end of the first and the start of the
+/// second meet, the result has this point once. B-splines become one B-spline, and so do Bezier
+/// curves of degree 1 to 5, after elevation to the same degree; a geodesic connects them if they do
+/// not meet. For other kinds, the result is the curve through the points of both. Throws Error
+/// kBadArgument if the kinds or the degrees of B-splines differ, a Bezier curve has a higher degree
+/// than 5, a curve is closed, or a basis is the caller's own; kUnreachable if the points lie on
+/// several components.
 CurveParts joined(const Curve& first, const Curve& second);
 
 }  // namespace karcher

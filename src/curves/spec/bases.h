@@ -18,10 +18,10 @@ void bernsteinBasis(int degree, double t, Array<double>& weights);
 Array<double> uniformCubicBasis(double t);
 std::array<double, 4> uniformCubicWeights(double t);
 
-/// The `degree` + 1 B-splines that do not vanish on the knot span [knots[span], knots[span + 1]],
-/// at u in it, by Cox and de Boor's recurrence. The knots must not decrease, the span must not be
-/// empty, and degree <= span < knots.count() - degree - 1. The weights belong to the control points
-/// span - degree to span.
+/// The values at u of the `degree` + 1 B-splines that do not vanish on the knot span [knots[span],
+/// knots[span + 1]], by Cox and de Boor's recurrence. u must lie in the span. The knots must not
+/// decrease, the span must not be empty, and degree <= span < knots.count() - degree - 1. The
+/// weights belong to the control points span - degree to span.
 Array<double> bsplineBasis(const Array<double>& knots, int degree, int span, double u);
 /// The same weights, written to `weights`.
 void bsplineBasis(const Array<double>& knots, int degree, int span, double u,

@@ -70,8 +70,8 @@ Array<SegmentLayout> catmullRomSegments(const CurveShape& shape, int points) {
       segments.push_back(segmentOf(std::move(basis), consecutive(j + points - 1, 4, points)));
       continue;
     }
-    // Beyond an end the curve continues to the mirror image of the neighbouring point in the end
-    // point.
+    // Beyond an end, the curve continues to an imaginary point: the mirror image of the end's
+    // neighbour in the end point.
     SegmentLayout segment;
     const int begin = first ? 0 : j - 1;
     const int end = last ? points - 1 : j + 2;

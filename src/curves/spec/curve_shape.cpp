@@ -9,10 +9,10 @@
 namespace karcher {
 namespace {
 
-/// The most points of a curve of one segment. Each sample weighs all of them.
+/// The largest number of points of a curve of one segment. Each sample weighs all points.
 constexpr int kMostPointsASegment = 1000;
 
-/// The shape's name in a sentence: "a cubic B-spline".
+/// The shape's name in a sentence, such as "a cubic B-spline".
 std::string nameInSentence(const CurveShape& shape) {
   constexpr const char* kDegrees[] = {"linear", "quadratic", "cubic", "quartic", "quintic"};
   const std::string closed = shape.closed ? "closed " : "";

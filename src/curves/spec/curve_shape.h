@@ -13,7 +13,7 @@ namespace karcher {
 
 enum class CurveKind {
   kBSpline,      ///< a B-spline of degree 1 to 5; with weights, a NURBS curve
-  kBezier,       ///< one segment of degree (points - 1)
+  kBezier,       ///< one segment of degree points - 1, or points if closed
   kRational,     ///< a Bezier curve with a weight for each point
   kBarycentric,  ///< one rational segment through the points, with a beta for each point
   kCatmullRom,   ///< a C1 curve through the points, one segment between each two
@@ -24,12 +24,13 @@ inline constexpr CurveKind kCurveKinds[] = {
     CurveKind::kBSpline,    CurveKind::kBezier,   CurveKind::kRational, CurveKind::kBarycentric,
     CurveKind::kCatmullRom, CurveKind::kPolyline, CurveKind::kOwn};
 
-/// The name of a kind in the interface: "catmullrom".
+/// The name of a kind in the interface, such as "catmullrom".
 const char* curveKindName(CurveKind kind);
 
 inline constexpr int kMostSplineDegree = 5;
 
-/// The least weight and beta; the largest is 1 divided by it. Their products and sums stay finite.
+/// The least weight and beta. The largest is 1 divided by it. Products and sums of weights and
+/// betas stay finite.
 inline constexpr double kLeastWeight = 1e-12;
 
 /// The knots of a B-spline (knots.h).

@@ -8,7 +8,7 @@
 namespace karcher {
 namespace {
 
-/// The largest absolute value of a knot. Nonempty spans are at least its inverse long, so that
+/// The largest absolute value of a knot. A nonempty span is at least 1 / kMostKnot long, so that
 /// quotients stay finite.
 constexpr double kMostKnot = 1e100;
 
@@ -155,8 +155,8 @@ Array<double> reversedKnots(const Array<double>& knots, int degree, bool closed)
   Array<double> spans = spansOf(knots);
   std::reverse(spans.begin(), spans.end());
   if (closed) {
-    // Span j blends the points j to j + p. These become n - j - p to n - j, the points of span n -
-    // j - p.
+    // Span j blends the points j to j + p. In the reversed curve these are the points n - j - p to
+    // n - j, which span n - j - p blends.
     std::rotate(spans.begin(), spans.begin() + wrapped(degree - 1, spans.count()), spans.end());
   }
   return knotsOfSpans(knots.front(), spans);

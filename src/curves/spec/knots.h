@@ -37,11 +37,12 @@ Array<double> knotsWithoutPoint(const Array<double>& knots, int degree, bool clo
 /// its first point.
 Array<double> reversedKnots(const Array<double>& knots, int degree, bool closed);
 
-/// Closed knots: the spans of the open ones, and then `degree` spans of the same mean length across
-/// the join.
+/// Closed knots: first the spans of the open knots, then `degree` spans across the join, each as
+/// long as the mean of the others.
 Array<double> closedKnots(const Array<double>& open, int degree);
 
-/// Open knots with the first spans of the closed ones.
+/// The open knots for the same number of points. Their spans are the first spans of the closed
+/// knots.
 Array<double> openKnots(const Array<double>& closed, int degree);
 
 }  // namespace karcher

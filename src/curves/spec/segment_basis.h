@@ -15,8 +15,8 @@ struct SegmentBasis {
   /// kCatmullRom: 4 knots, the middle ones 0 and 1; kBarycentric: betas.
   Array<double> numbers = {};
   std::shared_ptr<const OwnBasis> own = {};
-  /// A fold adds `factor` times weight `from` of the basis to point `to` of the segment. Without
-  /// folds, weight i belongs to point i.
+  /// A fold adds `factor` times weight `from` of the basis to the weight of the segment's point
+  /// `to`. Without folds, weight i belongs to point i.
   struct Fold {
     int from = 0;
     int to = 0;

@@ -8,7 +8,7 @@
 namespace karcher {
 namespace {
 
-/// The length of an interval of t below which the subdivision curve is no better than its chord.
+/// In an interval of t up to this length, the subdivision curve is no better than its chord.
 constexpr double kShortInterval = 1.0 / 32;
 constexpr int kMostPieces = 8;
 

@@ -29,8 +29,8 @@ inline SampleStatus statusOn(const Bridge& bridge) {
 
 /// Reusable scratch memory.
 struct BridgeWorkspace {
-  /// An interval between two samples that needs a bridge. If the bridge does not keep an end, this
-  /// end is no center.
+  /// An interval between two samples that needs a bridge. The bridge keeps an end of the interval
+  /// if this end is a center.
   struct Interval {
     int first = 0;
     int last = 0;
@@ -61,12 +61,12 @@ void appendPart(const TriangleMesh& mesh, const Bridge& bridge, double from, dou
 /// The bridge over t, or null.
 const Bridge* bridgeOver(const Array<Bridge>& bridges, double t);
 
-/// Completes a traced segment and writes its bridges, ascending in t. The function finds where its
-/// samples (two at least, ascending in t) are not converged or jump, bridges these intervals, and
-/// moves the samples inside onto the bridges with the status kBridged. Between two neighbouring
-/// samples a bridge is the geodesic that joins them. At a t where one control point has all the
-/// weight, a bridge passes through that point. `basis` and `pointWeights` give the weights
-/// (segment_basis.h).
+/// Completes a traced segment and writes its bridges, ascending in t. The segment has at least two
+/// samples, ascending in t. The function finds the intervals in which samples are not converged or
+/// the curve jumps, bridges them, and moves the samples inside onto the bridges with the status
+/// kBridged. Between two neighbouring samples a bridge is the geodesic that joins them. At a t
+/// where one control point has all the weight, a bridge passes through that point. `basis` and
+/// `pointWeights` give the weights (segment_basis.h).
 ///
 /// `table` has the weights with which `traceSegment` found the samples; it is null if a tolerance
 /// placed the samples. With a table, the function also traces a broken segment backwards

@@ -6,8 +6,8 @@
 namespace karcher {
 namespace {
 
-/// Calls visit(f) for the faces that hold a point: one inside a face, two on an edge, all around a
-/// vertex. Stops when visit returns true.
+/// Calls visit(f) for each face that contains a point: one face if the point lies inside it, both
+/// faces at an edge, and all faces around a vertex. Stops when visit returns true.
 template <class Visit>
 bool visitFacesAt(const TriangleMesh& mesh, const SurfacePoint& point, const Visit& visit) {
   const PointLocation place = locate(mesh, point);

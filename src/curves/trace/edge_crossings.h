@@ -26,10 +26,11 @@ class EdgeCrossings {
   EdgeCrossings(SegmentFields& fields, const BasisWriter& basis, Method method,
                 CrossingWorkspace& workspace);
 
-  /// Appends the crossings between two converged samples, in ascending t, and the later sample. If
-  /// the samples' faces do not share an edge, the function finds more samples and appends them.
-  /// Returns false and leaves `out` unchanged if a search for a sample fails, or if kMostBisections
-  /// bisections do not suffice to decide which edges the curve crosses, such as near a vertex.
+  /// Appends the crossings between two converged samples, in ascending t, and then the later
+  /// sample. If the samples' faces do not share an edge, the function finds more samples and
+  /// appends them, too. Returns false and leaves `out` unchanged if a search for a sample fails, or
+  /// if kMostBisections bisections do not suffice to decide which edges the curve crosses, for
+  /// instance near a vertex.
   bool append(const CurveSample& from, const CurveSample& to, Array<SurfacePoint>& out);
 
   /// The result of the last call: the crossings, on edges, and the samples between them.
@@ -40,9 +41,10 @@ class EdgeCrossings {
  private:
   bool appendBetween(const CurveSample& from, const CurveSample& to, int bisections);
   bool appendCrossing(int h, double t0, double t1);
-  /// Appends the crossing of an edge, or of one half of it if faces are divided. Rounding may hide
-  /// that the curve passes the edge's line between t0 and t1. With `orNearest` the crossing is then
-  /// at t0 or t1, where the curve is nearer to the line. Returns false if there is no crossing.
+  /// Appends the crossing of an edge, or of one half of it if faces are divided. The curve may pass
+  /// the edge's line between t0 and t1 although rounding hides this. With `orNearest` the crossing
+  /// is then at t0 or at t1, whichever is nearer to the line. Returns false if there is no
+  /// crossing.
   bool appendCrossing(int h, int half, double t0, double t1, bool orNearest);
 
   const Geometry& geometry_;

@@ -29,7 +29,7 @@ void joinSamples(Surface& surface, const Array<CurveSample>& samples, const Arra
 JoinedPath joinSamples(Surface& surface, const Array<CurveSample>& samples,
                        const Array<Bridge>& bridges = {}, EdgeCrossings* crossings = nullptr);
 
-/// Appends the points, after `from`, of the geodesic between two samples on one component. The
+/// Appends the geodesic between two samples on one component, without its first point `from`. The
 /// samples are usually near each other.
 void appendGeodesic(const Geometry& geometry, const SurfacePoint& from, const SurfacePoint& to,
                     StripWorkspace& workspace, Array<SurfacePoint>& points);

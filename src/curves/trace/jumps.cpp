@@ -9,7 +9,7 @@
 namespace karcher {
 namespace {
 
-/// The most divisions of a step, enough for a step across a large surface.
+/// The largest number of divisions of a step. It suffices for a step across a large surface.
 constexpr int kMostDivisions = 200'000;
 /// The least distance of a step from an edge, relative to the length of the step. A step that comes
 /// nearer may bend across the edge.
@@ -182,7 +182,7 @@ class JumpSearch {
     return lengthInFace(faceOf(h), {-along - up, along, up});
   }
 
-  /// A point of a half-edge's face (or of its plane), with the half-edge as x axis.
+  /// A point in the plane of a half-edge's face, in the frame whose x axis is the half-edge.
   Vec2 besideEdge(int h, const Vec3& bary) const {
     const int face = faceOf(h);
     return rotateBack(
@@ -190,13 +190,13 @@ class JumpSearch {
         pointInFace(geometry_, {face, bary}) - cornerInFace(geometry_, face, cornerOf(h)));
   }
 
-  /// A point as for `besideEdge`, but in the frame of the half-edge's twin.
+  /// The same as `besideEdge`, but in the frame of the half-edge's twin.
   Vec2 acrossEdge(int h, const Vec3& bary) const {
     return Vec2(geometry_.edgeLength[h], 0) - besideEdge(h, bary);
   }
 
-  /// The distance of a point of a half-edge's face from the nearer one of the lines along the other
-  /// two edges.
+  /// The smaller one of a point's distances from two lines: those along the other two edges of the
+  /// half-edge's face.
   double keptOff(int h, const Vec3& bary) const {
     const double area = doubleArea(geometry_, faceOf(h));
     const int edges[] = {next(h), previous(h)};

@@ -5,8 +5,9 @@
 
 namespace karcher {
 
-/// The longest step, in mean edges, that is no jump: a jump stays longer however fine the division
-/// of t is. Much shorter steps occur at every edge, where the interpolated field is discontinuous.
+/// The longest step, in mean edges, that is no jump: at a jump a step stays longer than this,
+/// however finely t is divided. Much shorter steps occur at every edge, where the interpolated
+/// field is discontinuous.
 inline constexpr double kLongestStep = 0.05;
 
 /// A step between two samples at which the curve of centers of mass breaks.
@@ -19,11 +20,12 @@ inline bool isConverged(const CurveSample& sample) {
   return sample.status == SampleStatus::kConverged;
 }
 
-/// Writes to `jumps` the steps between converged samples that break, in order. Steps well inside a
-/// face, or shorter than half of `kLongestStep`, need no check; the function divides others until
-/// their parts are such steps. `basis` and `pointWeights` give the weights (segment_basis.h).
-/// `table` has the weights at the samples and in the middles between them; it is null if a
-/// tolerance placed the samples. `weights` is scratch memory.
+/// Writes to `jumps`, in order, the steps between converged samples at which the curve breaks. The
+/// curve does not break at a step that is shorter than half of `kLongestStep`, nor at a step well
+/// inside a face or across one edge that the weights in its middle prove to be continuous. The
+/// function divides any other step into such steps. `basis` and `pointWeights` give the weights
+/// (segment_basis.h). `table` has the weights at the samples and in the middles between them; it is
+/// null if a tolerance placed the samples. `weights` is scratch memory.
 void findJumps(FieldBlend& fields, const SegmentBasis& basis, const Array<double>& pointWeights,
                const PieceWeights* table, Method method, const Array<CurveSample>& samples,
                Array<double>& weights, Array<Jump>& jumps);

@@ -3,8 +3,8 @@
 namespace karcher {
 namespace {
 
-/// The sign of i / (samples - 1) - k / count: the side of part k's start on which the evenly spaced
-/// sample i lies.
+/// The sign of i / (samples - 1) - k / count. It tells on which side of the start of part k the
+/// evenly spaced sample i lies.
 int sideOf(int i, int samples, int k, int count) {
   const int64_t sample = static_cast<int64_t>(i) * count;
   const int64_t joint = static_cast<int64_t>(k) * (samples - 1);

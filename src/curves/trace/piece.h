@@ -17,9 +17,9 @@ struct PartOfSegment {
   bool operator==(const PartOfSegment&) const = default;
 };
 
-/// Writes to `table` the weights at the evenly spaced samples of the segment that lie in the piece,
-/// at both ends of the piece, and in the middles between these. The rows have the piece's own t in
-/// [0, 1]. `row` is scratch memory.
+/// Writes to `table` the weights at a piece's samples, which are both ends of the piece and the
+/// evenly spaced samples of the segment inside it, and the weights in the middles between them. The
+/// rows have the piece's own t in [0, 1]. `row` is scratch memory.
 void tabulatePiece(const SegmentBasis& basis, int samples, const PartOfSegment& part,
                    Array<double>& row, PieceWeights& table);
 
@@ -29,7 +29,7 @@ PieceWeights weighted(const PieceWeights& weights, const Array<double>& pointWei
 /// A traced piece.
 struct TracedPiece {
   Array<CurveSample> samples;  ///< the samples in t of the piece, both ends included
-  /// The intervals in which the piece is no center of mass.
+  /// The bridges, over the intervals in which the piece's points are no centers of mass.
   Array<Bridge> bridges;
   JoinedPath path;
 };
@@ -38,8 +38,8 @@ struct TracedPiece {
 using TracedSegment = TracedPiece;
 
 /// Writes a segment's pieces one after the other to `whole`. `even` is the number of evenly spaced
-/// samples of the segment, or 0 if a tolerance placed them; with evenly spaced samples, a joint
-/// between pieces is a sample only if it coincides with one of them.
+/// samples of the segment, or 0 if a tolerance placed the samples. If they are evenly spaced, a
+/// joint between pieces is a sample only if one of these samples lies there.
 void mergePieces(const Array<const TracedPiece*>& pieces, int even, TracedSegment& whole);
 
 }  // namespace karcher

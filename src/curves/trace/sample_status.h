@@ -23,7 +23,7 @@ inline constexpr SampleStatus kLastSampleStatus = SampleStatus::kSubdivided;
 /// The sample status for a search that ended with `ofSearch`.
 SampleStatus sampleStatus(Status ofSearch);
 
-/// The name of a status in reports: "converged".
+/// The name of a status in reports, such as "converged".
 const char* statusName(SampleStatus status);
 
 }  // namespace karcher

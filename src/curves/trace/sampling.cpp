@@ -9,8 +9,8 @@
 namespace karcher {
 namespace {
 
-/// The number of intervals of a segment, for each control point, before any bisection. Fewer would
-/// miss a bend between their ends.
+/// Before any bisection, a segment has this many intervals for each control point. With fewer, a
+/// bend between the ends of an interval would be missed.
 constexpr int kIntervalsAPoint = 2;
 constexpr int kFewestIntervals = 8;
 constexpr int kMostBisections = 20;
@@ -19,12 +19,12 @@ constexpr int kMostBisections = 20;
 constexpr int kLooksAFace = 3;
 constexpr int kFewestLooks = 12;
 constexpr int kMostLooks = 256;
-/// The longest step between two evaluations in different faces, relative to steps of equal length.
-/// A bisection divides longer ones.
+/// The longest step between two evaluations in different faces, relative to steps of equal length
+/// along the geodesic. The function bisects longer steps.
 constexpr double kLongestOfSteps = 1.5;
 constexpr int kMostHalvings = 4;
-/// The most bisections where samples do not converge: at the border of such a stretch, and inside
-/// it.
+/// The largest numbers of bisections where samples do not converge: at the border of such a
+/// stretch, and inside it.
 constexpr int kMostAtBorder = 8;
 constexpr int kMostInside = 2;
 
@@ -94,7 +94,8 @@ class AdaptiveTrace {
 
   /// Whether the curve stays near the geodesic. Since the curve may bend or jump at edges, the
   /// function evaluates it in each face that the geodesic crosses. Between two evaluations the
-  /// curve may deviate further by as much as it changes from one to the other.
+  /// curve may deviate further. The function adds the largest change of the deviation from one
+  /// evaluation to the next.
   bool isFine(const CurveSample& from, const CurveSample& middle, const CurveSample& to) {
     workspace_.path.points.assign(1, from.point);
     if (!appendLocalPath(geometry_, from.point, to.point, workspace_.strip, workspace_.path.points))

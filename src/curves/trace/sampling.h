@@ -18,18 +18,18 @@ struct SamplingWorkspace {
 };
 
 /// Samples of a segment by bisection of t. The bisection stops when the curve between two
-/// neighbouring samples lies within the tolerance, relative to the bounding box's diagonal, of the
-/// geodesic that joins them. If the curve jumps at an edge of the mesh (kLongestStep in jumps.h),
-/// samples approach the jump as closely as the tolerance needs, and a geodesic crosses it. Between
-/// two samples the curve is evaluated 12 to 256 times: three times for each face that the geodesic
-/// crosses, and more often where it moves fast or between faces without a common edge. The largest
-/// change between two evaluations counts as deviation, too. This is no proof, since the basis may
-/// make an excursion between two evaluations. In tests no curve exceeded a tolerance of 1e-3 or
-/// 1e-4, and one curve in fifty exceeded 1e-5.
+/// neighbouring samples deviates from the geodesic that joins them by no more than the tolerance,
+/// which is relative to the bounding box's diagonal. If the curve jumps at an edge of the mesh
+/// (kLongestStep in jumps.h), samples approach the jump as closely as the tolerance needs, and a
+/// geodesic crosses it. Between two samples the curve is evaluated 12 to 256 times: three times for
+/// each face that the geodesic crosses, and more often where the curve moves fast or passes between
+/// faces without a common edge. The largest change between two evaluations counts as deviation,
+/// too. This is no proof, since the basis may make an excursion between two evaluations. In tests
+/// no curve exceeded a tolerance of 1e-3 or 1e-4, and one curve in fifty exceeded 1e-5.
 ///
-/// There is a sample at each of the `nodes` (segment_basis.h). The search for these and for the
-/// ends starts as in `traceSegment`. The border between converged samples and others is exact to
-/// 2^-11 of the segment or finer. The bisection ends at 100,000 samples. Writes to `samples`.
+/// There is a sample at each of the `nodes` (segment_basis.h). At the nodes and at the ends, the
+/// search starts as in `traceSegment`. The border of a stretch without converged samples is exact
+/// to 2^-11 of the segment or finer. The bisection ends at 100,000 samples. Writes to `samples`.
 void traceAdaptively(SegmentFields& fields, const BasisWriter& basis, const Array<double>& nodes,
                      Method method, double tolerance, SamplingWorkspace& workspace,
                      Array<CurveSample>& samples);

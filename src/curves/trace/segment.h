@@ -17,7 +17,7 @@ struct CurveSample {
   SampleStatus status = SampleStatus::kConverged;
 };
 
-/// The most samples of a curve's segment or a circle's arc.
+/// The largest number of samples of a curve's segment or a circle's arc.
 inline constexpr int kMostSamples = 100'000;
 
 /// A function from t in [0, 1] to the weights of a segment's control points, which sum to 1.
@@ -77,10 +77,10 @@ struct SegmentFields {
   Array<int> restarts;
 };
 
-/// Writes to `order` the control points at which a failed search for a center of mass restarts:
-/// those of positive weight, the heaviest first. At the ends of a segment it omits the heaviest,
-/// since the search began there. A search that continues where the Hessian is not positive definite
-/// tries only the heaviest.
+/// Writes to `order` the control points at which a failed search for a center of mass restarts: the
+/// points of positive weight, the heaviest first. If the method goes on where the Hessian is not
+/// positive definite, only the heaviest point is tried. At an end of a segment the heaviest point
+/// is omitted, since the search began there.
 void findRestarts(Weights weights, Method method, bool isEnd, Array<int>& order);
 
 /// One sample for each row of the table. A known center at an end needs no search. Otherwise the
