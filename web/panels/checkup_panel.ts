@@ -9,22 +9,25 @@ import { showProgress } from './progress';
 export interface CheckedSurface {
   readonly info: Readonly<MeshInfo>;
   readonly arrays: MeshBlobs;
-  /** The file of the surface; null for other surfaces. */
+  /** The surface's file; null if the surface does not come from a file. */
   readonly file: object | null;
 }
 
-/** Shows a check-up of the surface, which runs on request, and the places of its findings. */
+/**
+ * A check-up of the surface. It runs when the user opens the panel, and shows its findings and
+ * their places.
+ */
 export class CheckUpPanel {
   readonly #details = byId<HTMLDetailsElement>('checkup');
   readonly #found = byId('checkup-found');
   #client: CheckedSurface | null = null;
-  /** The surface of the last or present check. */
+  /** The surface that the last check examined, or that the present one examines. */
   #checked: CheckedSurface | null = null;
   #shown: HTMLButtonElement | null = null;
 
   /**
-   * `check` examines a surface. `showPlaces` draws outlines on it, x, y, z each, instead of earlier
-   * ones. `weld` reads its file anew with a tolerance.
+   * `check` examines a surface. `showPlaces` replaces the outlines on the surface by others, with
+   * x, y, z of each point. `weld` reads the surface's file again with a tolerance.
    */
   constructor(
     private readonly check: (surface: CheckedSurface, work: LongWorkOptions) => Promise<CheckedUp>,
@@ -38,8 +41,8 @@ export class CheckUpPanel {
   }
 
   /**
-   * Takes the surface to check. For another surface, or the same one in another form, discards the
-   * findings, and checks again if the panel is open.
+   * Sets the surface to check. If it is another surface, or the same one in another form, discards
+   * the findings, and checks again if the panel is open.
    */
   show(client: CheckedSurface): void {
     this.#client = client;
@@ -102,7 +105,7 @@ export class CheckUpPanel {
     this.#found.replaceChildren(facts, ...(rows.length > 0 ? [list] : []), expected);
   }
 
-  /** A button that joins boundaries that lie on each other, up to a tolerance. */
+  /** A button that joins boundaries that are no farther apart than a tolerance. */
   #weldButton(tolerance: number): HTMLButtonElement {
     const button = make('button', 'Weld', { type: 'button', className: 'link' });
     button.title = `Read the file again and join what is up to ${tolerance} apart`;
@@ -110,7 +113,9 @@ export class CheckUpPanel {
     return button;
   }
 
-  /** A count of findings, and a button that shows them; null without findings. */
+  /**
+   * A row with the number of findings and a button that shows their places; null without findings.
+   */
   #row(count: number, one: string, lines: () => Float32Array[], many = `${one}s`) {
     if (count === 0) return null;
     const row = make('li');
@@ -136,7 +141,7 @@ export class CheckUpPanel {
 
 const degrees = (angle: number) => `${Number(angle.toPrecision(3))}°`;
 
-/** Splits an array into lines of equal length, at most `mostPlaces`. */
+/** Splits an array into at most `mostPlaces` lines, each of `length` numbers. */
 function parts(lines: Float32Array | Float64Array, length: number): Float32Array[] {
   const count = Math.min(mostPlaces, lines.length / length);
   return Array.from({ length: count }, (_, i) =>
@@ -144,7 +149,7 @@ function parts(lines: Float32Array | Float64Array, length: number): Float32Array
   );
 }
 
-/** Lines at the first `mostPlaces` of these places, so short that they look like dots. */
+/** Short lines that look like dots, at the first `mostPlaces` of these places. */
 function dots(places: Float64Array, diagonal: number): Float32Array[] {
   const count = Math.min(mostPlaces, places.length / 3);
   return Array.from({ length: count }, (_, i) => {

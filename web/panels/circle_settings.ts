@@ -20,7 +20,10 @@ const typeNotes: Record<CircleType, string> = {
 
 const ellipseNote = 'Smooth arcs, joined. The handle Along also turns the ellipse.';
 
-/** A sentence about the deviation of the visible circle from its radius; empty if it is unknown. */
+/**
+ * A sentence about the visible circle's deviation from its radius; empty if the deviation is
+ * unknown.
+ */
 function deviationOf({ curve }: View): string {
   if (typeof curve?.deviation !== 'number') return '';
   const percent = 100 * curve.deviation;
@@ -28,9 +31,7 @@ function deviationOf({ curve }: View): string {
   return ` It is ${most} percent off.`;
 }
 
-/**
- * The settings of circles and ellipses besides their handles: their construction and their radii.
- */
+/** The panel's settings of circles and ellipses: their construction and their radii. */
 export class CircleSettings {
   readonly #group = byId('circle-settings');
   readonly #type = byId<HTMLSelectElement>('circle-type');

@@ -16,7 +16,8 @@ export class Clipboard {
   ) {
     document.addEventListener('copy', (event) => this.#copy(event));
     document.addEventListener('cut', (event) => {
-      // A drag under way ends without effect: the clipboard receives the objects before it.
+      // A drag under way ends without effect, so that the clipboard receives the objects as they
+      // were before the drag.
       editor.interrupt();
       if (this.#copy(event)) editor.objects.delete(this.#ids);
     });
@@ -27,7 +28,10 @@ export class Clipboard {
     return selectedObjects(this.editor.state);
   }
 
-  /** Copies the selection, from a menu; returns whether the browser allowed it. */
+  /**
+   * Copies the selection for a menu. Returns false if nothing is selected or the browser forbids
+   * it.
+   */
   async copy(): Promise<boolean> {
     const text = this.#text;
     if (text === null) return false;
@@ -46,7 +50,7 @@ export class Clipboard {
     if (await this.copy()) this.editor.objects.delete(ids);
   }
 
-  /** Pastes the clipboard, from a menu. */
+  /** Pastes the clipboard's objects for a menu. */
   async paste(): Promise<void> {
     const text = await navigator.clipboard?.readText().catch(() => null);
     if (typeof text !== 'string')
@@ -57,7 +61,7 @@ export class Clipboard {
   /** The selection as text; null without a selection. */
   get #text(): string | null {
     const { mesh, drawing } = this.editor.state;
-    // Objects need copies of their sources, which another drawing does not have.
+    // The text includes the sources of derived objects, since another drawing does not have them.
     const ids = withSources(drawing, this.#ids);
     const objects = drawing.objects.filter(
       ({ id, figure }) => ids.includes(id) && !isEmpty(figure),
@@ -80,7 +84,10 @@ export class Clipboard {
     if (this.#add(text)) event.preventDefault();
   }
 
-  /** Adds the objects in a text; false if it has none. */
+  /**
+   * Adds the objects of a copied text; returns false if the page did not write the text. If the
+   * objects do not fit, shows a note and returns true.
+   */
   #add(text: string): boolean {
     try {
       const objects = pastedObjects(text, this.editor.state.mesh, this.triangles());

@@ -20,7 +20,10 @@ export class CombLegend {
   });
   readonly #factor = make('output', '', { id: 'comb-factor' });
   #on = false;
-  /** The curve of the visible comb. As long as it is the same, comb and scale do not change. */
+  /**
+   * The lines whose comb is visible. While they stay the same, neither the comb nor its scale
+   * changes.
+   */
   #shown: { lines: readonly Float32Array[]; object: number; surface: Surface | null } | null = null;
 
   constructor(

@@ -6,7 +6,10 @@ import { isMethod, type MethodId, methods } from '../model/methods';
 import { byId, formatInteger, write } from './elements';
 import { sentenceOf } from './messages';
 
-/** Offers a second method for the edited curve, and shows the gap between the two. */
+/**
+ * Offers a second method for the edited curve, and shows the gap between the curves of both
+ * methods.
+ */
 export class ComparisonPanel {
   readonly #choice = byId<HTMLSelectElement>('compare');
   readonly #box = byId('comparison');
@@ -23,7 +26,7 @@ export class ComparisonPanel {
     });
   }
 
-  /** Shows the comparison with the chosen method, which may have no answer yet. */
+  /** Shows the comparison with the chosen method. `told` is null before the first answer. */
   show({ method: own, drawing }: State, method: MethodId | null, told: Compared | null): void {
     if (own !== this.#offered) {
       this.#offered = own;
@@ -53,7 +56,7 @@ export class ComparisonPanel {
   }
 }
 
-/** The color of the second curve, which differs from that of the first. */
+/** The color of the second curve. It differs from the first curve's color. */
 export const comparedColor = (own: string | null) => (own === '#d9480f' ? '#0e7c9e' : '#d9480f');
 
 const noCurve = (told: Compared | null) =>
@@ -66,7 +69,7 @@ function short(value: number): string {
   return value < 100 ? value.toPrecision(2) : formatInteger(Math.round(value));
 }
 
-/** A gap in a unit; dots during the measurement, empty if unknown. */
+/** A gap as text, in a unit: dots during the measurement, and empty if the gap is unknown. */
 function wordsOf(gap: Gap | null | undefined, which: keyof Gap, scale = 1): string {
   if (gap === undefined) return '…';
   return gap ? short(scale * gap[which]) : '';

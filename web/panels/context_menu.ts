@@ -15,8 +15,8 @@ import { hasOtherSide } from './object_panel';
 const restMilliseconds = 500;
 
 /**
- * The menu of actions. A right click or a resting finger opens it for a place of the stage, and the
- * menu key for the selection.
+ * The menu of actions. A right click or a resting finger opens it for a place of the stage. The
+ * menu key opens it for the selection.
  */
 export class ContextMenu {
   readonly #menu = new Menu('context-menu');
@@ -36,8 +36,8 @@ export class ContextMenu {
     /** Whether a point lies in the fill of an object. */
     private readonly isFilledAt: (id: number, point: SurfacePoint) => boolean,
   ) {
-    // The page closes the menu itself: the browser would close it at the release of the finger that
-    // opened it.
+    // The browser would close the menu when the user lifts the finger that opened it, so the page
+    // closes it instead.
     window.addEventListener('pointerdown', ({ target }) => this.#close(target), { capture: true });
     window.addEventListener('blur', () => this.#close(null));
     // The listener is on the window, since the menu has the focus only a moment after it appears.
@@ -89,7 +89,8 @@ export class ContextMenu {
       this.letGo();
       this.#open({ x, y, touch });
     };
-    // A busy page receives the finger's moves in the next frame, before other waiting tasks.
+    // The menu opens one frame later, since a busy page receives the finger's latest moves only
+    // then.
     press.timer = window.setTimeout(() => requestAnimationFrame(open), restMilliseconds);
   }
 
@@ -104,13 +105,13 @@ export class ContextMenu {
     this.#press = null;
   }
 
-  /** Selects the object at a place, unless it is part of the selection, and shows the actions. */
+  /** Selects the object at a place, unless it is selected already, and shows the actions. */
   #open(place: { x: number; y: number; touch: boolean }): void {
     const { editor } = this;
     const target = targetAt(this.viewer, { ...editor.state, tool: 'select' }, place);
     const { chosen, more, drawing } = editor.state;
     if (target?.type === 'other' && !chosen.includes(target.id)) {
-      // Several points of the edited object stay selected.
+      // If several points of the edited object are selected, they stay selected.
       const isOfPoints = target.id === drawing.active && more.length > 0;
       if (!isOfPoints) editor.activate(target.id);
     }
@@ -158,7 +159,7 @@ export class ContextMenu {
       [ids.length > 1, 'Group', () => editor.objects.group(ids)],
       [grouped, 'Ungroup', () => editor.objects.ungroup(ids)],
       ...this.makers().map(([name, act]): [boolean, string, () => void] => [true, name, act]),
-      // After a click outside the fill, the menu offers to fill that side.
+      // After a click beside the fill, the menu offers to fill the side of the click.
       [
         turnable.length > 0,
         isBeside ? 'Fill this side' : 'Fill the other side',

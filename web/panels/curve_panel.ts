@@ -60,7 +60,7 @@ export class CurvePanel {
 
   show(state: State, view: View): void {
     const { kind } = state.figure;
-    // The group contains the tolerance of a freehand stroke.
+    // The group stays visible for the freehand tool, since it contains the tolerance of a stroke.
     this.#kindGroup.hidden = state.none && state.tool !== 'freehand';
     this.#pointsGroup.hidden = state.none || isDerived(kind);
     const group = kindGroups.find(({ kinds }) => kinds.includes(kind))!;

@@ -13,7 +13,7 @@ import { sentenceOf, showError } from './messages';
 import { NumberField } from './number_field';
 import { eye } from './object_rows';
 
-/** Colors of parts that are distinguishable on light and dark surfaces. */
+/** Colors for the parts, distinguishable on light and dark surfaces. */
 const partColors = ['#2f9e8f', '#d9480f', '#8a3ffc', '#c81e5b', '#0b8457', '#b58900'];
 
 export const partColor = (index: number) => partColors[index % partColors.length]!;
@@ -47,8 +47,8 @@ export class CutPanel {
   #unit: Unit = '';
 
   /**
-   * `fileOf` returns a part's file, with the curves on it or without; `title` is the surface's name,
-   * and `workOn` makes a part the surface.
+   * `fileOf` returns a part's file, with or without the curves on the part. `title` is the
+   * surface's name. `workOn` makes a part the surface.
    */
   constructor(
     private readonly editor: Editor,
@@ -99,7 +99,9 @@ export class CutPanel {
     this.#showParts();
   }
 
-  /** The actions on the kept part that contains a point, while the panel lists the parts. */
+  /**
+   * The actions on the part at a point; none if the part is not kept, or while the panel is hidden.
+   */
   actionsAt(point: SurfacePoint | null): readonly [name: string, act: () => void][] {
     if (!point || this.#group.hidden) return [];
     const i = this.#parts.findIndex((part) => part.state === 'kept' && lies(point, part));

@@ -50,7 +50,7 @@ const atLeastZero = {
   write: (value: number) => `${Number(value.toPrecision(4))}`,
 };
 
-/** The buttons that derive objects from others, and the settings of derived ones. */
+/** The buttons that derive objects from others, and the settings of derived objects. */
 export class DerivedPanel {
   readonly #makers: readonly HTMLButtonElement[];
   readonly #actions: readonly [name: string, act: () => void][];

@@ -56,7 +56,7 @@ export class DistanceLegend {
   }
 }
 
-/** Evenly spaced multiples of the lines' step, including 0. */
+/** Evenly spaced multiples of the isolines' step, including 0. */
 function ticksOf(most: number, step: number): number[] {
   const every = step * Math.ceil(most / step / mostTicks);
   return Array.from({ length: Math.floor(most / every) + 1 }, (_, i) => i * every);

@@ -1,18 +1,18 @@
-/** Writes and reads a field's value; the reader returns null for an invalid text. */
+/** Converts a field's value to text and back. `read` returns null for an invalid text. */
 export interface FieldFormat<Value> {
   read(text: string): Value | null;
   write(value: Value): string;
 }
 
 /**
- * A field that takes its value on Enter or when it loses the focus. Escape or an invalid value
- * restores the previous one. While its text is unfinished it has `data-edited`, and the page's
- * shortcuts do not apply. The text belongs to the object whose value the field showed when typing
- * began.
+ * A field whose text takes effect on Enter or when the field loses the focus. Escape or an invalid
+ * text restores the previous value. While the text is unfinished, the field has `data-edited`, and
+ * the page's shortcuts do not apply. The typed value belongs to the object that the field showed
+ * when typing began.
  */
 export class EditedField<Value> {
   #shown = '';
-  /** The id of the object with the shown value. */
+  /** The id of the object whose value the field shows. */
   #of: number | null = null;
   #began: { shown: string; of: number | null } | null = null;
 

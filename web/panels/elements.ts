@@ -18,9 +18,7 @@ export function make<Name extends keyof HTMLElementTagNameMap>(
   return Object.assign(element, properties);
 }
 
-/**
- * Radio buttons for a choice, in the element with an id. The id is also the name of the buttons.
- */
+/** Adds radio buttons for a choice to the element with an id. The id is also the buttons' name. */
 export function choices<Choice extends string>(
   id: string,
   all: readonly Choice[],
@@ -56,8 +54,8 @@ export function formatBytes(bytes: number): string {
 }
 
 /**
- * Writes a text into an element, unless it has this text already: each write would lay out the page
- * again.
+ * Writes a text into an element, unless the element has this text already: each write makes the
+ * browser lay out the page again.
  */
 export function write(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;

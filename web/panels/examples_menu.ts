@@ -2,7 +2,7 @@ import { type Example, examples } from '../model/examples';
 import { make } from './elements';
 import { Menu } from './menu';
 
-/** The page's finished drawings. */
+/** The menu of the page's finished drawings. */
 export class ExamplesMenu {
   constructor(choose: (example: Example) => void) {
     const menu = new Menu('examples-menu', 'examples');

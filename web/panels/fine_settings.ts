@@ -17,7 +17,7 @@ import { sentenceOf } from './messages';
 import { NumberField, positiveNumber, wholeNumbers } from './number_field';
 import { sharedSettings, showShared } from './shared_settings';
 
-/** The first tolerance in the field, relative to the surface's size. */
+/** The tolerance that the field shows first, relative to the surface's size. */
 const firstTolerance = 1e-4;
 
 /** The fine settings of a curve: its samples, the marks along it, a B-spline's knots. */
@@ -102,7 +102,7 @@ function showNumber(field: NumberField, value: number | undefined): void {
   else field.show(value);
 }
 
-/** A knot for display; an unchanged knot keeps all of its digits. */
+/** A knot rounded for display. If the user does not change the text, the exact knot stays. */
 const shown = (knot: number) => `${Number(knot.toPrecision(6))}`;
 
 /**

@@ -3,12 +3,12 @@ import { isEmpty, isRound, parameterOf } from '../model/figure';
 import { recall, remember } from '../model/storage';
 import { byId, write } from './elements';
 
-/** The length of a list above which it folds. */
+/** The largest number of points in a list that is open by default. */
 const longest = 6;
 
 /**
- * The folds of the panel: the mathematics of curves, initially closed, and long lists of points.
- * They survive reloads.
+ * The folds of the panel: the advanced settings, closed by default, and the list of points, closed
+ * by default if it is long. The browser keeps the user's choices.
  */
 export class Folds {
   readonly #advanced = byId<HTMLDetailsElement>('fine');

@@ -17,15 +17,15 @@ interface Dragged {
 export interface ListMoves {
   /** A row begins to move. */
   began(row: HTMLElement): void;
-  /** The row has another place after a drop; both places count from the top. */
+  /** A drop has moved the row; both places count from the top. */
   moved(from: number, to: number): void;
   /** The drag has ended, by a drop or without one. */
   ended(): void;
 }
 
 /**
- * Drags rows of a list. A mouse can take a row anywhere, a finger only by its grip, since elsewhere
- * it scrolls.
+ * Drags rows of a list. A mouse can take a row at any place. A finger takes it by its grip, since a
+ * finger elsewhere scrolls the list.
  */
 export class ListDrag {
   #dragged: Dragged | null = null;

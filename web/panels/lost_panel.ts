@@ -2,7 +2,7 @@ import type { View } from '../editor/engine/view';
 import { type LostInterval, type LostReason, lostSamples } from '../model/lost';
 import { byId, formatCount, make, write } from './elements';
 
-/** The reasons why a part of a curve is no center of mass. */
+/** Words for the reasons why points of a curve are not centers of mass. */
 export const reasons: Record<LostReason, string> = {
   indefinite: 'more than one center',
   jump: 'a jump between two centers',
@@ -25,8 +25,8 @@ const advice: Record<LostReason, string> = {
 const mostShown = 40;
 
 /**
- * The places that the panel shows. A place without bad samples lies between two good ones, so that
- * the line is fine there unless it jumps from one to the other.
+ * The places that the panel shows. It omits places without lost samples, unless the curve jumps
+ * there: the line between their two good samples is fine.
  */
 const seenOf = (intervals: readonly LostInterval[]) =>
   intervals.filter(({ samples, reason }) => samples > 0 || reason === 'jump');
@@ -37,7 +37,9 @@ export function countLost(intervals: readonly LostInterval[]): string {
   return length > 0 ? formatCount(length, 'place to check', 'places to check') : '';
 }
 
-/** The list of places where the curve is no center of mass; a click shows the place. */
+/**
+ * The list of places where the curve's points are not centers of mass. A click goes to the place.
+ */
 export class LostPanel {
   readonly #group = byId('lost');
   readonly #kinds = byId('lost-kinds');

@@ -18,7 +18,10 @@ const positive: NumberFormat = {
   write: (value) => `${Number(value.toPrecision(4))}`,
 };
 
-/** Options of a field for whole numbers; a number beyond the range becomes the nearest in it. */
+/**
+ * Options of a field for whole numbers; a number beyond the range becomes the nearest one in the
+ * range.
+ */
 export function wholeNumbers({ least, most }: { least: number; most: number }): NumberFormat {
   return {
     read: (text) => {

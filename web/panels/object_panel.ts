@@ -59,7 +59,7 @@ function showNumber(field: NumberField, shared: number | undefined): void {
   else field.show(shared);
 }
 
-/** A color in the form `#rrggbb`, from one in the form `rgb(…)`. */
+/** Converts a color from the form `rgb(…)` to the form `#rrggbb`. */
 const hexOf = (color: string) =>
   `#${(color.match(/\d+/g) ?? [])
     .slice(0, 3)
@@ -74,7 +74,10 @@ function wholeGroup(objects: readonly DrawnObject[], { drawing }: State): string
   return isWhole && members.length === objects.length ? group : null;
 }
 
-/** The group whose name a field edits. The field's id is then the negative id of a member. */
+/**
+ * The group that a name field edits, or null. For a group, the field has the negative id of a
+ * member.
+ */
 const groupNamed = (id: number | null, { drawing }: State) =>
   id !== null && id < 0 ? (objectOf(drawing, -id)?.group ?? null) : null;
 
@@ -82,8 +85,8 @@ const percentOf = (part: number | undefined) =>
   part === undefined ? undefined : Math.round(100 * part);
 
 /**
- * Whether a fill could lie on the other side of its line. Derived objects have no such choice,
- * since they may have several regions.
+ * Whether the user can move an object's fill to the other side of its line. Derived objects have no
+ * such choice, since they may have several regions.
  */
 export const hasOtherSide = ({ fill, figure }: DrawnObject) => fill > 0 && !isDerived(figure.kind);
 
@@ -195,7 +198,7 @@ export class ObjectPanel {
         set({ onSurface, width: active.width });
         return;
       }
-      // The width is converted to the other unit, so that the line looks the same.
+      // Converts the width to the other unit, so that the line looks the same.
       const reach = reachOf(active);
       const width = Number((active.width * (onSurface ? reach : 1 / reach)).toPrecision(2));
       const { least, most } = onSurface ? surfaceWidths : widthRange;
@@ -305,9 +308,7 @@ export class ObjectPanel {
     }
   }
 
-  /**
-   * Shows the properties that the selected objects share, and leaves the fields of others empty.
-   */
+  /** Shows the properties that the selected objects share, and leaves the other fields empty. */
   #showStyle(objects: readonly DrawnObject[], selected: number): void {
     const last = objects.at(-1)!;
     const common = <Key extends keyof (LineStyle & FillStyle)>(key: Key) =>
@@ -364,8 +365,8 @@ export class ObjectPanel {
   }
 
   /**
-   * Shows the rule of filled objects. Derived objects have the rule of their sources, and round
-   * ones do not cross themselves.
+   * Shows the fill rule of the objects that have one of their own. Derived objects have the rule of
+   * their sources, and round objects do not cross themselves.
    */
   #showRule(filled: readonly DrawnObject[], selected: number): void {
     const own = filled.filter(({ figure: { kind } }) => !isDerived(kind) && !isRound(kind));

@@ -31,7 +31,7 @@ export class ObjectRows {
   /** The group that is folded only during its drag, or null. */
   #carried: string | null = null;
 
-  /** `rename` opens the field for a name of the selection. */
+  /** `rename` opens the field for the selection's name. */
   constructor(
     private readonly editor: Editor,
     private readonly rename: () => void,
@@ -45,7 +45,7 @@ export class ObjectRows {
 
   show(state: State): void {
     const { drawing, chosen } = state;
-    // The list omits an empty object, which the user has only begun: trying a tool adds no row.
+    // The list omits empty objects, so that no row appears while the user only tries a tool.
     const objects = drawing.objects.filter(({ figure }) => !isEmpty(figure)).toReversed();
     const active = state.none ? null : drawing.active;
     this.#rows = rowsOf(objects, this.#folded);
@@ -186,7 +186,7 @@ export class ObjectRows {
     this.editor.objects.arrange(ids.toReversed(), { id: moved, group });
   }
 
-  /** Moves an object in the order; it keeps the focus. */
+  /** Moves an object in the order by keys. The object's row keeps the focus. */
   #key(event: KeyboardEvent, id: number): void {
     const step = stepOf(event);
     if (!step) return;
@@ -194,7 +194,7 @@ export class ObjectRows {
     this.#list.querySelector<HTMLElement>(`[data-id="${id}"] .object`)?.focus();
   }
 
-  /** Moves a group past the object or group beside it. */
+  /** Moves a group past the next object or group, by keys. */
   #keyOfGroup(event: KeyboardEvent, group: string): void {
     const step = stepOf(event);
     if (!step) return;

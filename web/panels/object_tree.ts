@@ -31,7 +31,7 @@ export function rowsOf(objects: readonly DrawnObject[], folded: ReadonlySet<stri
   return rows;
 }
 
-/** An object, or the members of a group that lie together: their ids, the topmost first. */
+/** A single object, or adjacent members of a group. `ids` begins with the topmost one. */
 interface Unit {
   group: string | null;
   ids: number[];
@@ -46,9 +46,10 @@ export function unitsOf(rows: readonly ListedRow[]): Unit[] {
 }
 
 /**
- * The ids in their order after a row has moved to the place of another one, and the new group of
- * the moved object. An object joins a group if it is dropped among the group's members; otherwise
- * it leaves its own group. A moving group is folded, and `moved` is any of its members.
+ * Moves a row to the place of another one. Returns the ids in their new order, and the moved
+ * object's new group. An object that is dropped among the members of a group joins the group.
+ * Directly below its own group it stays in the group; elsewhere it leaves it. A group must be
+ * folded when its row moves, and `moved` is then one of its members.
  */
 export function rowsAfter(
   rows: readonly ListedRow[],
@@ -78,7 +79,7 @@ const groupOf = (row: ListedRow) => (row.type === 'group' ? row.group : row.obje
 
 const isOpenGroup = (row: ListedRow) => row.type === 'group' && row.isOpen;
 
-/** The nearest place, here or below, that does not lie between members of a group. */
+/** The first place, from `place` downwards, that does not lie between members of a group. */
 function besideGroups(rows: readonly ListedRow[], place: number): number {
   let beside = place;
   for (;;) {

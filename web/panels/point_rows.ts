@@ -193,7 +193,8 @@ function rowsOf({ kind, points, circle }: Figure, view: View): Row[] {
 }
 
 /**
- * A point's weight or beta as text, or an anchor's joint in words; empty if its kind has neither.
+ * A point's weight or beta as text, or an anchor's joint in words; empty for a kind that has
+ * neither.
  */
 function numbersOf(kind: Kind, point: ControlPoint, total: number): string {
   const name = parameterOf(kind);

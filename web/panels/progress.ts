@@ -1,6 +1,6 @@
 import { byId, write } from './elements';
 
-/** The time of work, in milliseconds, after which the bar appears. */
+/** The bar appears when the work takes longer than this time, in milliseconds. */
 const patienceMilliseconds = 200;
 
 const box = byId('progress');
@@ -12,7 +12,7 @@ let shown: object | null = null;
 
 export interface ShownProgress {
   /**
-   * Sets the stage of the work, and its completed fraction from 0 to 1, or null if that is unknown.
+   * Sets the stage of the work and its completed fraction: from 0 to 1, or null if it is unknown.
    */
   set(done: number | null, stage: string): void;
   hide(): void;

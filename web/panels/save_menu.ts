@@ -39,7 +39,7 @@ const types: Record<Format, string> = {
 
 const isFormat = (name: string): name is Format => Object.hasOwn(types, name);
 
-/** The entries that save curves as paths, and their formats. */
+/** The menu's items that save curves as paths, each with its file format. */
 const curvesFormats: Partial<Record<string, CurvesFormat>> = {
   surface: 'obj',
   glb: 'glb',
@@ -103,7 +103,8 @@ export class SaveMenu {
   }
 
   /**
-   * Saves the drawing together with the file of its surface, so that it opens without that file.
+   * Saves the drawing in one file with its surface, so that it opens where the surface's file is
+   * missing.
    */
   async #saveWhole(): Promise<void> {
     const { state } = this.editor;
@@ -140,9 +141,9 @@ export class SaveMenu {
   }
 
   /**
-   * The curves to save: the visible ones, with their looks in the present view, the edited one
-   * first. For the parts of a cut these are all visible curves, whatever the selection, and the
-   * lines of the cut replace the lines of their objects.
+   * The visible curves to save, the edited one first, with their colors and their widths in the
+   * present view. With `cut`, these are all visible curves, whatever the selection, and the lines
+   * of the cut replace the lines of its objects.
    */
   async drawnCurves(cut: ShownCut | null = null): Promise<DrawnCurve[]> {
     const { view } = this.session;
@@ -177,7 +178,8 @@ export class SaveMenu {
 
   /** Saves the view, with the surface's outline, as lines. */
   async #saveOutline(): Promise<void> {
-    // The drawing is of the present view, which may turn during the computation of the outline.
+    // The drawing starts first, since it shows the present view: the user may turn the view while
+    // the outline is computed.
     const drawing = this.#drawing();
     const [title, color] = [this.#title, sceneColors().marks];
     const controller = new AbortController();
@@ -226,7 +228,7 @@ export class SaveMenu {
     return this.#only.getAttribute('aria-checked') === 'true' && !this.#only.disabled;
   }
 
-  /** The marks along the edited curve: x, y, z each. */
+  /** The marks along the edited curve: x, y, z of each mark. */
   get #marks(): ArrayLike<number> {
     return this.session.view.curve?.marks?.position ?? [];
   }
@@ -248,7 +250,7 @@ export class SaveMenu {
     const { state } = this.editor;
     const drawn = state.drawing.objects.filter(({ figure }) => !isEmpty(figure));
     const selected = selectedObjects(state);
-    // The choice appears only if it matters.
+    // The choice of the selected objects is disabled if no object is selected, or all are.
     const ofDrawn = drawn.filter(({ id }) => selected.includes(id)).length;
     this.#only.disabled = ofDrawn === 0 || ofDrawn === drawn.length;
     byId('save-none').hidden = this.#has('json');

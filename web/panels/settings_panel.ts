@@ -30,7 +30,7 @@ export class SettingsPanel {
     this.#clamped.addEventListener('change', () =>
       this.#set({ clamped: this.#clamped.checked, knots: null }),
     );
-    // A user's own knots are valid for one degree only.
+    // The user's knots fit only one degree, so another degree removes them.
     this.#degree.addEventListener('change', () =>
       this.#set({ degree: Number(this.#degree.value), knots: null }),
     );

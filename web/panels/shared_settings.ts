@@ -2,7 +2,9 @@ import { type State, selectedObjects } from '../editor/state/state';
 import { type CurveSettings, isCurve } from '../model/figure';
 import { make } from './elements';
 
-/** Reads a setting of the selected curves; undefined if they differ. */
+/**
+ * Returns a function that reads a setting of the selected curves: undefined if their values differ.
+ */
 export function sharedSettings(state: State) {
   const ids = selectedObjects(state);
   const selected = state.drawing.objects

@@ -27,16 +27,16 @@ import { sentenceOf } from './messages';
 import { makeSlider, showOnSlider } from './point_rows';
 
 /**
- * The times of work, in milliseconds, after which words appear, and then a button that stops the
- * work.
+ * The times in milliseconds after which a busy engine shows words (`saying`) and a button that
+ * stops the work (`stopping`).
  */
 const patienceMilliseconds = { saying: 300, stopping: 1000 };
 
 export interface StatusEvents {
   remove(): void;
-  /** Shows the next place where the curve is no center of mass. */
+  /** Shows the next place where the curve's points are not centers of mass. */
   goToLost(): void;
-  /** Replaces the first leg that is longer than the shortest path by that path. */
+  /** Replaces the first leg that is not a shortest path by the shortest path. */
   shorten(): void;
   /** Stops the engine's work. */
   stop(): void;
@@ -68,7 +68,7 @@ export class Status {
   show(state: State, view: View, info: MeshInfo | null): void {
     write(byId('status-triangles'), info ? formatCount(info.triangles, 'triangle') : '');
     const { curve, isolines, center } = view;
-    // The numbers belong to the last edited object, so there are none after the selection is
+    // The numbers belong to the last edited object, so they disappear when the selection is
     // cleared.
     write(byId('status-samples'), state.none ? '' : countOf(view));
     write(byId('status-length'), state.none ? '' : measureOf(view, this.#unit));
@@ -86,7 +86,7 @@ export class Status {
     this.showHint(state, view);
   }
 
-  /** Shows that the engine is busy, after a while. */
+  /** Shows that the engine is busy, if it stays busy for a while. */
   setBusy(busy: boolean): void {
     for (const timer of this.#timers) clearTimeout(timer);
     const { saying, stopping } = patienceMilliseconds;
@@ -140,7 +140,9 @@ export class Status {
     this.showHint(state, view);
   }
 
-  /** Shows the distance between two points of the surface, or that the first one is placed. */
+  /**
+   * Shows the distance between two points of the surface, or says that the first point is placed.
+   */
   showRuled(ruled: Ruled | null, begun: boolean, state: State, view: View): void {
     [this.#ruled, this.#begun] = [ruled, begun];
     this.showHint(state, view);
@@ -153,13 +155,13 @@ export class Status {
     this.showHint(state, view);
   }
 
-  /** Shows the purpose of the next click for a mirror image of the selection. */
+  /** Shows what the next click does for a mirror image of the selection. */
   showMirroring(hint: string, state: State, view: View): void {
     this.#mirroring = hint;
     this.showHint(state, view);
   }
 
-  /** Shows the effect of the pointer, unless a message is more important. */
+  /** Shows what the pointer would do at its place, unless a message is more important. */
   showAim(words: string, state: State, view: View): void {
     if (words === this.#aim) return;
     this.#aim = words;
@@ -262,7 +264,7 @@ function fineHint(drawing: Drawing, { fill }: View): string {
     : '';
 }
 
-/** Words about legs that a drag has stretched. */
+/** Words about legs that are longer than the shortest paths. */
 function shorterHint({ kind }: Figure, { shorter }: View): string {
   const [first] = shorter;
   if (!first) return '';
@@ -323,7 +325,7 @@ function measureOf({ curve, isolines, center, fill }: View, unit: Unit): string 
   if (center) {
     const { status, certificate, uniqueness } = center;
     const only = status === 'converged' ? uniquenessWords[uniqueness] : '';
-    // After the refined answer, energy and residual are measured by exact shortest paths.
+    // Once the answer is refined, its energy and residual are measured by exact shortest paths.
     const exact = certificate ? ` · residual ${certificate.residual.toPrecision(2)}` : '';
     const { energy } = certificate ?? center;
     return `energy ${formatLength(energy)}${exact}${only}`;

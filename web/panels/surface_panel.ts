@@ -13,9 +13,9 @@ import { byId, formatCount, formatInteger, make, write } from './elements';
 
 export interface SurfaceEvents {
   choose(key: string): void;
-  /** Files that belong together, in any order. */
+  /** Opens files that belong together, in any order. */
   openFiles(files: readonly File[]): void;
-  /** Shows the file with the reading options in a key. */
+  /** Reads the file again, with the options in a key. */
   reread(key: string): void;
 }
 
@@ -25,7 +25,7 @@ const mostParts = 1000;
 /** The panel's facts about a surface. */
 export interface ShownSurface {
   info: MeshInfo;
-  /** The facts about the surface's file; null for other surfaces. */
+  /** The facts about the surface's file; null if the surface does not come from a file. */
   file: FileInfo | null;
   /** The axis that seems to point up. */
   up: UpAxis;
@@ -35,8 +35,8 @@ export interface ShownSurface {
 const grouped = (count: string) => formatInteger(Number(count));
 
 /**
- * The actions at a face of a surface whose file has several parts. As in the menu of parts, they
- * show only the face's part, or all parts again.
+ * The actions at a face of a surface whose file has several parts: to show only the face's part, or
+ * all parts again. The menu of parts offers the same.
  */
 export function partActions(
   key: string,

@@ -1,4 +1,4 @@
-/** The theme: light or dark as in the system, until the user chooses here. */
+/** The page's theme. It is light or dark like the system's theme until the user chooses. */
 import { recall, remember } from '../model/storage';
 import type { ViewerColors } from '../viewer/colors';
 

@@ -6,7 +6,7 @@ import { isEmpty, type Kind } from '../model/figure';
 import { byId, make } from './elements';
 import { kindGroups } from './kind_names';
 
-/** A button of the rail beside the surface, which chooses the pointer's next action. */
+/** A button of the rail beside the surface. It chooses what the pointer does next. */
 export interface DrawingTool {
   /** The part of the button's id after `tool-`. */
   id: string;
@@ -29,8 +29,8 @@ export function drawingTools(editor: Editor, edits: CurveEdits): DrawingTool[] {
     latest.set(group, figure.kind);
   });
   /**
-   * A tool that draws objects of some kinds. It begins with the last edited kind of the group if
-   * this is one of them, and otherwise with the first one.
+   * A tool that draws objects of some kinds. It begins with the kind of `group` that was edited
+   * last, if `kinds` contains it, and otherwise with the first of `kinds`.
    */
   const draws = (kinds: readonly Kind[], group = kinds) => ({
     isActive: ({ tool, figure }: State) => tool === 'insert' && kinds.includes(figure.kind),

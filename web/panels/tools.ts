@@ -68,7 +68,7 @@ export class Tools {
     else editor.letGo();
   }
 
-  /** Zooms to the selection, or without one to everything. */
+  /** Zooms to the selection, or to everything if nothing is selected. */
   #zoomToSelection(): void {
     const { viewer } = this;
     const { state } = this.editor;
@@ -76,7 +76,7 @@ export class Tools {
     const figures = state.drawing.objects.flatMap(({ id, figure }) =>
       ids.includes(id) && !isEmpty(figure) ? [figure] : [],
     );
-    // The view must also contain the place of a circle opposite to its rim point.
+    // The view must also contain the circle's place opposite its rim point.
     const around = figures.flatMap(({ circle }) => {
       const { surface } = viewer;
       if (!circle || !surface || !('face' in circle.rim)) return [];
@@ -124,7 +124,7 @@ export class Tools {
       return;
     }
     const key = event.key.toLowerCase();
-    // A field with an unfinished text receives keys, including those of its undo.
+    // A field with unfinished text receives all keys, including those that undo and redo.
     if (element?.matches('[data-edited]')) return;
     const typing =
       element?.closest('select, input[type="text"], textarea') ??

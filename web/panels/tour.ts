@@ -39,18 +39,21 @@ const steps: readonly Step[] = [
   },
 ];
 
-/** The gap in CSS pixels between the card, the element that it explains, and the window's edge. */
+/**
+ * The gap in CSS pixels between the card and its element, and between the card and the window's
+ * edge.
+ */
 const gap = 14;
 
-/**
- * A walk through the page in five steps, for users who come for the first time, until they skip it.
- */
+/** A tour of the page in five steps, for new users, who can skip it. */
 export class Tour {
   readonly #card = byId('tour');
   readonly #next = byId<HTMLButtonElement>('tour-next');
   #at = 0;
 
-  /** `reveal` shows the panel if it is down; `isDrawn` returns whether the drawing is not empty. */
+  /**
+   * `reveal` raises the panel if it is down; `isDrawn` returns whether the drawing is not empty.
+   */
   constructor(
     private readonly reveal: () => void,
     private readonly isDrawn: () => boolean,
@@ -75,12 +78,12 @@ export class Tour {
     });
   }
 
-  /** Begins, unless the user has seen it before; the focus stays in place. */
+  /** Begins the tour, unless the user has seen it before. The focus stays in place. */
   greet(): void {
     if (recall('tour') === null) this.#show(0);
   }
 
-  /** Moves on when the present step no longer fits. */
+  /** Goes to the next step if the present one no longer fits the drawing. */
   update(): void {
     if (!this.#card.hidden && !this.#fits(this.#at)) this.#show(this.#at + 1);
   }
@@ -127,8 +130,8 @@ export class Tour {
   }
 
   /**
-   * Places the card beside the element that it explains, or, if this is a wide stage, in the
-   * stage's corner.
+   * Places the card beside the element that it explains, or in the corner of a wide stage that it
+   * explains.
    */
   #place(): void {
     const about = this.#about;

@@ -22,14 +22,14 @@ const format = (least: number) => ({
 });
 
 /**
- * The difference between the surface's sides, relative to its diagonal, below which they count as
- * equal.
+ * The least visible difference between the two sides of a symmetric surface, relative to the
+ * surface's diagonal.
  */
 const least = 1e-4;
 
 /**
- * Numbers that move, turn and scale the selection, each as one step. The selection keeps its
- * proportion, as with the frame's corners, so a typed width changes the height, too.
+ * Numbers that move, turn and scale the selection, each in one step. The selection keeps its
+ * proportion, like in a drag of the frame's corners: a typed width also changes the height.
  */
 export class TransformPanel {
   readonly #panel = byId('transform');
@@ -85,9 +85,7 @@ export class TransformPanel {
     byId('size-unit').textContent = unit;
   }
 
-  /**
-   * Shows the difference between the surface's two sides, if the mirror is its plane of symmetry.
-   */
+  /** Shows how much the surface's two sides differ, if the mirror is its plane of symmetry. */
   showMirror({ apart }: MirrorTool): void {
     byId('mirror-symmetric').hidden = apart === null;
     byId('mirror-apart').textContent =

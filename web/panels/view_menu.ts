@@ -14,7 +14,9 @@ const labels: Record<ViewName, string> = {
   bottom: 'Bottom',
 };
 
-/** Looks by the user's taste: a choice applies to every surface, and the browser keeps it. */
+/**
+ * Looks that are a matter of taste: a choice applies to every surface, and the browser keeps it.
+ */
 const keptLooks = [
   ['relief', 'relief'],
   ['ground-shadow', 'groundShadow'],

@@ -52,7 +52,7 @@ function start(): void {
   const table = new TableSection(
     detail < 1 ? smallRows(detail) : tableRows,
     build.version,
-    // Numbers of larger meshes do not apply to these.
+    // The report's numbers are for the full meshes, so they do not apply to smaller ones.
     detail < 1 ? null : savedReport,
   );
   const carried = new CarriedSection(context, detail);

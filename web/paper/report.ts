@@ -19,7 +19,7 @@ import { runTable } from './table/run';
 const figure = (value: number | null, digits: number) =>
   value === null ? '–' : value === 0 ? '0' : value.toPrecision(digits);
 
-/** The cells of a table for a line: its numbers, or the reason why it failed. */
+/** The cells of a line in a table: the line's numbers, or the reason why it failed. */
 export function cells(line: LineResult): string[] {
   if (!line.ok) return [`failed: ${line.reason}`, ...heads.slice(2).map(() => '')];
   const { drag } = line;
@@ -59,8 +59,8 @@ const markdownTable = (rows: readonly string[][]) =>
     .join('\n');
 
 /**
- * The heads of a table: first the measures by exact paths, which are the same for all methods, then
- * those against a reference.
+ * The heads of a table: first the measurements by exact paths, which treat all methods alike, then
+ * the deviation from a reference, and further numbers.
  */
 const heads = [
   ...[

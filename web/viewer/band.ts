@@ -12,9 +12,9 @@ const usual = 'vec4 clip = ( position.y < 0.5 ) ? clipStart : clipEnd;';
 const lift = 0.25;
 
 /**
- * The vertex shader of three.js's lines, extended by a width on the surface. It widens such a line
- * first within the surface's plane and then on the screen, so that perspective and slant apply to
- * the line as to the surface.
+ * The vertex shader of three.js's lines, extended by a width on the surface. It first widens a line
+ * within the plane of the surface, so that perspective and slant apply to the line as they do to
+ * the surface. It then adds the line's width on the screen.
  */
 const bandShader = ShaderLib.line!.vertexShader.replace(
   'void main()',

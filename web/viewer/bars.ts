@@ -24,12 +24,15 @@ export const partPainted = ({ from, to }: Bars) => to - from;
 /** x and y of a place on paper, and the distance at this place. */
 type Valued = readonly [number, number, number];
 
-/** The largest number of bars of a triangle. With more, too fine to see, it is painted whole. */
+/**
+ * The largest number of bars in a triangle. A triangle with more bars is painted whole, since they
+ * are too fine to see.
+ */
 const mostBars = 64;
 
 /**
- * The painted parts of a triangle with distances at its corners, as triangles: x and y of each
- * corner.
+ * The painted parts of a triangle whose corners have distances. The parts are triangles, given by x
+ * and y of each corner.
  */
 export function paintedParts(triangle: readonly Valued[], { period, from, to }: Bars): number[] {
   const values = triangle.map(([, , value]) => value / period);

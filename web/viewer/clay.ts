@@ -46,14 +46,15 @@ const light = {
 };
 
 /**
- * The shift of the surface away from the camera for each unit of its slope, relative to its
- * distance. A sloped surface rises beside a line and would hide half of the line's width.
+ * The surface's shift away from the camera for each unit of its slope, as a fraction of its
+ * distance. Without the shift, a sloped surface would rise beside a line and hide half of the
+ * line's width.
  */
 const sunk = { value: 0 };
-/** The largest slope in this shift; steeper slopes count as this one. */
+/** The largest slope in this shift. Steeper slopes count as this slope. */
 const steepest = 4;
 
-/** The size of a CSS pixel at a distance of 1. */
+/** The size of a CSS pixel at distance 1 from the camera. */
 const pixel = { value: 1 };
 /**
  * The width in pixels of the neighborhoods that relief shows best. Relief fades out for
@@ -62,8 +63,8 @@ const pixel = { value: 1 };
 const reliefPixels = 16;
 
 /**
- * Adapts the surface to a stage of a given height. Lines that reach up to `pixels` CSS pixels to
- * both sides are then visible in their whole width.
+ * Adapts the surface to a stage of a given height. A line is then visible in its whole width if it
+ * reaches at most `pixels` CSS pixels to each side.
  */
 export function fitSurface(pixels: number, camera: PerspectiveCamera, height: number): void {
   pixel.value = (2 * Math.tan((camera.fov * Math.PI) / 360)) / height;
@@ -162,8 +163,9 @@ const clay = {
 };
 const material = new ShaderMaterial(clay);
 /**
- * The inner sides, if both sides are visible. They lie farthest back whatever their slope, so that
- * no specks of them appear in front of the outer sides at the rim.
+ * The material of the inner sides, for a surface with both sides visible. The inner sides lie
+ * farthest back whatever their slope, so that no specks of them appear in front of the outer sides
+ * at the rim.
  */
 const inner = new ShaderMaterial({
   ...clay,
@@ -179,7 +181,10 @@ export function clayMesh(geometry: BufferGeometry): Mesh {
   return new Mesh(geometry, materials);
 }
 
-/** Paint of clay in another color over the surface below it; with `bars`, only over these. */
+/**
+ * The material of paint: clay in another color, over the surface. With `bars`, it covers only the
+ * bars.
+ */
 export function paint(color: Color, opacity: number, bars: Bars | null = null): ShaderMaterial {
   return new ShaderMaterial({
     ...clay,
@@ -238,7 +243,7 @@ export function showClay(outside: DrawnGeometry['outside']): void {
   material.needsUpdate = true;
 }
 
-/** Shows the colors of the surface's file, or its clay. */
+/** Shows the surface in the colors of its file, or as plain clay. */
 export function showTint(shown: boolean): void {
   material.uniforms.colored!.value = shown;
 }

@@ -24,7 +24,10 @@ export interface CombFacts {
 const teethOn = (length: number) =>
   Math.round(Math.min(mostTeeth, Math.max(fewestTeeth, length / spacing)));
 
-/** Teeth across a curve, on its outer side, in proportion to its geodesic curvature. */
+/**
+ * Teeth on the outer side of a curve. Their lengths are in proportion to the curve's geodesic
+ * curvature.
+ */
 export class CombLayer implements Layer {
   readonly object = new Group();
   readonly #teeth = new FatLine({ width: 1, hidden: 0.3 }, 3);
@@ -39,9 +42,10 @@ export class CombLayer implements Layer {
   }
 
   /**
-   * Shows the combs of lines in the surface's coordinates. A tooth's curvature follows from points
-   * `meanEdge` before and behind it. With `keepScale`, as in a drag, the length of the teeth for a
-   * unit of curvature stays if it is known; otherwise the method fits it again.
+   * Shows the combs of lines in the surface's coordinates. The curvature at a tooth follows from
+   * the points at the distance `meanEdge` before and after it. With `keepScale`, for a drag, the
+   * teeth keep their length for a unit of curvature if it is known. Otherwise the method fits this
+   * length again.
    */
   show(
     surface: Surface | null,

@@ -32,15 +32,15 @@ export interface LineStyle {
    * not opaque.
    */
   mark?: number;
-  /** An `inside` line is invisible. Lines with `around` leave its pixels free. */
+  /** An `inside` line is invisible, and `around` lines do not cover its pixels. */
   frames?: 'inside' | 'around' | null;
 }
 
-/** The stencil's mark of the pixels of `inside` lines. */
+/** The stencil's mark for the pixels of `inside` lines. */
 const free = 255;
 
 /**
- * The fraction of the distance to the camera by which lines appear nearer, so that the surface does
+ * Lines appear nearer by this fraction of their distance from the camera, so that the surface does
  * not cut them.
  */
 const nearer = 0.003;
@@ -119,7 +119,7 @@ export class FatLine {
     const seen = this.#materials[1]!;
     this.#opacity = opacity;
     seen.opacity = opacity;
-    // Each pixel has its paint once, even where segments overlap.
+    // The stencil lets each pixel be painted only once, even where segments overlap.
     seen.stencilWrite = opacity < 1 || frames !== null;
     seen.stencilRef = frames === null ? mark : free;
     seen.stencilFunc = frames === 'inside' ? AlwaysStencilFunc : NotEqualStencilFunc;

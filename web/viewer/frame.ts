@@ -53,7 +53,7 @@ export function directionFromScene(up: UpAxis, direction: ArrayLike<number>): Ve
   return result;
 }
 
-/** Converts places (x, y, z each) from the surface's coordinates to the scene's. */
+/** Converts places (x, y, z of each) from the surface's coordinates to the scene's. */
 export function placesInScene(
   { center, scale, up }: Frame,
   places: ArrayLike<number>,

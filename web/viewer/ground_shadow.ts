@@ -26,9 +26,10 @@ import type { Surface } from './surface';
  */
 const heights = [0.06, 0.12, 0.24, 0.48] as const;
 /**
- * The widths of the bell curves that stand for shadows. Under a wide sky, a unit of area at height
- * h hides h² / (π (h² + d²)²) from a place of the ground at distance d: half of its shadow lies
- * within h. A bell curve has half of its mass within 1.18 of its width.
+ * The widths of the bell curves that approximate shadows. Under a wide sky, a unit of area at
+ * height h takes h² / (π (h² + d²)²) of the light from a place of the ground at distance d. Half of
+ * this shadow lies within the distance h. Half of a bell curve's mass lies within 1.18 of its
+ * width.
  */
 const bellWidths = heights.map((height) => height / Math.sqrt(2 * Math.log(2)));
 const widest = Math.max(...bellWidths);
@@ -40,8 +41,8 @@ const reach = 1 + 2 * widest;
 /** The number of points along the square's side: four in the width of the sharpest bell. */
 const side = Math.ceil((4 * 2 * reach) / Math.min(...bellWidths));
 /**
- * The number of samples of a bell on each side of its middle. The others are below a tenth of a
- * percent of the middle's value.
+ * The number of samples of a bell on each side of its middle. The omitted samples are at most about
+ * a tenth of a percent of the middle's value.
  */
 const bellSteps = Math.ceil((3.7 * widest * side) / (2 * reach));
 /**
@@ -50,16 +51,16 @@ const bellSteps = Math.ceil((3.7 * widest * side) / (2 * reach));
  */
 const darkest = 0.7;
 /**
- * The largest opacity of the lit ground over a black background. A black background itself would
- * show no shadow; the brighter a background is, the less light the ground needs.
+ * The largest opacity of the lit ground, over a black background, which without the light would
+ * show no shadow. A brighter background needs less light.
  */
 const lit = 0.5;
 
 const list = (values: readonly number[]) => values.map((value) => value.toFixed(6)).join(', ');
 
 /**
- * The amount of surface above a place at each of the four heights, seen from below. At most two
- * neighboring amounts are above 0.
+ * The material that shows, from below, how much surface is above a place at each of the four
+ * heights. At most two amounts, of neighboring heights, are above 0.
  */
 const castMaterial = () =>
   new ShaderMaterial({
@@ -84,7 +85,7 @@ const castMaterial = () =>
     blending: NoBlending,
   });
 
-/** Blurs the shadow of each height along one direction. */
+/** The material that blurs the shadow of each height along one direction. */
 const blurMaterial = () =>
   new ShaderMaterial({
     uniforms: { from: { value: null }, along: { value: new Vector2() } },

@@ -7,11 +7,11 @@ import type { Surface } from './surface';
 type Drawn = Omit<ObjectDrawing, 'id' | 'locked'>;
 
 /**
- * The CSS pixels by which the halo of a selected object, and the seam between halo and line, are
- * wider than the line. The halo of an object under the pointer is as wide as the seam.
+ * The CSS pixels that a selected object's halo, and the seam between halo and line, add to the
+ * line's width. The halo of an object under the pointer is as wide as the seam.
  */
 const [haloWider, seamWider] = [8, 3];
-/** The CSS pixels by which the rim of a line that is hard to see is wider than the line. */
+/** The CSS pixels that the rim of a line that is hard to see adds to the line's width. */
 const rimWider = 2.5;
 
 const plain = { id: 0, locked: true };
@@ -28,8 +28,8 @@ const around = (objects: readonly Drawn[]): ObjectDrawing[] =>
 /** Halos around lines that are selected, that a click would take, or that are hard to see. */
 export class Halos {
   /**
-   * The lines, cut out of their halos: the surface is visible between dashes and through
-   * transparent lines.
+   * Invisible copies of the lines, which cut the lines out of their halos. The surface is thus
+   * visible between dashes and through transparent lines.
    */
   readonly #inside = new ObjectLines(0.1, { hidden: 0, frames: 'inside' });
   readonly #halo = new ObjectLines(0.2, { hidden: 0, wider: haloWider, frames: 'around' });
@@ -72,8 +72,8 @@ export class Halos {
   }
 
   /**
-   * The rim of an object, with the dashes of its line. A transparent line has no rim, which would
-   * show through.
+   * The rim of an object that is hard to see, with the dashes of its line. A transparent line has
+   * no rim, since the rim would show through.
    */
   #rimOf({ style, lines, dots }: Drawn): ObjectDrawing[] {
     if (

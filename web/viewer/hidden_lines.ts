@@ -6,14 +6,14 @@ import { type Mesh, outlineOf } from './outline';
 /** The step along lines between tests of visibility, in the scene; a surface's diagonal is 2. */
 const step = 0.008;
 /**
- * The distance by which a face must be nearer than a line to hide it, in the scene. The faces on
- * which the line lies must not hide it.
+ * A face hides a line only if it is nearer than the line by at least this distance, in the scene.
+ * The faces on which the line lies thus do not hide it.
  */
 const grain = 0.004;
 /**
- * The distance, in mean edges, from a contour to two places beside it. The contour counts as
- * visible if one of the places is. Facets may hide the contour itself where the surface turns away,
- * and the place on one side is off the surface.
+ * The distance, in mean edges, from a contour to two places beside it, one on each side. The
+ * contour counts as visible if one of the places is visible. Where the surface turns away, facets
+ * may hide the contour itself, but one of the places is off the surface.
  */
 const asideEdges = 0.4;
 const [leastAside, mostAside] = [0.002, 0.02];

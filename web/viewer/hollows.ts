@@ -16,7 +16,8 @@ export function hollowsOf(
   const hollows = new Int8Array(hollowWidths * count);
   const { areas, bends, weights } = measured(positions, normals, triangles);
   const curvatures = new Float64Array(count);
-  // The solutions follow from the narrowest to the widest. Each starts from the previous one.
+  // Solves from the narrowest to the widest neighborhood. Each solution starts from the previous
+  // one.
   for (let width = hollowWidths - 1; width >= 0; width--) {
     const radius = hollowRadii[width]!;
     spread(curvatures, bends, areas, { triangles, weights, time: radius ** 2 / 4 });
@@ -36,17 +37,17 @@ export const hollowWidths = 4;
  */
 export const hollowRadii = [0.2, 0.05, 0.0125, 0.003125] as const;
 /**
- * The factor of the darkness. With it, the inside of a ball of four times a neighborhood's radius
- * is three quarters as dark as possible.
+ * The factor on the darkness. With it, the inside of a ball is three quarters as dark as possible
+ * if the ball's radius is four times the neighborhood's.
  */
 const steepness = 2;
-/** The number of steps of conjugate gradients. Each extends relief by one edge. */
+/** The largest number of steps of conjugate gradients. Each step extends relief by one edge. */
 const mostSteps = 16;
 /** The tolerance of the solution; bytes cannot show a smaller error. */
 const precision = 1e-2;
 
 /**
- * Areas of the vertices, their integrals of twice the mean curvature, and the conductances of the
+ * The vertices' areas and integrals of twice the mean curvature, and the conductances of the
  * triangles' edges.
  */
 function measured(positions: Float32Array, normals: Float32Array, triangles: Uint32Array) {
@@ -55,7 +56,7 @@ function measured(positions: Float32Array, normals: Float32Array, triangles: Uin
   const weights = new Float32Array(triangles.length);
   const edges = new Float64Array(9);
   for (let at = 0; at < triangles.length; at += 3) {
-    // Each corner's opposite edge.
+    // The edge opposite each corner.
     for (let corner = 0; corner < 3; corner++) {
       const from = 3 * triangles[at + ((corner + 1) % 3)]!;
       const to = 3 * triangles[at + ((corner + 2) % 3)]!;
@@ -95,8 +96,8 @@ function measured(positions: Float32Array, normals: Float32Array, triangles: Uin
 const longest = 1e3;
 
 /**
- * Spreads the bends as heat for a time, in one implicit step. It solves (areas + time L) curvatures
- * = bends by conjugate gradients that start from the given curvatures.
+ * Spreads the bends like heat over the duration `heat.time`, in one implicit step. It solves (areas
+ * + time L) curvatures = bends by conjugate gradients that start from the given curvatures.
  */
 function spread(
   curvatures: Float64Array,

@@ -3,7 +3,7 @@ import type { LineStyle } from '../model/drawing';
 import { dotAt, type ObjectDrawing } from './object_lines';
 import type { Vantage } from './vantage';
 
-/** The lines that a pointer may mean, in the scene. */
+/** The lines that a pointer may pick, in the scene. */
 export interface PickableLines {
   /** The edited curve; empty if the edited object is no curve. */
   curve: Float32Array;
@@ -16,7 +16,10 @@ export interface PickableLines {
   shorter: readonly Float32Array[];
 }
 
-/** The visible lines at a place of the stage, in their whole width. Distances are in CSS pixels. */
+/**
+ * Finds the visible lines at a place of the stage. Lines count in their whole width. Distances are
+ * in CSS pixels.
+ */
 export class LinesAt {
   constructor(
     private readonly vantage: Vantage,
@@ -35,7 +38,10 @@ export class LinesAt {
     return own.some((line) => this.#pointOf(line, within, style));
   }
 
-  /** The id of the topmost other object visible at the place, unless locked; null without one. */
+  /**
+   * The id of the topmost object visible at the place, except for locked objects and the edited
+   * one; null without one.
+   */
   object(within: number): number | null {
     const found = this.lines.objects.findLast(({ locked, style, lines, dots }) => {
       const isSeen = (line: Float32Array) => this.#pointOf(line, within, style);
@@ -72,7 +78,7 @@ export class LinesAt {
   }
 }
 
-/** The ids of other objects in the box, and whether the edited one is in it. */
+/** The ids of the other objects in a box, and whether the edited object is in the box. */
 export interface ObjectsIn {
   others: number[];
   edited: boolean;

@@ -14,7 +14,7 @@ const margin = 0.88;
 const widthTaken = 0.94;
 const startDirection = new Vector3(0.34, 0.22, 1).normalize();
 const flightMilliseconds = 260;
-/** The largest distance from which the camera looks at a place. */
+/** The largest distance at which the camera stops in front of a place. */
 const closeDistance = 1.6;
 /**
  * The range of the camera's distance from its target. At the smallest distance a pixel is as large
@@ -53,7 +53,7 @@ export class OrbitView {
   readonly #controls: OrbitControls;
   /**
    * The camera's direction while the whole surface is in view; null after the user has moved the
-   * view. The whole surface stays in view when the stage's size changes.
+   * view. In the first case, the whole surface stays in view when the stage's size changes.
    */
   #whole: Vector3 | null = startDirection;
   #flight: { from: Place; to: Place; started: number } | null = null;
@@ -150,9 +150,10 @@ export class OrbitView {
   }
 
   /**
-   * Moves the controls' target to the depth of the surface at a place of the window, or in the middle
-   * of the window if the place is beside the surface. The view does not change, but the controls move it in proportion to the
-   * target's distance. Returns the surface's point.
+   * Moves the controls' target to the depth of the surface at a place of the window. If the place
+   * is beside the surface, the middle of the window replaces it. The view does not change, but the
+   * controls move it in proportion to the target's distance. Returns the surface's point, or null
+   * if neither place shows the surface.
    */
   #turnTo(x: number, y: number): Vector3 | null {
     const { x: h, y: v } = this.#middle;
@@ -170,9 +171,10 @@ export class OrbitView {
   }
 
   /**
-   * Multiplies the distances of the camera and its target from the surface's visible point at a
-   * place of the window. Beside the surface, it takes a visible point nearby or, if there is none,
-   * the target. The point stays in place in the window, and no step passes through the surface.
+   * Zooms at the surface's visible point at a place of the window: multiplies the distances of the
+   * camera and its target from this point. If the place is beside the surface, the point is a
+   * visible one nearby or, without one, the target. The point stays in place in the window, and no
+   * step passes through the surface.
    */
   #zoomAt(x: number, y: number, factor: number): void {
     this.#flight = null;
@@ -233,8 +235,8 @@ export class OrbitView {
     this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     const found = this.#turnTo(event.clientX, event.clientY);
     const isBeside = !this.#at(event.clientX, event.clientY);
-    // Beside a surface that is completely in sight, the turn is about the surface's middle, so that
-    // the whole surface stays in sight.
+    // If the press is beside a surface that is completely in sight, the turn is about the surface's
+    // middle, so that the whole surface stays in sight.
     const isWhole = isBeside && this.camera.position.length() > ballRadius;
     const point = isWhole ? new Vector3() : found;
     const { mouseButtons } = this.#controls;

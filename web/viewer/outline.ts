@@ -11,13 +11,13 @@ import { levelLines } from '../model/level_lines';
 const creaseAngle = (45 * Math.PI) / 180;
 
 export interface Mesh {
-  /** x, y, z each. */
+  /** x, y, z of each vertex. */
   positions: Float32Array;
   triangles: Uint32Array;
 }
 
 export interface Outline {
-  /** Lines where the surface turns away. */
+  /** Lines where the surface turns away from the eye. */
   contours: Float32Array[];
   creases: Float32Array[];
   boundary: Float32Array[];
@@ -81,7 +81,8 @@ function faceNormals({ positions, triangles }: Mesh): Float64Array {
  */
 function sidesAcross({ positions, triangles }: Mesh): Int32Array {
   const across = new Int32Array(triangles.length).fill(-1);
-  // Each vertex has a list of unpaired sides. A side is in the list of its end with lower index.
+  // Each vertex has a list of unpaired sides. Of its two ends, a side is in the list of the end
+  // with the lower index.
   const firstAt = new Int32Array(positions.length / 3).fill(-1);
   const behind = new Int32Array(triangles.length);
   for (let side = 0; side < triangles.length; side++) {
@@ -117,11 +118,11 @@ function isSharp(normals: Float64Array, side: number, other: number): boolean {
 }
 
 /**
- * The unit normal at each corner: the direction of the sum of the normals of the faces that meet
- * there without a crease.
+ * The unit normal at each corner: the direction of a sum of normals. The sum is over the faces that
+ * meet at the corner without a crease between them.
  */
 function smoothNormals({ triangles }: Mesh, normals: Float64Array, across: Int32Array) {
-  // Corners that share a normal form a set; each leads to the first of its set.
+  // Corners that share a normal form a set. Each corner leads to the first corner of its set.
   const leads = new Uint32Array(triangles.length);
   for (let corner = 0; corner < leads.length; corner++) leads[corner] = corner;
   const firstOf = (corner: number) => {

@@ -1,8 +1,8 @@
 import type { WebGLRenderer } from 'three';
 
 /**
- * A PNG of the drawing by `render`, with `scale` pixels for each CSS pixel. Without a background it
- * is transparent around the drawing. Afterwards the renderer's canvas needs another frame.
+ * A PNG of what `render` draws, with `scale` pixels for each CSS pixel. Without a background, the
+ * picture is transparent around the drawing. Afterwards the renderer's canvas needs another frame.
  */
 export function pictureOf(
   renderer: WebGLRenderer,

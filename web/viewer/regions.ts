@@ -45,7 +45,7 @@ export class Regions {
     this.#paint();
   }
 
-  /** The id of the topmost object with a painted region at a point. */
+  /** The id of the topmost object that has a painted region at a point and is not locked. */
   at(point: SurfacePoint): number | null {
     const found = this.#painted.findLast(({ region, locked }) => !locked && holds(region, point));
     return found?.id ?? null;
@@ -150,7 +150,7 @@ export function holds({ whole, parts, corners }: Region, { face, bary }: Surface
   return false;
 }
 
-/** The first index of a number among sorted numbers. */
+/** The index of the first of the sorted numbers that is not below a value. */
 function firstOf(sorted: Int32Array, value: number): number {
   let low = 0;
   let high = sorted.length;

@@ -252,7 +252,7 @@ export class Surface {
     return [this.#corner(face, 0), this.#corner(face, 1), this.#corner(face, 2)];
   }
 
-  /** The unit normal at a surface point, on the outside where there is one. */
+  /** The unit normal at a surface point. It points outwards if the surface has an outside. */
   normal({ face, bary }: SurfacePoint): Vector3 {
     const normal = new Vector3();
     for (let corner = 0; corner < 3; corner++) {
@@ -300,7 +300,10 @@ export class Surface {
     return directionFromScene(this.frame.up, direction.toArray());
   }
 
-  /** The map of directions at one point to directions at another: the rotation of the normals. */
+  /**
+   * Maps directions at one point to directions at another, by the rotation of the first normal into
+   * the second.
+   */
   carry(from: SurfacePoint, to: SurfacePoint): (direction: Vector) => Vector {
     const turning = new Quaternion().setFromUnitVectors(this.normal(from), this.normal(to));
     return (direction) =>
@@ -308,8 +311,8 @@ export class Surface {
   }
 
   /**
-   * The point to which `other` moves when `from` moves to `to`: by the same distance, in the same
-   * direction along the surface.
+   * The point to which `other` moves while `from` moves to `to`. Both move by the same distance and
+   * in the same direction along the surface.
    */
   along(from: SurfacePoint, to: SurfacePoint, other: SurfacePoint): SurfacePoint {
     const turning = new Quaternion().setFromUnitVectors(this.normal(from), this.normal(other));
@@ -318,8 +321,8 @@ export class Surface {
   }
 
   /**
-   * The distance from the scene's middle, in a direction, at which an upright camera sees the
-   * surface's whole width. `slope` is the tangent of half the camera's horizontal field of view.
+   * The distance from the scene's middle at which an upright camera sees the surface's whole width,
+   * for a direction. `slope` is the tangent of half the camera's horizontal field of view.
    */
   widthDistance(direction: Vector3, slope: number): number {
     const aside = new Vector3(0, 1, 0).cross(direction).normalize().divideScalar(slope);
@@ -332,7 +335,10 @@ export class Surface {
     return -this.#reach(new Vector3(0, -1, 0));
   }
 
-  /** The surface's extent in a direction, times the direction's length. */
+  /**
+   * The surface's farthest reach from the scene's middle in a direction, times the direction's
+   * length.
+   */
   #reach(direction: Vector3): number {
     let farthest = -Infinity;
     // The search skips boxes that would increase the extent by less than this. On a plane, it would

@@ -17,9 +17,7 @@ export interface NearestSeen {
   distance: number;
 }
 
-/**
- * The depth, in the scene, by which a point may lie behind the surface and still count as on it.
- */
+/** A point that is at most this far behind the surface, in the scene, counts as on it. */
 const grain = 0.004;
 
 /** The view of a camera on a surface, on a stage. */
@@ -34,8 +32,8 @@ export class Vantage {
   ) {}
 
   /**
-   * The place of a point of the scene on the stage, in CSS pixels, and whether the surface hides
-   * it.
+   * The place of a point of the scene on the stage, in CSS pixels, and whether the point is hidden:
+   * behind the surface or behind the camera.
    */
   project(position: Vector3): { x: number; y: number; hidden: boolean } {
     const { origin, direction } = this.#ray;
@@ -108,7 +106,10 @@ export class Vantage {
     return onSurface ? width / this.reach(position, 1) : width;
   }
 
-  /** The visible width at the middle of a polyline in the surface's coordinates, to a hundredth of a CSS pixel. */
+  /**
+   * The visible width at the middle of a polyline in the surface's coordinates, rounded to a
+   * hundredth of a CSS pixel.
+   */
   widthOf(style: LineStyle, polyline: Float32Array): number {
     const middle = 3 * Math.floor(polyline.length / 6);
     const [x = 0, y = 0, z = 0] = polyline.subarray(middle, middle + 3);
@@ -116,7 +117,10 @@ export class Vantage {
   }
 }
 
-/** Converts a place between -1 and 1 across the stage to CSS pixels from its corner. */
+/**
+ * Converts a place from coordinates between -1 and 1 across the stage to CSS pixels from the
+ * stage's corner.
+ */
 function toStage(place: Vector3, { width, height }: { width: number; height: number }): Vector3 {
   place.x = ((place.x + 1) / 2) * width;
   place.y = ((1 - place.y) / 2) * height;

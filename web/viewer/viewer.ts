@@ -155,7 +155,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Whether a surface has the colors of its file, if the file has any. */
+  /** Whether surfaces show the colors of their files, if they have any. */
   get fileColors(): boolean {
     return this.#fileColors;
   }
@@ -223,7 +223,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Shows polylines in the surface's coordinates. No click finds a point of a curve on them. */
+  /** Shows polylines in the surface's coordinates. A click cannot pick points on these lines. */
   showLines(lines: readonly Float32Array[]): void {
     const surface = this.#surface;
     this.#line = new Float32Array();
@@ -269,7 +269,7 @@ export class Viewer {
     return this.#regions.seen(vantage);
   }
 
-  /** The id of the topmost object with a painted region at a point; null without one. */
+  /** The id of the topmost unlocked object with a painted region at a point; null without one. */
   pickRegion(point: SurfacePoint): number | null {
     return this.#regions.at(point);
   }
@@ -464,8 +464,8 @@ export class Viewer {
   }
 
   /**
-   * The view as a PNG, with a number of pixels for each CSS pixel; transparent around the surface
-   * without a background.
+   * The view as a PNG with `scale` pixels for each CSS pixel. Without a background, it is
+   * transparent around the surface.
    */
   picture(scale: number, background: string | null): Promise<Blob> {
     const picture = pictureOf(this.#renderer, () => this.#render(), this.#size, scale, background);

@@ -79,8 +79,9 @@ export function sphereCurve(): SmoothCurve {
 }
 
 /**
- * A curve on a circle around the tube of a torus. The circle is a geodesic, so that the center of
- * mass of nearby points on it is at the mean of their angles. It contains no vertices of the mesh.
+ * A curve on a circle around the tube of a torus. The circle is a geodesic, so the center of mass
+ * of nearby points on the circle is at the mean of their angles. The circle passes through no
+ * vertex of the mesh.
  */
 export function torusCurve(): SmoothCurve {
   const { major, minor } = torusRadii;
@@ -112,7 +113,10 @@ function pointAbove(mesh: Mesh, nearest: NearestPoints, curve: SmoothCurve, plac
   return found;
 }
 
-/** The error of every method on ever finer meshes of each surface, always for the same curve. */
+/**
+ * The error of every method on ever finer meshes of each surface. All meshes of a surface have the
+ * same curve.
+ */
 export async function convergence(
   peers: Peers,
   {

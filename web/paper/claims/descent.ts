@@ -16,8 +16,8 @@ export interface DescentFinding {
   /** The number of these pairs for which descent is less accurate than the paper's method. */
   worse: number;
   /**
-   * Each method's median over all pairs. For a pair, it is the median distance of the method's path
-   * from the exact path, in mean edges.
+   * The result of each method: its path's median distance from the exact path, in mean edges, and
+   * of these distances the median over all pairs.
    */
   descent: number;
   paper: number;
@@ -66,7 +66,10 @@ function randomPoint({ mesh }: Scene, random: () => number): SurfacePoint {
   return { face, bary: [1 - a, a * (1 - b), a * b] };
 }
 
-/** The median distance of each method's path from the exact one; null if a method found none. */
+/**
+ * For each method, the median distance of its path from the exact path; null if a method found no
+ * path.
+ */
 async function distances(
   peers: Peers,
   scene: Scene,

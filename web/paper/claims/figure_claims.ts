@@ -9,7 +9,7 @@ const median = (evidence: Evidence, panel: string, id: LineId) =>
   evidence.deviation(panel, id).median;
 
 /**
- * The angle in radians up to which turning noise looks smooth: samples are a pixel or two apart, so
+ * The largest turning noise, in radians, that looks smooth. Samples are a pixel or two apart, so
  * that a turn by a degree at each sample is not visible.
  */
 const smoothTurning = Math.PI / 180;
@@ -19,8 +19,8 @@ const alike = 2;
 const areAlike = (a: number, b: number) => Math.max(a, b) <= alike * Math.min(a, b);
 
 /**
- * Whether something happened more often (1), less often (-1) or as often (0) as even chances
- * predict, within two standard deviations.
+ * Compares a count with even chances: 1 if it is larger, -1 if it is smaller, and 0 if the
+ * difference is within two standard deviations.
  */
 function moreThanChance(count: number, of: number): number {
   const beyond = count - of / 2;

@@ -9,7 +9,7 @@ const lost = (evidence: Evidence, panel: string, id: LineId) => evidence.lost(pa
 const breaks = (evidence: Evidence, panel: string, id: LineId) =>
   evidence.line(panel, id).breaks ?? 0;
 
-/** The turning noise, in radians for each sample, above which a curve on the plane wiggles. */
+/** A curve on the plane wiggles if its turning noise, in radians for each sample, exceeds this. */
 const wiggle = 0.01;
 
 interface Stability {
@@ -28,7 +28,8 @@ const stabilityText = ({ lost, samples, residual }: Stability) =>
   `${lost} of ${samples}${residual === null ? '' : ` (${num(residual)} h)`}`;
 
 /**
- * Whether the first loses fewer samples or, if both lose the same number, has the smaller residual.
+ * Whether `a` loses fewer samples than `b` or, if both lose the same number, has the smaller
+ * residual.
  */
 function isSteadier(a: Stability, b: Stability): boolean {
   if (a.lost !== b.lost) return a.lost < b.lost;
@@ -39,8 +40,9 @@ function isSteadier(a: Stability, b: Stability): boolean {
 const mostLost = 0.05;
 
 /**
- * The fraction of samples that the paper's method loses on the armadillo: the larger of those with
- * graph and with exact distances; null if the folder of meshes does not contain the armadillo.
+ * The fraction of samples that the paper's method loses on the armadillo, with graph distances or
+ * with exact distances, whichever is larger. Null if the folder of meshes has no armadillo, or no
+ * results for it.
  */
 function armadillo({ all: { meshes } }: Evidence): { lost: number | null; measured: string } {
   const found = meshes?.find(({ name }) => name.startsWith('armadillo'));

@@ -20,9 +20,9 @@ function lostOf(evidence: Evidence, ids: readonly LineId[]) {
 }
 
 /**
- * The panels in which the first method's residual is below the second's, and those in which it is
- * above. The residual of a failed method counts as the largest; panels with equal residuals are in
- * neither list.
+ * The panels in which the first method has a smaller residual than the second (`won`), and those in
+ * which it has a larger one (`lost`). A failed method has an infinite residual. Panels with equal
+ * residuals are in neither list.
  */
 export function nearer(evidence: Evidence, first: LineId, second: LineId) {
   const panels = evidence.panelsWith(first, second);
@@ -43,7 +43,8 @@ export function nearer(evidence: Evidence, first: LineId, second: LineId) {
 }
 
 /**
- * The ratios of times for a curve with its fields: the paper's method to weighted averages.
+ * The paper's time divided by the time of weighted averages, for each curve with its fields: in the
+ * figures and in Table 1.
  */
 function slowerThanAverages(evidence: Evidence) {
   const isWhole = (panel: string) =>
@@ -103,7 +104,7 @@ const meshMethodsShown = [
 /** The largest ratio of times that counts as 'slightly slower'. */
 const slightly = 2;
 
-/** The slope of the logarithm of time against the logarithm of triangles. */
+/** The slope of a line fitted to the logarithm of time over the logarithm of triangles. */
 function growth(points: readonly [number, number][]): number {
   if (points.length < 2) throw new NotMeasured('two sizes');
   const logs = points.map(([x, y]) => [Math.log(x), Math.log(y)] as const);
@@ -121,8 +122,8 @@ const growthMethods = [
 ] as const;
 
 /**
- * The growth of the paper's method and of another over the sizes at which neither failed; an empty
- * list if fewer than two sizes remain.
+ * Compares the growth of the paper's time with the growth of another method's time, over the sizes
+ * at which neither method failed. An empty list if fewer than two sizes remain.
  */
 function comparedGrowth(rows: Studies['growth'], method: 'vectorHeat' | 'weightedAverages') {
   const timesOf = (id: string) =>
@@ -152,7 +153,7 @@ function comparedGrowth(rows: Studies['growth'], method: 'vectorHeat' | 'weighte
   return [{ name, paper, slope, result, words }];
 }
 
-/** The ratio of two radii up to which they count as not far from each other. */
+/** Two radii count as not far from each other up to this ratio. */
 const farTimes = 2;
 
 const surfaceOf = ({ surface, noise }: Studies['radius'][number]) =>

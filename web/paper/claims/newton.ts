@@ -24,16 +24,15 @@ export interface NewtonFinding {
   half: number;
   nearlyAll: number;
   most: number;
-  /**
-   * The numbers of geodesics along Newton steps: all; those that the search cut at a joint; among
-   * these, those whose uncut end has no smaller gradient than their start; and those on which no
-   * joint has a smaller gradient than their start.
-   */
+  /** The number of geodesics along steps of Newton's method. */
   traced: number;
+  /** The number of these geodesics that the search cut at a joint before their end. */
   shortened: number;
+  /** The number of cut geodesics whose original end has no smaller gradient than their start. */
   needed: number;
+  /** The number of geodesics on which no joint has a smaller gradient than their start. */
   stuck: number;
-  /** The number of converged searches that ended at a zero inside a triangle. */
+  /** The number of converged searches that ended at a zero of the gradient inside a triangle. */
   inside: number;
   /** The median order of convergence over the last three iterations; null for too few searches. */
   order: number | null;
@@ -41,9 +40,9 @@ export interface NewtonFinding {
 
 const curvesAMesh = 12;
 const samplesACurve = 65;
-/** The distance from a control point to the next, in diagonals. */
+/** The distance from a control point to the next, in diagonals of the surface. */
 const leg = 0.1;
-/** The least number of searches that give an order of convergence. */
+/** Fewer searches than this give no order of convergence. */
 const leastOrders = 20;
 
 /** The meshes of the study; the noise is in mean edges. */
@@ -63,7 +62,10 @@ const meshes: Record<string, { spec: MeshSpec; noise?: number }> = {
   },
 };
 
-/** Four points within the surface, each a leg in a random direction from the previous one. */
+/**
+ * Four points on the surface. Each further point is a leg away from the previous one, in a random
+ * direction.
+ */
 function polygon(mesh: Mesh, random: () => number): SurfacePoint[] {
   const [a, b] = [Math.sqrt(random()), random()];
   const face = Math.floor(mesh.info.triangles * random());
@@ -71,7 +73,7 @@ function polygon(mesh: Mesh, random: () => number): SurfacePoint[] {
   while (points.length < 4) {
     const direction = [0, 1, 2].map(() => 2 * random() - 1) as [number, number, number];
     const walked = mesh.straightest(points.at(-1)!, direction, leg * mesh.info.diagonal);
-    // The loop ends, since most directions stay within the surface, wherever the point lies.
+    // The loop ends: from any point, most directions stay on the surface.
     if (walked.stop === 'complete') points.push(walked.end);
   }
   return points;

@@ -26,7 +26,9 @@ export interface RadiusPoint {
 
 const triangles = 5_000;
 const noises = [0, 0.2, 0.4];
-/** The radii, in units of the one up to which Karcher's condition holds on the smooth surface. */
+/**
+ * The radii, in units of the radius up to which Karcher's condition holds on the smooth surface.
+ */
 const radii = [0.5, 0.75, 1, 1.25, 1.5, 1.75, 2, 2.5];
 const casesARadius = 12;
 
@@ -111,8 +113,8 @@ function count(mesh: Mesh, radius: number, cases: number, random: () => number) 
 }
 
 /**
- * Four points in the geodesic ball around a random point, in random directions and at the distances
- * of uniform points in a disk.
+ * Four points in the geodesic ball around a random point, in random directions. Their distances
+ * from it have the same distribution as for uniform points in a disk.
  */
 function ball(mesh: Mesh, radius: number, random: () => number): SurfacePoint[] {
   const [a, b] = [Math.sqrt(random()), random()];

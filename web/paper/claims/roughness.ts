@@ -57,7 +57,10 @@ export interface SpreadPoint {
 const spreads: readonly number[] = [8, 16, 32, 64, 96, 112];
 const spreadSamples = 65;
 
-/** One segment of a B-spline on rough tori, with its four control points at growing distances. */
+/**
+ * Traces one segment of a B-spline on rough tori, for growing distances between its four control
+ * points.
+ */
 export async function spread(
   peers: Peers,
   {
@@ -106,7 +109,7 @@ function inBall(random: () => number): [number, number, number] {
   }
 }
 
-/** The gallery's B-spline on a torus of this many triangles with growing noise. */
+/** Traces the gallery's B-spline on a torus of `triangles` triangles, with growing noise. */
 export async function roughness(
   peers: Peers,
   {

@@ -38,7 +38,7 @@ export interface SavedReport extends Origin {
 
 /** The code of a page. */
 export interface Build {
-  /** The version and its commit. */
+  /** The version with its commit. */
   version: string;
   sources: string;
 }

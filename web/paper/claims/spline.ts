@@ -3,7 +3,7 @@ import { CurveMeter, type CurvePlan, type Peers, type Ruler, runMethod } from 'k
 import { methodOf } from '../figures/lines';
 import type { LineId } from '../figures/types';
 
-/** A uniform cubic B-spline as a study reads it. */
+/** The results of a uniform cubic B-spline that the studies need. */
 export interface Spline {
   samples: CurveSamples | null;
   lost: number;
@@ -31,7 +31,7 @@ export async function splineBy(
 }
 
 /**
- * The accuracy of a spline's samples by exact paths, and their turning noise compared with the true
+ * The residual of a spline's samples by exact paths, and their turning noise relative to the true
  * curve, if there is one.
  */
 export async function measured(

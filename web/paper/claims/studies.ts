@@ -32,8 +32,9 @@ export interface Studies {
   arcs: { arcs: number; worst: number; byDefault: number }[];
   /**
    * Weights of four points for which a random point between them is critical. In `minima` of the
-   * cases, the random point is a minimum. In `back` of these, a search with the weights returns to
-   * it; `farthest` is the largest distance between it and the end of a search, in mean edges.
+   * cases, the random point is a minimum. In `back` of these cases, a search with the weights
+   * returns to the random point. `farthest` is the largest distance, in mean edges, from a random
+   * point to the end of its search.
    */
   inverse: { cases: number; minima: number; back: number; farthest: number };
   /** B-splines on a torus with noise of growing height, in mean edges. */
@@ -72,7 +73,7 @@ function randomWeights(random: () => number, count: number): number[] {
 function oneCenter(peers: Peers): Studies['oneCenter'] {
   const options = { method: 'paper', solver: 'exact' } as const;
   const weights = [0.4, 0.3, 0.2, 0.1];
-  // The first center on another mesh compiles the code: this mesh would keep its fields.
+  // The first center compiles the code. It is on another mesh, since a mesh keeps its fields.
   const first = galleryTorus(peers, 20_000);
   first.mesh.centerOfMass(first.points.slice(0, 4), weights, options);
   first.mesh.dispose();
@@ -155,7 +156,7 @@ function inverse(peers: Peers): Studies['inverse'] {
   };
   for (let k = 0; k < cases; k++) {
     const x = inside(Math.floor(triangles * random()));
-    // Four points around x, at up to a third of the tube's girth.
+    // Four points around x, at distances of at most a third of the tube's girth.
     const points = [0, 1, 2, 3].map((i) => {
       const angle = (Math.PI / 2) * (i + 0.6 * random());
       const direction = [Math.cos(angle), Math.sin(angle), 0.3 * (random() - 0.5)];
@@ -173,7 +174,7 @@ function inverse(peers: Peers): Studies['inverse'] {
   return { cases, minima, back, farthest };
 }
 
-/** Triangles of the tori. */
+/** The numbers of triangles of the tori. */
 const growthSizes: readonly number[] = [5_000, 20_000, 80_000, 240_000];
 
 /** The time after which a method counts as failed. */

@@ -15,7 +15,10 @@ export interface Measured {
   load: MachineLoad | null;
 }
 
-/** The largest number of threads that wanted to run at once during the measurement. */
+/**
+ * The load of a machine during the measurement: the largest number of threads that wanted to run at
+ * once, and the number of cores.
+ */
 export interface MachineLoad {
   most: number;
   cores: number;
@@ -26,7 +29,7 @@ const isQuiet = (load: MachineLoad | null): boolean => load !== null && load.mos
 
 /**
  * - `settled here`: this project answers a question that the paper leaves open;
- * - `open`: it depends on times, and the machine was not quiet.
+ * - `open`: the verdict depends on times, and the machine was not quiet.
  */
 export type Verdict =
   | 'holds'
@@ -76,7 +79,7 @@ export class Evidence {
 
   constructor(readonly all: Measured) {}
 
-  /** Whether times may decide: on a busy machine they also measure its other work. */
+  /** Whether times may decide: on a busy machine they also measure the machine's other work. */
   timesDecide(): boolean {
     const quiet = isQuiet(this.all.load);
     if (!quiet) this.heldOpen = true;

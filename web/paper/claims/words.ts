@@ -1,6 +1,9 @@
 /** Numbers in sentences. */
 
-/** A number with two digits; from 10 on an integer; below 1e-4 one digit and a power of ten. */
+/**
+ * Writes a number with two digits; from 10 on as an integer; below 1e-4 with one digit and a power
+ * of ten.
+ */
 export function num(value: number | null): string {
   if (value === null) return 'not measured';
   if (value === 0) return '0';

@@ -5,7 +5,7 @@ import type { MeshSpec, Vector } from './types';
 export interface CarriedSide {
   title: string;
   mesh: MeshSpec;
-  /** Three or four control points near these places, in the order of the corners. */
+  /** The places near which the three or four control points lie, in the order of the corners. */
   points: Vector[];
   /** The direction to the camera. */
   from: Vector;

@@ -3,7 +3,7 @@ import type { LineId } from './types';
 
 export interface LineStyle {
   label: string;
-  /** The custom property with its color (paper.css). */
+  /** The custom property (paper.css) with the line's color. */
   color: string;
   /** Width in CSS pixels. */
   width: number;

@@ -25,7 +25,10 @@ export function onSphere(right: number, up: number): Vector {
   return [Math.cos(b) * Math.sin(a), Math.sin(b), Math.cos(b) * Math.cos(a)];
 }
 
-/** A place over the knotted tube by its degrees along the trefoil and its distance to the right. */
+/**
+ * A place above the center line of the knotted tube, which is a trefoil: by degrees along the
+ * trefoil, and by the distance to its right.
+ */
 export function onKnot(degrees: number, right: number): Vector {
   const t = (degrees * Math.PI) / 180;
   const x = (Math.sin(t) + 2 * Math.sin(2 * t)) / 3;

@@ -8,8 +8,8 @@
 type Plane = [number, number];
 
 /**
- * The star of a vertex: `ring` holds its neighbours in space, counterclockwise, and `apex` the
- * vertex.
+ * The star of a vertex in space: `apex` is the vertex, and `ring` holds its neighbours,
+ * counterclockwise.
  */
 export interface Star {
   apex: [number, number, number];
@@ -30,7 +30,10 @@ export function pyramid(height: number): Star {
 }
 
 export interface Transport {
-  /** The star laid flat with rescaled angles: the ring around v, which is the origin. */
+  /**
+   * The vertices of the ring around v, after the star is laid flat with rescaled angles. The origin
+   * is v.
+   */
   ring: Plane[];
   /** The direction and distance of the face's centroid from v. */
   thetaVt: number;
@@ -38,7 +41,7 @@ export interface Transport {
   /** The face in its own plane: v is the origin, the first edge the x axis. */
   face: [Plane, Plane, Plane];
   centroid: Plane;
-  /** The angle of the direction at the centroid back to v. */
+  /** The angle, at the centroid, of the direction back to v. */
   thetaTv: number;
   /** The angle from the frame of v to that of the face. */
   rotation: number;

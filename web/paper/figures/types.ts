@@ -48,7 +48,7 @@ export interface Panel {
   id: string;
   title: string;
   mesh: MeshSpec;
-  /** The key of the panel's points in the figure: panels may share them. */
+  /** The key of the panel's points in the figure. Panels with the same key share their points. */
   points: string;
   curve: CurveSpec;
   /** The lines, in the order of the legend. */
@@ -99,7 +99,10 @@ export interface LineNumbers {
   breaks: number | null;
   /** The largest angle by which the curve turns at a sample. */
   sharpestTurn: { degrees: number; t: number } | null;
-  /** Measures by exact shortest paths, the same for all methods; they arrive after the line. */
+  /**
+   * Measurements of the line by exact shortest paths, in the same way for all methods. They arrive
+   * after the line.
+   */
   ruler: RulerMeasures | null;
   /** The behaviour of the curve in a drag; null without a measurement. */
   drag: DragMeasures | null;
@@ -109,8 +112,8 @@ export interface LineResult extends LineNumbers {
   /** The places x, y, z of the vertices, on the surface. */
   polylines: Float32Array[];
   /**
-   * A status for each polyline and vertex: 1 where the curve is lost; empty if the line has no lost
-   * parts.
+   * A status for each vertex of each polyline: 1 where the curve is lost. Empty if the line has no
+   * lost parts.
    */
   status: Uint8Array[];
   marker: Vector | null;

@@ -7,7 +7,7 @@ import type { Scene } from './scene';
 /** A drawing on its source, and its image on the target. */
 export interface Carried {
   source: Float32Array[];
-  /** The parts of each stroke, without points that have no weights or no center. */
+  /** The image of each stroke, cut into parts at points that have no weights or no center. */
   target: Float32Array[];
   /** The numbers of points: all, those carried, and those with a weight below 0. */
   points: number;
@@ -20,7 +20,7 @@ export interface Carried {
   milliseconds: number;
 }
 
-/** The drawing on the source, along straightest geodesics from its middle. */
+/** The drawing on the source, along straightest geodesics from the drawing's middle. */
 function drawingOn({ mesh, nearest }: Scene, middle: Vector): SurfacePoint[][] {
   const center = nearest.point(middle);
   return drawingInPlane().map((stroke) =>
@@ -32,7 +32,7 @@ function drawingOn({ mesh, nearest }: Scene, middle: Vector): SurfacePoint[][] {
   );
 }
 
-/** The parts of a line through points, which stops at missing points; single points are omitted. */
+/** The parts of a line between its missing points. A part of a single point is omitted. */
 function partsOf(mesh: Mesh, points: readonly (SurfacePoint | null)[]): Float32Array[] {
   const parts: Vector[][] = [[]];
   for (const point of points) {
@@ -44,7 +44,8 @@ function partsOf(mesh: Mesh, points: readonly (SurfacePoint | null)[]): Float32A
 
 /**
  * Carries the drawing. Each point has weights for which it is the center of mass of the source's
- * control points; its image is the target's center of mass with these weights.
+ * control points. Its image is the center of mass of the target's control points with these
+ * weights.
  */
 export function carry(
   source: Scene,

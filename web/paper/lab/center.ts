@@ -6,7 +6,7 @@ import type { Scene } from './scene';
 export interface KnownCenter {
   uniqueness: Uniqueness;
   position: Vector;
-  /** The energy in squared units of the mesh, as for the others. */
+  /** The energy in squared units of the mesh, like the energies of `others`. */
   energy: number;
   /** The other minima in ascending order. */
   others: { position: Vector; energy: number }[];

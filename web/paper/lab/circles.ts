@@ -8,7 +8,10 @@ import type { Task } from './task';
 
 const { add, at, cross, distance, dot } = vectors;
 
-/** The circle about the first point through the second: as rational arcs, and as isolines. */
+/**
+ * This file draws the circle around the first point through the second, as rational arcs and as
+ * isolines.
+ */
 
 const median = (values: readonly number[]) =>
   values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)]!;
@@ -16,7 +19,7 @@ const median = (values: readonly number[]) =>
 const radiusOf = ({ scene, points }: Task) =>
   scene.mesh.shortestPath(points[0]!, points[1]!).length;
 
-/** The deviation of the points' exact distances from the radius, in mean edges. */
+/** How far the points' exact distances from the center differ from the radius, in mean edges. */
 function deviationOf(
   { scene, points }: Task,
   radius: number,
@@ -63,8 +66,8 @@ function loopSamples(scene: Scene, line: readonly Vector[], start: Vector): Curv
 }
 
 /**
- * The turning to and fro of a closed line beyond that of the exact isoline; null unless each of the
- * two is a single loop.
+ * The turning noise of a closed line, measured against the exact isoline. Null unless the line and
+ * the exact isoline are a single loop each.
  */
 function turningNoiseOf(
   { scene, points, places }: Task,
@@ -117,8 +120,8 @@ function isolines(task: Task, id: LineId, type: 'exact' | 'linear'): LineResult 
   const polylines = lines.map((line) => line.polyline({ bits: 64 }));
   const on = polylines.flatMap((polyline) => {
     const places = placesOf(polyline);
-    // Between two vertices an exact isoline bends away from its chord; only the chords of a
-    // linear one lie on it.
+    // The chords of a linear isoline lie on it, so their middles count, too. An exact isoline bends
+    // away from its chords.
     const between = places.slice(1).map((place, i) => middle([places[i]!, place]));
     return [...places, ...(type === 'linear' ? between : [])].map((place) => nearest.point(place));
   });
@@ -131,7 +134,7 @@ function isolines(task: Task, id: LineId, type: 'exact' | 'linear'): LineResult 
   };
 }
 
-/** The isoline of exact distances at the vertices, linear in each face. */
+/** The isoline of distances that are exact at the vertices and linear in each face. */
 export const isolineLinear = (task: Task, id: LineId): LineResult => isolines(task, id, 'linear');
 
 /** The points whose distance is the radius: circular arcs in each face. */

@@ -10,7 +10,7 @@ import type { CarryJob, DrawnMesh, Placed, TraceJob } from './protocol';
 export interface TraceEvents {
   placed(placed: Placed): void;
   line(line: LineResult): void;
-  /** Receives the measurements of an earlier line. */
+  /** Receives the measurements by exact paths of a line that has arrived. */
   measured(id: LineId, ruler: RulerMeasures): void;
   /** Receives the progress of the line under way. */
   progress(done: number, stage: string): void;
@@ -22,8 +22,8 @@ const startWorker = () =>
   new WorkerClient(new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' }));
 
 /**
- * Computes panels in two workers: while slow methods work in one, quick ones trace in the other and
- * follow drags.
+ * Computes panels in two workers, one for slow methods and one for quick methods. Quick methods can
+ * thus trace and follow drags while slow methods work.
  */
 export class LabClient {
   readonly #quick = startWorker();

@@ -16,10 +16,10 @@ import type { CarryJob, DrawnMesh, Placed } from './protocol';
 import { Scene } from './scene';
 import { planOf, referenceOf, type Task } from './task';
 
-/** The largest number of meshes that the lab keeps with their preparations. */
+/** The largest number of meshes that the lab keeps, with the methods prepared for them. */
 const mostScenes = 6;
 
-/** The computation of panels: the single source of the figures' numbers, in a page and in Node. */
+/** Computes panels. All numbers of the figures come from here, in a page and in Node. */
 export class Lab {
   readonly #scenes = new Map<string, Promise<Scene>>();
 
@@ -124,7 +124,8 @@ export class Lab {
     const key = madeKey(spec);
     const known = this.#scenes.get(key);
     const scene = known ?? Scene.make(this.peers, spec);
-    // The scene moves to the end: the first entry is the one that is unused for longest.
+    // Moves the scene to the end, so that the first entry is always the one that is unused for
+    // longest.
     this.#scenes.delete(key);
     this.#scenes.set(key, scene);
     if (!known) {

@@ -17,7 +17,9 @@ import { affineSamples, planOf, type Task } from './task';
 
 const { add, at, cross, distance, length, scaled, subtract } = vectors;
 
-/** A line, and the samples of a curve for the measurement by exact paths. */
+/**
+ * A line, and the samples for the measurement by exact paths; null if there is nothing to measure.
+ */
 export interface TracedLine {
   line: LineResult;
   samples: CurveSamples | null;
@@ -53,8 +55,8 @@ export async function traceLine(
 const dragSteps = 20;
 
 /**
- * Measures the behaviour of a method's curve in a drag of a control point; null for other lines and
- * for one that fails.
+ * Measures the behaviour of a method's curve in a drag of a control point. Null for lines without a
+ * method, and for methods that fail.
  */
 export async function dragLine(
   task: Task,
@@ -203,8 +205,8 @@ const makers: Partial<Record<LineId, Maker>> = {
   },
 
   /**
-   * Our curve without levels. Each sample is a center of mass of all control points of its segment;
-   * where the search finds none, there is a bridge.
+   * Our curve without levels. Each sample is a center of mass of all control points of its segment.
+   * A bridge replaces samples for which the search finds no center.
    */
   bridged: engineCurve,
 
@@ -220,7 +222,10 @@ const makers: Partial<Record<LineId, Maker>> = {
     return { ...emptyLine(id), polylines };
   },
 
-  /** An arrow in each face against the constant gradient of the distance from the first point. */
+  /**
+   * An arrow in each face, against the gradient of the distance from the first point. The gradient
+   * is constant in a face.
+   */
   gradients({ scene, points }, id) {
     const distances = scene.mesh.distance(points[0]!);
     const polylines: Float32Array[] = [];
@@ -241,7 +246,10 @@ const makers: Partial<Record<LineId, Maker>> = {
   isolineExact,
 };
 
-/** Shaft and head of an arrow in the middle of the triangle, against the gradient of the values. */
+/**
+ * The shaft and the head of an arrow in the middle of a triangle, against the gradient of the
+ * values at its corners.
+ */
 function gradientArrow(
   corners: [Vector, Vector, Vector],
   values: readonly number[],

@@ -39,7 +39,7 @@ export class NearestPoints {
     return { face: best.face, bary: best.bary };
   }
 
-  /** The index of the vertex nearest to `place`, of those that belong to triangles. */
+  /** The index of the vertex nearest to `place`, among the vertices that belong to triangles. */
   vertex(place: Vector): number {
     let [best, least] = [0, Number.POSITIVE_INFINITY];
     for (const v of this.#triangles) {
@@ -55,7 +55,7 @@ export class NearestPoints {
   }
 }
 
-/** Barycentric weights of the point of the triangle that is nearest to p. */
+/** The barycentric weights of the triangle's point that is nearest to p. */
 function nearestInTriangle([a, b, c]: [Vector, Vector, Vector], p: Vector): Vector {
   const normal = cross(subtract(b, a), subtract(c, a));
   const area = dot(normal, normal);

@@ -16,7 +16,8 @@ export interface Placed {
 }
 
 /**
- * A drawing about a place of the source, and the control points on source and target that carry it.
+ * A drawing around a place of the source, and the control points on source and target that carry
+ * the drawing.
  */
 export interface CarryJob {
   source: MeshSpec;

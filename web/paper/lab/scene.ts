@@ -15,7 +15,7 @@ interface OwnMethod {
   method: PreparedCurves;
 }
 
-/** A mesh with the preparations on it, for figures with points that the reader can drag. */
+/** A mesh and the methods prepared for it, for figures whose points the reader can drag. */
 export class Scene {
   readonly positions: Float64Array;
   readonly triangles: Int32Array;
@@ -45,8 +45,9 @@ export class Scene {
   }
 
   /**
-   * Prepares a method once, on its own copy of the mesh. The method cannot use the work of another
-   * one there, so that its measured time is complete. The scene keeps failures, too, but no aborts.
+   * Prepares a method once, on its own copy of the mesh. There the method cannot reuse the work of
+   * other methods, so that its measured time is complete. The scene also keeps a failure, but not
+   * an abort.
    */
   async method(options: MethodOptions, work: LongWorkOptions): Promise<PreparedCurves> {
     const key = JSON.stringify(options);

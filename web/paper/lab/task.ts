@@ -54,7 +54,7 @@ export function planOf({ peers, points, curve, samples }: Task): CurvePlan {
   }
 }
 
-/** The plan's affine averages of the points in space: the truth on a plane. */
+/** The plan's affine averages of the points in space. On a plane, they are the true curve. */
 export function affineSamples(task: Task): ReferenceSamples {
   const { first, table } = planOf(task);
   const rows = table.t.length;

@@ -2,7 +2,7 @@ import type { ConvergencePoint } from '../claims/convergence';
 import type { RoughnessPoint } from '../claims/roughness';
 import type { LineId } from '../figures/types';
 
-/** A plot's numbers: for each method one value for each place on the x axis, or a gap. */
+/** The numbers of a plot. For each place on the x axis, each method has a value or a gap (null). */
 export interface Plot {
   x: number[];
   lines: { method: LineId; values: (number | null)[] }[];
@@ -47,8 +47,8 @@ export const roughnessPlot = (points: readonly RoughnessPoint[]): Plot =>
   );
 
 /**
- * The order of convergence: the least-squares slope of the error's logarithm against the edge's;
- * null for fewer than two errors.
+ * The order of convergence: the least-squares slope of the logarithm of the error over the
+ * logarithm of the edge length. Null for fewer than two errors.
  */
 export function orderOf({ x }: Plot, values: readonly (number | null)[]): number | null {
   const logs = x.flatMap((edge, i) => {

@@ -1,4 +1,4 @@
-/** The worker that measures the plots. Its end cancels the work. */
+/** The worker that measures the plots. The page terminates the worker to cancel the work. */
 
 import { serve } from 'karcher/own-worker';
 import { loadPeers } from 'karcher/peers';

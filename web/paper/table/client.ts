@@ -18,7 +18,8 @@ export interface ClientEvents extends TableEvents {
 type Place = Omit<TableCell, 'result'>;
 
 /**
- * The time by which a method may exceed its budget: by itself it stops only between two steps.
+ * The time by which a method may exceed its budget. A method itself can stop only between two
+ * steps.
  */
 const graceMs = 2000;
 

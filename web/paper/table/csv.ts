@@ -8,7 +8,7 @@ const heads = [
   ...['lost by own rule', 'residual h', 'energy h2'],
 ];
 
-/** Milliseconds without digits that come from rounding. */
+/** Rounds milliseconds to six digits, to remove the digits that come from rounding errors. */
 const time = (value: number | null) => value && Number(value.toPrecision(6));
 
 /** A field, with quotation marks only where CSV needs them. */

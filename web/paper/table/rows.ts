@@ -5,8 +5,8 @@ import { galleryFigure, resolutionFigure } from '../figures/splines';
 import type { MeshSpec, Vector } from '../figures/types';
 
 /**
- * A row of Table 1: a curve on a mesh, with its control points at vertices for all methods, as in
- * the paper.
+ * A row of Table 1: a curve on a mesh. As in the paper, the control points are at vertices, for all
+ * methods.
  */
 export interface TableRow {
   id: string;
@@ -98,8 +98,9 @@ export interface TableCell {
 }
 
 /**
- * The paper's own times, from its authors' machine: an update of a curve on the lion, a mesh that
- * we do not have, with 256 samples a segment. The times of its Table 1 are not known here.
+ * The paper's own times, from its authors' machine, for an update of a curve with 256 samples a
+ * segment. The curve is on the lion, a mesh that we do not have. The times of the paper's Table 1
+ * are not known here.
  */
 export const published = { samples: 256, updateMs: 197, fieldMs: 161, segmentMs: 10 };
 
@@ -107,8 +108,8 @@ export const published = { samples: 256, updateMs: 197, fieldMs: 161, segmentMs:
 export const publishedNote = `The paper’s own times are of its authors’ machine and of meshes that are not at hand, and those of its Table 1 are not kept here, so none stand beside ours. Of its text: on the lion, with ${published.samples} samples a segment, an update took ${published.updateMs} ms, ${published.fieldMs} of them the field and about ${published.segmentMs} each segment.`;
 
 /**
- * The tracing time of a heat method that computes a log map at each evaluation, as its authors'
- * library does. The numbers of requested and computed maps give this estimate. Null for methods
+ * An estimate of a heat method's tracing time if it computed a log map at each evaluation, like its
+ * authors' library. It follows from the numbers of requested and computed maps. Null for methods
  * without log maps.
  */
 export function asUsedMs({ traceMs, logMaps }: MethodResult): number | null {

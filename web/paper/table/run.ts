@@ -12,7 +12,10 @@ import { makeMesh } from '../../model/made_mesh';
 import { NearestPoints } from '../lab/nearest';
 import { type TableCell, type TableMethod, type TableRow, tableMethods } from './rows';
 
-/** The most triangles for exact paths; on larger meshes they would take longer than the methods. */
+/**
+ * The largest number of triangles for measurements by exact paths. On larger meshes, these would
+ * take longer than the methods.
+ */
 const mostMeasured = 60_000;
 
 export interface TableOptions {
@@ -26,9 +29,9 @@ export interface TableOptions {
 }
 
 export interface TableEvents {
-  /** Receives a row whose mesh is made next. */
+  /** Receives a row before its mesh is made. */
   row(row: TableRow): void;
-  /** Receives a cell whose method begins. */
+  /** Receives a cell before its method begins. */
   method(cell: Pick<TableCell, 'row' | 'method' | 'triangles' | 'segments'>): void;
   progress(done: number, stage: string): void;
   cell(cell: TableCell): void;

@@ -28,8 +28,8 @@ const details: Record<(typeof parts)[number], (result: MethodResult) => string |
 };
 
 /**
- * The measures by exact paths, as in the figures, and the numbers of samples lost by our rule and
- * by that of the method's authors.
+ * The measurements by exact paths, like in the figures, and the numbers of samples lost by our rule
+ * and by the rule of the method's authors.
  */
 function measuresOf({ ruler, lost, lostByOwnRule, samples }: MethodResult): string[] {
   const { residual = null, energy = null } = ruler ?? {};

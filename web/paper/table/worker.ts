@@ -1,4 +1,7 @@
-/** The worker that measures rows of Table 1, one after the other. Its end cancels the work. */
+/**
+ * The worker that measures rows of Table 1, one after the other. The page terminates the worker to
+ * cancel the work.
+ */
 
 import { serve } from 'karcher/own-worker';
 import { loadPeers } from 'karcher/peers';

@@ -28,7 +28,7 @@ const keySteps: Record<string, [number, number]> = {
   ArrowDown: [0, 6],
 };
 
-/** A live figure: a drawing on one mesh follows control points to another one. */
+/** A live figure: control points carry a drawing from one mesh to another. */
 export class CarriedSection {
   readonly element = make('section', '', { className: 'figure', id: 'carried' });
   readonly #note = make('p', '', { className: 'panel-note' });
@@ -165,7 +165,9 @@ export class CarriedSection {
     );
   }
 
-  /** Requests the drawing of the current points, after the request under way, if there is one. */
+  /**
+   * Requests the drawing for the current points. If a request is under way, this one follows it.
+   */
   #renew(): void {
     this.#stale = true;
     if (this.#busy) return;

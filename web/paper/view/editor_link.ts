@@ -41,8 +41,8 @@ function figureOf(curve: CurveSpec, points: readonly SurfacePoint[]): Figure | n
 }
 
 /**
- * The points with their weights or betas. If these exceed the editor's range, the function scales
- * them, since only their ratios matter; null if no factor fits.
+ * The points with their weights or betas. If these exceed the editor's range, the function
+ * multiplies all of them by one factor, since only their ratios matter. Null if no factor fits.
  */
 function withNumbers(
   points: readonly SurfacePoint[],

@@ -67,9 +67,9 @@ export class FigurePanel {
   readonly #centers: CenterSearch;
   readonly #numbers: NumbersTable;
   readonly #shown: Set<LineId>;
-  /** Results for the current points and curve, except those of lines in `#waiting`. */
+  /** The results of lines, for the current points and curve except for lines in `#waiting`. */
   readonly #results = new Map<LineId, LineResult>();
-  /** Requested lines without an answer: their results are of earlier points. */
+  /** Requested lines that have not arrived yet. Their old results belong to earlier points. */
   readonly #waiting = new Set<LineId>();
   #curve: CurveSpec;
   #spec: MeshSpec;
@@ -160,7 +160,7 @@ export class FigurePanel {
     }
   }
 
-  /** Takes other points in space, moved in this panel or in one that shares them. */
+  /** Takes new places of the points, moved in this panel or in one that shares the points. */
   setPoints(points: readonly Vector[]): void {
     this.#points = points;
     this.#renew();
@@ -236,7 +236,7 @@ export class FigurePanel {
       },
       progress: (done, stage) => this.#progress(done, stage),
       failure: (message) => {
-        // The note is no longer a progress message, which the end would remove.
+        // The end of the work removes a progress message. This message stays.
         this.#note.dataset.kind = '';
         this.#note.textContent = message;
       },
@@ -254,7 +254,7 @@ export class FigurePanel {
     return promise;
   }
 
-  /** Names the lines without a result, or else the measurement by exact paths. */
+  /** Names the lines without a result or, if there are none, the measurement by exact paths. */
   #tellWhat(): void {
     const names = [...this.#waiting].map((id) => lineStyles[id].label);
     this.#note.dataset.kind = 'progress';
@@ -308,7 +308,7 @@ export class FigurePanel {
     this.#placeMarkers();
     const result = this.#result(id);
     if (shown && result) this.#draw(result);
-    // The panel requests lines under way again, together with the missing one.
+    // A new request replaces the present one, so it includes all lines that are still missing.
     else if (shown) {
       void this.#trace(
         this.panel.lines.filter((one) => this.#shown.has(one) && !this.#result(one)),
@@ -350,7 +350,10 @@ export class FigurePanel {
     showDots(this.#markers, this.#view, this.#dots());
   }
 
-  /** A place of the stage for comparison: a center, or a curve's point near the middle. */
+  /**
+   * A place of the stage where the reader can compare lines: the visible center nearest to the
+   * middle or, without centers, the visible point of a line nearest to the middle.
+   */
   #placeToCompare(): { x: number; y: number } {
     const middle = { x: this.#stage.clientWidth / 2, y: this.#stage.clientHeight / 2 };
     const places = this.#dots().map(({ place }) => place);

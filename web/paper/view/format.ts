@@ -1,6 +1,9 @@
 /** Numbers as people read them. */
 
-/** A number with two decimals, four below 0.1; a tiny one with one digit and a power of ten. */
+/**
+ * Writes a number with two decimals, below 0.1 with four, and a tiny one with one digit and a power
+ * of ten.
+ */
 export function formatDeviation(value: number | null): string {
   if (value === null) return '–';
   if (value === 0) return '0';

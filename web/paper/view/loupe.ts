@@ -32,7 +32,7 @@ export class Loupe {
   constructor(
     private readonly stage: HTMLElement,
     private readonly view: PanelView,
-    /** The dots to show, and the first place. */
+    /** `dots` returns the dots to show, and `first` the place where the loupe begins. */
     private readonly events: { dots(): Dot[]; first(): Place },
   ) {
     this.button.setAttribute('aria-pressed', 'false');

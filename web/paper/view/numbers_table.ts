@@ -60,7 +60,7 @@ const ruler: Column[] = [
   },
 ];
 
-/** The largest step, and the number of leaps. */
+/** The largest ratio of a sample's step in a drag to the hand's step, and the number of leaps. */
 function dragText({ most, leaps }: NonNullable<LineNumbers['drag']>): string {
   const far = most === null ? '–' : `×${most.toFixed(1)}`;
   return leaps === 0 ? far : `${far}, ${leaps} ${leaps === 1 ? 'leap' : 'leaps'}`;

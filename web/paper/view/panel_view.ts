@@ -227,7 +227,10 @@ export class PanelView {
     return { x, y, hidden: hidden || place.z > 1 };
   }
 
-  /** Restores the panel's own view. `places` are its points, one of which may be shown closely. */
+  /**
+   * Restores the panel's initial view. `places` are the panel's points; the view may be close to
+   * one of them.
+   */
   resetView(places: readonly Vector[]): void {
     const { from = [0.34, 0.22, 1], at, distance = 1 } = this.panel.view ?? {};
     const target = new Vector3();
@@ -276,8 +279,8 @@ export class PanelView {
 }
 
 /**
- * Gives a surface materials of its own. The shared materials show only the sides that the newest
- * surface has; the copies still share the colors.
+ * Gives a surface copies of the shared materials, since these show only the outer sides of the
+ * newest surface. The copies still share the colors.
  */
 function ownMaterials(surface: Surface): void {
   const mesh = surface.object.children[0] as Mesh<BufferGeometry, ShaderMaterial[]>;
@@ -288,7 +291,7 @@ function ownMaterials(surface: Surface): void {
   });
 }
 
-/** The parts of a polyline in order: those that converged and those that are lost. */
+/** Splits a polyline, in order, into parts that converged and parts that are lost. */
 function partsOf(
   line: Float32Array,
   status: Uint8Array | undefined,

@@ -37,8 +37,8 @@ export class SharedRenderer {
   }
 
   /**
-   * Draws a scene into a canvas of that size in CSS pixels. While the context is lost, the canvas
-   * keeps its image.
+   * Draws a scene into a canvas of the given size in CSS pixels. While the context is lost, the
+   * canvas keeps its image.
    */
   draw(scene: Scene, camera: Camera, canvas: HTMLCanvasElement, width: number, height: number) {
     this.#scenes.add(scene);

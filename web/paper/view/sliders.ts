@@ -35,8 +35,8 @@ export function sliders(curve: CurveSpec, change: (curve: CurveSpec) => void): H
 }
 
 /**
- * A slider for the ratio of length to height of an anisotropic plane's cells; null for other
- * meshes. When the reader releases the slider, the mesh changes.
+ * A slider for the cells of an anisotropic plane: the ratio of their length to their height. Null
+ * for other meshes. When the reader releases the slider, the mesh changes.
  */
 export function stretchSlider(
   mesh: MeshSpec,

@@ -15,8 +15,8 @@ function distanceFromSight(element: Element): number {
 }
 
 /**
- * Runs one work at a time, those of visible elements first. If the element of the present work has
- * left the window, the work gives way to that of a visible element and runs again later.
+ * Runs one work at a time, works of visible elements first. If the present work's element is out of
+ * sight and a visible element waits, the present work stops and runs again later.
  */
 export class Turns {
   readonly #waiting: Work[] = [];
