@@ -2,8 +2,8 @@ import { KarcherError } from './errors.js';
 import type { MeshInfo } from './types.js';
 
 /**
- * Checks of arguments that only JavaScript can get wrong: types, lengths, numbers that are not
- * integers. The engine checks what depends on the mesh.
+ * Checks for mistakes that only JavaScript allows in arguments: wrong types, wrong lengths, and
+ * numbers that are not integers. The engine checks what depends on the mesh.
  */
 
 const largestInteger = 0x7fffffff;
@@ -124,7 +124,7 @@ export function toInt32(value: unknown, what: string): Int32Array {
   return new Int32Array(array as ArrayLike<number>);
 }
 
-/** Throws unless the options are an object with options of these names only. */
+/** Throws if the options are no object, or have a name that is not one of `names`. */
 export function checkOptions(options: unknown, names: readonly string[]): void {
   if (typeof options !== 'object' || options === null || Array.isArray(options)) {
     throw badArgument(`the options must be an object, not ${shown(options)}`);
@@ -166,8 +166,8 @@ export function toVector(value: unknown, what: string): Float64Array {
 }
 
 /**
- * A point as four numbers for the engine: the face and three weights, or, for a vertex, NaN, the
- * vertex's number, 0 and 0.
+ * A point as four numbers for the engine. A point of a face has the face and three weights. A
+ * vertex has NaN, its number, 0 and 0.
  */
 export function checkPointLike(value: unknown, what: string): Float64Array {
   const point = value as Partial<{ vertex: unknown; face: unknown; bary: unknown }> | null;

@@ -225,8 +225,8 @@ export class Curve {
   }
 
   /**
-   * The estimated largest distance, in the mesh's units, between the curve and the curve with
-   * `levels: 0`; 0 without levels. Null if the curve with `levels: 0` is not safe (see
+   * An estimate of the largest distance of the curve from the curve with `levels: 0`, in the mesh's
+   * units; 0 without levels. It is null if the curve with `levels: 0` is not safe (see
    * `CurveOptions.levels`), since the distance then has no meaning.
    */
   get deviation(): number | null {
@@ -298,9 +298,9 @@ export class Curve {
   /**
    * Adds a control point at a parameter, and returns the point's number. On a plane the curve stays
    * unchanged, elsewhere nearly so. A B-spline gets a knot at the parameter, and its knots become
-   * custom ones. A curve of one segment rises in degree by one: all its inner points are new. Other
-   * kinds get a point on the curve; a Catmull-Rom curve changes a little. Throws `KarcherError`
-   * badArgument if a control point or too many knots are there already, and for the kind `custom`.
+   * custom ones. A curve of one segment rises by one degree and gets new inner points. Other kinds
+   * get a point on the curve; a Catmull-Rom curve changes a little. Throws `KarcherError`
+   * badArgument for the kind `custom`, and if the parameter has a control point or too many knots.
    */
   insertOnCurve(parameter: number): number {
     return this.#edit('insertOnCurve', checkNumber(parameter, 'the parameter'));
@@ -309,8 +309,8 @@ export class Curve {
   /**
    * Two new curves: the parts of this one before and after a parameter. A closed B-spline,
    * Catmull-Rom curve or polyline gives one new curve, open at the parameter. On a plane the new
-   * curves equal the parts exactly, elsewhere nearly. Those of a Catmull-Rom curve deviate a little
-   * near the cut, since they do not depend on points beyond it. This curve stays unchanged. Throws
+   * curves equal the parts exactly, elsewhere nearly. New Catmull-Rom curves deviate a little near
+   * the cut, since they do not depend on points beyond it. This curve stays unchanged. Throws
    * `KarcherError` badArgument at the ends of an open curve or of a curve of one segment, and for
    * the kind `custom`.
    */
@@ -324,10 +324,10 @@ export class Curve {
   /**
    * A new curve along this one and then along another one of the same kind. B-splines and Bezier
    * curves become one B-spline, with a geodesic between the two if they do not meet. Other curves
-   * become a curve through the points of both, with the parametrization of this one. It deviates a
-   * little where the two meet. Both curves stay unchanged. Throws `KarcherError` badArgument if the
-   * kinds or the B-splines' degrees differ, a Bezier degree exceeds 5, a curve is closed, or the
-   * kind is `custom`; unreachable if the curves lie on different components.
+   * become a curve through the points of both, with the parametrization of this one. The new curve
+   * deviates a little where the two meet. Both curves stay unchanged. Throws `KarcherError`
+   * badArgument if the kinds or the B-splines' degrees differ, a Bezier degree exceeds 5, a curve
+   * is closed, or the kind is `custom`; unreachable if the curves lie on different components.
    */
   join(other: Curve): Curve {
     if (!(other instanceof Curve) || other.#mesh !== this.#mesh) {
@@ -340,13 +340,13 @@ export class Curve {
     return alike(this.#mesh, this.#options, parts);
   }
 
-  /** Moves point `from` with its weight and beta in the order, so that its number becomes `to`. */
+  /** Gives control point `from` the number `to`. The point keeps its weight and beta. */
   movePointInOrder(from: number, to: number): void {
     const index = checkInteger(to, 'the new number of the control point');
     this.#edit('movePointInOrder', pointNumber(from), index);
   }
 
-  /** Reverses the curve. A closed one keeps its first point. */
+  /** Reverses the curve. A closed curve keeps its first point. */
   reverse(): void {
     this.#edit('reverse');
   }
@@ -404,7 +404,7 @@ export class Curve {
     return withPoint(this.#call((curve) => curve.tangentAt(parameter)));
   }
 
-  /** The curve's point nearest in space to a place. */
+  /** The point of the curve that is nearest to a place in space. */
   nearest(place: VectorLike): NearestOnCurve {
     const numbers = toVector(place, 'the place');
     return withPoint(this.#call((curve) => curve.nearest(numbers)));
@@ -495,6 +495,6 @@ export class Curve {
   }
 }
 
-/** A new curve from the engine's data. It takes those options that determine a curve's trace. */
+/** A new curve from the engine's data, with those of the options that determine a curve's trace. */
 const alike = (mesh: MeshHandle, options: CurveOptions, parts: EngineCurveParts): Curve =>
   new Curve(mesh, { ...tracingOf(options), ...optionsOfParts(parts) });

@@ -18,15 +18,15 @@ import type {
  * - `bezier`: one segment of degree (points - 1);
  * - `rational`: a Bezier curve with a weight for each point;
  * - `barycentric`: one rational segment through all points, with a beta for each point
- *   (Ramanantoanina, Hormann 2021); equal betas give Berrut's interpolant, binomial coefficients
- *   the polynomial;
+ *   (Ramanantoanina, Hormann 2021); equal betas give Berrut's interpolant, and binomial
+ *   coefficients give the polynomial;
  * - `catmullrom`: a curve through all points, with continuous tangents;
  * - `polyline`: paths from point to point, the exact shortest ones unless `legs` gives others;
  * - `custom`: one segment with a basis of your own.
  *
  * A curve through its control points meets them exactly on a plane, at the ends of an open curve,
- * and if it is a `polyline`. Otherwise it passes within a few hundredths of a mean edge of them,
- * since fields on a curved mesh are estimates.
+ * and if it is a `polyline`. Otherwise it may miss them by a few hundredths of a mean edge, since
+ * fields on a curved mesh are estimates.
  */
 export type CurveKind =
   | 'bspline'
@@ -60,9 +60,9 @@ export type CurveLevels = number | 'auto' | 'limit';
 /** The tolerance for levels that a curve chooses itself. */
 export interface LevelsTolerance {
   /**
-   * The largest distance, in mean edges, by which levels may move a curve that is safe without them
-   * (see `CurveOptions.levels`). `auto` uses .02. With 0 the curve does not move; with Infinity it
-   * is the draft that is quickest to compute.
+   * The largest distance that levels may move a curve, in mean edges, if the curve is safe without
+   * levels (see `CurveOptions.levels`). `auto` uses .02. With 0 the curve does not move; with
+   * Infinity it is the draft that is quickest to compute.
    */
   tolerance: number;
 }
@@ -101,28 +101,29 @@ export interface CurveOptions extends FieldOptions {
   samples?: number | 'adaptive' | undefined;
   /**
    * The largest distance of the curve from the geodesics between adaptive samples, relative to the
-   * bounding box's diagonal: 1e-7 to 1; 1e-4 by default. It is checked at a dozen or more places
-   * between two samples.
+   * bounding box's diagonal: 1e-7 to 1; 1e-4 by default. The engine checks this distance at a dozen
+   * or more places between two samples.
    */
   tolerance?: number | undefined;
   /**
-   * The connection between the samples: the `geodesic` that joins them, or `exact`, the curve's own
-   * crossings of the mesh's edges. `geodesic` by default.
+   * The connection between the samples. `geodesic` (the default): the geodesic that joins them.
+   * `exact`: the curve's own crossings of the mesh's edges.
    */
   geometry?: CurveGeometry | undefined;
   /**
    * The number of subdivisions of the control polygon, 0 to 8. A subdivision takes averages of two
-   * points along the legs. Each piece of the curve is then a center of mass of the subdivided
-   * points near it. On rough surfaces, more levels make a curve of distant points steadier. On a
-   * plane all levels give the same curve.
+   * points along the legs. Each piece of the curve then consists of centers of mass of the
+   * subdivided points near the piece. On rough surfaces, more levels make a curve of distant points
+   * steadier. On a plane all levels give the same curve.
    *
    * - 0: the curve of Mancinelli and Puppo: each point is one center of mass of all control points
    *   that its segment blends;
-   * - `auto`, the default: the curve of level 0 if it is safe, such as on smooth surfaces. It is
-   *   safe if its points move continuously, and no more roughly than the surface. If the curves of
-   *   all levels lie within .02 mean edges of it by estimate, the curve takes instead the number of
-   *   levels with which it is computed fastest. If level 0 is not safe, such as on scans with
-   *   distant points, the curve takes as many levels as make it safe;
+   * - `auto`, the default: the curve of level 0 if it is safe, such as on smooth surfaces. A curve
+   *   is safe if its points move continuously, and no more roughly than the surface. If the curves
+   *   of all levels lie within .02 mean edges of the curve of level 0, by an estimate, `auto` takes
+   *   the number of levels that is fastest to compute. If level 0 is not safe, such as on scans
+   *   with distant points, `auto` takes the fewest levels at which the curve is safe, or more if
+   *   these are faster to compute;
    * - `{ tolerance }`: the same with another tolerance;
    * - `limit`: the subdivision curve that many levels approach, which needs no fields. Its points
    *   lie at `samples` equally spaced parameters and are joined by geodesics; `tolerance` and
@@ -175,8 +176,8 @@ export interface CurvePoint {
   /** The place of that point in space. */
   position: [number, number, number];
   /**
-   * The status. If it is not `converged`, the point lies on the path that joins the samples around
-   * it.
+   * The status. If it is not `converged`, the point lies on the path from the sample before it to
+   * the sample after it.
    */
   status: Status;
 }
@@ -194,7 +195,7 @@ export interface NearestOnCurve extends CurvePoint {
   distance: number;
 }
 
-/** Points of a curve as flat arrays of one entry (or three) for each point. */
+/** Points of a curve as flat arrays. An array has one entry, or three, for each point. */
 export interface CurvePoints {
   /** The parameter of each point on the curve. */
   parameter: Float64Array;
@@ -207,8 +208,8 @@ export interface CurvePoints {
 }
 
 /**
- * The samples of a curve, segment by segment, as flat arrays of one entry (or three) for each
- * sample.
+ * The samples of a curve, segment by segment, as flat arrays. An array has one entry, or three, for
+ * each sample.
  */
 export interface CurveSamples {
   /** The number of samples. */
@@ -230,8 +231,8 @@ export interface CurveSamples {
 /**
  * An interval of a segment's parameter in which the points of a curve are not centers of mass.
  * There the curve follows a subdivision curve of the segment's control points, so that it stays
- * continuous. The samples in the interval have the status `bridged`, or `subdivided` if that is the
- * reason.
+ * continuous. The samples in the interval have the status `bridged`, or `subdivided` if the reason
+ * is `subdivided`.
  */
 export interface BridgedInterval {
   /** The number of the segment that contains the interval. */
@@ -249,9 +250,9 @@ export interface CircleOptions extends ArcOptions {
   radius: number;
   /**
    * The largest error of the samples' distances from the center, relative to the radius; .001 by
-   * default. It determines the number of arcs unless `arcs` is given. The circle's `deviation` is
-   * larger where no number of arcs reaches the tolerance: beyond the center's cut locus, and where
-   * saddles spread the geodesics from the center apart.
+   * default. It determines the number of arcs unless `arcs` is given. No number of arcs reaches the
+   * tolerance beyond the center's cut locus, or where saddles spread the geodesics from the center
+   * apart. The circle's `deviation` is larger then.
    */
   tolerance?: number | undefined;
 }
@@ -268,7 +269,7 @@ export interface ArcOptions extends FieldOptions {
    * arcs have fewer, but at least 5.
    */
   samples?: number | undefined;
-  /** The levels, as for a curve; `auto` by default. */
+  /** The levels, as in `CurveOptions`; `auto` by default. */
   levels?: CurveLevels | undefined;
 }
 

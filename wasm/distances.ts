@@ -42,7 +42,7 @@ import type {
 } from './types.js';
 import { CurveView } from './view.js';
 
-/** Distances to all vertices of a mesh with this number of vertices. */
+/** Distances to all vertices of a mesh. `vertices` is their number. */
 export function distance(
   mesh: MeshHandle,
   vertices: number,

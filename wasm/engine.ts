@@ -19,8 +19,8 @@ export class Engine {
 
   /**
    * Throws `KarcherError` `busy` if the engine is at work. A caller's basis or progress function
-   * runs within a call of the engine. Another call from there could change the data that the first
-   * one reads.
+   * runs within a call of the engine. A second call from such a function could change the data that
+   * the first call reads.
    */
   checkIdle(): void {
     if (!this.#atWork) return;
@@ -62,8 +62,8 @@ export interface Callback<Args extends unknown[], Result> {
 }
 
 /**
- * Exceptions must not pass through the engine. So the callback keeps the first one, and returns
- * `failed`, which the engine rejects.
+ * Exceptions must not pass through the engine. So the callback keeps the first exception, and
+ * returns `failed`, which the engine rejects.
  */
 export function callback<Args extends unknown[], Result>(
   own: (...args: Args) => Result,
@@ -92,8 +92,8 @@ export function callback<Args extends unknown[], Result>(
 }
 
 /**
- * Counts the holders of an object of the module, and deletes the object when it has none left.
- * Objects created from an object read it, so that they hold it, too.
+ * Counts the holders of an object of the module, and deletes the object when no holder is left. An
+ * object created from it reads its data, and is therefore a holder, too.
  */
 class Lease {
   readonly #target: { delete(): void };
@@ -125,8 +125,8 @@ const forgotten = new FinalizationRegistry<Lease>((lease) => {
 });
 
 /**
- * The number of references to created objects at which a handle first removes those of objects that
- * are gone.
+ * A handle that has this many references to created objects removes, for the first time, the
+ * references whose objects are gone.
  */
 const leastMost = 16;
 
@@ -136,7 +136,7 @@ export class Handle<Target extends { delete(): void }> {
   readonly #what: string;
   readonly #lease: Lease;
   #target: Target | undefined;
-  /** The objects created from this one. They may be disposed of, or out of reach, earlier. */
+  /** The objects created from this one. Some may already be disposed of, or out of reach. */
   readonly #made = new Set<WeakRef<Handle<{ delete(): void }>>>();
   #most = leastMost;
 

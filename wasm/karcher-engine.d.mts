@@ -159,7 +159,7 @@ export interface EngineMesh {
     nonNegative: boolean,
     field: EngineFieldOptions,
   ): MeanWeights;
-  /** `distances` has one array after another. */
+  /** `distances` has the distances of one point after another. */
   centerOfMassOfDistances(
     distances: Float64Array,
     weights: Float64Array,
@@ -201,9 +201,9 @@ export interface EngineMesh {
   ): EnginePath[];
   distanceFromPaths(outlines: Float64Array[], points: Float64Array): Float64Array;
   /**
-   * The regions of shapes. For each shape, `counts` has the number of its outlines, and `insides`
-   * has a point inside, nothing, or the side of its first outline that is inside: 1 for the left, 0
-   * for the right.
+   * The regions of shapes. `counts` has the number of outlines of each shape. `insides` has an
+   * array for each shape: a point inside the shape, or the inner side of its first outline (1 for
+   * the left, 0 for the right), or an empty array.
    */
   regions(
     outlines: Float64Array[],
@@ -224,7 +224,7 @@ export interface EngineCurveValue {
    * legs are shortest paths.
    */
   legs: Float64Array[];
-  /** For each leg, 1 if it is drawn (its list has all its points, including both ends); else 0. */
+  /** 1 for each drawn leg, whose list has all points of the leg, including both ends; else 0. */
   areDrawn: Int32Array;
   shape: EngineCurveShape;
   sampling: EngineSampling;
@@ -284,8 +284,8 @@ export interface EnginePath {
 }
 
 /**
- * Whether a view has its positions in 64 bits, and whether it has the faces and weights of the
- * path's points.
+ * Whether a view has 64-bit instead of 32-bit positions, and whether it has the faces and weights
+ * of the path's points.
  */
 export interface EngineViewOptions {
   inDouble: boolean;
@@ -293,7 +293,9 @@ export interface EngineViewOptions {
 }
 
 export interface EngineCircle {
-  /** The view, with positions in 64 bits, and with the faces and weights of the path's points. */
+  /**
+   * The view (view.ts). It has 64-bit positions, and the faces and weights of the path's points.
+   */
   view: Uint8Array;
   notShortest: Int32Array;
   /** The deviation; undefined for ellipses, which have none. */

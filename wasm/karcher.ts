@@ -26,7 +26,7 @@ function toCoordinates(positions: unknown): Float64Array {
 export class Karcher {
   readonly #engine: Engine;
 
-  /** @internal `load` creates one. */
+  /** @internal `load` creates engines. */
   constructor(engine: Engine) {
     this.#engine = engine;
   }
@@ -129,7 +129,7 @@ export class Karcher {
   }
 
   /**
-   * The number of used bytes in the engine's memory, with which tests check that memory is freed.
+   * The number of used bytes in the engine's memory. Tests use it to check that memory is freed.
    */
   allocatedBytes(): number {
     return this.#engine.allocatedBytes();

@@ -24,7 +24,7 @@ import type {
   VectorsLike,
 } from './types.js';
 
-/** Points as vectors of the tangent plane of another point: x, y, z for each, in space. */
+/** Points as vectors of the tangent plane of another point. Each vector is x, y, z in space. */
 export interface LogMap {
   /** The log vectors, as long as the paths to the points. */
   vectors: Float64Array;
@@ -40,7 +40,10 @@ export interface MappedPoints {
    * The directions transported to these points: x, y, z for each, in the plane of the point's face.
    */
   directions: Float64Array;
-  /** The remaining length of each geodesic that met the boundary; else 0, or nearly 0. */
+  /**
+   * The rest of the length of each geodesic. It is 0, or nearly 0, unless the geodesic met the
+   * boundary.
+   */
   remaining: Float64Array;
 }
 

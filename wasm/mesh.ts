@@ -140,14 +140,14 @@ export class Mesh extends MeshPlaces {
   /**
    * The inverse of `centerOfMass`: weights with sum 1 for which `point` is the center of mass of
    * the points. Of all such weights they are the nearest to the given ones; for three points they
-   * are unique. Such weights transfer a drawing from some points to others: `weightsOf` returns a
-   * place's weights for the first points, and `centerOfMass` the place with these weights among the
-   * second.
+   * are unique. Such weights transfer a drawing from old points to new ones: `weightsOf` returns
+   * the weights of a place for the old points, and `centerOfMass` of the new points with these
+   * weights returns the new place.
    *
    * Throws `KarcherError` badArgument if no such weights exist: seen from `point`, the points lie
-   * along one line that misses it, or, with `nonNegative`, `point` lies outside their convex hull.
-   * Also throws badWeights (the number of given weights is wrong, or their sum is not positive),
-   * tooFewPoints (there are none), unreachable.
+   * along one line that misses `point`; or, with `nonNegative`, `point` lies outside the convex
+   * hull of the points. Also throws badWeights (the number of given weights is wrong, or their sum
+   * is not positive), tooFewPoints (there are none), unreachable.
    */
   weightsOf(
     point: PointLike,
@@ -158,9 +158,9 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The center of mass of points that are given by their distances to all vertices, which may come
-   * from any method. Each point has an array in the caller's vertex order; entries at dropped
-   * vertices have no effect. Weights are as in `centerOfMass`; the method is `paper`.
+   * The center of mass of points that are given by their distances to all vertices. The distances
+   * may come from any method. Each point has an array in the caller's vertex order; entries at
+   * dropped vertices have no effect. Weights are as in `centerOfMass`; the method is `paper`.
    *
    * Throws `KarcherError` badArgument (an array of another length), notFinite (a distance that is
    * negative or not finite), badWeights, tooFewPoints.
@@ -193,8 +193,8 @@ export class Mesh extends MeshPlaces {
 
   /**
    * The geodesic circle about a center, made of rational quadratic arcs. Unless `arcs` is given,
-   * there are as many as keep the samples within `tolerance` of the radius, by default a
-   * thousandth. `deviation` is the largest relative error.
+   * the circle has so many arcs that its samples keep the radius to within `tolerance`, by default
+   * a thousandth. `deviation` is the largest relative error.
    *
    * Throws `KarcherError` boundary (naming the arc whose geodesic from the center meets the
    * boundary), radiusTooLarge (no vertex of the component lies as far from the center).
@@ -210,8 +210,8 @@ export class Mesh extends MeshPlaces {
 
   /**
    * The ellipse about a center, made of the rational quadratic arcs of a planar ellipse. Geodesics
-   * from the center map their control points to the surface. Throws as `circle` does, and
-   * badArgument if the direction is perpendicular to the center's face.
+   * from the center map the control points of these arcs to the surface. Throws as `circle` does,
+   * and badArgument if the direction is perpendicular to the center's face.
    */
   ellipse(center: PointLike, options: EllipseOptions): Ellipse {
     return distances.ellipse(this.handle, center, options);
@@ -236,7 +236,7 @@ export class Mesh extends MeshPlaces {
    * the parts where an offset intersects itself. There may be no line, or several. Lines on one
    * side have the direction of the paths. The inside of a region lies to the left of its boundary.
    * Points keep the distance to within a thousandth. With several distances, the error is at most a
-   * thousandth of the smallest distance or of a tenth of the largest, whichever is more. Throws
+   * thousandth of the smallest one, or a ten-thousandth of the largest one if that is more. Throws
    * `KarcherError` badArgument for a distance out of range, a path without length, and consecutive
    * points without a common face.
    *
@@ -268,15 +268,15 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The regions that shapes enclose: one for each shape, or with `combine` a single one: the union,
-   * intersection, difference or exclusion of all. A shape is one outline, or several with a choice
-   * of their inside. Outlines may cross, touch and follow each other, the mesh's edges and its
-   * boundary. Points nearer to each other than 2^-32 of an edge are merged. An outline from
-   * boundary to boundary encloses one of its sides.
+   * The regions that shapes enclose, one for each shape. With `combine` there is a single region:
+   * the union, intersection, difference or exclusion of all shapes. A shape is one outline, or
+   * several outlines with a choice of their inside. Outlines may cross, touch and follow each
+   * other, the mesh's edges and its boundary. Points nearer to each other than 2^-32 of an edge are
+   * merged. An outline from boundary to boundary encloses one of its sides.
    *
-   * Throws `KarcherError` badArgument if outlines enclose no region (a single one round a handle of
-   * the surface, or an open one that ends inside the surface), and for consecutive points without a
-   * face in common.
+   * Throws `KarcherError` badArgument if outlines enclose no region (a single outline round a
+   * handle of the surface, or an open outline that ends inside the surface), and for consecutive
+   * points without a face in common.
    */
   regions(shapes: readonly (Outline | RegionShape)[], options: RegionOptions = {}): Region[] {
     return regions(this.handle, shapes, options);
@@ -353,8 +353,8 @@ export class Mesh extends MeshPlaces {
    * The log map: points as vectors of the tangent plane at `from`, which is the plane of its face.
    * A vector has the direction in which the path to its point leaves `from`, and the length of the
    * path. The paths are locally shortest, and seldom longer than the shortest by a thousandth. The
-   * map also transports `directions` in parallel along the paths to `from`. There is one for each
-   * point, in the plane of the point's face; 0, 0, 0 stands for none.
+   * map also transports `directions` in parallel along the paths to `from`. `directions` has one
+   * for each point, in the plane of the point's face; 0, 0, 0 stands for none.
    *
    * Without points, the map has the vectors of all vertices, in the caller's order, at about the
    * cost of one field of distances. With `{ radius }` in place of points, it has only the vectors
@@ -411,7 +411,7 @@ export class Mesh extends MeshPlaces {
    * `path.points()` returns it. A point moves along the perpendicular to the geodesic, and on by
    * the same length beyond it. Directions are reflected. Throws what `logMap` throws, and
    * `KarcherError` badArgument for a line without length, for consecutive points without a face in
-   * common, and for a point whose nearest point of the line is one of its ends.
+   * common, and for a point whose nearest point of the line is one of the line's ends.
    */
   mirror(
     line: readonly PointLike[],

@@ -67,8 +67,8 @@ export class MeshPlaces {
   }
 
   /**
-   * The point of a face with the given weights of its corners, checked and cleaned. If rounding
-   * leads the weights out of the face, by at most 1e-6, the point moves onto it. A raycast of
+   * The point of a face with the given weights of its corners, checked and cleaned. If rounding has
+   * led the weights at most 1e-6 out of the face, the point moves onto the face. A raycast of
    * three.js returns face and weights as `faceIndex` and `barycoord`.
    *
    * @example
@@ -104,7 +104,8 @@ export class MeshPlaces {
   }
 
   /**
-   * The unit normal of a point's face, on the side from which its corners appear counterclockwise.
+   * The unit normal of a point's face. It points to the side from which the corners of the face
+   * appear counterclockwise.
    *
    * @example
    * ```ts

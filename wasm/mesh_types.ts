@@ -9,8 +9,8 @@ export interface MeshOptions {
    */
   repair?: 'safe' | 'none' | undefined;
   /**
-   * The distance within which the import welds vertices on boundaries, in the units of the mesh;
-   * never more than a third of the shortest edge at either vertex. 0 welds none. By default it is
+   * The largest distance between boundary vertices that the import welds, in the units of the mesh,
+   * but at most a third of the shortest edge at either vertex. 0 welds no vertices. The default is
    * the smaller of 1e-6 of the diagonal and 1 % of the shortest edge.
    */
   weld?: number | undefined;
@@ -60,7 +60,7 @@ export interface FileMarks {
  * - `repeatedCorner`: faces with one vertex at two corners were dropped (faces);
  * - `duplicate`: faces with the same corners as another were dropped (faces);
  * - `noArea`: faces whose corners lie on a line were flipped away: the corner between the ends of
- *   the longest edge became a corner of the face on its other side (faces);
+ *   the longest edge became a corner of the face on the other side of this edge (faces);
  * - `turnedOver`: faces oriented against their neighbours were turned over (faces);
  * - `branching`: where more than two faces share an edge, the pairs with the widest angle between
  *   them stayed together, and each other face got an edge of its own (edges);

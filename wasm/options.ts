@@ -106,7 +106,9 @@ export const isolineOptionNames = namesOf<IsolineOptions>({
 });
 export const regionOptionNames = namesOf<RegionOptions>({ rule: true, combine: true });
 
-/** The names that callers may give; the first method is the default. */
+/**
+ * The names of methods, solvers and stars that callers may give. The first method is the default.
+ */
 export const methods: readonly Method[] = ['karcher', 'paper'];
 const solvers: readonly Solver[] = ['fast', 'exact', 'graph'];
 const stars: readonly Star[] = ['wide', 'ring'];
@@ -192,7 +194,7 @@ export function engineMeshOptions(options: MeshOptions): { repair: boolean; weld
   return { repair, weld };
 }
 
-/** Whether a polyline is to have 64 bits. */
+/** Whether a polyline is to have 64-bit coordinates. */
 export function inDouble(options: PolylineOptions): boolean {
   checkOptions(options, polylineOptionNames);
   return checkOneOf(options.bits ?? 32, [32, 64], 'the bits of a polyline') === 64;

@@ -7,7 +7,7 @@ import type { BridgedInterval, CurveSamples, PointLike, SurfacePoint } from './t
 export interface CurveLeg {
   /** The path of the leg, from one control point to the next. */
   path: Path;
-  /** The shortest path between the leg's ends, if the leg is a longer one. */
+  /** The shortest path between the leg's ends, if the leg is a longer path. */
   shorter?: Path;
 }
 
@@ -34,9 +34,9 @@ export interface RegionShape {
   /** The outlines that together bound the shape. */
   outlines: readonly Outline[];
   /**
-   * A point that must lie inside, or the side of the first outline that is inside. Left and right
-   * refer to the first place where the outline's two sides differ. The choice stays the same when
-   * the outline moves. By default the smaller side is inside.
+   * A point that must lie inside, or the inner side of the first outline. Left and right refer to
+   * the first place where the outline's two sides differ. The choice stays the same when the
+   * outline moves. By default the smaller side is inside.
    */
   inside?: PointLike | 'left' | 'right';
 }
@@ -64,7 +64,7 @@ export interface Ellipse {
    */
   unconverged: Uint8Array;
   /**
-   * The number of levels of the arcs: the given number, or the one that `auto` chose (see the
+   * The number of levels of the arcs: the given number, or the number that `auto` chose (see the
    * option `levels`).
    */
   levels: number;

@@ -3,7 +3,10 @@
  * no growth takes long.
  */
 const tableBits = 8;
-/** The number of low bits of a vertex number that are the vertex's index in its chunk. */
+/**
+ * The number of bits of a vertex's index in its chunk. These are the low bits of the vertex's
+ * number.
+ */
 const chunkBits = 14;
 const chunkMask = (1 << chunkBits) - 1;
 

@@ -57,8 +57,8 @@ export interface PolylineOptions {
  * - `exact`: by windows on the edges, exact on every mesh;
  * - `graph`: along the edges of a graph. The graph joins each vertex to the vertices of its k-ring
  *   that it sees in a straight line across the faces. The graph of the paper's authors also has
- *   edges that turn round saddles. Curves with that graph lie .02 to .08 mean edges from those with
- *   this one, and need half the time for their fields.
+ *   edges that turn round saddles. Curves with the authors' graph lie .02 to .08 mean edges from
+ *   curves with this graph. The fields of the authors' graph take half the time.
  */
 export type Solver = 'fast' | 'exact' | 'graph';
 
@@ -90,8 +90,8 @@ export type Star = 'wide' | 'ring';
  * - `converged`: for `centerOfMass` with the method `karcher` and the solvers `fast` and `exact`,
  *   the point is a local minimum of the energy by exact distances. That is, no point on the circle
  *   of radius 0.3 mean edges around it has an energy lower by more than a thousandth of a squared
- *   mean edge. For samples of curves, other solvers and the method `paper`, the gradient of the
- *   energy, as the fields estimate it, vanishes at the point, and the Hessian is positive definite;
+ *   mean edge. For samples of curves, other solvers and the method `paper`, the estimate of the
+ *   energy's gradient from fields vanishes at the point, and the Hessian is positive definite;
  * - `indefinite`: the Hessian is not positive definite; the points lie too far apart;
  * - `boundary`: the minimum lies on the boundary, where the gradient does not vanish;
  * - `noProgress`: no point along the Newton step has a smaller gradient;
@@ -103,8 +103,9 @@ export type Star = 'wide' | 'ring';
  * - `bridged`: the sample of a curve lies on a bridge, see `BridgedInterval`;
  * - `subdivided`: the sample lies on a piece of a curve with levels that follows its subdivision
  *   curve instead of centers of mass. Such a piece crosses a face that is larger than the piece,
- *   and its points do not see all corners of the faces, such as slivers of CAD parts. The curve is
- *   no worse there. The reason of the interval is then `subdivided`, too.
+ *   such as a sliver of a CAD part, and the points of the piece do not see all corners of the faces
+ *   along its legs. The curve is no worse there. The reason of the interval is then `subdivided`,
+ *   too.
  */
 export type Status =
   | 'converged'

@@ -65,8 +65,8 @@ export const withPoint = <At extends { point: Float64Array }>(
 ): Omit<At, 'point'> & { point: SurfacePoint } => ({ ...at, point: toSurfacePoint(at.point) });
 
 /**
- * The corner that follows the nearest one in the point's face. It serves as the end of a drag by
- * about an edge.
+ * The corner after the corner nearest to a point, in the point's face. It serves as the end of a
+ * drag by about an edge.
  */
 export function nextCorner({ face, bary }: SurfacePoint): SurfacePoint {
   const heaviest = bary.indexOf(Math.max(...bary));

@@ -27,7 +27,8 @@ export function pause(): Promise<void> {
 }
 
 /**
- * Prepares the data that fields need from a mesh of this number of triangles. `Mesh` documents it.
+ * Prepares a mesh's data for fields. `triangles` is the mesh's number of triangles. `Mesh`
+ * documents the function.
  */
 export async function prepareFields(
   mesh: MeshHandle,

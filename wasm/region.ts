@@ -67,7 +67,8 @@ export class Region {
   }
 
   /**
-   * Closed paths with the region to their left: its outer outlines, and the outlines of its holes.
+   * Closed paths with the region to their left: the outer outlines of the region, and the outlines
+   * of its holes.
    */
   boundary(): Path[] {
     return this.#data.boundary.map((path) => new Path(path));
@@ -125,7 +126,7 @@ export class Region {
 
 type Four = [number, number, number, number];
 
-/** The index of the first number in a sorted array that is at least the value. */
+/** In a sorted array, the index of the first number that is at least `value`. */
 function firstOf(sorted: Int32Array, value: number): number {
   let low = 0;
   let high = sorted.length;
@@ -170,8 +171,8 @@ export function regions(
 }
 
 /**
- * Shapes in the form for the engine: all outlines, their number in each shape, and for each shape a
- * point inside, the side that is inside, or nothing.
+ * Shapes in the form for the engine: all outlines, the number of outlines of each shape, and for
+ * each shape an array with a point inside or with the inner side, or an empty array.
  */
 function wireShapes(shapes: unknown) {
   const outlines: Float64Array[] = [];

@@ -19,13 +19,13 @@ const triangleBytes = 380;
 const vertexBytes = 72;
 
 /**
- * The least number of bytes for each vertex that a solver and its result keep after the solver has
+ * The least number of bytes that a solver and its result keep for each vertex, after the solver has
  * covered the whole surface.
  */
 const distanceBytes = 56;
 /**
- * The least number of bytes for each triangle in a graph of k-rings: arcs of 16 bytes along its
- * edges.
+ * The least number of bytes that a graph of k-rings takes for each triangle: arcs of 16 bytes along
+ * the triangle's edges.
  */
 const graphBytes = 48;
 

@@ -87,8 +87,8 @@ export function tubeAlong(
 }
 
 /**
- * The places of a polyline that are farther than `apart` from the previous one, with unit vectors
- * along and across the polyline.
+ * The places of a polyline, with unit vectors along and across the polyline. Each place is farther
+ * than `apart` from the previous one; nearer places are left out.
  */
 function framesAlong(line: TubeLine, apart: number) {
   const kept = distinct(line, apart);
@@ -107,8 +107,8 @@ function framesAlong(line: TubeLine, apart: number) {
 /** A band along a polyline. It has two vertices at each place, one on each side. */
 export interface Ribbon extends Tube {
   /**
-   * Two numbers for each vertex: the length from the start in widths of the ribbon, and 0 on its
-   * left and 1 on its right side.
+   * Two numbers for each vertex: the length from the start, divided by the width of the ribbon, and
+   * the side: 0 for the left, 1 for the right.
    */
   uvs: Float64Array;
 }
@@ -164,7 +164,7 @@ function trianglesOf(rings: number, sides: number, closed: boolean, caps: boolea
   return triangles;
 }
 
-/** The numbers of the points that are farther than `apart` from the previous one. */
+/** The numbers of the kept points. Each is farther than `apart` from the previous kept point. */
 function distinct({ places, closed }: TubeLine, apart: number): number[] {
   const kept: number[] = [];
   const away = (i: number, j: number) => Math.hypot(...minus(at(places, i), at(places, j)));
@@ -194,8 +194,8 @@ function uprightFrames(tangents: readonly Vec3[], normals: readonly Vec3[]): Vec
 }
 
 /**
- * Unit vectors perpendicular to the tangents. Each vector is the previous one, rotated as the
- * tangent turns to the next one by the smallest rotation. Once around a closed polyline, the result
+ * Unit vectors perpendicular to the tangents. Each vector is the previous vector after the smallest
+ * rotation from the previous tangent to the present one. Once around a closed polyline, the result
  * may differ from the first vector. The angle between them is distributed over all points.
  */
 function carriedFrames(tangents: readonly Vec3[], closed: boolean): Vec3[] {

@@ -56,8 +56,9 @@ export interface CenterOfMass {
   iterations: number;
   /**
    * The sum of weight times squared distance over the points, in squared units of the mesh. It is
-   * an estimate from the fields, which is not comparable with that of another method. For very many
-   * points (see `centerOfMass`) it comes from exact distances. `certificate` has the exact energy.
+   * an estimate from the fields, and not comparable with an estimate by another method. For very
+   * many points (see `centerOfMass`) it comes from exact distances. `certificate` has the exact
+   * energy.
    */
   energy: number;
   /**
@@ -125,7 +126,7 @@ export interface MeanWeights {
 export interface WeightsOptions extends FieldOptions {
   /**
    * The target weights, which the call divides by their sum. Of all possible weights, the result
-   * has the least sum of squared differences from them. By default they are equal.
+   * has the least sum of squared differences from the target weights. By default they are equal.
    */
   weights?: ArrayLike<number> | undefined;
   /** Whether no weight may be below 0. */
@@ -173,8 +174,8 @@ export interface CentersOptions extends FieldOptions, StartOptions {
 }
 
 /**
- * Centers of mass of one set of points, as flat arrays of one entry (or three) for each row of
- * weights.
+ * Centers of mass of one set of points, as flat arrays. An array has one entry, or three, for each
+ * row of weights.
  */
 export interface CentersOfMass {
   /** The number of rows of weights. */
@@ -205,7 +206,7 @@ export type FillRule = 'evenOdd' | 'nonZero';
 export type BooleanOperation = 'union' | 'intersection' | 'difference' | 'exclusion';
 
 /**
- * A part of a cut surface: three numbers for each vertex, and three for each triangle,
+ * A part of a cut surface: three coordinates for each vertex, and three vertices for each triangle,
  * counterclockwise.
  */
 export interface CutPart {
@@ -242,7 +243,7 @@ export interface OffsetOptions {
   corners?: 'round' | 'miter' | 'bevel';
   /**
    * The largest distance between a miter's tip and its corner, relative to the distance of the
-   * offset, as in SVG. Beyond it the corner has a bevel. At least 1; 4 by default.
+   * offset, as in SVG. A corner with a longer miter has a bevel instead. At least 1; 4 by default.
    */
   miterLimit?: number;
 }

@@ -103,7 +103,10 @@ export class CurveView {
     return this.#data;
   }
 
-  /** @internal The path of the curve, from a view in 64 bits that has surface points. */
+  /**
+   * @internal The path of the curve. The view must have 64-bit positions and the faces and weights
+   *   of the path's points.
+   */
   path(): Path {
     const position = this.polyline as Float64Array;
     const { length, lengths } = this;

@@ -5,14 +5,14 @@ import { facesOnOthers } from './doubled.js';
 export interface Boundary {
   /** The numbers of the two ends of each edge, one edge after the other. */
   ends: Int32Array;
-  /** For each number, one of the vertices that have it. */
+  /** A vertex for each number. Other vertices may have the same number. */
   vertexAt: Int32Array;
 }
 
 /**
- * Finds the boundary. `numbers` has a number for each corner; vertices that count as one have the
- * same number. Where more than two faces meet at an edge, they stay together in pairs. If their
- * number is odd, one face is left over, and the edge is on the boundary. With `doubled`, the search
+ * Finds the boundary. `numbers` has a number for each corner of a triangle; vertices that count as
+ * one have the same number. More than two faces at an edge stay together in pairs. An odd number of
+ * faces leaves one face over, and the edge is then on the boundary. With `doubled`, the search
  * omits faces that lie on others, as the engine does.
  */
 export async function boundaryEdges(

@@ -8,15 +8,16 @@ export interface FacesOnOthers {
    */
   same: Uint8Array;
   /**
-   * Faces that lie on an earlier one with the opposite orientation, if they have the same vertices,
-   * or share no vertex with any other face. The engine omits them at edges of more than two faces.
+   * Faces that lie on an earlier face with the opposite orientation. They have the same vertices as
+   * the earlier face, or share no vertex with any other face. The engine omits such faces at edges
+   * of more than two faces.
    */
   turned: number[];
 }
 
 /**
- * Finds the faces that lie on others, by the numbers of their corners. All numbers are below
- * `count`.
+ * Finds the faces that lie on others. A face lies on another one if the corners of both have the
+ * same numbers. All numbers are below `count`.
  */
 export async function facesOnOthers(
   triangles: Int32Array,
@@ -50,8 +51,8 @@ export async function facesOnOthers(
     if ((i & batchMask) === 0 && slices.over) await slices.rest(0.7);
     if (starts[i + 1]! < starts[i]! + 2) continue;
     /**
-     * The first face for each pair of corners beside the lowest one. A key has the lower corner
-     * first.
+     * The first face for each pair of corners beside corner `i`. A key names the pair, the lower
+     * number first.
      */
     const first = new Map<string, { face: number; rises: boolean }>();
     for (const face of listed.subarray(starts[i], starts[i + 1])) {

@@ -25,7 +25,7 @@ export interface CheckUp {
   caps: Int32Array;
   /** The edges that belong to only one face: x, y, z of both ends, six numbers for each edge. */
   boundary: Float64Array;
-  /** Boundaries that lie near each other without being joined; null if none do. */
+  /** Boundaries that lie near each other without being joined; null if there are none. */
   nearBoundaries: NearBoundaries | null;
   /** Sentences about what to expect of curves. */
   expected: string[];

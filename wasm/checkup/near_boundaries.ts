@@ -4,16 +4,16 @@ import type { Boundary } from './boundary.js';
 /** Boundaries that nearly touch, and the `weld` that would join them. */
 export interface NearBoundaries {
   /**
-   * x, y, z of the boundary vertices that lie near another one, so that the import can weld the
-   * two. Their distance is at most 1e-4 of the diagonal and a third of the shortest edge at either
-   * vertex.
+   * x, y, z of each boundary vertex near another boundary vertex, so that the import can weld the
+   * two. Their distance is at most 1e-4 of the diagonal, and at most a third of the shortest edge
+   * at either vertex.
    */
   places: Float64Array;
-  /** The tolerance that joins the boundaries, as `weld` of `MeshOptions`. */
+  /** The value of the option `weld` (`MeshOptions`) with which the import joins the boundaries. */
   weld: number;
 }
 
-/** The distance, relative to the diagonal, within which boundaries are near each other. */
+/** The largest distance between boundaries that are near each other, relative to the diagonal. */
 const nearness = 1e-4;
 /**
  * The largest distance between vertices that the engine welds, relative to the shortest edge at
@@ -23,14 +23,14 @@ const partOfEdge = 1 / 3;
 /** The least tolerance that is advised, relative to the diagonal. */
 const leastWeld = 1e-9;
 /**
- * The largest number of times that the width of cells is halved. Vertices with even shorter edges
- * lie in the narrowest cells.
+ * The largest number of halvings of the width of cells. Vertices whose edges would need still
+ * narrower cells lie in the narrowest ones.
  */
 const mostLevels = 40;
 
 /**
- * The data of the search: positions of vertices, the boundary, the length of the shortest edge at
- * each of its numbers, and the diagonal.
+ * The data of the search: the positions of vertices, the boundary, the length of the shortest edge
+ * at each number of `Boundary`, and the diagonal.
  */
 interface Places {
   positions: Float64Array;
@@ -40,9 +40,9 @@ interface Places {
 }
 
 /**
- * Finds boundaries that lie on each other. The distance between a vertex of one and a vertex of the
- * other is then at most 1e-4 of the diagonal, and at most a third of the shortest edge at either.
- * If the two are at the same place, they must also have neighbors at the same place, since the
+ * Finds boundaries that nearly touch: a vertex of one boundary is near a vertex of the other. Their
+ * distance is at most 1e-4 of the diagonal, and at most a third of the shortest edge at either
+ * vertex. Two vertices at the same place must also have neighbors at the same place, since the
  * import does not weld vertices where parts only touch.
  */
 export async function nearBoundaries(
@@ -56,8 +56,8 @@ export async function nearBoundaries(
   const distance = (i: number, j: number) =>
     Math.sqrt((at(i, 0) - at(j, 0)) ** 2 + (at(i, 1) - at(j, 1)) ** 2 + (at(i, 2) - at(j, 2)) ** 2);
   const limitOf = (number: number) => Math.min(reach, partOfEdge * shortest[number]!);
-  // A cell is one to two times as wide as the limits of its vertices, so that few vertices that are
-  // not near each other share it.
+  // A cell is one to two times as wide as the limits of its vertices, so that few vertices share a
+  // cell without being near each other.
   const levelOf = (limit: number) =>
     Math.min(mostLevels, Math.max(0, Math.floor(Math.log2(reach / limit))));
   const first = new Map<number, number>();
@@ -84,7 +84,7 @@ export async function nearBoundaries(
     return apart > 0 || touchesAlong(i, j);
   };
 
-  /** The first vertex that is near enough, or -1. */
+  /** The first other vertex that is near this one, or -1. */
   const nearTo = (number: number): number => {
     const limit = limitOf(number);
     for (const level of levels) {

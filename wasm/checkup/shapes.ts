@@ -1,11 +1,14 @@
 import { Places } from '../places.js';
 import { batchMask, type Slices } from '../slices.js';
 
-/** The angles, in degrees, below which a triangle is a needle, and above which it is a cap. */
+/**
+ * Angles in degrees. A triangle with an angle above `capAngle` is a cap. Any other triangle with an
+ * angle below `needleAngle` is a needle.
+ */
 const [needleAngle, capAngle] = [2, 170];
 /**
- * The least height of a triangle, relative to its longest edge. The corners of a lower triangle
- * count as points of a line, and the engine flips or rejects it.
+ * The least height of a triangle, relative to its longest edge. For the engine, the corners of a
+ * lower triangle lie on a line, and it flips or rejects the triangle.
  */
 const leastHeight = 1e-12;
 const degrees = 180 / Math.PI;
@@ -20,14 +23,15 @@ interface Shapes {
   /** A number for each corner; vertices that count as one have the same number. */
   numbers: Int32Array;
   /**
-   * The length of the shortest edge at each number, over all faces, including those of no height.
+   * The length of the shortest edge at the vertices of each number. Edges of faces without height
+   * count, too.
    */
   shortest: Float64Array;
 }
 
 /**
  * The lengths and angles of triangles. With `byPlace`, vertices at one place count as one. The
- * result omits triangles in which two corners are one vertex, and those whose corners lie on a line
+ * result omits triangles with one vertex at two corners, and triangles whose corners lie on a line
  * by the engine's rule.
  */
 export async function shapesOf(

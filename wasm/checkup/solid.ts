@@ -7,8 +7,8 @@ export interface Solid {
   /** Whether each edge occurs equally often in both directions, so that no part is open. */
   closed: boolean;
   /**
-   * The enclosed volume if the triangles are closed and oriented, negative if they face inwards;
-   * else null.
+   * The enclosed volume, which is negative if the triangles face inwards; null unless the triangles
+   * are closed and oriented.
    */
   volume: number | null;
 }

@@ -9,8 +9,8 @@ export interface Thickened {
    */
   positions: Float64Array;
   /**
-   * Three vertex numbers for each triangle: the part, its reversed copy, and walls along the
-   * boundary.
+   * Three vertex numbers for each triangle of the part, of its reversed copy, and of the walls
+   * along the boundary.
    */
   triangles: Int32Array;
   /**
@@ -60,7 +60,7 @@ export function thickened(
   const both = new Float64Array(2 * positions.length);
   both.set(Float64Array.from(positions));
   both.set(moved, positions.length);
-  // The outer one of the two sheets keeps the orientation of the triangles.
+  // The outer sheet keeps the orientation of the triangles.
   const [outer, inner] = thickness > 0 ? [count, 0] : [0, count];
   const all: number[] = [];
   for (let i = 0; i < triangles.length; i += 3) {
@@ -106,7 +106,7 @@ const facesOf = (triangles: ArrayLike<number>, faces: ArrayLike<number>): Int32A
 
 /**
  * The normals at a part's vertices. They are interpolated from the normals at the corners of the
- * whole's faces, so that they vary continuously.
+ * whole mesh's faces, so that they vary continuously.
  */
 function carried(
   part: Triangles,
@@ -158,8 +158,8 @@ const cross = (a: Vector, b: Vector): Vector => [
 ];
 
 /**
- * Unit normals at vertices. Each triangle's normal is weighted by its angle there, so that the
- * triangulation does not matter.
+ * Unit normals at vertices. Each triangle's normal is weighted by the triangle's angle at the
+ * vertex, so that the triangulation does not matter.
  */
 function vertexNormals(positions: ArrayLike<number>, triangles: ArrayLike<number>): Float64Array {
   const normals = new Float64Array(positions.length);
@@ -195,10 +195,7 @@ function rims(triangles: ArrayLike<number>, count: number): [number, number][] {
   return [...open].map((edge) => [Math.floor(edge / count), edge % count]);
 }
 
-/**
- * The distance by which all triangles can move along their vertices' normals until the first one
- * turns over.
- */
+/** The distance that vertices can move along their normals before the first triangle turns over. */
 function unfolded(
   positions: ArrayLike<number>,
   triangles: ArrayLike<number>,
@@ -246,8 +243,8 @@ function ballBound(
   let least = Math.abs(thickness);
   const size = 2 * least;
   const cellOf = (vertex: number, axis: number) => Math.floor(positions[3 * vertex + axis]! / size);
-  // Several cells may share a bucket. A comparison with vertices of further cells does not change
-  // the least radius.
+  // Several cells may share a bucket. Comparisons with the vertices of these further cells do not
+  // change the least radius.
   const buckets = 2 ** Math.ceil(Math.log2(used.length + 1));
   const bucketOf = (x: number, y: number, z: number) =>
     (Math.imul(x, 73856093) ^ Math.imul(y, 19349663) ^ Math.imul(z, 83492791)) & (buckets - 1);

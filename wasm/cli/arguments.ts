@@ -242,8 +242,8 @@ export class Arguments {
 const namesOfOthers = /\.(csv|obj|svg|dxf|ply|stl|off|glb|gltf|png)$/i;
 
 /**
- * Takes the format from the name of the file `out` unless the arguments have a format. Throws if
- * the name is one of another format, which the command does not write.
+ * Unless the arguments name a format, takes the format from the ending of the file name `out`.
+ * Throws if the ending belongs to a format that the command does not write.
  */
 function takeFormatOfName(command: Described, values: Map<string, string>): void {
   const out = values.get('out');

@@ -145,8 +145,7 @@ function timeCurve(
     bridges.push(times.bridge);
     joins.push(times.join);
   }
-  // An edit traces the curve at once. Its time counts without that of the paths that join the
-  // samples.
+  // An edit traces the curve at once. The measured time leaves out the paths that join the samples.
   const weights = Array.from({ length: field.method === 'paper' ? runs : quickRuns }, (_, i) => {
     const whole = elapsed(() => curve.setWeight(index, i % 2 === 0 ? 2 : 1));
     return whole - curve.times().join;

@@ -15,8 +15,8 @@ import { UsageError, writeError } from './errors.js';
 import type { Option } from './options.js';
 
 /**
- * The commands that write a mesh to a file as Karcher reads it: its used vertices, its triangles,
- * its colors and parts.
+ * Commands that read a mesh and write it to a file: its used vertices, its triangles, its colors
+ * and its parts.
  */
 
 const outOption: Option = {
@@ -107,8 +107,8 @@ function colorsAt(mesh: Mesh, colors: Uint8Array, positions: readonly number[]):
 }
 
 /**
- * The surface after its repairs, with the file's marks: triangles are in the file's order, vertices
- * in the order of their first use.
+ * The surface after its repairs, with the file's marks. Triangles are in the file's order, and
+ * vertices are in the order of their first use.
  */
 function surfaceOf(
   mesh: Mesh,
@@ -117,7 +117,7 @@ function surfaceOf(
   positions: Float64Array;
   triangles: Int32Array;
 } {
-  // A cut along no path divides a mesh into its components, which have the engine's own vertices.
+  // Without paths, `cut` divides a mesh into its components, which have the engine's own vertices.
   const triangles: { face: number; part: CutPart; at: number; first: number }[] = [];
   let first = 0;
   for (const part of mesh.cut([])) {

@@ -8,7 +8,8 @@ import { type Option, pointsOption } from './options.js';
 import { isJson, parseJson, parsePoints } from './syntax.js';
 
 /**
- * A curve as its control points and other options: on the command line, in files and in results.
+ * Curves in the form of control points and other options: on the command line, in files and in
+ * results.
  */
 
 export type CurveRecord = Pick<
@@ -80,8 +81,8 @@ export async function readCurve(args: Arguments): Promise<CurveRecord> {
 }
 
 /**
- * The curves of the arguments: the curve that they describe or choose from a file, else all curves
- * of the file.
+ * The curves of the arguments: the curve that they describe, the curve that they choose from a
+ * file, or all curves of the file.
  */
 export async function readCurves(args: Arguments): Promise<[CurveRecord, ...CurveRecord[]]> {
   if (args.given('curve')) {
@@ -112,7 +113,7 @@ function shapeOf(args: Arguments): Omit<CurveRecord, 'points'> {
   };
 }
 
-/** A name of knots, or the knots themselves. */
+/** The name of a rule for knots, or the knots themselves. */
 function knotsOf(args: Arguments): 'uniform' | 'clamped' | number[] {
   const text = args.text('knots');
   if (text === 'uniform' || text === 'clamped') return text;
@@ -175,8 +176,8 @@ function curveOf(curves: readonly unknown[], number: number, path: string): Curv
 }
 
 /**
- * A curve as data from which it can be created again: weights and betas unless all are 1, legs
- * unless all are shortest.
+ * Data from which a curve can be created again. It omits weights and betas if all are 1, and legs
+ * if all are shortest paths.
  */
 export function recordOf(curve: Curve): CurveRecord {
   const { kind, closed } = curve;

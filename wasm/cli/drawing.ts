@@ -32,9 +32,9 @@ export function figuresOf(value: unknown): Figure[] | null {
 }
 
 /**
- * The splines of a drawing, in its order; null if the value is no drawing. Other figures are
- * omitted, such as circles, for which `karcher circle` exists. So are curves of the pen tool whose
- * points the page has not found yet.
+ * The splines of a drawing, in its order; null if the value is no drawing. The result omits other
+ * figures, such as circles, for which `karcher circle` exists. It also omits curves of the pen tool
+ * whose points the page has not found yet.
  */
 export function curvesOfDrawing(value: unknown, path: string): CurveOptions[] | null {
   const figures = figuresOf(value);

@@ -24,7 +24,9 @@ function fileSummary({ format, parts, materials, colors, notRead }: FileInfo) {
   return { format, parts, materials, isColored: colors !== null, notRead };
 }
 
-/** The most faces in a list. Programs that need longer lists call `checkUp` themselves. */
+/**
+ * The largest number of faces in a list. Programs that need longer lists call `checkUp` themselves.
+ */
 const mostFaces = 20;
 
 function summaryOf({ needles, caps, boundary, nearBoundaries: near, ...rest }: CheckUp) {

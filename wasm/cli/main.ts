@@ -94,8 +94,7 @@ export async function main(
 }
 
 /**
- * A text or bytes in pieces, and the file that receives them; by default, standard output receives
- * them.
+ * An output in pieces, and the file that receives it. Without a file, standard output receives it.
  */
 interface Written {
   pieces: Pieces;
@@ -175,7 +174,7 @@ function commandNamed(name: string | undefined): Command {
 async function printToFile(pieces: Pieces, path: string): Promise<void> {
   const file = createWriteStream(path);
   const closed = finished(file);
-  // `closed` is awaited below. `print` reports earlier failures.
+  // `print` reports a failure that comes before the wait for `closed`.
   closed.catch(() => {});
   await print(pieces, file, path);
   file.end();

@@ -46,7 +46,7 @@ export interface SampleRecord {
   status: Status;
 }
 
-/** Entry i of an array x, y, z, …. */
+/** Triple i of an array x, y, z, …. */
 export const triple = (flat: Float64Array, i: number): [number, number, number] => [
   flat[3 * i]!,
   flat[3 * i + 1]!,
@@ -93,7 +93,8 @@ export function* sampleRecords(samples: CurveSamples): Generator<SampleRecord> {
 
 /**
  * A value as JSON, in pieces, since a large result does not fit into one string. Iterators in the
- * value become arrays. Their entries must be small: each becomes one piece.
+ * value become arrays. The entries of an iterator must be small, since each entry becomes one
+ * piece.
  */
 export function* jsonPieces(value: unknown): Generator<string> {
   if (typeof value !== 'object' || value === null) {
@@ -133,8 +134,8 @@ export function* jsonLine(value: unknown): Generator<string> {
 export type Pieces = Iterable<string | Uint8Array> | AsyncIterable<string | Uint8Array>;
 
 /**
- * Writes pieces to a stream. Combines short texts into fewer writes, and waits for the end of each
- * write before the next. `name` names the stream in errors.
+ * Writes pieces to a stream, each after the end of the previous write. Short texts are combined
+ * into fewer writes. `name` names the stream in errors.
  */
 export async function print(
   pieces: Pieces,

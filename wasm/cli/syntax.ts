@@ -49,8 +49,8 @@ function shortPoint(text: string, what: string): PointLike | null {
 }
 
 /**
- * The points of a file: JSON, or one line `face b1 b2`, `face:b1,b2` or `v:vertex` for each. It
- * skips blank lines and comments after `#`.
+ * The points of a file. The file is JSON, or has a line `face b1 b2`, `face:b1,b2` or `v:vertex`
+ * for each point. Blank lines and comments after `#` are skipped.
  */
 export function parsePoints(text: string, path: string): PointLike[] {
   if (isJson(text)) return pointsOfJson(parseJson(text, path), path);
@@ -71,8 +71,8 @@ export function parsePoints(text: string, path: string): PointLike[] {
 }
 
 /**
- * The point of a JSON value: a point as commands print it, or the whole output of a command for one
- * point. The engine checks its numbers.
+ * The point of a JSON value. The value is a point as commands print it, or the whole output of a
+ * command for one point. The engine checks the point's numbers.
  */
 function pointOfJson(value: unknown, what: string): PointLike {
   if (typeof value === 'object' && value !== null) {
@@ -86,8 +86,8 @@ function pointOfJson(value: unknown, what: string): PointLike {
 }
 
 /**
- * The points of a list, of a drawing's only object with points, or of an object that commands
- * print, with `points`, `samples` or one point.
+ * The points of a JSON value: of a list, of the only object with points in a drawing, or of the
+ * output of a command, which has `points`, `samples` or one point.
  */
 function pointsOfJson(value: unknown, path: string): PointLike[] {
   const figures = figuresOf(value);
@@ -124,8 +124,9 @@ export function parseRows(text: string, path: string, name: string): number[][] 
 }
 
 /**
- * The numbers of a file, in lines or with spaces between them, or JSON. The JSON is a list, or an
- * object with a list `values` or `distance`, as `karcher distance` prints it. Null stands for NaN.
+ * The numbers of a file: on lines, with spaces or commas between the numbers of a line, or JSON.
+ * The JSON is a list, or an object with a list `values` or, as in the output of `karcher distance`,
+ * `distance`. Null stands for NaN.
  */
 export function parseNumbers(text: string, path: string): number[] {
   if (!isJson(text)) return parseRows(text, path, 'values').flat();

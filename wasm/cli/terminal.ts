@@ -22,7 +22,7 @@ export class Terminal {
     this.#stream.write(`karcher: ${printable(sentence)}\n`);
   }
 
-  /** Shows the progress in place of the previous one, if standard error is a terminal. */
+  /** If standard error is a terminal, shows this progress in place of the last one. */
   show(done: number, stage: string): void {
     const text = `${stage}, ${Math.floor(100 * done)} %`;
     if (!this.#isTerminal || text === this.#shown) return;

@@ -38,8 +38,8 @@ export interface FileCurve {
  * Curves as text of comma-separated values. The first row has the names of the columns; each other
  * row has a point of a path: its place, the normal of its face, the face, the barycentric weights
  * in it, and the length from the start. Numbers are written to the last bit. If a curve has
- * parameters, there is a column for them; if there are several curves, there is one for their
- * names. `surface` has the positions and triangles of the curves' mesh.
+ * parameters, there is a column for parameters. If there are several curves, there is a column for
+ * their names. `surface` has the positions and triangles of the curves' mesh.
  *
  * Throws `KarcherError` badArgument and badIndex.
  *

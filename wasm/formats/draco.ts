@@ -1,10 +1,7 @@
 import type { DracoAttribute, DracoModule } from './draco_decoder.mjs';
 import { badFile } from './failures.js';
 
-/**
- * A column to read: its Draco id, the type of its numbers as in glTF, and the number of them in a
- * row.
- */
+/** A column to read: its Draco id, the glTF type of its numbers, and the length of a row. */
 export interface DracoColumn {
   id: number;
   type: number;

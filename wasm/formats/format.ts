@@ -6,7 +6,8 @@ import { startOf } from './text.js';
 import type { MeshFormat } from './types.js';
 
 /**
- * The beginnings of files that are not meshes of a supported format, and the names of their kinds.
+ * Beginnings of files that are not meshes of a supported format, each with the name of its kind of
+ * file.
  */
 const others: readonly (readonly [RegExp | string, string])[] = [
   [/^Kaydara FBX Binary/, 'an FBX file'],

@@ -92,8 +92,8 @@ interface Strip {
 }
 
 /**
- * The primitives of a mesh that have triangles, and counts of what is not read: sets of points,
- * sets of lines, and morphs.
+ * A mesh's primitives that have triangles, and counts of what is not read: sets of points, sets of
+ * lines, and morphs.
  */
 interface Primitives {
   triangles: Primitive[];
@@ -161,7 +161,7 @@ async function primitivesOf(mesh: Json, accessors: Accessors, slices: Slices): P
       found[kind]++;
       continue;
     }
-    // Draco has triangles only, whatever the primitive was before.
+    // Draco data has only triangles, whatever the mode of the primitive is.
     const mode = dracoOf(primitive) ? 'triangles' : kind;
     if (listOf(primitive, 'targets').length > 0) found.morphed++;
     const { places, indices } = accessors.ofPrimitive(primitive);
@@ -330,7 +330,8 @@ class Scene {
   readonly positions: Float64Array;
   readonly corners: Int32Array;
   /**
-   * Three bytes for each vertex, white for primitives without colors; null if no primitive has any.
+   * Three bytes for each vertex, white for primitives without colors; null if no primitive has
+   * colors.
    */
   readonly colors: Uint8Array | null;
   #vertices = 0;
@@ -397,7 +398,7 @@ class Scene {
 
   /**
    * Adds the vertices of a node's primitive to the scene, unless an earlier primitive of the node
-   * has added them. Returns the number of the first one.
+   * has added them. Returns the number of the first of these vertices.
    */
   async #start(node: PlacedMesh, places: Accessor, colors: Accessor | null): Promise<number> {
     if (node !== this.#node) this.#starts = new Map();

@@ -23,7 +23,7 @@ const most = new Map([
   [5122, 32767],
   [5123, 65535],
 ]);
-/** The types of numbers for indices: whole and at least 0. */
+/** The types of numbers that indices may have: unsigned integers. */
 const counting: readonly unknown[] = [5121, 5123, 5125];
 
 const components = { SCALAR: 1, VEC3: 3, VEC4: 4 } as const;
@@ -99,9 +99,9 @@ export class Accessors {
 
   /**
    * The places and triangles of a primitive that Draco compressed. Its accessors declare the
-   * numbers of vertices and corners. They are checked at once, but the data is decoded only at the
-   * first read of a row. Without an accessor of indices, the data is decoded at once, since only
-   * the data has the number of triangles.
+   * numbers of vertices and corners, which are checked at once. The data is decoded, and compared
+   * with these numbers, only at the first read of a row. Without an accessor of indices, the data
+   * is decoded at once, since only the data has the number of triangles.
    */
   #ofDraco(of: Json, places: unknown, indices: unknown): { places: Accessor; indices: Accessor } {
     // This check comes before `what`, since a value that is no number may not convert to text.
@@ -211,7 +211,7 @@ export class Accessors {
   }
 
   /**
-   * The rows of a sparse accessor, which replace others; null for other accessors. `find` returns a
+   * The replacement rows of a sparse accessor; null if the accessor is not sparse. `find` returns a
    * row's place among `values`, or -1.
    */
   #sparse(accessor: Json, what: string, type: RowType, componentType: number, rows: number) {
@@ -267,7 +267,7 @@ export class Accessors {
   }
 }
 
-/** The number of bytes of a number of this type. */
+/** The number of bytes of a number of this type. Throws if the type is unknown. */
 function checkType(componentType: number, what: string): number {
   const bytes = componentBytes.get(componentType);
   if (bytes === undefined) throw badFile(`${what} has numbers of no type that is known`);

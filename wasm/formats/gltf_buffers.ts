@@ -117,8 +117,8 @@ export class Buffers {
 }
 
 /**
- * Whether the decoder takes this mode, filter, length of rows and number of rows, which it does not
- * check itself.
+ * Whether the decoder supports this mode, filter, length of rows and number of rows. The decoder
+ * itself does not check them.
  */
 function isMeshopt(mode: unknown, filter: unknown, stride: number, count: number): boolean {
   const filtered: Readonly<Record<string, boolean>> = {

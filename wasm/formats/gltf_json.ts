@@ -26,7 +26,9 @@ export function entryOf(json: Json, list: string, number: unknown): Json {
   throw badFile(`the glTF file names no entry of '${list}' where one is needed`);
 }
 
-/** A whole number of at least 0. */
+/**
+ * The member `name`, or else `otherwise`: a whole number of at least 0. Throws for any other value.
+ */
 export function countOf(json: Json, name: string, what: string, otherwise?: number): number {
   const value = json[name] ?? otherwise;
   if (typeof value === 'number' && Number.isSafeInteger(value) && value >= 0) return value;

@@ -27,15 +27,15 @@ export interface MarkedMesh {
 
 /** An engine that creates meshes: a `Karcher`, in this thread or in a worker. */
 export interface MeshMaker<Mesh extends MarkedMesh> {
-  /** Creates a mesh from an OBJ file's bytes, as `Karcher.meshFromObj`. */
+  /** Creates a mesh from an OBJ file's bytes, like `Karcher.meshFromObj`. */
   meshFromObj(bytes: Uint8Array, options?: ObjOptions): Mesh | Promise<Mesh>;
-  /** Creates a mesh from arrays, as `Karcher.meshFromArrays`. */
+  /** Creates a mesh from arrays, like `Karcher.meshFromArrays`. */
   meshFromArrays(
     positions: Float64Array,
     triangles: Int32Array,
     options?: MeshOptions,
   ): Mesh | Promise<Mesh>;
-  /** Creates a mesh from polygons, as `Karcher.meshFromPolygons` does. */
+  /** Creates a mesh from polygons, like `Karcher.meshFromPolygons`. */
   meshFromPolygons(
     positions: Float64Array,
     corners: Int32Array,

@@ -4,8 +4,8 @@ import type { FileMarks, FilePart } from '../types.js';
 export const noMarks = { partOf: null, materials: [], materialOf: null, colors: null };
 
 /**
- * The part of each triangle, if the triangles of the wanted parts follow one another part by part;
- * null if the file has only one part.
+ * The part of each triangle; null if the file has only one part. The triangles of the wanted parts
+ * must follow one another, part by part.
  */
 export function partOfEach(
   parts: readonly FilePart[],

@@ -63,7 +63,7 @@ function colorBytes(colors: Float64Array): Uint8Array | null {
 }
 
 /**
- * Reads an OFF file, of text or binary, without normals, texture coordinates and colors of faces.
+ * Reads an OFF file, text or binary. Skips normals, texture coordinates and the colors of faces.
  * Rejects with `KarcherError` badFile or badIndex, with the line or byte, or the signal's reason.
  */
 export async function readOff(bytes: Uint8Array, work: LongWorkOptions): Promise<Polygons> {
@@ -208,7 +208,7 @@ class TextSource implements Source {
     return [longerRows(this.#longer, 'the places of vertices')];
   }
 
-  /** Whether at least this number of lines follow that are neither empty nor comments. */
+  /** Whether at least this number of the lines that follow are neither empty nor comments. */
   #hasLines(wanted: number): boolean {
     const bytes = this.#bytes;
     let lines = 0;

@@ -12,8 +12,8 @@ interface Surface {
 }
 
 /**
- * The distance below which the engine merges points, relative to an edge's length or a face's
- * height. A point this near to a part is on its border.
+ * The engine merges points that are nearer to each other than this, relative to an edge's length or
+ * a face's height. A point this near to a part is on the part's border.
  */
 const together = 2 ** -32;
 
@@ -86,8 +86,8 @@ export function pointsOnPart(
 }
 
 /**
- * Returns a function that finds, for a point on an edge or at a vertex, the other faces of this
- * list that contain the point.
+ * Returns a function for points on edges and at vertices. It returns the other faces of this list
+ * that contain the point.
  */
 function facesAround(faces: readonly number[], cornersOf: (face: number) => number[]) {
   let facesOf: Map<number, number[]> | null = null;
@@ -146,8 +146,8 @@ const at = (of: ArrayLike<number>, vertex: number): Place => [
 ];
 
 /**
- * The pieces of curves on a part that was cut out of their surface, for `meshFile`. A curve that
- * leaves the part and comes back has several pieces; each has the name and look of its curve.
+ * The pieces of curves that lie on a part of a cut surface, for `meshFile`. A curve that leaves the
+ * part and comes back has several pieces; each has the name and look of its curve.
  *
  * @example
  * ```ts

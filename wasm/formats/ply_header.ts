@@ -90,7 +90,7 @@ function dataStart(bytes: Uint8Array, from: number): number {
   while (bytes[at] === 32 || bytes[at] === 9) at++;
   const length = lineEndAt(bytes, at);
   if (length === 0) throw badFile("the line 'end_header' has no end");
-  // If lines end with \r, a \n is data.
+  // If the lines of the file end with \r, a \n after the header is data.
   const isShort = bytes[3] === 13 && lineEndAt(bytes, 3) === 1;
   return at + (isShort ? 1 : length);
 }

@@ -63,7 +63,7 @@ export class Words {
     return this.#to > this.#from;
   }
 
-  /** Moves to the next word of this line. Returns false at its end. */
+  /** Moves to the next word of this line. Returns false at the end of the line. */
   nextInLine(): boolean {
     let at = this.at;
     while (at < this.#end && this.#bytes[at]! <= space && !isLineEnd(this.#bytes[at])) at++;
@@ -82,7 +82,9 @@ export class Words {
     return false;
   }
 
-  /** Moves back by some bytes of the last word, which are then a separate word. */
+  /**
+   * Moves back by some bytes of the last word. These bytes are then read again as a separate word.
+   */
   back(bytes: number): void {
     this.at -= bytes;
   }

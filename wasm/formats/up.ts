@@ -1,15 +1,15 @@
 import type { MeshFormat, UpAxis } from './types.js';
 
 /**
- * The height up to which triangles belong to the sole, above the lowest place and relative to the
- * whole height.
+ * The largest height of a triangle of the sole above the lowest place, relative to the whole
+ * height.
  */
 const soleHeight = 0.02;
 /** The cosine of the largest angle by which a sole's triangle leans. */
 const flat = 0.94;
 /**
- * The least area of a sole, relative to the face of the bounding box, and the factor by which it
- * must exceed the sole of the other axis.
+ * The least area of a sole, relative to the face of the bounding box, and the factor by which a
+ * sole must be larger than that of the other axis.
  */
 const [leastSole, muchMore] = [0.06, 2];
 

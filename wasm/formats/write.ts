@@ -104,7 +104,8 @@ const partName = ({ name }: { name: string }) => name.replace(/\p{Cc}+/gu, ' ').
 const white = [255, 255, 255] as const;
 
 /**
- * The mesh with the tubes of its curves, each as a part of its own; and the curves that are lines.
+ * `solid` is the mesh with the tubes of its curves, each tube as a separate part. `lines` are the
+ * curves without tubes.
  */
 function withTubes(mesh: Triangles): { solid: Triangles; lines: readonly FileCurve[] } {
   const { curves = [] } = mesh;

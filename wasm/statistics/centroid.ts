@@ -16,8 +16,8 @@ export interface CentroidOptions {
   /** The largest number of points that represent the region; 1000 by default. */
   samples?: number | undefined;
   /**
-   * The length of a step, relative to the diagonal, below which the search ends. The default is
-   * 1e-7.
+   * The search ends after a step that is shorter than this, relative to the diagonal. The default
+   * is 1e-7.
    */
   tolerance?: number | undefined;
   /** The largest number of steps; the default is 100. */

@@ -27,10 +27,10 @@ export interface Hessian {
 }
 
 /**
- * The energy and its gradient at a point, by locally shortest paths (`Mesh.logMap`). The gradient
- * is that on the polyhedron. On an edge and at a vertex it is in the plane of the face that the
- * point names. At a center of mass inside a face it is small but not zero, since the search for
- * centers uses fields, which smooth these paths. Rejects as `Mesh.logMap` does.
+ * The energy and its gradient at a point, by locally shortest paths (`Mesh.logMap`). This is the
+ * gradient on the polyhedron. For a point on an edge or at a vertex, it lies in the plane of the
+ * face that the point names. At a center of mass inside a face it is small but not zero, since the
+ * search for centers uses fields, which smooth these paths. Rejects as `Mesh.logMap` does.
  */
 export async function energyAt(
   mesh: AnyMesh,
@@ -86,7 +86,8 @@ export async function hessianAt(
  * of mass with these weights.
  *
  * They are derivatives on the polyhedron, and exact on a plane. Differences of computed centers,
- * whose fields are smoothed, deviated from them by up to 15 % on a torus of 2,000 triangles.
+ * whose fields are smoothed, deviated from these derivatives by up to 15 % on a torus of 2,000
+ * triangles.
  *
  * Rejects as `hessianAt` does, and with badArgument where the Hessian is not positive definite.
  */
@@ -113,11 +114,12 @@ export interface PointDerivative {
  * The derivatives of a center of mass with respect to each of its points, with the other points
  * fixed. `center` is the center of mass of the points with these weights; it and all points lie
  * inside faces. The log vector of a point changes as the point moves, and the Hessian of the energy
- * determines how far the center follows. The change is computed as a central difference. For a path
- * that only crosses edges, it is the move of the point, transported to the center.
+ * determines how far the center follows. The change of the log vector is computed as a central
+ * difference. If the path to the point only crosses edges, the change is the move of the point,
+ * transported to the center.
  *
  * They are derivatives on the polyhedron, as those of `weightDerivatives`. On a plane, the center
- * moves by the move of the point times its fraction of the weights.
+ * moves by the move of the point times the point's fraction of the weights.
  *
  * @throws {KarcherError} badArgument for a point on an edge or at a vertex, and where the Hessian
  *   is not positive definite; otherwise as `Mesh.logMap`.

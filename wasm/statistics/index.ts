@@ -29,8 +29,8 @@ export interface RobustOptions {
   /** The point where the search starts; by default the center of mass. */
   start?: PointLike | undefined;
   /**
-   * The length of a step, relative to the diagonal, below which the search ends. The default is
-   * 1e-7.
+   * The search ends after a step that is shorter than this, relative to the diagonal. The default
+   * is 1e-7.
    */
   tolerance?: number | undefined;
   /** The largest number of steps; the default is 200. */
@@ -40,7 +40,7 @@ export interface RobustOptions {
 /** The options of `huberMean`. */
 export interface HuberOptions extends RobustOptions {
   /**
-   * The threshold of the distance, in units of the mesh. A point beyond it pulls no more than a
+   * The threshold distance, in units of the mesh. A point beyond the threshold pulls no more than a
    * point at this distance.
    */
   threshold: number;
@@ -162,8 +162,8 @@ async function search(
         break;
       }
     }
-    // If the search is at one of the points that is not the minimum, the pull of the others leads
-    // it away.
+    // If the search is at one of the points, and this point is not the minimum, the pull of the
+    // other points leads the search away.
     const factors = own.map((weight, i) => weight * pull(Math.max(distances[i]!, least)));
     const before = point;
     point = (await centerOf(factors, before)).point;
@@ -181,8 +181,8 @@ async function search(
 }
 
 /**
- * Whether one of the points is the median: the joint pull of all others at this point is no more
- * than its own weight.
+ * Whether one of the points is the median: the joint pull of all other points at this point is no
+ * more than the weight of this point.
  */
 async function isMedian(
   mesh: AnyMesh,

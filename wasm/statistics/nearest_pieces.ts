@@ -1,11 +1,13 @@
 /**
- * A surface divided into the parts that are nearest to each of several sites. Squared distances are
- * linear in each triangle. Sites are added one after the other. From the convex pieces of earlier
- * sites in a triangle, a new site takes the part that is nearer to it by more than rounding.
+ * A division of a surface into parts, each nearest to one of several sites. Squared distances are
+ * linear in each triangle. Sites are added one after the other. In a triangle, a new site takes
+ * from the convex pieces of earlier sites the points that are nearer to the new site by more than
+ * rounding.
  *
  * A corner of a piece is a vertex of the mesh, or lies between two earlier corners of which a site
- * took only one. These two corners identify it. So the pieces on both sides of an edge share the
- * corner, even if they lie in two triangles, and no gap opens, whatever the rounding.
+ * took only one. The two earlier corners identify the new corner. So the pieces on both sides of an
+ * edge share the new corner, even if they lie in two triangles, and no gap opens, whatever the
+ * rounding.
  */
 
 /** A convex part of a triangle, counterclockwise by its corners. */
@@ -38,12 +40,12 @@ export class NearestPieces {
   readonly #pieces = new Map<number, Piece[]>();
   readonly #first: Int32Array;
   /**
-   * The squared distance from each corner to its nearest site: first for vertices, then for corners
-   * on edges.
+   * The squared distance from each corner to its nearest site: first for vertices, then for the
+   * other corners.
    */
   readonly #least: number[];
   readonly #site: Int32Array;
-  /** The corners on edges: vertices of a triangle and their weights, in turn. */
+  /** For each corner that is no vertex, the vertices of its triangle and their weights, in turn. */
   readonly #blends: number[][] = [];
   readonly #between = new Map<number, number>();
   #sites = 0;
@@ -171,14 +173,13 @@ export class NearestPieces {
 
   /**
    * The two parts of a piece: one without the points that are nearer to the new site, and one with
-   * only these.
+   * only these points. If one of them would be empty, the result is only the other one.
    */
   #divided(piece: Piece, site: number, own: number[], isNearer: readonly boolean[]): Piece[] {
     const { corners } = piece;
     if (!corners.some((corner) => isNearer[corner])) return [piece];
     if (corners.every((corner) => isNearer[corner])) return [{ site, corners }];
-    // If no path leads to a corner, such as one between parts that only touch there, the piece
-    // stays whole.
+    // If no path leads to a corner, such as a corner where parts only touch, the piece stays whole.
     if (corners.some((corner) => !Number.isFinite(own[corner]! - this.#least[corner]!))) {
       return [piece];
     }
@@ -197,9 +198,7 @@ export class NearestPieces {
     ];
   }
 
-  /**
-   * The corner between two others where the new site is as near as the nearest of the earlier ones.
-   */
+  /** The corner between two others at which the new site is as near as the nearest earlier site. */
   #put(one: number, other: number, own: number[]): number {
     const name = this.key(one, other);
     const known = this.#between.get(name);

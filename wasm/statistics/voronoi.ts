@@ -10,8 +10,8 @@ import { areasOf, bordersOf, regionOf, type VoronoiBorder } from './voronoi_cell
 export type Site = PointLike | readonly PointLike[];
 
 /**
- * The parts of a surface that are nearest to each of several sites. The diagram needs no mesh and
- * has no `dispose`.
+ * A division of a surface into cells, each nearest to one of several sites. The diagram needs no
+ * mesh and has no `dispose`.
  */
 export interface VoronoiDiagram {
   /**

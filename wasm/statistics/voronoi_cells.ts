@@ -90,7 +90,7 @@ export function regionOf(pieces: NearestPieces, site: number): Region {
   });
 }
 
-/** The sides of all pieces by the two corners between which they lie. */
+/** The sides of all pieces, by the key of the two corners of a side. */
 function sidesOf(pieces: NearestPieces): Map<number, Side[]> {
   const all = new Map<number, Side[]>();
   for (let face = 0; face < pieces.whole.length; face++) {

@@ -14,9 +14,9 @@ import { liftMaterial } from './fat_line.js';
 import type { SurfaceCurve } from './surface_curve.js';
 
 /**
- * The fraction of the distance to the camera by which a control point appears nearer. The surface
- * may lie in front of a visible point by the same fraction. The fraction is larger than that of a
- * line, since a sloping surface would hide more of a point's square.
+ * A control point appears nearer to the camera by this fraction of its distance from the camera.
+ * The surface may lie in front of a visible point by the same fraction. The fraction is larger than
+ * that of a line, since a sloping surface would hide more of a point's square.
  */
 const nearer = 0.01;
 

@@ -18,8 +18,8 @@ export interface LineLook {
 }
 
 /**
- * The fraction of the distance to the camera by which a line appears nearer, so that its surface
- * does not cut it.
+ * A line appears nearer to the camera by this fraction of its distance from the camera, so that its
+ * surface does not cut it.
  */
 export const nearer = 0.003;
 

@@ -17,9 +17,9 @@ export interface GeometryGroup {
 
 /**
  * The geometry of a surface: positions in 32 bits, an index of 32 bits in the order of the mesh's
- * faces, and normals. Vertices keep their numbers. If several lie at one place, the index names the
- * first, so that normals are smooth across seams. The geometry has the given `groups`, such as
- * those of the original geometry.
+ * faces, and normals. Vertices keep their numbers. If several vertices lie at one place, the index
+ * names the first of them, so that normals are smooth across seams. The geometry has the given
+ * `groups`, such as those of the original geometry.
  */
 export function geometryOf(
   surface: Surface<AnyMesh>,
@@ -186,9 +186,9 @@ export interface DecalOptions {
 /**
  * The part of a surface that a picture round a point covers, as a separate geometry with normals
  * and the `uv` of `logMapUvs`. Lay it over the surface with a transparent material. It has the
- * triangles that the picture reaches, except those whose corners have shortest paths on different
- * sides, which would show the picture as a streak. Triangles at the picture's edge are whole. There
- * the texture repeats its outermost pixels, which should be transparent.
+ * triangles that the picture reaches, except those that would show the picture as a streak: the
+ * shortest paths to their corners arrive from different sides. Triangles at the picture's edge are
+ * whole. There the texture repeats its outermost pixels, which should be transparent.
  */
 export function decalGeometry(
   surface: Surface<AnyMesh>,
@@ -208,7 +208,8 @@ export function decalGeometry(
     );
   for (let at = 0; at < corners.length; at += 3) {
     const face = [corners[at]!, corners[at + 1]!, corners[at + 2]!];
-    // Unless all corners lie beyond the same bound of the picture, the triangle may reach it.
+    // The picture may reach the triangle unless all corners lie beyond the same side of the
+    // picture.
     const isReached = [0, 1].every((k) => {
       const places = face.map((v) => uvs.getComponent(v, k));
       return Math.max(...places) > 0 && Math.min(...places) < 1;

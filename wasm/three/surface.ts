@@ -246,8 +246,6 @@ export function surfaceFromMesh(mesh: AnyMesh): Surface<Mesh> | Promise<Surface<
   return new Surface(mesh as Mesh, trianglesOf(positions, corners));
 }
 
-/**
- * The triangles with places in 32 bits, as the graphics card has them, since hits refer to these.
- */
+/** The triangles with 32-bit places. The graphics card has these places, and hits refer to them. */
 const trianglesOf = (positions: Float64Array, corners: Int32Array) =>
   new Triangles(Float64Array.from(positions, Math.fround), corners);

@@ -89,8 +89,8 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
   }
 
   /**
-   * The path of the drawn curve, or of the next one if its edit has begun. Rejects as `ready` does,
-   * and with `KarcherError` disposed.
+   * The path of the drawn curve. If an edit has begun, it is the path of the edited curve, which is
+   * not drawn yet. Rejects as `ready` does, and with `KarcherError` disposed.
    *
    * @example
    * ```ts

@@ -13,8 +13,8 @@ export class Triangles {
   /** The first vertex at the place of each vertex. */
   readonly #first: Int32Array;
   /**
-   * The triangles at each place, one list after the other. `#starts` has the beginning of each list,
-   * by the first vertex at the place.
+   * The triangles at each place, one list after the other. `#starts` has the beginning of each
+   * list, by the first vertex at the place.
    */
   readonly #starts: Int32Array;
   readonly #around: Int32Array;
@@ -54,8 +54,9 @@ export class Triangles {
   }
 
   /**
-   * The triangle whose corners lie at three places (nine numbers), or -1. Of several triangles, it
-   * prefers those with the same orientation, and among these the one with the number `likely`.
+   * The triangle whose corners lie at three places (nine numbers), or -1. Among several such
+   * triangles, those with the same orientation come first, and of these the one with the number
+   * `likely`.
    */
   find(places: ArrayLike<number>, likely: number): number {
     const [a, b, c] = [0, 3, 6].map((i) => this.#at(places[i]!, places[i + 1]!, places[i + 2]!));

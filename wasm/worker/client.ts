@@ -29,7 +29,7 @@ interface Origin {
   /** The mesh or curve from which the object was created, or null. */
   readonly of: Origin | null;
   readonly call: string;
-  /** The arguments of its call, which nobody else changes. */
+  /** The arguments of the call that created the object. No other code changes them. */
   args: readonly unknown[];
   /** The duration of the call in milliseconds. */
   readonly took: number;
@@ -126,9 +126,10 @@ export class WorkerClient {
   /**
    * Calls a method of an object in the worker, by default of the root object that `serve` received.
    * When a signal among the arguments, or in an object among them, is aborted, the call rejects at
-   * once with its reason. Rejects with the `KarcherError` of the engine, or with `disposed`. `work`
-   * is for calls that do not take signals and progress themselves. Its signal has the same effect;
-   * its progress is 0 when the worker begins the call, and 1 when the call has ended.
+   * once with the signal's reason. Rejects with the `KarcherError` of the engine, or with
+   * `disposed`. `work` is for calls that do not take signals and progress themselves. Its signal
+   * has the same effect; its progress is 0 when the worker begins the call, and 1 when the call has
+   * ended.
    */
   call(
     name: string,
@@ -250,7 +251,7 @@ export class WorkerClient {
     before.terminate();
     this.#listen();
     const calls = [...this.#pending];
-    // Calls that wait for the object come before its disposal.
+    // Pending calls of an object come before its disposal, so it is not disposed of yet.
     for (const [, { call, of }] of calls) if (call === 'dispose' && of) of.isDisposed = false;
     for (const [id, pending] of calls) {
       pending.begun = 0;
@@ -302,7 +303,7 @@ export class WorkerClient {
     origin.target = -++this.#remade;
     origin.worker = this.#worker;
     send({ call, args, makes: origin.target });
-    // `of` had been disposed of before, so it is disposed of again.
+    // `of` had been disposed of before. So the new worker, too, disposes of it after this use.
     if (!isWithout || !of.isDisposed) return;
     of.worker = null;
     send({ call: 'dispose', args: [] });
@@ -334,7 +335,7 @@ export class WorkerClient {
       try {
         pending?.callbacks[reply.callback]?.(...reply.args);
       } catch (error) {
-        // An error that a caller's function throws ends its call.
+        // An error of a caller's function ends the call that received the function.
         this.#cancel(reply.id, error);
       }
       return;
@@ -364,7 +365,7 @@ export class WorkerClient {
 
   /**
    * Copies of arguments, which may have to be sent again to a new worker. Adds the signals among
-   * them to the list.
+   * the arguments to `signals`.
    */
   #copied(args: readonly unknown[], signals: AbortSignal[]): unknown[] {
     const copied = (arg: unknown) =>

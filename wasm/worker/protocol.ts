@@ -89,8 +89,8 @@ export function isPlain(value: object): boolean {
 }
 
 /**
- * A copy of a value in which `replace` may replace each part. If it returns undefined, the part
- * remains, and its own parts are passed to `replace`.
+ * A copy of a value in which `replace` may replace each part. If `replace` returns undefined, the
+ * part remains, and its own parts are passed to `replace`.
  */
 export function replaced(value: unknown, replace: (part: object) => unknown): unknown {
   if ((typeof value !== 'object' || value === null) && typeof value !== 'function') return value;

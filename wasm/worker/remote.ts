@@ -9,7 +9,7 @@ import { checkLongWork } from '../options.js';
 import type { LongWorkOptions, MeshInfo, PolylineOptions } from '../types.js';
 import type { ClassNames } from './protocol.js';
 
-/** A sender of calls to the worker. A call is for a method of an object there, or of the engine. */
+/** A sender of calls to the worker. A call runs a method of an object there, or of the engine. */
 interface Caller {
   call(
     name: string,

@@ -17,7 +17,7 @@ import {
   type Sent,
 } from './protocol.js';
 
-/** The worker's own end of the messages, in a page's worker and in one of Node. */
+/** The worker's own end of the channel for messages, in a worker of a page or of Node. */
 interface Scope {
   postMessage(message: unknown, transfer: Transferable[]): void;
   addEventListener(type: 'message', hear: (event: { data: unknown }) => void): void;
