@@ -8,8 +8,7 @@
 ///
 /// - A curve is safe at a number of levels if all its pieces are safe: their centers of mass move
 ///   continuously, and turn little more than the surface does (convexity.h).
-/// - If level 0 is safe, its curve is the curve of Mancinelli and Puppo, Eq. 4. If levels move it
-/// by
+/// - If level 0 is safe, its curve is the one of Mancinelli and Puppo, Eq. 4. If levels move it by
 ///   no more than a tolerance (deviation.h), the curve takes the number of levels with which
 ///   tracing is fastest; otherwise it takes none.
 /// - If level 0 is not safe, for instance on a rough surface, the curve takes the fewest levels at
@@ -57,8 +56,8 @@ bool areFieldsNear(const CurveShape& shape, int points, const Array<SurfacePath>
 /// of the number of edges that its legs cross, and each level doubles the number of pieces.
 int quickLevels(const CurveShape& shape, int points, const Array<SurfacePath>& legs);
 
-/// An upper bound, in the mesh's units, of the distance by which levels move a control polygon's
-/// curve. It includes a margin, since the underlying estimate may be a third too low.
+/// An upper bound on the distance, in the mesh's units, by which levels move the curve of a control
+/// polygon. It includes a margin, since the underlying estimate may be a third too low.
 double levelsDeviation(const Geometry& geometry, const RefinedPolygon& polygon,
                        LevelsWorkspace& workspace);
 

@@ -19,8 +19,8 @@ namespace {
 
 enum Side { kLeftSide, kRightSide };
 
-/// A place at which a path is divided. The strips of the pieces before and after it end at the
-/// perpendiculars `before` and `after`. The arrays are indexed by `Side`.
+/// A place at which a path is divided. The strip of the piece before it ends at the perpendiculars
+/// `before`, the strip of the piece after it at `after`. The arrays are indexed by `Side`.
 struct Division {
   int index = 0;  ///< the index of the path's point
   SurfacePath before[2];

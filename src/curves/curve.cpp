@@ -72,9 +72,9 @@ double legsLength(const RefinedPolygon& polygon, const SegmentLayout& piece) {
 }
 
 /// The number of evenly spaced samples with which the chords of a polynomial curve stay within a
-/// tolerance of it. In degree n, the second derivative is at most 2 n (n - 1) times the control
-/// polygon's length. A chord over the fraction 1 / m of the curve deviates by at most 1 / (8 m^2)
-/// times the second derivative.
+/// tolerance of the curve. In degree n, the second derivative is at most 2 n (n - 1) times the
+/// control polygon's length. A chord over the fraction 1 / m of the curve deviates by at most 1 /
+/// (8 m^2) times the second derivative.
 int samplesWithin(double tolerance, int degree, double polygonLength) {
   const double chords = std::sqrt(degree * (degree - 1) / 4.0 * polygonLength / tolerance);
   return 2 + static_cast<int>(std::min(chords, kMostSamples - 2.0));
@@ -244,8 +244,8 @@ void Curve::continueLegs(CurveValue& value) {
   }
 }
 
-/// Writes the legs of a value; those that the value omits are shortest paths. `legs` may be `legs_`
-/// itself if that list is empty.
+/// Writes the legs of a value. Legs that the value omits are shortest paths. `legs` may be `legs_`
+/// itself if `legs_` is empty.
 void Curve::takeLegs(const CurveValue& value, Array<SurfacePath>& legs) const {
   const Geometry& geometry = surface().geometry();
   const int points = value.points.count();
@@ -312,13 +312,13 @@ void Curve::makeSegments(Next& next) {
   }
 }
 
-/// Finds the pieces that are subdivision curves instead of centers of mass. Such a piece crosses a
+/// Finds the pieces that are subdivision curves, without centers of mass. Such a piece crosses a
 /// face larger than itself, and its points do not see all corners of the faces along its legs. A
 /// hidden corner is far away, across creases or many faces, and matters little to the curve. The
 /// piece itself lies in a few faces. Its subdivision curve needs no field, and differs from the
-/// center of mass only at the edges between these faces. Curves with a caller's levels or exact
-/// fields are always centers of mass. So are B-splines: some of their joints are not control
-/// points, and at these a center and an average differ.
+/// centers of mass only at the edges between these faces. Curves with a caller's levels or exact
+/// fields have no such pieces. B-splines have none either: some of their joints are not control
+/// points, and at these joints a center and an average differ.
 void Curve::findSubdivided(const Next& next) {
   const RefinedPolygon& polygon = next.polygon;
   Array<char>& isSubdivided = workspace_->isSubdivided;

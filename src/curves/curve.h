@@ -28,7 +28,8 @@ struct StageTimes {
 /// A parameter is the index of a segment plus t in [0, 1]; it runs from 0 to segmentCount().
 class Curve {
  public:
-  /// A piece of a segment (piece.h): a center of mass of a few points of the refined polygon.
+  /// A piece of a segment (piece.h). Its points are centers of mass of a few points of the refined
+  /// polygon, except on subdivision curves and polylines.
   class Piece {
    public:
     const Array<SurfacePoint>& points() const { return points_; }
@@ -36,8 +37,8 @@ class Curve {
     const Array<CurveSample>& samples() const { return traced_->samples; }
     const Array<Bridge>& bridges() const { return traced_->bridges; }
     const JoinedPath& path() const { return traced_->path; }
-    /// Whether the piece is a subdivision curve instead of a center of mass: it crosses a face
-    /// larger than itself, and its points do not see all corners of the faces along its legs
+    /// Whether the piece is a subdivision curve, without centers of mass: it crosses a face larger
+    /// than itself, and its control points do not see all corners of the faces along its legs
     /// (findSubdivided).
     bool isSubdivided() const { return isSubdivided_; }
     /// The points' weights at t in [0, 1] of the piece.
@@ -154,7 +155,8 @@ class Curve {
     Array<Segment> segments;
     RefinedPolygon polygon;
   };
-  /// Scratch memory of edits. The result of an edit does not depend on its earlier contents.
+  /// Scratch memory of edits. The result of an edit does not depend on what the memory holds
+  /// before.
   struct Workspace {
     AveragingWorkspace averaging;
     LeggedPolygon polygon;

@@ -93,8 +93,8 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
   if (!isOfCenters(options, next.levels) || piece.isSubdivided_) {
     findAveragedSamples(next, piece, segment);
     if (piece.isSubdivided_) {
-      // The neighbouring pieces may be centers of mass, which begin and end at the centers by the
-      // fields. So this piece begins and ends at these centers, too (`centerOf`).
+      // The neighbouring pieces may consist of centers of mass, and then begin and end at the
+      // centers by the fields. So this piece begins and ends there, too (`centerOf`).
       piece.traced_->samples.front().point = first ? *first : centerOf(next, piece.points_.front());
       piece.traced_->samples.back().point = last ? *last : centerOf(next, piece.points_.back());
     }

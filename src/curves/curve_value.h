@@ -10,11 +10,11 @@
 /// determines its curve, which `Curve` (curve.h) traces.
 namespace karcher {
 
-/// The curve chooses its number of levels, so that its pieces are safe centers of mass and tracing
-/// is fast (automatic_levels.h).
+/// The curve chooses its number of levels, so that its pieces are safe and tracing is fast
+/// (automatic_levels.h).
 inline constexpr int kAutomaticLevels = -1;
-/// The subdivision curve itself, which the curves of many levels approach. It consists of averages
-/// of two points, needs no fields, and is no center of mass.
+/// The subdivision curve itself, which the curves of many levels approach. Its points are averages
+/// of two points, not centers of mass, and it needs no fields.
 inline constexpr int kLimitLevels = -2;
 
 struct CurveOptions {
@@ -26,15 +26,16 @@ struct CurveOptions {
   double tolerance = 0;
   CurveGeometry geometry = CurveGeometry::kGeodesic;
   /// The number of subdivisions of the control polygon (levels.h): 0 to 8, kAutomaticLevels or
-  /// kLimitLevels. Each piece of the subdivided polygon gives a center of mass. With 0 each segment
-  /// is one center of mass of all its points, as in the curve of Mancinelli and Puppo.
+  /// kLimitLevels. Each piece of the curve consists of centers of mass of a few points of the
+  /// subdivided polygon. With 0 each segment consists of centers of mass of all its control points,
+  /// as in the curve of Mancinelli and Puppo.
   int levels = kAutomaticLevels;
   /// The smallest number of levels that kAutomaticLevels chooses, 0 to 8. A drag uses it to keep at
   /// least the levels that the curve had.
   int leastLevels = 0;
-  /// The largest distance, in mean edges, by which kAutomaticLevels may move a curve that is a safe
-  /// center of mass without levels. With 0 the curve does not move. With infinity it takes the
-  /// levels that trace fastest, which suits a draft.
+  /// The largest distance, in mean edges, by which kAutomaticLevels may move a curve that is safe
+  /// at level 0. With 0 the curve does not move. With infinity it takes the levels that trace
+  /// fastest, which suits a draft.
   double levelsTolerance = kLevelsTolerance;
 };
 

@@ -15,7 +15,7 @@ struct FacesAlongLegs {
 void findFacesAlongLegs(const Geometry& geometry, const RefinedPolygon& refined,
                         FacesAlongLegs& along);
 
-/// Whether a piece of a refined polygon crosses a larger face: one with an edge longer than all
+/// Whether a piece of a refined polygon crosses a larger face: a face with an edge longer than all
 /// legs of the piece together. This depends only on the piece and on the faces that its legs cross.
 bool crossesLargerFace(const RefinedPolygon& refined, const SegmentLayout& piece,
                        const FacesAlongLegs& along);

@@ -8,10 +8,10 @@
 
 /// Subdivision of a control polygon before its curve is traced. A center of mass of distant points
 /// is rough on a rough surface, since their squared distances have creases everywhere. So averages
-/// of two points along the legs subdivide the control polygon first, and each piece of the curve is
-/// a center of mass of a few points near it. On the plane this does not change the curve.
-/// Elsewhere, more levels bring it nearer to the subdivision curve of C. Mancinelli, G. Nazzaro, F.
-/// Pellacini, E. Puppo, "b/Surf: Interactive Bezier Splines on Surface Meshes" (2022).
+/// of two points along the legs subdivide the control polygon first, and each point of the curve is
+/// then a center of mass of a few points near it. On the plane this does not change the curve.
+/// Elsewhere, more levels bring the curve nearer to the subdivision curve of C. Mancinelli, G.
+/// Nazzaro, F. Pellacini, E. Puppo, "b/Surf: Interactive Bezier Splines on Surface Meshes" (2022).
 ///
 /// Averages do not search for paths. They straighten paths that consist of parts of adjacent legs,
 /// so that the curve moves continuously with the legs.
@@ -23,8 +23,8 @@ inline constexpr int kMostLevels = 8;
 /// rational ones, and Catmull-Rom curves. Curves of other kinds have no levels.
 bool takesLevels(CurveKind kind);
 
-/// A control polygon after some levels, and the pieces of its curve: each is a center of mass of a
-/// few points.
+/// A control polygon after some levels, and the pieces of its curve. The points of a piece are
+/// centers of mass of a few points of the polygon.
 struct RefinedPolygon {
   Array<WeightedPoint> points;
   /// The pieces in order, 2^levels for each segment of the curve. Their points are indices into

@@ -49,7 +49,7 @@ class KnotHalving {
 
   Array<double> halved() const { return closed_ ? everySpanHalved() : openHalved(); }
 
-  /// The parents of point j of the level with these knots.
+  /// The parents of point j of the new level, which has the knots `knots`.
   SplineLevel::Parents parents(const Array<double>& knots, int j) const {
     const auto old = [&](int k) { return oldKnot(k); };
     const auto refined = [&](int k) {

@@ -15,8 +15,8 @@
 namespace karcher {
 namespace {
 
-/// The largest assumed ratio of a curve's length to its chord, between samples and between the ends
-/// of a part.
+/// The search assumes that the curve is at most so many times as long as its chord, between samples
+/// and between the ends of a part.
 constexpr double kBend = 2;
 /// The least number of divisions of an interval between samples.
 constexpr int kFewestCuts = 3;

@@ -45,8 +45,8 @@ bool followsLegs(const Curve& curve) {
   return !curve.usedLegs().empty() && std::any_of(given.begin(), given.end(), isGiven);
 }
 
-/// The legs on which new points lie: those that the curve uses, else the fast paths between its
-/// points.
+/// The legs on which new points lie: the legs that the curve uses, or the fast paths between its
+/// points if it uses none.
 Array<SurfacePath> legsOf(const Curve& curve) {
   if (!curve.usedLegs().empty()) return curve.usedLegs();
   const int points = curve.pointCount();

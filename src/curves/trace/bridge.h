@@ -9,7 +9,8 @@
 /// of mass, or the center jumps from one local minimum to another. From the last sample before such
 /// a gap to the first one after it, the curve follows a bridge instead: the subdivision curve of
 /// the segment's own control points (subdivision.h), with its ends moved to those two samples. So
-/// the curve is continuous everywhere, and its samples show where and why it is no center of mass.
+/// the curve is continuous everywhere, and its samples show where and why centers of mass are
+/// missing.
 namespace karcher {
 
 struct Bridge {
@@ -51,7 +52,7 @@ struct BridgeWorkspace {
   ParametricLine line;  ///< the line of the current bridge
 };
 
-/// The bridge's point at t, clamped to [t0, t1].
+/// The bridge's point at the parameter t, which is clamped to [t0, t1].
 SurfacePoint pointAt(const TriangleMesh& mesh, const Bridge& bridge, double t);
 
 /// Appends the bridge's points between two parameters, excluding the first and including the last.

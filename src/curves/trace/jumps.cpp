@@ -56,8 +56,8 @@ class JumpSearch {
       const Vec3 a = position(mesh_, step.from.point);
       const Vec3 b = position(mesh_, step.to.point);
       const double length = (b - a).norm();
-      // The limit is half of the longest step, since a step may hide a jump back that is a little
-      // longer than the step.
+      // The limit is half of the longest step. The curve may jump back against its motion within a
+      // step, and this jump is a little longer than the step.
       if (length <= longest_ / 2) continue;
       if (step.to.t - step.from.t <= kChainRounding) {
         if (length > longest_) return SampleStatus::kJump;

@@ -6,8 +6,8 @@
 #include "curves/spec/curve_layout.h"
 #include "curves/trace/joined_path.h"
 
-/// A piece of a curve: one center of mass of a few points. A segment at level 0 has one piece,
-/// otherwise 2^levels.
+/// A piece of a curve. Its points are centers of mass of a few points of the refined polygon. A
+/// segment has 2^levels pieces, so at level 0 a single one.
 namespace karcher {
 
 /// The part of a segment that a piece covers: number `index` of `count` equal parts.

@@ -7,8 +7,8 @@
 #include "rcm/center_search.h"
 #include "rcm/point_field.h"
 
-/// One segment of a curve: the center of mass of its control points with weights that a basis
-/// gives (Mancinelli, Puppo, Eq. 4).
+/// One segment of a curve. Its points are the centers of mass of its control points, with weights
+/// that a basis gives (Mancinelli, Puppo, Eq. 4).
 namespace karcher {
 
 struct CurveSample {
@@ -61,7 +61,8 @@ struct SegmentFields {
   /// Replaces the points by those of another segment, and forgets the known ends. Keeps the memory.
   void setPoints(const Array<PointField*>& ofPoints);
 
-  /// The known center at t if t is an end, otherwise null. It replaces a search.
+  /// The known center at t, which replaces a search. It is null if t is no end, or an end without a
+  /// known center.
   const SurfacePoint* known(double t) const {
     const std::optional<SurfacePoint>& end = t == 0 ? first : last;
     return (t == 0 || t == 1) && end ? &*end : nullptr;
