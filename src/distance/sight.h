@@ -5,9 +5,9 @@
 #include "distance/distance_solver.h"
 
 /// Straight paths to near vertices. Each search finds one path, so that a few paths cost less than
-/// a solver that grows over all vertices in between. It unfolds the faces along the line in space,
-/// and pulls the path tight between the sides of this strip. Then it leads the strip around the
-/// other side of a vertex as long as that makes the path shorter. This is the algorithm of
+/// a solver that grows over all vertices in between. It unfolds the strip of faces along the line
+/// in space, and pulls the path tight between the strip's sides. Then it moves the strip to the
+/// other side of a vertex, as long as this shortens the path. This is the algorithm of
 /// strip_path.h, but it uses only the stack and finds only the length and the direction.
 ///
 /// Among several straight paths it usually finds the shortest. For vertices up to 6 edges away, the
@@ -42,7 +42,6 @@ struct Sight {
 /// The path from a source to a near vertex. It depends only on the source and the vertex; on a
 /// plane it is the straight line. The result is empty if the search finds no straight path, or if
 /// its path is so much longer than the line in space that another path may be shorter.
-/// is so much longer than the line in space that another may be shorter.
 std::optional<Sight> sightFrom(const Geometry& geometry, const SightSources& sources, int vertex);
 
 }  // namespace karcher

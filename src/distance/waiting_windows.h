@@ -78,7 +78,7 @@ class WaitingWindows {
     static constexpr int kCapacity = 8;
     int count = 0;
     int next = -1;
-    int bucket = 0;  ///< in the first block, the least bucket of all windows
+    int bucket = 0;  ///< in the first block: the least bucket of the half-edge's windows
     Window windows[kCapacity];
   };
   /// For each half-edge of 2^kPageBits faces, the index of its first block, or -1.

@@ -5,11 +5,11 @@
 /// Paths that are not the shortest between their ends, determined by a few of their points.
 namespace karcher {
 
-/// Writes to `path` the locally shortest path from `from` to `to` along the waypoints: the fast
-/// paths (find_path.h) from each to the next, pulled tight as a whole. Without waypoints it is the
-/// fast path itself. If all waypoints lie on edges or vertices, and consecutive points from `from`
-/// to `to` share a face, the path consists of exactly these points. Returns false and changes
-/// nothing if the points lie on several components.
+/// Writes to `path` the locally shortest path from `from` to `to` along the waypoints. It consists
+/// of the fast paths (find_path.h) between consecutive points, pulled tight as a whole. Without
+/// waypoints it is the fast path itself. If all waypoints lie on edges or vertices, and consecutive
+/// points from `from` to `to` share a face, the path consists of exactly these points. Returns
+/// false and changes nothing if the points lie on several components.
 bool findPathBy(const Geometry& geometry, const SurfacePoint& from,
                 const Array<SurfacePoint>& waypoints, const SurfacePoint& to,
                 FindPathWorkspace& workspace, SurfacePath& path);

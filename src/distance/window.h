@@ -49,12 +49,13 @@ inline double leastDistance(const Window& w) {
   return distanceAt(w, std::min(std::max(w.sourceX, w.begin), w.end));
 }
 
-/// The place at which the line from the window's source to a point above the half-edge crosses it.
+/// The place where the half-edge meets the line from the window's source to a point above.
 inline double crossingTowards(const Window& w, const Vec2& point) {
   return w.sourceX + (point.x() - w.sourceX) * w.depth / (w.depth + point.y());
 }
 
-/// The same window seen with head and tail exchanged. `length` is the half-edge's.
+/// The same window with the half-edge's head and tail exchanged. `length` is the length of the
+/// half-edge.
 inline Window mirrored(const Window& w, double length) {
   Window m = w;
   m.begin = length - w.end;

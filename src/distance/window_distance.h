@@ -40,7 +40,7 @@
 /// 2005). The height is about the length of a path in the face. A joint window's source and offset
 /// are those of the front to which both windows belong, so that on smooth surfaces distances
 /// converge with the mesh as exact ones do. A joint window sees what both windows saw, except that
-/// the rays at its ends may turn by a few tolerances. Errors of many faces are of both signs, so
+/// the rays at its ends may turn by a few tolerances. The errors of many faces have both signs, so
 /// that distances are off by far less than the tolerance. This is measured (`npm run study --
 /// fields`) and not proven.
 namespace karcher {

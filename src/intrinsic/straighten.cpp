@@ -118,8 +118,8 @@ class ChainStrip {
     return leastNeighbor(vertex, target, true) < leastNeighbor(vertex, target, false);
   }
 
-  /// The smallest index of a neighbour between the last face and `target`, in one sense around a
-  /// vertex. If both senses turn by equal angles, the smaller index decides, so that the reversed
+  /// The smallest index of a vertex's neighbours on a turn in one sense from the last face to
+  /// `target`. If both senses turn by equal angles, the smaller index decides, so that the reversed
   /// path takes the same side.
   int leastNeighbor(int vertex, int target, bool left) const {
     int h = leaving(mesh_, face_, vertex);

@@ -46,8 +46,8 @@ Vec3 barycentricRates(const Geometry& geometry, int f, const Vec2& direction) {
   return {-r1 - r2, r1, r2};
 }
 
-/// Moves a walker that starts on an edge or a vertex into the face into which its direction points.
-/// The result is empty if the direction points off the surface.
+/// Moves a walker on an edge or at a vertex into the face to which its direction points. The result
+/// is empty if the direction points off the surface.
 std::optional<Walker> enterFace(const Geometry& geometry, const Walker& walker) {
   const PointLocation location = locate(*geometry.mesh, walker.point);
   if (location.simplex == Simplex::kVertex) {

@@ -28,9 +28,9 @@ struct StripWorkspace {
     int portal = 0;  ///< the index of a crossed edge that ends at the vertex
     bool onLeft = false;
     double leg = 0;  ///< the length of the path from the previous bend
-    /// The angle, in radians, from that leg to the first crossed edge at the vertex.
+    /// The angle, in radians, from the leg before the bend to the first crossed edge at the vertex.
     double before = 0;
-    /// The angle, in radians, from the last crossed edge at the vertex to the next leg.
+    /// The angle, in radians, from the last crossed edge at the vertex to the leg after the bend.
     double after = 0;
     /// The angle of the surface at the vertex, on the side away from the strip.
     double outside = 0;

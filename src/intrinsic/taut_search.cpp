@@ -11,7 +11,7 @@ namespace {
 using TautNode = TautSearchWorkspace::Node;
 using TautEntry = TautSearchWorkspace::QueueEntry;
 
-/// The least distance between the ends of an edge and the point to which lengths are measured,
+/// Lengths are measured to a point of an edge that is at least this far from the edge's ends,
 /// relative to the edge.
 constexpr double kOffVertices = 0.01;
 

@@ -5,10 +5,10 @@
 
 /// A* search for a strip of faces between two points. It measures paths in the unfolded strip. As
 /// in strip_search.h, it visits faces in order of the length so far plus the straight distance to
-/// the target. Like the windows of the exact distances, each entered edge stores the position of
-/// the unfolded source, and the two vertices between which the source sees the edge. The length so
-/// far is that of a path that is straight after its last bend. Each edge keeps only its best
-/// window. The search finds better strips than `searchStrip`, and takes three times the work.
+/// the target. Each entered edge stores a kind of window: the position of the unfolded source, and
+/// the two vertices between which the source sees the edge. The length so far is that of a path
+/// that is straight after its last bend. Each edge keeps only its best window. The search finds
+/// better strips than `searchStrip`, and takes three times the work.
 namespace karcher {
 
 /// Reusable scratch memory of the search.

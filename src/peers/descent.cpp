@@ -87,7 +87,7 @@ class Descent {
 
   bool leaveEdge(const SurfacePoint& here, int h) {
     const int twin = mesh_.twin[h];
-    // The path comes from the point's own face, so the other face comes first.
+    // The path comes from the point's own face, so it tries the other face first.
     if (twin >= 0 && leadsInside(twin)) {
       return crossFace(edgePoint(twin, here.bary[cornerOf(h)]));
     }

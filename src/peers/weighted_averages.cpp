@@ -8,8 +8,8 @@
 namespace karcher {
 namespace {
 
-/// The weight of a squared offset normal to the tangent plane, relative to one in the plane, in the
-/// inverse problem.
+/// In the inverse problem, the weight of squared offsets normal to the tangent plane, relative to
+/// squared offsets in the plane.
 constexpr double kAcrossFactor = 10;
 
 }  // namespace

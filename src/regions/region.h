@@ -18,7 +18,8 @@ using Region = Array<uint8_t>;
 
 enum class FillRule {
   kEvenOdd,  ///< the cells that an odd number of crossings separates from the outside
-  /// the cells for which the numbers of crossings from right to left and from left to right differ
+  /// the cells to which a way from the outside crosses the paths more often in one direction than
+  /// in the other
   kNonZero,
 };
 
