@@ -101,8 +101,8 @@ function showChosen(viewer: Viewer, { drawing, chosen }: State): void {
 }
 
 /**
- * Builds the page from its parts and opens the first surface; rejects if the browser cannot draw
- * it.
+ * Builds the page from its parts and opens the first surface. Rejects if the browser cannot draw
+ * the surface.
  */
 export async function start(): Promise<void> {
   const editor = new Editor();

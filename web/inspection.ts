@@ -10,7 +10,7 @@ import type { Viewer } from './viewer/viewer';
 
 /** Copies of the page's contents, for tests and for the browser's console. */
 export interface Inspection {
-  /** Whether the engine has answered the newest state, control polygon included. */
+  /** Whether the engine has answered the newest state, including its control polygon. */
   readonly settled: boolean;
   /** Whether the engine is working, even if the drawing changes only after this work. */
   readonly busy: boolean;
@@ -24,8 +24,7 @@ export interface Inspection {
   view(): View;
   distances(): ShownDistances | null;
   /**
-   * The place in the window at which a place in the surface's coordinates is visible; null if it is
-   * hidden.
+   * The place in the window that shows a place in the surface's coordinates; null if it is hidden.
    */
   seen(position: Vector): { x: number; y: number } | null;
   /** The surface's face at a place of the window, and the size of a pixel there; null beside the surface. */

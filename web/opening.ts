@@ -42,7 +42,7 @@ import { EngineClient } from './worker/client';
 /** The largest file in bytes, since a larger one would not fit into the engine's memory. */
 const largestFile = 1 << 30;
 
-/** The largest number of restarts of engines that stopped by themselves, for one surface. */
+/** The largest number of restarts for one surface, after engines have stopped by themselves. */
 const mostRestarts = 2;
 
 /** The drawing for a new surface: from a link, or by transfer from the previous one. */
@@ -80,7 +80,7 @@ export class Opening {
     this.#viewer = viewer;
   }
 
-  /** Opens a sample. Another level of detail of the same surface keeps the curve. */
+  /** Opens a sample. Another level of detail of the same surface keeps the drawing. */
   async sample(key: string): Promise<boolean> {
     const parsed = parseKey(key);
     if (!parsed || !('sample' in parsed)) {
@@ -111,8 +111,8 @@ export class Opening {
   }
 
   /**
-   * Opens a surface, or a drawing that the page saved (JSON). If a link waits for the surface, it
-   * opens with the link's drawing.
+   * Opens a surface, or a drawing that the page saved (JSON). If a link waits for the surface, the
+   * surface opens with the link's drawing.
    */
   async file(file: File): Promise<void> {
     try {
@@ -147,7 +147,9 @@ export class Opening {
     showNote(`${file.name} is not kept by this browser. After a reload, drop it again.`);
   }
 
-  /** Keeps the surface's file from inside a drawing's file. Throws if it is another surface's. */
+  /**
+   * Keeps the surface's file inside a drawing's file. Throws if it is not the drawing's surface.
+   */
   async #keepInside(file: File, { mesh }: Link): Promise<void> {
     const key = await fileKey(file);
     if (key !== keyOfFile(mesh)) {
@@ -415,7 +417,7 @@ export class Opening {
     this.session.update(this.editor.state);
   }
 
-  /** Shows another drawing on the present surface; undo restores the one before. */
+  /** Shows another drawing on the present surface; undo restores the previous drawing. */
   #replace(to: Drawing): void {
     const { mesh, method, drawing: from } = this.editor.state;
     if (formatLink(mesh, method, from) === formatLink(mesh, method, to)) return;
@@ -445,8 +447,8 @@ function drawnMesh(client: EngineClient, key: string): GeometryRequest {
   return {
     mesh: arrays,
     colors: client.file?.colors ?? null,
-    // The page draws triangles in their original orientation, so that it has no outside if the
-    // engine has turned some over.
+    // The page draws triangles in their original orientation, so that the surface has no outside if
+    // the engine has turned some triangles over.
     closed: info.boundaryLoops === 0 && info.repairs.every(({ kind }) => kind !== 'turnedOver'),
     up: readingOf(key)?.up ?? client.up,
   };

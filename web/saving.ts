@@ -142,7 +142,7 @@ function keptLink(mesh: string | null): FoundLink | null {
   return found(recall(`document.${mesh}`), true);
 }
 
-/** The first drawing of the page: that of its address, or the last one made in this browser. */
+/** The first drawing of the page: from its address, or the last one made in this browser. */
 export function startingLink(): FoundLink | null {
   const fragment = location.hash.slice(1);
   const [before, after] = (recallInTab('overtaken') ?? '').split(' ');

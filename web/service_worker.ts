@@ -67,7 +67,10 @@ async function page(request: Request): Promise<Response> {
 
 let keeping: Promise<void> | undefined;
 
-/** Stores the files of the book's present version, unless they are stored; removes older ones. */
+/**
+ * Stores the files of the book's present version, unless they are stored already, and removes older
+ * versions.
+ */
 async function keepBook(): Promise<void> {
   const list = await fetch(addressOf('book/files.json'), { cache: 'no-cache' });
   const book = (await list.json()) as typeof __KARCHER_FILES__;

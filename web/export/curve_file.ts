@@ -14,7 +14,7 @@ const version = 2;
 /** The largest length of a file, in characters. Even the largest drawing is shorter. */
 const longestFile = 256 * 1024 * 1024;
 
-/** A Float32 coordinate as the shortest decimal for that float. */
+/** The shortest decimal for a Float32 coordinate. */
 export function shortest(value: number): string {
   for (let digits = 6; digits < 9; digits++) {
     const text = value.toPrecision(digits);
@@ -24,8 +24,8 @@ export function shortest(value: number): string {
 }
 
 /**
- * The text of an OBJ file, in parts. Each polyline has its vertices and one line element; then
- * follow the vertices of the marks (x, y, z each) and one point element.
+ * The text of an OBJ file, in parts. Each polyline has its vertices and one line element. The
+ * vertices of all marks and one point element follow. `marks` has x, y, z of each mark.
  */
 export function* partsOfObj(
   polylines: readonly Float32Array[],

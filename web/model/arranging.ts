@@ -50,8 +50,8 @@ export function onTop(drawing: Drawing, object: DrawnObject): Command {
 }
 
 /**
- * An empty, open figure of a kind, or of the default kind instead of a derived one. It has the same
- * settings, but no knots of its own.
+ * An empty, open figure of a kind; the default kind replaces a derived one. The figure keeps the
+ * given settings, but has no knots of its own.
  */
 function begun(figure: Figure, kind: Kind): Figure {
   const { derived: _, ...bare } = figure;
@@ -85,8 +85,8 @@ export function drawnAtOnce(
 }
 
 /**
- * The family of a kind. Kinds of one family interpret the same points in different ways, so that
- * one can become another.
+ * The family of a kind. Kinds of one family interpret the same points in different ways, so that a
+ * figure can change from one kind to another.
  */
 function familyOf(kind: Kind): string {
   if (isBoolean(kind)) return 'boolean';
@@ -105,7 +105,7 @@ export function ofKind(drawing: Drawing, to: Kind): Command | null {
   return { type: 'figure', id, edit: { type: 'kind', from, to } };
 }
 
-/** The ids of objects, with the ids of derived objects whose sources are all among them. */
+/** The ids of objects, together with the ids of derived objects that have no other sources. */
 function withOrphans({ objects }: Drawing, ids: readonly number[]): Set<number> {
   const gone = new Set(ids);
   for (let before = -1; gone.size > before; ) {
@@ -120,8 +120,9 @@ function withOrphans({ objects }: Drawing, ids: readonly number[]): Set<number> 
 }
 
 /**
- * Removes objects, and the derived objects all of whose sources are removed; other derived objects
- * lose the removed sources. If the edited object is removed, an empty object of its kind begins.
+ * Removes objects, and derived objects that would lose all of their sources. Other derived objects
+ * lose only the removed sources. If the edited object is removed, an empty object of its kind
+ * begins.
  */
 export function deletion(drawing: Drawing, wanted: readonly number[]): Command | null {
   if (!drawing.objects.some(({ id }) => wanted.includes(id))) return null;
@@ -219,8 +220,8 @@ export function duplication(drawing: Drawing, ids: readonly number[]) {
 }
 
 /**
- * The lowest place among the consecutive members of a group around a place; without a group, the
- * place itself.
+ * The lowest place in the run of group members that contains a place; without a group, the place
+ * itself.
  */
 function footOfGroup({ objects }: Drawing, place: number): number {
   const { group } = objects[place]!;
@@ -267,7 +268,7 @@ export function restyling(
 
 /**
  * Moves an object up in the order by a number of places, or down by a negative number. Members of a
- * group stay together: a member moves only among the others, and other objects move past the whole
+ * group stay together: a member moves only within its group, and other objects move past the whole
  * group.
  */
 export function reordering(drawing: Drawing, id: number, steps: number): Command | null {
@@ -289,7 +290,7 @@ export function reordering(drawing: Drawing, id: number, steps: number): Command
   return to === from ? null : { type: 'order', from, to };
 }
 
-/** Puts the objects with these ids into this order, from the lowest; others lie on top of them. */
+/** Puts the objects with these ids into this order, from the lowest. Other objects lie on top. */
 export function ordering(drawing: Drawing, ids: readonly number[]): Command | null {
   const steps: Command[] = [];
   let { objects } = drawing;
@@ -324,7 +325,7 @@ export function groupNaming(drawing: Drawing, from: string, name: string): Comma
   return restyling(drawing, ids, { group: freeName(wanted, others) });
 }
 
-/** Groups objects. They move directly below the topmost of them in the order. */
+/** Groups objects. In the order, they move directly below the topmost of the objects. */
 export function grouping(drawing: Drawing, ids: readonly number[]): Command | null {
   const members = drawing.objects.filter(({ id }) => ids.includes(id));
   if (members.length < 2) return null;

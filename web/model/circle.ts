@@ -5,7 +5,7 @@ import { cross, minus } from './vectors';
 
 /** The radius of a new circle, relative to the surface's diagonal. */
 const newRadius = 0.08;
-/** The default radius across, relative to the first radius. */
+/** The default of an ellipse's radius across, relative to its first radius. */
 export const defaultAcross = 0.6;
 
 const handles = ['center', 'rim', 'across'] as const;
@@ -70,7 +70,10 @@ export function withRadius(
   return byRadii(shape, { ...drawn, radius });
 }
 
-/** The direction across another one in the plane of a triangle, to its left. */
+/**
+ * The unit direction in the plane of a triangle that is perpendicular to another direction, to its
+ * left.
+ */
 export function acrossDirection(direction: Vector, [a, b, c]: [Vector, Vector, Vector]): Vector {
   const across = cross(cross(minus(b, a), minus(c, a)), direction);
   const length = Math.hypot(...across);
@@ -78,8 +81,8 @@ export function acrossDirection(direction: Vector, [a, b, c]: [Vector, Vector, V
 }
 
 /**
- * The distance by which a geodesic with this length and initial direction reaches in another
- * direction.
+ * The component of a geodesic's initial vector along another direction. The vector has the given
+ * length and direction.
  */
 export function reachAlong(length: number, direction: Vector, along: Vector): number {
   return length * direction.reduce((sum, value, axis) => sum + value * along[axis]!, 0);

@@ -1,8 +1,8 @@
 /**
  * A curvature comb: teeth along a curve, whose lengths show its curvature within the surface. The
- * curvature at a point is that of the circle through this point and the two points at a fixed
- * distance, the window, before and behind it. The component of the curvature in the tangent plane
- * is the geodesic curvature, exact for circles in space.
+ * curvature at a point is the curvature of a circle through three points: this point, and the
+ * points before and after it at a fixed distance, the window. The component of the curvature in the
+ * tangent plane is the geodesic curvature, exact for circles in space.
  */
 import type { Vector } from './figure';
 import { cross, dot, minus, scaled } from './vectors';
@@ -18,12 +18,14 @@ export interface Tooth {
 
 export interface Comb {
   teeth: Tooth[];
-  /** The number of corners of the curve, at which it has no curvature and no teeth. */
+  /** The number of the curve's corners. A corner has no curvature and no teeth. */
   corners: number;
   closed: boolean;
 }
 
-/** The least turn within the surface, in radians, of a corner of a polyline. */
+/**
+ * A polyline has a corner where it turns within the surface by more than this angle, in radians.
+ */
 const cornerAngle = Math.PI / 6;
 
 /**
@@ -64,7 +66,7 @@ export function combOf(
   return { teeth, corners: corners.length, closed };
 }
 
-/** The curvature that the given share of all teeth do not exceed; 0 without teeth. */
+/** The quantile of the teeth's absolute curvatures for the given share; 0 without teeth. */
 export function usualCurvature(combs: readonly Comb[], share: number): number {
   const sizes = combs.flatMap(({ teeth }) => teeth.map(({ curvature }) => Math.abs(curvature)));
   sizes.sort((a, b) => a - b);

@@ -25,7 +25,7 @@ const hasLines = (object: DrawnObject) => {
 export const willCombine = ({ objects }: Drawing, ids: readonly number[]): boolean =>
   objects.some((object) => ids.includes(object.id) && mayHaveLines(object));
 
-/** Those of the given objects that can be combined, in the drawing's order. */
+/** The given objects that can be combined, in the drawing's order. */
 export const combinable = ({ objects }: Drawing, ids: readonly number[]): DrawnObject[] =>
   objects.filter((object) => ids.includes(object.id) && hasLines(object));
 
@@ -60,7 +60,7 @@ export function combining(
   return joined([...plain, made(drawing, sources, kind, {})]);
 }
 
-/** Lines at a distance from objects, on their outer side if they have one. */
+/** Adds lines at a distance from objects, on the objects' outer side if they have one. */
 export function offsetting(
   drawing: Drawing,
   ids: readonly number[],
@@ -71,7 +71,7 @@ export function offsetting(
   return made(drawing, sources, 'offset', { offset: { distance, side: 'outwards' } });
 }
 
-/** The surface cut apart along objects. */
+/** Adds a cut of the surface along objects. */
 export function cutting(drawing: Drawing, ids: readonly number[]): Command | null {
   const sources = combinable(drawing, ids);
   if (sources.length === 0) return null;

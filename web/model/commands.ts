@@ -79,8 +79,8 @@ const isBeside = (command: Command) =>
   command.type === 'activate' || (command.type === 'figure' && command.edit.type === 'inside');
 
 /**
- * The edit of an object's figure, if the command does nothing else, apart from selecting an object
- * for editing or setting the enclosed side; otherwise null.
+ * The edit of an object's figure, if the command changes nothing else; otherwise null. The command
+ * may also select an object for editing or set the enclosed side.
  */
 export function onlyEditOf(command: Command, id: number): FigureCommand | null {
   const [only, ...more] = stepsOf(command).filter((one) => !isBeside(one));

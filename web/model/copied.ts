@@ -11,7 +11,7 @@ export const copiedText = (mesh: string, objects: readonly DrawnObject[]) =>
 
 /**
  * The objects of a copied text for a surface; null if the page did not write the text. Throws a
- * sentence if it did, but the objects do not fit this surface.
+ * sentence if the objects belong to another surface or version of the page, or are invalid.
  */
 export function pastedObjects(
   text: string,

@@ -19,13 +19,16 @@ export interface Piece {
   cubic: Cubic;
 }
 
-/** The most steps that improve the parameters of a curve before the fit splits or returns it. */
+/**
+ * The largest number of steps that improve a curve's parameters before the fit splits or returns
+ * it.
+ */
 const mostSteps = 24;
 /** The largest deviation, in tolerances, for which the fit goes on to improve the parameters. */
 const worthBettering = 16;
 /**
  * The least length of a handle in a given direction, relative to the chord. A third of the chord
- * replaces a shorter or backward one.
+ * replaces a shorter length, or one against the direction.
  */
 const leastHandle = 1e-6;
 
@@ -45,7 +48,7 @@ export function cubicAt(cubic: Cubic, t: number): Planar {
   return bernstein(t).reduce<Planar>((sum, weight, i) => add(sum, cubic[i]!, weight), [0, 0]);
 }
 
-/** The first and the second derivatives. */
+/** The first and the second derivative of a curve at a parameter. */
 function derivativesAt([p, q, r, s]: Cubic, t: number): [Planar, Planar] {
   const [a, b, c] = [add(q, p, -1), add(r, q, -1), add(s, r, -1)];
   const u = 1 - t;
@@ -140,7 +143,10 @@ function bettered(points: readonly Planar[], parameters: readonly number[], cubi
   });
 }
 
-/** The place where the curve is farthest off, in units of each point's tolerance. */
+/**
+ * The point from which the curve deviates most, and the deviation in units of the point's
+ * tolerance.
+ */
 function worstOf(
   points: readonly Planar[],
   parameters: readonly number[],
@@ -157,7 +163,7 @@ function worstOf(
 
 /**
  * The best curve found from the first point to the last, its largest deviation in tolerances, and
- * the index of the point there.
+ * the index of the point with this deviation.
  */
 export function nearestCubic(
   points: readonly Planar[],
@@ -194,17 +200,17 @@ function directionAt(points: readonly Planar[], at: number, step: 1 | -1, reach:
 export interface FitOptions {
   /** The tolerance at each point. */
   tolerances: readonly number[];
-  /** The indices of points, beside the ends, where the curve may have a corner. */
+  /** The indices of points, besides the first and the last, where the curve may have a corner. */
   corners: readonly number[];
   /**
-   * The least distance between two points that determine a direction. It is less if the points end
-   * before.
+   * The least distance between two points that determine a direction. The distance may be less at
+   * the end of the points.
    */
   reach: number;
   /**
-   * For a closed line, whose first and last points are the same. `turn` is the angle of a direction
-   * at the last point relative to the same direction at the first one, and `cornerAngle` is the
-   * least turn of a corner.
+   * For a closed line, whose first and last points are the same. The same direction may have
+   * different angles at the two points: `turn` is the angle at the last point minus the angle at
+   * the first. `cornerAngle` is the least turn of a corner.
    */
   loop?: { turn: number; cornerAngle: number };
 }
@@ -266,8 +272,8 @@ const turnBetween = (back: Planar, on: Planar) =>
   Math.PI - Math.acos(Math.min(1, Math.max(-1, dot(back, on))));
 
 /**
- * The indices of points where a line turns sharply within a reach. Each turns more than its
- * neighbors, and any two are more than a reach apart.
+ * The indices of points where a line turns sharply within a reach. Of consecutive ones that are at
+ * most a reach apart, only the sharpest counts.
  */
 export function cornersOf(
   points: readonly Planar[],

@@ -51,7 +51,10 @@ export interface Derived {
 export const mostSources = 200;
 export const mostParts = 1000;
 
-/** An offset without its defaults. If the distance at the end differs, its corners are round. */
+/**
+ * An offset without its defaults. If its distance at the end differs, the offset's corners are
+ * round.
+ */
 export function plainOffset({ distance, end = distance, side, corners = 'round' }: Offset): Offset {
   const isEven = end === distance;
   return {

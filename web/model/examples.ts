@@ -6,11 +6,11 @@ import { type ControlPoint, emptyFigure, type Figure, type Kind, type Vector } f
 import { defaultMesh } from './meshes';
 import { withTangents } from './pen';
 
-/** A search for places of a surface scaled to a ball of radius 1 with y up. */
+/** A search for places of a surface. The surface is scaled to a ball of radius 1, with y up. */
 export interface Places {
   /**
-   * The point of the surface that appears at a place when seen from a direction, x to the right and
-   * y up; null outside the silhouette.
+   * The point of the surface that is visible at the place `x`, `y` from a direction, with x to the
+   * right and y up; null outside the silhouette.
    */
   seen(from: Vector, x: number, y: number): SurfacePoint | null;
   /** The point of the surface nearest to a place. */

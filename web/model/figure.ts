@@ -24,8 +24,8 @@ export type Vector = [number, number, number];
 export type Rim = SurfacePoint | { radius: number; direction: Vector };
 
 /**
- * An ellipse's radius across its first one: a length, or a point of the surface whose distance in
- * that direction is the radius.
+ * An ellipse's second radius, in the direction across the first one: a length, or a point of the
+ * surface. The radius is then the distance of the point in this direction.
  */
 export type Across = SurfacePoint | { radius: number };
 
@@ -38,7 +38,7 @@ export type Side = 'before' | 'after';
 /**
  * The place of a handle: a point of the surface, the end of a vector in the anchor's tangent plane,
  * or the place opposite to the anchor's other handle. An opposite handle has a length of its own,
- * or the other one's length if its `length` is null.
+ * or the other handle's length if its `length` is null.
  */
 export type Tangent =
   | SurfacePoint
@@ -61,8 +61,8 @@ export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: n
 };
 
 /**
- * The origin of a piece of a curve: the name that its object had, and the ends of the piece on that
- * object's line, from 0 at its start to 1 at its end.
+ * The origin of a piece of a curve: the name of the object from which it comes, and the ends of the
+ * piece on this object's line, from 0 at the line's start to 1 at its end.
  */
 export interface Origin {
   readonly of: string;
@@ -96,7 +96,7 @@ export interface CurveSettings {
   readonly closed: boolean;
   /** The degree of a B-spline, 1 to 5. */
   readonly degree: number;
-  /** Whether an open B-spline's knots repeat at its ends, which the curve then reaches. */
+  /** Whether an open B-spline begins and ends at its end points, since its knots repeat there. */
   readonly clamped: boolean;
   /**
    * The B-spline's own knots; null if they are uniform or clamped. Their number follows from the
@@ -203,8 +203,8 @@ export const toleranceRange = { least: 1e-6, most: 0.1 };
 export const marksRange = { least: 2, most: 1000 };
 export const mostLevels = 8;
 /**
- * The largest number of points of a leg. The engine describes it by a few points, or by one at each
- * edge that it crosses, which makes thousands on a large surface.
+ * The largest number of points of a leg. The engine describes a leg by a few points, or by a point
+ * at each edge that the leg crosses: thousands of points on a large surface.
  */
 export const mostLegPoints = 20_000;
 
@@ -255,7 +255,7 @@ export function isRound(kind: Kind): kind is RoundKind {
   return kind === 'circle' || kind === 'ellipse';
 }
 
-/** The number of points from which the figure is visible. */
+/** The least number of points with which the figure is visible. */
 export function pointsNeeded({ kind, settings }: Figure): number {
   if (kind === 'center' || kind === 'points') return 1;
   if (kind === 'pen') return 2;
@@ -276,7 +276,9 @@ export function parameterOf(kind: Kind): ParameterName | null {
   return kind === 'center' || kind === 'rational' || kind === 'bspline' ? 'weight' : null;
 }
 
-/** The range of sliders for weights and betas of points: the same factor below 1 and above. */
+/**
+ * The range of the sliders for weights and betas. It extends by the same factor below and above 1.
+ */
 export const parameterRange = { least: 1 / 16, most: 16 };
 
 /** The point with another value of a parameter; the default, 1, is not stored. */
@@ -300,7 +302,9 @@ export function withLeg(
   return leg ? { ...rest, leg } : rest;
 }
 
-/** The point of a face with these weights of its corners 1 and 2, whose sum is at most 1. */
+/**
+ * The point of a face with the weights `u` and `v` of its corners 1 and 2. Their sum is at most 1.
+ */
 export function surfacePoint(face: number, u: number, v: number): SurfacePoint {
   return { face, bary: [Math.max(0, 1 - u - v), u, v] };
 }
@@ -363,10 +367,7 @@ export function knotsFit({ settings, points }: Pick<Spline, 'settings' | 'points
   return !knots || knots.length === points.length + 1 + (closed ? 0 : degree);
 }
 
-/**
- * The figure. If its own knots are for another number of points, uniform or clamped ones replace
- * them.
- */
+/** The figure, with uniform or clamped knots if its own knots are for another number of points. */
 export function withFittingKnots<Of extends Pick<Spline, 'settings' | 'points'>>(spline: Of): Of {
   if (knotsFit(spline)) return spline;
   return { ...spline, settings: { ...spline.settings, knots: null } };

@@ -1,5 +1,6 @@
 /**
- * Drawings on a surface with fewer triangles than their own, without the parts that lie outside it.
+ * Fits drawings to a surface that has fewer triangles than their own surface: leaves out what lies
+ * on the missing triangles.
  */
 import type { SurfacePoint } from 'karcher';
 import type { Drawing, DrawnObject } from './drawing';
@@ -7,8 +8,9 @@ import { type ControlPoint, type Figure, isEmpty, withFittingKnots, withLeg } fr
 import { withTangents } from './pen';
 
 /**
- * The points that lie on a surface with this many triangles. They keep the legs that also lie on it
- * and join the same neighbours as before. A point loses both handles if one lies outside.
+ * The points that lie on a surface with this many triangles. A point keeps its leg if the leg also
+ * lies there and joins the same neighbours as before. A point loses both handles if one lies
+ * outside.
  */
 function fittingPoints(points: readonly ControlPoint[], triangles: number): ControlPoint[] {
   const fits = ({ face }: SurfacePoint) => face < triangles;
@@ -44,8 +46,8 @@ function fittingFigure(figure: Figure, triangles: number): Figure {
 }
 
 /**
- * The objects without what lies outside a surface with this many triangles. Those of which nothing
- * is left disappear.
+ * The objects without what lies outside a surface with this many triangles. Objects of which
+ * nothing is left disappear.
  */
 export const fittingObjects = (objects: readonly DrawnObject[], triangles: number) =>
   objects

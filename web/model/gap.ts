@@ -11,7 +11,7 @@ const samples = 256;
 /** The number of segments in a block, which a search measures or skips as a whole. */
 const blockLength = 32;
 
-/** Consecutive segments, within a ball. */
+/** Consecutive segments, and a ball that contains them. */
 interface Block {
   center: readonly [number, number, number];
   radius: number;
@@ -19,7 +19,10 @@ interface Block {
   end: number;
 }
 
-/** The distances in space between two polylines, x, y, z each; null if one has no vertex. */
+/**
+ * The distances in space between two polylines; null if one has no vertex. The arrays have x, y, z
+ * of each vertex.
+ */
 export function gapBetween(a: ArrayLike<number>, b: ArrayLike<number>): Gap | null {
   if (a.length < 3 || b.length < 3) return null;
   const [there, back] = [distances(a, b), distances(b, a)];

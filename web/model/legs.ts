@@ -46,12 +46,12 @@ export interface DrawnBefore {
 }
 
 /**
- * The value with the drawn legs that meet the dragged points, which the engine continues. The
- * value's own legs stay.
+ * A curve's value with the drawn legs at the dragged points, so that the engine continues these
+ * legs. The value's own legs stay.
  */
 export function withDrawnLegs(value: CurveOptions, before: DrawnBefore): CurveOptions {
   const { points, closed = false, legs = [] } = value;
-  // Legs of a curve with another number of points do not correspond to these.
+  // The drawn legs do not correspond to a value with another number of points.
   if (before.legs.length !== points.length - (closed ? 0 : 1)) return value;
   const at = legsAt(points.length, before.points);
   return {
@@ -65,7 +65,7 @@ const legsAt = (count: number, at: readonly number[]): number[] => [
   ...new Set(at.flatMap((i) => [i, (i + count - 1) % count])),
 ];
 
-/** The few points that determine the leg from each point to the next; null for the shortest path. */
+/** For each leg, the few points that determine it; null for the shortest path. */
 export type ToldLegs = readonly (readonly SurfacePoint[] | null)[];
 
 /**

@@ -10,7 +10,7 @@ export function roundStep(most: number, count: number): number {
 }
 
 /**
- * The lines of each level (`levelLines` of `karcher/statistics`), x, y, z of their points.
+ * The lines of each level, as x, y, z of their points (see `levelLines` of `karcher/statistics`).
  */
 export function levelLines(
   positions: ArrayLike<number>,

@@ -42,7 +42,7 @@ export interface Link {
   view: ViewPlace | null;
   /** The numbers of faulty points and circles, which the drawing omits. */
   unread: Lost;
-  /** Sentences about other faulty parts, and what replaces them. */
+  /** Sentences about other faulty parts, which also name the values that replace them. */
   problems: readonly string[];
 }
 
@@ -102,7 +102,7 @@ function objectFields(
 
 const encodeName = (name: string) => encodeURIComponent(shortened(name, longestName));
 
-/** Reads a link, without faulty fields; null unless the fragment names a surface. */
+/** Reads a link and omits faulty fields; null unless the fragment names a surface. */
 export function parseLink(fragment: string): Link | null {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   const mesh = fields.get('mesh');

@@ -26,7 +26,7 @@ export interface Field<Value> {
   write(value: Value): string;
   /** The value if the link lacks the field. */
   unsaid: Value;
-  /** The allowed values in words, and the value that replaces others. */
+  /** The allowed values (`range`), and the value that replaces any other one, in words. */
   range: string;
   instead: string;
 }
@@ -34,7 +34,7 @@ export interface Field<Value> {
 /** Fields by their names in a link, in the order of the link. */
 type Fields<Values> = { readonly [Name in keyof Values]: Field<Values[Name]> };
 
-/** The values of fields in a link. Faulty and missing values are replaced by their defaults. */
+/** The values of fields in a link. Defaults replace faulty and missing values. */
 export function readFields<Values>(fields: Fields<Values>, link: URLSearchParams): Values {
   const all = Object.entries<Field<unknown>>(fields as Record<string, Field<unknown>>);
   const said = all.map(([name, { read, unsaid }]) => [name, read(link.get(name) ?? '') ?? unsaid]);

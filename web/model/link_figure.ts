@@ -186,7 +186,7 @@ export function parseFigure(fragment: string): Figure {
   });
 }
 
-/** Legs by the indices of their points, without faulty ones. */
+/** Legs by the indices of their points. Faulty legs are left out. */
 function parseLegs(text: string): Map<number, SurfacePoint[]> {
   const legs = new Map<number, SurfacePoint[]>();
   for (const part of text.split(';')) {

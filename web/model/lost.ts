@@ -1,9 +1,9 @@
 import type { BridgedInterval, CurveSamples, Status } from 'karcher';
 
-/** The reason why a part of a curve is no center of mass. */
+/** The reason why the points in a part of a curve are not centers of mass. */
 export type LostReason = Exclude<Status, 'converged' | 'bridged' | 'subdivided'>;
 
-/** A part of a segment that is no center of mass. */
+/** A part of a segment in which the points are not centers of mass. */
 export interface LostInterval {
   segment: number;
   /** Parameters of the segment at the ends of the part. */
@@ -19,8 +19,8 @@ export interface LostInterval {
 type Samples = Pick<CurveSamples, 'segment' | 't' | 'position' | 'status'>;
 
 /**
- * The parts of a curve without centers of mass, bridged or not, in the curve's order. Pieces that
- * subdivision alone defines are right and do not count.
+ * The parts of a curve in which its points are not centers of mass, in the curve's order. Bridged
+ * parts count, too. Pieces that subdivision alone defines are right and do not count.
  */
 export function lostIntervals(
   samples: Samples,

@@ -187,8 +187,8 @@ export function meshLabel(key: string): string {
 const hashedAtOnce = 1 << 21;
 
 /**
- * A digest that identifies a file (FNV-1a); `crypto.subtle` is missing on plain http. It reads the
- * file in slices: a large one takes a while, and is never in memory as a whole.
+ * A digest that identifies a file (FNV-1a); `crypto.subtle` is missing on plain http. A large file
+ * takes a while, so the file is read in slices and is never in memory as a whole.
  */
 export async function fileKey(file: File): Promise<string> {
   let hash = 0x811c9dc5;

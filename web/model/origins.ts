@@ -3,7 +3,7 @@ import type { Path } from 'karcher';
 import type { ControlPoint, Figure, Origin, Vector } from './figure';
 import { dot, minus } from './vectors';
 
-/** A line of an object from which others derive. */
+/** A line of an object that is a source of other objects. */
 export interface SourceLine {
   id: number;
   path: Path;
@@ -16,7 +16,9 @@ export interface LinePieces {
   originOf(from: number, to: number): Origin | undefined;
 }
 
-/** The distance, relative to the surface's diagonal, within which lines count as the same. */
+/**
+ * Lines count as the same if they are less than this far apart, relative to the surface's diagonal.
+ */
 const together = 1e-9;
 
 /**
@@ -36,8 +38,8 @@ export function piecesOf(
   }));
   const places = placesOf(line);
   /**
-   * For the piece after each point, the source along which it runs (-1 if none), and the segment
-   * there.
+   * For the piece after each point: the index of the source along which the piece runs (-1 if
+   * none), and the index of the source's segment there.
    */
   const found = places.slice(1).map((end, i) => {
     const middle = end.map((value, k) => (value + places[i]![k]!) / 2) as Vector;

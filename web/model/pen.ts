@@ -61,9 +61,9 @@ export function byVectors(
 }
 
 /**
- * The handles after a drag of one of them. The other one stays opposite and keeps its length; at a
- * symmetric joint it takes the length of the dragged one. At a corner or a broken joint it stays in
- * place.
+ * The handles of an anchor after a drag of one handle. The other handle stays opposite and keeps
+ * its length; at a symmetric joint it takes the dragged handle's length. At a corner or a broken
+ * joint the other handle stays in place.
  */
 export function withHandleAt(
   tangents: Tangents | undefined,
@@ -173,10 +173,10 @@ export function withHandleLength(
 }
 
 /**
- * The anchors with a new one on the curve at a parameter. De Casteljau's algorithm gives the
- * handles, so that on a plane the curve does not change. `derivative` is the curve's derivative
- * there, and `samples` are the curve's. If the old segment had a leg, the legs of the two new
- * segments lie along the samples.
+ * The anchors with a new one at a parameter of the curve. De Casteljau's algorithm gives the
+ * handles, so that on a plane the curve does not change. `derivative` is the curve's derivative at
+ * the parameter, and `samples` are the curve's samples. If the old segment had a leg, the legs of
+ * the two new segments lie along the samples.
  */
 export function withAnchorAt(
   { points }: Figure,

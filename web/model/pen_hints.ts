@@ -31,7 +31,10 @@ export interface PenState {
   alt: boolean;
 }
 
-/** Whether a click on the surface continues the curve; it has ended if no anchor is selected. */
+/**
+ * Whether a click on the surface continues the curve. Without a selected anchor, the curve has
+ * ended.
+ */
 export const goesOn = ({ anchors, closed, selected }: PenState) =>
   anchors > 0 && !closed && selected !== null;
 

@@ -1,7 +1,8 @@
 /**
- * The legs of a curve of the pen. Each segment has three: from its first anchor to the handle after
- * it, from there to the handle before the next anchor, and to that anchor. The first anchor stores
- * the middle leg if it is not the shortest path; the other legs are the handles' geodesics.
+ * The legs of a curve of the pen. Each segment has three legs: from its first anchor to the handle
+ * after this anchor, on to the handle before the next anchor, and on to the next anchor. The first
+ * anchor stores the middle leg if it is not the shortest path; the other legs are the handles'
+ * geodesics.
  */
 import type { CurveOptions, CurveSamples, SurfacePoint } from 'karcher';
 import type { ControlPoint, Side, Vector } from './figure';

@@ -19,7 +19,10 @@ export function segmentAt({ points }: Figure, parameter: number): OnSegment {
   return { from, to: (from + 1) % points.length, t: parameter - from };
 }
 
-/** The smallest shifts of a segment's two handles that shift its point at a parameter by 1. */
+/**
+ * The shifts of a segment's two handles that move its point at a parameter by 1, with the smallest
+ * sum of squares.
+ */
 export function bendingParts(t: number): [number, number] {
   const [first, second] = [3 * t * (1 - t) ** 2, 3 * t ** 2 * (1 - t)];
   const whole = first ** 2 + second ** 2;
@@ -59,12 +62,13 @@ export function withBentSegment(
   return { ...figure, points: points.with(to, bent(to, 'before', second)) };
 }
 
-/** The number of places on each of two segments that the fit of one curve takes into account. */
+/** The number of places on each of two segments to which the merged curve is fitted. */
 const placesHeld = 24;
 
 /**
- * One curve that replaces two consecutive ones. Its directions at the ends are the given ones,
- * which point into the curve. If the two are parts of one curve, the result is that curve.
+ * One curve that replaces two consecutive curves. At its ends it has the given directions, which
+ * point into the curve. If the two curves are parts of a single cubic curve, this curve is the
+ * result.
  */
 export function mergedCubic(
   first: Cubic,
@@ -74,8 +78,8 @@ export function mergedCubic(
   const far = (p: Planar, q: Planar) => Math.hypot(p[0] - q[0], p[1] - q[1]);
   const [before, after] = [far(first[2], first[3]), far(second[0], second[1])];
   const [chord, next] = [far(first[0], first[3]), far(second[0], second[3])];
-  // By De Casteljau's algorithm, the lengths of the removed anchor's two handles have the same
-  // ratio as the two parts of the parameter.
+  // If the two curves are parts of one curve, the lengths of their handles at the removed anchor
+  // have the same ratio as their parameter ranges (De Casteljau's algorithm).
   const split = before > 0 && after > 0 ? before / (before + after) : chord / (chord + next || 1);
   const places = Array.from({ length: placesHeld + 1 }, (_, i) => i / placesHeld);
   const parameters = [

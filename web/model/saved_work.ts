@@ -42,7 +42,7 @@ export function savedWork(link: string, drawing: Drawing, history: Readonly<Hist
   return `${head.slice(0, -1)},"done":[${done!.join(',')}],"undone":[${undone!.join(',')}],"activated":${JSON.stringify(history.activated)}}`;
 }
 
-/** The text that stores only the link of a drawing, which takes less room than its history. */
+/** The text that stores only a drawing's link, which takes less room than the drawing's history. */
 export const savedLink = (link: string) => JSON.stringify({ link, version: drawingVersion });
 
 const canonical = (drawing: Drawing) =>

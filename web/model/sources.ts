@@ -61,7 +61,7 @@ export function withSources(drawing: Drawing, ids: readonly number[]): number[] 
   return [...all].filter((id) => objectOf(drawing, id));
 }
 
-/** Whether other objects have an object as a source. */
+/** Whether an object is a source of other objects. */
 export const isSource = ({ objects }: Drawing, id: number) =>
   objects.some((object) => sourcesOf(object).includes(id));
 

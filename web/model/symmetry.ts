@@ -43,8 +43,8 @@ export function planeThrough(a: Vector, b: Vector, c: Vector): Plane | null {
 }
 
 /**
- * The fraction of the mirrored samples that must lie near: the rest may be damaged, or missing at a
- * boundary.
+ * The fraction of the mirrored samples that must lie near the surface. For the rest, the surface
+ * may be damaged, or missing at a boundary.
  */
 const near = 0.7;
 /** The number of directions to try. Every direction lies within some 10 degrees of one of them. */
@@ -52,7 +52,7 @@ const tried = 96;
 /** The number of best directions for refinement. */
 const followed = 8;
 const mostSteps = 20;
-/** The margin within which another plane counts as equally good; the first of such planes wins. */
+/** Planes up to this much worse than the best one count as equally good. The first of them wins. */
 const asGood = { times: 1.25, more: 1e-4 };
 
 /**

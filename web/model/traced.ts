@@ -28,8 +28,7 @@ export interface Pattern {
 }
 
 /**
- * The largest number of a pattern's lines or bands in a length that is the square root of its
- * region's area.
+ * The largest number of lines or bands of a pattern across a square with the area of its region.
  */
 export const mostLines = 1000;
 
@@ -47,7 +46,7 @@ export interface TracedCurve {
   polylineStatus: Uint8Array;
   /** The samples without their statuses, which `lost` summarizes. */
   samples: Omit<CurveSamples, 'status'>;
-  /** The knots of a B-spline, also where they follow a rule; empty for other curves. */
+  /** The knots of a B-spline, even if they follow a rule; empty for other curves. */
   knots: Float64Array;
   /** Points at equal arc lengths along the curve, as many as requested. */
   marks: CurvePoints | null;
@@ -57,7 +56,9 @@ export interface TracedCurve {
   legs: readonly Float32Array[];
   /** The legs in the form that the engine continues. */
   drawnLegs: readonly DrawnLeg[];
-  /** The parts where the curve is no center of mass, whether or not a bridge replaces it there. */
+  /**
+   * The parts in which the curve's points are not centers of mass, even if a bridge replaces them.
+   */
   lost: LostInterval[];
   /** The number of a circle's arcs whose geodesics from the center are no longer shortest. */
   arcsNotShortest: number;

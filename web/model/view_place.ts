@@ -11,8 +11,8 @@ const isViewName = (name: string | null): name is ViewName =>
 /** A view after a turn, a zoom or a move, in the scene, where a surface's diagonal is 2. */
 export interface OrbitPlace {
   /**
-   * The camera's direction from its target, in degrees: azimuth around the axis that points up,
-   * counted from the front, and elevation.
+   * The direction from the target to the camera, in degrees: the azimuth around the axis that
+   * points up, counted from the front, and the elevation.
    */
   azimuth: number;
   elevation: number;

@@ -81,7 +81,7 @@ type Corners = [Vector, Vector, Vector];
 /** The side and the rule of the enclosed region to compute; null for a line alone. */
 export type AskedFill = Enclosing | null;
 
-/** Lines, and what they enclose; by default the smaller side, by the even-odd rule. */
+/** Lines and the region that they enclose; by default the smaller side, by the even-odd rule. */
 export interface OutlinedShape extends Enclosing {
   outlines: readonly Path[];
 }
@@ -180,8 +180,8 @@ export class EngineClient {
 
   /**
    * Cancels the work under way, which fails with `Stopped`. If the worker is busy with a long call,
-   * another one replaces it, with the surface and loose curves. The next request for an object's
-   * curve traces it again.
+   * another worker with the surface and the loose curves replaces it. The next request for an
+   * object's curve traces it again.
    */
   stop(): void {
     this.keepCurves([]);
@@ -274,8 +274,8 @@ export class EngineClient {
   }
 
   /**
-   * The point of a value's curve nearest to a place, with its measurements. That curve becomes the
-   * object's curve.
+   * The point at which a value's curve is nearest to a place, with its measurements. That curve
+   * becomes the object's curve.
    */
   async measure(
     object: number,
@@ -378,7 +378,7 @@ export class EngineClient {
     return (await this.#worker.call('partFile', args)) as Uint8Array;
   }
 
-  /** Points of the surface as points of a part; null for those that lie elsewhere. */
+  /** Points of the surface as points of a part; null for points outside the part. */
   async pointsOnPart(
     { positions, triangles, faces }: SurfacePart,
     points: readonly SurfacePoint[],
@@ -387,7 +387,7 @@ export class EngineClient {
     return (await this.#worker.call('pointsOnPart', args)) as (SurfacePoint | null)[];
   }
 
-  /** Curves on the surface as a file. Except for CSV it also has the surface and its properties. */
+  /** Curves on the surface as a file. All but CSV also have the surface and its properties. */
   async curvesFile(curves: readonly DrawnCurve[], format: CurvesFormat): Promise<Uint8Array> {
     const args = [this.mesh, curves.map(sentCurve), format, this.file];
     return (await this.#worker.call('curvesFile', args)) as Uint8Array;
@@ -409,7 +409,7 @@ export class EngineClient {
     return (await this.#worker.call('distances', args, undefined, work)) as TracedDistances;
   }
 
-  /** Places and directions in a frame at their middle. Rejects if no path leads to one of them. */
+  /** Places and directions in a frame at their middle. Rejects if a place is unreachable. */
   framedAt(places: DirectedPlaces): Promise<Framed> {
     return this.#worker.call('framedAt', [this.mesh, places]) as Promise<Framed>;
   }
@@ -419,7 +419,10 @@ export class EngineClient {
     return this.#worker.call('putDown', [this.mesh, step]) as Promise<MappedPoints>;
   }
 
-  /** The rectangle along two axes around the log vectors of places. Rejects if no path leads to one of them. */
+  /**
+   * The rectangle along two axes around the log vectors of places. Rejects if a place is
+   * unreachable.
+   */
   boxAround(
     at: SurfacePoint,
     around: readonly Extent[],
@@ -478,8 +481,8 @@ export class EngineClient {
 }
 
 /**
- * A point inside a region: the centroid of a whole face or, if the region has none, of the largest
- * triangle of its partial faces.
+ * A point inside a region: the centroid of a whole face or, if the region has none, of the triangle
+ * that covers the largest part of its face.
  */
 function insideOf({ whole, parts, corners }: Pick<Region, 'whole' | 'parts' | 'corners'>) {
   if (whole.length > 0) return { face: whole[0]!, bary: [1 / 3, 1 / 3, 1 / 3] };

@@ -30,8 +30,8 @@ const pathOf = ({ closed, points, polyline, lengths }: SentCurve): FilePath => (
 });
 
 /**
- * A file of curves. A CSV file has rows of the curves' points. The others have the surface with its
- * own colors and parts, and the curves as lines (OBJ) or as tubes (GLB).
+ * A file of curves. A CSV file has rows of the curves' points. Other files have the surface with
+ * its own colors and parts, and the curves as lines (OBJ) or as tubes (GLB).
  */
 export async function curvesFile(
   mesh: Mesh,

@@ -29,7 +29,7 @@ export async function cutParts(
   return parts.sort((a, b) => b.area - a.area);
 }
 
-/** The weights of the corners of a part's triangles in the surface's faces. */
+/** The second and third weight of each corner of a part's triangles, in the triangle's face. */
 function weightsOf(part: CutPart, positions: Float64Array, triangles: Int32Array): Float32Array {
   const weights = new Float32Array(2 * part.triangles.length);
   const at = (of: Float64Array, vertex: number): Corners =>

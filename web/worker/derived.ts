@@ -37,8 +37,8 @@ function enclosed(mesh: Mesh, outlines: Outline[], enclosing: Enclosing): Region
 }
 
 /**
- * The offset of lines. If all lines are closed and enclose a region, inwards is its side; otherwise
- * inwards is the left side.
+ * The offset of lines. If all lines are closed and enclose a region, `inwards` means the region's
+ * side; otherwise it means the left side.
  */
 export function offsetOf(
   mesh: Mesh,
@@ -79,8 +79,8 @@ export function combined(
   combine: BooleanKind,
   fill: boolean,
 ): DerivedLines {
-  // The boundary of a shape's region by the nonzero rule, with the region on its left, replaces the
-  // shape.
+  // The boundary of its region replaces a shape with the nonzero rule. The region lies on the left
+  // of this boundary.
   const plain = shapes.map(({ rule, ...shape }) =>
     rule
       ? { outlines: regionOf(mesh, { ...shape, rule }).boundary(), inside: 'left' as const }

@@ -25,7 +25,7 @@ export interface Edited {
   point: number | null;
 }
 
-/** The result of an edit of the curve with a value. It may change `curve`. */
+/** The result of an edit of the curve with a value. The edit may change `curve`. */
 export async function edited(
   mesh: RemoteMesh,
   curve: RemoteCurve,
@@ -87,8 +87,8 @@ async function valuesOf(made: readonly RemoteCurve[]): Promise<Edited> {
 const ofOneSegment: readonly CurveKind[] = ['bezier', 'rational', 'barycentric'];
 
 /**
- * The parameter where the curve is nearest to a place; the parameter of a knot if one is within
- * reach, since a segment beside it would be a sliver.
+ * The parameter at which the curve is nearest to a place. If a knot is within reach, it is the
+ * knot's parameter, since a segment between the knot and the place would be a sliver.
  */
 async function meantAt(
   curve: RemoteCurve,

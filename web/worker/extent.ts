@@ -22,7 +22,7 @@ type Coordinates = readonly [number, number];
 /**
  * The rectangle along two perpendicular axes around the log vectors of places. A path to each place
  * would take long on a large mesh. Instead, one log map of the vertices shows which places reach
- * farthest, and only these have a path.
+ * farthest, and only these places get a path.
  */
 export function boxAround(
   mesh: Mesh,
@@ -65,8 +65,8 @@ export function boxAround(
 
 /**
  * Approximate log vectors of places: weighted means of the log vectors at the corners of their
- * faces. Null if there are at most four places, if all lie at `at`, if they are not fewer than the
- * vertices near them, or if a log vector is missing.
+ * faces. Null if there are at most four places, if all lie at `at`, if the vertices near them are
+ * not more than the places, or if a log vector is missing.
  */
 function nearlyLogs(
   mesh: Mesh,
@@ -81,7 +81,7 @@ function nearlyLogs(
   // Each of the four sides needs a path to one place anyway.
   if (far === 0 || places.length <= 4) return null;
   const triangles = mesh.triangles();
-  // On a ball no shortest path is longer than this; on other surfaces it may be.
+  // On a sphere, no shortest path to a place is longer than this; on other surfaces a path may be.
   const first = (Math.PI / 2) * far;
   for (const radius of [first, 2 * first, Infinity]) {
     const { vectors } = mesh.logMap(at, { radius });

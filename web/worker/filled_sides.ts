@@ -14,8 +14,8 @@ interface Side {
 }
 
 /**
- * The border, between a side and the next one above, of the triangles made so far: places from the
- * lower to the upper side.
+ * The border of the triangles made so far, between a side and the next side above it: places from
+ * the lower to the upper side.
  */
 type Front = Place[];
 
@@ -24,7 +24,7 @@ const scale = 2 ** 40;
 
 /**
  * The triangles that fill parts of faces: their faces, and the two weights of each corner. `faces`
- * has the face of each side, in order. `sides` has four numbers for each: the second and third
+ * has the face of each side, in order. `sides` has four numbers for each side: the second and third
  * weights of its two ends.
  */
 export function filledSides(

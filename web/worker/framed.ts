@@ -8,16 +8,19 @@ import type { MappedPoints, Mesh, PointLike, SurfacePoint } from 'karcher';
 import type { Vector } from '../model/figure';
 import { cross, scaled } from '../model/vectors';
 
-/** Places, and a direction at each: x, y, z, or 0, 0, 0 for none. */
+/** Places with a direction at each place: x, y, z, or 0, 0, 0 if there is none. */
 export interface DirectedPlaces {
   places: readonly SurfacePoint[];
   directions: Float64Array;
 }
 
-/** Log vectors of places, and their directions, as two coordinates each in a frame. */
+/**
+ * A frame at the middle of places, with the places' log vectors and directions in this frame. Each
+ * vector and each direction has two coordinates.
+ */
 export interface Framed {
   middle: SurfacePoint;
-  /** The frame's two axes in the plane of the middle's face, x, y, z each. */
+  /** The frame's two axes in the plane of the middle's face, as x, y, z of both. */
   axes: Float64Array;
   vectors: Float64Array;
   directions: Float64Array;
@@ -33,8 +36,8 @@ export interface Step {
   vectors: Float64Array;
   directions: Float64Array;
   /**
-   * The figures in frames. `vectors` and `directions` begin with two entries for each of them: its
-   * middle, and the two axes as directions there.
+   * The figures in frames. `vectors` and `directions` begin with two entries for each figure: in
+   * `vectors` its middle, twice, and in `directions` the two axes of its frame.
    */
   framed: readonly Framed[];
   /** The scale of the figures in their frames. */
@@ -49,7 +52,7 @@ export interface Step {
 const rounds = 3;
 const mostCompared = 64;
 
-/** The places in a frame at their middle. Throws if no path leads to one of them. */
+/** The places in a frame at their middle. Throws if a place is unreachable. */
 export function framedAt(mesh: Mesh, { places, directions }: DirectedPlaces): Framed {
   const every = Math.ceil(places.length / mostCompared);
   const some = places.filter((_, i) => i % every === 0);

@@ -11,12 +11,13 @@ import { cross, minus } from '../model/vectors';
  */
 const sidePart = 1 / 3;
 /**
- * The approximate largest number of triangles. If the spacing needs more, they are larger instead.
+ * The approximate largest number of triangles. If the spacing needs more, the triangles become
+ * larger.
  */
 const mostTriangles = 150_000;
 /**
- * The length, to each side of the region's middle, of the geodesic from which the distances of a
- * hatching start, relative to the distance from the middle to the region's farthest triangle.
+ * The distances of a hatching start from a geodesic through the region's middle. This is its length
+ * to each side, relative to the distance from the middle to the region's farthest triangle.
  */
 const reachPart = 1.5;
 
@@ -28,9 +29,9 @@ const areaOf = ([a, b, c]: readonly [Corner, Corner, Corner]) =>
   lengthOf(cross(minus(b.place, a.place), minus(c.place, a.place))) / 2;
 
 /**
- * The pattern of a region. A hatched one has the distances from a geodesic through the region's
- * middle, and a striped one the distances from its border. Null if the pattern has too many lines,
- * or if there is no geodesic or border.
+ * The pattern of a region. A hatched pattern has the distances from a geodesic through the region's
+ * middle, and a striped pattern the distances from the region's border. Null if the pattern has too
+ * many lines, or if there is no geodesic or border.
  */
 export function patternOf(
   mesh: Mesh,

@@ -59,8 +59,8 @@ function partsOf(sizes: readonly number[]): FileInfo['parts'] {
 }
 
 /**
- * A completely read file, with its pieces as parts if it has none, and the mesh of the wanted
- * pieces. If that is a new mesh, the given one is disposed of.
+ * A completely read file, with its pieces as parts if it has no parts, and the mesh of the wanted
+ * pieces. If this mesh is a new one, the given mesh is disposed of.
  */
 export async function inPieces(
   karcher: Karcher,

@@ -1,7 +1,7 @@
 /**
- * Faces that lie in a region as a whole, but have a corner of the region's border on an edge, such
- * as where a line runs along a part of the edge. They need a filling of triangles, as faces that
- * are partly in the region do, so that neighbors have whole edges in common.
+ * Faces that lie in a region as a whole, but have a corner of the region's border on an edge: a
+ * line may run along a part of the edge. These faces need a filling of triangles, like faces that
+ * are partly in the region, so that neighbors have whole edges in common.
  */
 
 export interface Sides {
@@ -12,7 +12,8 @@ export interface Sides {
 }
 
 /**
- * The corners of the border on an edge, by their weights at the edge's vertex of the higher index.
+ * The corners of the border on an edge. Each corner is given by its weight at one vertex of the
+ * edge, the vertex with the higher index.
  */
 interface Touched {
   face: number;
@@ -26,7 +27,10 @@ const bothOf = [
   [0, 1],
 ] as const;
 
-/** The remaining whole faces, and all sides. `triangles` has the vertices of all faces. */
+/**
+ * Takes the touched faces out of the whole faces, and adds their sides to the given ones.
+ * `triangles` has the vertices of all faces.
+ */
 export function withTouched(
   whole: Int32Array,
   given: Sides,
@@ -39,7 +43,7 @@ export function withTouched(
   };
   const edges = new Map<number, Touched>();
   for (const [i, face] of given.faces.entries()) {
-    // Sides form loops, so their first ends are all corners.
+    // Sides form loops, so each corner is the first end of a side.
     const [x, y] = [given.sides[4 * i]!, given.sides[4 * i + 1]!];
     const weights = [1 - x - y, x, y];
     const corner = weights.indexOf(0);

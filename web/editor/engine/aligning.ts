@@ -1,5 +1,5 @@
 /**
- * Alignment: moves objects, or points of one object, onto the geodesic between two of them that lie
+ * Alignment: moves objects, or points of one object, onto a geodesic between two of these that lie
  * far apart.
  */
 import type { SurfacePoint } from 'karcher';
@@ -15,15 +15,17 @@ import { Move, movableObjects, replacing } from './moving';
 import type { Session } from './session';
 
 /**
- * The ways to align: `nearest` moves each thing to the nearest place of the line, and `even` spaces
- * all of them evenly along it.
+ * The ways to align: `nearest` moves each part to the nearest place on the line, and `even` spaces
+ * the parts evenly along the line.
  */
 export type Alignment = 'nearest' | 'even';
 
-/** The things that move as a whole: an object, the objects of a group, or a point as its own figure. */
+/**
+ * Objects that move as one: a single object, all objects of a group, or a point as its own figure.
+ */
 type Part = readonly DrawnObject[];
 
-/** The least number of things to align, since two always lie on a line. */
+/** The smallest number of parts to align, since two parts always lie on a line. */
 const fewest = 3;
 
 /** The selected points or objects, if they can be aligned; otherwise an empty list. */
@@ -49,7 +51,7 @@ function pointParts(state: State): Part[] {
   });
 }
 
-/** A group counts as one thing. */
+/** The objects as parts. A group is one part. */
 function wholes(objects: readonly DrawnObject[]): Part[] {
   const parts = new Map<string | number, DrawnObject[]>();
   for (const object of objects) {
@@ -113,8 +115,8 @@ async function middleOf(client: EngineClient, part: Part): Promise<SurfacePoint>
 }
 
 /**
- * The target of each place on the line; null for the line's two ends, which stay. The first end is
- * the place farthest from the first place, and the second is the one farthest from the first end.
+ * The target of each place on the line; null for the line's two ends, which stay. One end is the
+ * place farthest from the first place, and the other end is the place farthest from that end.
  */
 async function goalsOf(
   client: EngineClient,
@@ -164,7 +166,7 @@ async function goalsOf(
 const looks = 33;
 const rounds = 4;
 
-/** The place of a line nearest to a point, as a fraction of the line's length. */
+/** The fraction of a line's length at which the line is nearest to a place. */
 async function nearestPart(
   client: EngineClient,
   place: SurfacePoint,

@@ -10,7 +10,10 @@ import type { EngineClient, LooseCurve } from '../../worker/client';
 import { directionOf } from './circle_drawing';
 import { drawnTangents } from './pen_drawing';
 
-/** The largest distance of the bent curve from the pointer, relative to the surface's diagonal. */
+/**
+ * The corrections end when the bent curve is this near to the pointer, relative to the surface's
+ * diagonal.
+ */
 const nearEnough = 1e-7;
 
 const sum = (a: Vector, b: Vector): Vector => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];

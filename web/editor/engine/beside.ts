@@ -46,8 +46,8 @@ interface Traced {
 }
 
 /**
- * The pause in a drag between two traces of derived objects, as a multiple of the time of the first
- * trace.
+ * The pause in a drag after the trace of a derived object, as a multiple of the time that the trace
+ * took.
  */
 const restPart = 2;
 
@@ -75,7 +75,7 @@ export class BesideObjects {
   /** Calls `rested` at the end of a pause in a drag, when a trace may follow. */
   constructor(private readonly rested: () => void) {}
 
-  /** Whether objects wait for the end of a pause before their trace. */
+  /** Whether objects without a result wait for the end of a pause. */
   get resting(): boolean {
     return this.#timer !== null;
   }
@@ -89,8 +89,8 @@ export class BesideObjects {
 
   /**
    * Keeps the result for a figure, since the figure may appear again, in the edited object or in
-   * another one. Forgets the oldest results beyond `mostRemembered` that no object of the drawing
-   * uses.
+   * another one. If more than `mostRemembered` results belong to no object of the drawing, forgets
+   * the oldest of these.
    */
   keep(figure: Figure, traced: Traced, drawing: State['drawing']): void {
     const { operands } = figure;
@@ -113,7 +113,7 @@ export class BesideObjects {
     return fill && !traced.shown.fill ? null : traced;
   }
 
-  /** The side of its lines that a figure encloses according to its last result; null if unknown. */
+  /** The side of a figure's lines that the figure encloses, by its last result; null if unknown. */
   insideOf(figure: Figure): Inside | null {
     return this.#traced.get(figure)?.shown.fill?.region?.side ?? null;
   }
@@ -129,8 +129,8 @@ export class BesideObjects {
   }
 
   /**
-   * Traces one missing figure; false if none is missing, or if all missing ones wait for the end of
-   * a pause.
+   * Traces a figure that has no result yet. Returns false if there is none, or if all such figures
+   * wait for the end of a pause.
    */
   async trace(client: EngineClient, { drawing, method, dragging }: State): Promise<boolean> {
     const started = performance.now();
@@ -168,15 +168,13 @@ export class BesideObjects {
     }, milliseconds);
   }
 
-  /**
-   * Keeps the paths of a figure's result for the objects derived from it, if the result has them.
-   */
+  /** If a figure's result has paths, keeps them for the objects derived from the figure. */
   tell(figure: Figure, method: MethodId, shown: Shown): void {
     const paths = outlinesShown(shown);
     if (paths) this.#outlines.set(figure, { method, paths });
   }
 
-  /** The function that returns the lines of a source, known or newly traced. */
+  /** A function that returns the lines of a source: the known lines, or newly traced ones. */
   outlinesOf(client: EngineClient, method: MethodId) {
     const outlinesOf = async (operand: Operand): Promise<readonly Path[]> => {
       const known = this.#pathsOf(operand, method);

@@ -20,7 +20,10 @@ export interface ShownCircle extends ShownRadius {
   across: ShownRadius | null;
 }
 
-/** The smallest radius across that a handle can have, relative to the surface's diagonal. */
+/**
+ * The smallest value that a handle can give the ellipse's other radius, relative to the surface's
+ * diagonal.
+ */
 const leastAcross = 1e-3;
 
 export interface ShownIsolines extends TracedIsolines {
@@ -82,8 +85,8 @@ async function acrossRadius(
 }
 
 /**
- * The lines of a circle or an ellipse. Rejects if there are none with these radii. A draft of an
- * exact isoline is a linear one, which takes the same time for every radius.
+ * The lines of a circle or an ellipse. Rejects if there are none with these radii. In a draft, a
+ * linear isoline replaces an exact one, since it takes the same time for every radius.
  */
 export async function drawCircle(
   client: EngineClient,

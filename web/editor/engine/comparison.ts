@@ -25,8 +25,8 @@ export interface Compared {
 }
 
 /**
- * The longest trace that may run during a drag, in milliseconds. Slower ones wait for the drag's
- * end.
+ * The longest time of a trace that may run during a drag, in milliseconds. Slower traces wait for
+ * the drag's end.
  */
 const longestOfDrag = 60;
 
@@ -43,8 +43,8 @@ const scaled = ({ mean, largest }: Gap, by: number): Gap => ({
 });
 
 /**
- * Traces the edited curve by a second method on an engine of its own, so that no other work waits
- * for it, and measures the distance of the two curves.
+ * Traces the edited curve by a second method, and measures the distance between the two curves.
+ * This happens in an engine of its own, so that no other work waits for it.
  */
 export class Comparison {
   #method: MethodId | null = null;

@@ -77,7 +77,10 @@ export interface Computation {
   outlinesOf?: OutlinesOf;
 }
 
-/** The paths of the result: null if the computation did not request them, empty without lines. */
+/**
+ * The paths of the result: null if the computation did not request them, and empty if the result
+ * has no lines.
+ */
 export const outlinesShown = ({ curve, isolines }: Shown): readonly Path[] | null =>
   curve || isolines ? (curve ?? isolines)!.outlines : [];
 
@@ -85,8 +88,8 @@ export const outlinesShown = ({ curve, isolines }: Shown): readonly Path[] | nul
 export const noFill: Fill = { region: null, problem: null };
 
 /**
- * The largest product of the numbers of points and vertices for which a center looks for other
- * minima. Such a search takes some 60 ms.
+ * A center looks for other minima only if its number of points times the number of vertices is at
+ * most this. At the limit, the search takes some 60 ms.
  */
 const mostLooked = { fast: 120_000, others: 20_000 };
 
@@ -201,8 +204,8 @@ async function computeCenter(
 }
 
 /**
- * A center with the other minima that its draft found. The engine of exact answers does not search
- * for them, since its copy of the surface does not count as a built-in shape.
+ * The exact center, with the other minima that the draft found. The engine of exact answers does
+ * not search for them, since its copy of the surface does not count as a built-in shape.
  */
 export function withUniqueness(
   exact: ShownCenter | null,
@@ -239,7 +242,7 @@ export function qualityShown({ curve, isolines, center }: Shown, method: MethodI
   return curve || isolines || center ? qualityOf(method) : null;
 }
 
-/** The distance between the draft and the exact form, in a unit of length. */
+/** The shift from the draft to the exact form, as multiples of `unit`; null if there is none. */
 export function shiftOf(from: Shown, to: Shown, unit: number): Shift | null {
   if (from.center && to.center) {
     return shiftBetween(
@@ -252,7 +255,7 @@ export function shiftOf(from: Shown, to: Shown, unit: number): Shift | null {
   return shiftBetween(from.curve.samples.position, to.curve.samples.position, unit);
 }
 
-/** Sentences for errors in which the engine names points or arcs by indices from 0. */
+/** Sentences that replace the engine's messages about points or arcs, since these count from 0. */
 const withoutNumbers: Partial<Record<ErrorCode, string>> = {
   unreachable: 'the points lie on different components of the surface; no path joins them all',
   boundary: 'a geodesic from the center to its arc meets the surface’s boundary',

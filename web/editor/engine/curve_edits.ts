@@ -24,7 +24,10 @@ import type { CurveTool } from '../state/tool';
 import { withoutAnchor } from './pen_removal';
 import type { Session } from './session';
 
-/** The largest number of attempts of an edit that other edits, such as a drag, keep overtaking. */
+/**
+ * The largest number of attempts at an edit. An attempt fails if another edit, such as a drag,
+ * overtakes it.
+ */
 const mostAttempts = 20;
 
 /** A command, and the selection after it. */
@@ -106,7 +109,7 @@ export class CurveEdits {
 
   /**
    * Removes several anchors. Their indices are in descending order, so that each removal leaves the
-   * next ones valid.
+   * next indices valid.
    */
   removeAnchors(numbers: readonly number[]): Promise<void> {
     const index = numbers.at(-1)!;
@@ -212,7 +215,8 @@ export class CurveEdits {
   }
 
   /**
-   * Replaces the edited object by the first piece, and adds the others above it in the same style.
+   * Replaces the edited object by the first piece, and adds the other pieces above it in the same
+   * style.
    */
   #cut([first, ...rest]: readonly Spline[]): void {
     const { drawing, figure } = this.editor.state;
@@ -292,7 +296,7 @@ export class CurveEdits {
         const asks = before?.kind === 'bspline' && after && !knotsFit(to);
         const edit = asks && editOf(step.command);
         const knots = edit ? await this.session.knotsAfter(before, edit) : null;
-        // If another step came in the meantime, this one follows it.
+        // If the state has changed meanwhile, the step starts again from the new state.
         const late = this.editor.state.revision !== revision;
         if (late && attempt < mostAttempts) continue;
         if (knots && !late)

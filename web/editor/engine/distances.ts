@@ -108,7 +108,8 @@ export class Distances {
       asked.state.method === state.method;
     if (same) {
       if (sameOrigin(asked.origin, origin)) return;
-      // The new origin lies at the same place, so that only the name changes.
+      // The new origin lies at the same place, so that the distances stay and only the origin's
+      // name changes.
       this.#asked = { ...asked, origin };
       if (this.#shown) this.#show({ ...this.#shown, origin });
       return;

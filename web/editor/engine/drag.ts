@@ -11,12 +11,12 @@ import type { Shown } from './compute';
  */
 const longestDraft = 8;
 /**
- * The number of slow steps in a row after which drafts follow. One does not suffice: the first step
- * also computes data that later steps reuse.
+ * The number of slow steps in a row after which drafts follow. One slow step does not suffice,
+ * since the first step also computes data that later steps reuse.
  */
 const slowSteps = 2;
 
-/** Whether a curve with a tolerance has more samples than its fixed number would give. */
+/** Whether the tolerance gives a curve more samples than the fixed number in its settings. */
 function moreThanFixed({ settings }: Figure, { samples }: TracedCurve): boolean {
   const segments = (samples.segment.at(-1) ?? 0) + 1;
   return settings.tolerance !== null && samples.count > settings.samples * segments;
@@ -57,14 +57,16 @@ export class Drag {
  * curve does not leap.
  */
 export class HeldTracing {
-  /** Whether the tolerance gives the curve more samples than the fixed number of its settings. */
+  /** Whether the tolerance gave the curve more samples than the fixed number in its settings. */
   #manySamples = false;
   /**
-   * The number of automatic levels of a curve: the present one between drags, the largest so far in
-   * a drag; 'limit' if a slow drag uses averages alone.
+   * The number of automatic levels of a curve: between drags the present number, in a drag the
+   * largest number so far. 'limit' means that a slow drag uses averages alone.
    */
   #levels: number | 'limit' = 0;
-  /** Whether a curve without levels has draft levels in its drag, since its own steps were slow. */
+  /**
+   * Whether a drag draws a curve without levels as a draft, since steps without a draft were slow.
+   */
   #draft = false;
   /** The number of consecutive slow steps of the drag. */
   #slow = 0;
@@ -75,7 +77,7 @@ export class HeldTracing {
     this.#levels = 0;
   }
 
-  /** Records a trace with the figure's own samples and levels, from which the next drag starts. */
+  /** Records a trace with the figure's own samples and levels. The next drag starts from these. */
   rested(figure: Figure, { curve }: Shown): void {
     this.#manySamples = curve !== null && isCurve(figure.kind) && moreThanFixed(figure, curve);
     this.#levels = curve?.levels ?? 0;
@@ -97,8 +99,8 @@ export class HeldTracing {
 
   /**
    * Makes the steps of a drag quicker. A curve without levels becomes a draft, whose means are
-   * quick since their points lie near each other. If the draft is slow, too, or the curve has
-   * levels, it uses averages alone, which need no fields.
+   * quick since their points lie near each other. If the draft is slow, too, or if the curve has
+   * levels, the curve uses averages alone, which need no fields.
    */
   #makeQuicker(): void {
     if (this.#levels === 0 && !this.#draft) {
@@ -110,8 +112,8 @@ export class HeldTracing {
   }
 
   /**
-   * The figure to trace. In a drag it has its fixed number of samples if the tolerance needs more,
-   * and the largest number of levels so far. After the release both are computed anew.
+   * The figure to trace. In a drag it has the largest number of levels so far, and its fixed number
+   * of samples if the tolerance needs more. After the release both are computed anew.
    */
   traced({ figure, dragging }: State): { figure: Figure; coarse: boolean } {
     const { settings } = figure;

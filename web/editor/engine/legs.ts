@@ -23,7 +23,9 @@ const fewestKept = 64;
 export class Legs {
   /** The known paths; null if the ends are not connected. */
   readonly #known = new Map<string, Float32Array | null>();
-  /** The visible path of each pair. It stays while a drag is too fast for a new one. */
+  /**
+   * The visible path of each pair of points. The path stays while a drag is too fast for a new one.
+   */
   #shown: { epoch: number; legs: (Float32Array | null)[] } = { epoch: -1, legs: [] };
 
   clear(): void {
@@ -32,8 +34,8 @@ export class Legs {
   }
 
   /**
-   * The known paths between these ends. The last visible path of the same drag (`epoch`) replaces a
-   * missing one.
+   * The known paths between these ends. If a path is unknown, the last visible path of the same
+   * drag (`epoch`) replaces it.
    */
   between(pairs: readonly Ends[], epoch: number): Float32Array[] {
     const before = this.#shown.epoch === epoch ? this.#shown.legs : [];

@@ -9,18 +9,19 @@ import { directionOf } from './circle_drawing';
 import { directionsOf } from './moving';
 
 /**
- * The length of the geodesic beyond the two points, in the surface's diagonals. A longer one may
- * run round a closed surface back to its start, or end near the mirrored objects.
+ * The length by which the geodesic extends beyond each of the two points, in diagonals of the
+ * surface. A longer geodesic may run round a closed surface back to its start, or end near the
+ * mirrored objects.
  */
 const beyond = 0.8;
 /**
- * The length beyond the points in a second attempt, if the first line is too short to pass beside
- * all mirrored objects.
+ * The extension in a second attempt, if the first geodesic is too short to pass beside all mirrored
+ * objects.
  */
 const farther = 1.5;
 
 /**
- * The locally shortest path between two points, extended at both ends by this many diagonals of the
+ * The locally shortest path between two points, extended at both ends by `by` diagonals of the
  * surface, or to the boundary if that comes first.
  */
 export async function mirrorLine(
@@ -47,8 +48,8 @@ export async function mirrorLine(
 }
 
 /**
- * The figures of objects mirrored in the geodesic through two points; null if one would leave the
- * surface.
+ * The figures of objects, mirrored in the geodesic through two points; null if a figure would leave
+ * the surface.
  */
 export async function mirroredAcross(
   client: EngineClient,
@@ -66,7 +67,7 @@ export async function mirroredAcross(
   }
 }
 
-/** The figures of objects mirrored in a geodesic; null if one would leave the surface. */
+/** The figures of objects, mirrored in a geodesic; null if a figure would leave the surface. */
 export async function mirroredFigures(
   client: EngineClient,
   line: readonly SurfacePoint[],

@@ -15,8 +15,8 @@ import type { Session } from './session';
 import { isTorn } from './tearing';
 
 /**
- * The largest length that may remain of a complete geodesic, in diagonals of the surface. If more
- * remains, the geodesic has stopped at the boundary.
+ * The largest missing length of a geodesic that counts as complete, in diagonals of the surface. If
+ * more is missing, the geodesic has stopped at the boundary.
  */
 const leftAtMost = 1e-9;
 
@@ -44,7 +44,7 @@ const tears =
 const samePoint = (a: SurfacePoint, b: SurfacePoint) =>
   a.face === b.face && `${a.bary}` === `${b.bary}`;
 
-/** The directions of carried things, x, y, z each; three zeros for a place without a direction. */
+/** The coordinates x, y, z of each direction; three zeros for a place without a direction. */
 export const directionsOf = (carried: readonly Carried[]): Float64Array =>
   Float64Array.from(carried.flatMap(({ direction }) => direction ?? [0, 0, 0]));
 
@@ -65,8 +65,8 @@ export function movableObjects(drawing: Drawing, ids: readonly number[]): DrawnO
 }
 
 /**
- * The objects that are copied with the given ones: those that a move would change, and unlocked
- * derived ones among the given objects and their sources.
+ * The objects to copy with the given ones: all objects that a move would change, and the unlocked
+ * derived objects among the given ones and their sources.
  */
 export function copiedObjects(drawing: Drawing, ids: readonly number[]): DrawnObject[] {
   const moved = movableObjects(drawing, ids);

@@ -1,4 +1,4 @@
-/** The patterns of fills. Each region has one computation for each kind and spacing. */
+/** The patterns of fills. A pattern is computed once for each region, kind and spacing. */
 import type { DrawnObject } from '../../model/drawing';
 import type { Pattern, Region } from '../../model/traced';
 import type { EngineClient } from '../../worker/client';
@@ -12,7 +12,9 @@ const keyOf = ({ pattern, spacing }: DrawnObject) => `${pattern} ${spacing}`;
 
 export class Patterns {
   readonly #made = new WeakMap<Region, Map<string, Pattern | null>>();
-  /** For each region the last pattern that failed, and its engine, which does not try it again. */
+  /**
+   * For each region, the last failed pattern and its engine, which does not try the pattern again.
+   */
   readonly #failed = new WeakMap<Region, { key: string; client: EngineClient }>();
 
   /** `failed` receives an error, after which the pattern stays missing. */

@@ -53,8 +53,8 @@ export function missingHandle({ points }: Figure, drawn: readonly DrawnTangents[
 }
 
 /**
- * The place of a stored handle; an empty result if no path leads there, so that the search for
- * other handles continues.
+ * The place of a stored handle; undefined if no path leads to it. An error would end the search for
+ * the other handles, too.
  */
 async function tangentOf(
   client: EngineClient,

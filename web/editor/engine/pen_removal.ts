@@ -57,8 +57,8 @@ class LogPlane {
 }
 
 /**
- * The figure without an anchor; one segment replaces the two that met there, as near to them as
- * possible.
+ * The figure without an anchor. One segment replaces the two segments at the anchor, as near to
+ * them as possible.
  */
 export async function withoutAnchor(
   client: EngineClient,
@@ -112,8 +112,8 @@ const unit = ([x, y]: Planar): Planar => {
 };
 
 /**
- * The anchor with the handle for its end of the merged curve: its own handle with another length,
- * or a new one.
+ * The anchor at one end of the merged segment, with its handle there: the old handle with another
+ * length, or a new one.
  */
 async function withHandle(
   plane: LogPlane,

@@ -19,7 +19,10 @@ import { mirroredInside } from './mirroring';
  * farther away, the surface is not symmetric there.
  */
 const besideAtMost = 0.05;
-/** The largest difference between a symmetric surface's sides, relative to its diagonal. */
+/**
+ * The largest difference between the two sides of a surface that counts as symmetric, relative to
+ * the surface's diagonal.
+ */
 const apartAtMost = 0.02;
 /** The scene's diagonal. */
 const diagonal = 2;
@@ -42,8 +45,8 @@ export async function planeOfSymmetry(surface: Surface, right: Vector3): Promise
 }
 
 /**
- * The figures of objects mirrored in a plane of the scene. Each point moves to the place of the
- * surface nearest to its image; null if an image is far from the surface.
+ * The figures of objects, mirrored in a plane of the scene. Each point moves to the place of the
+ * surface nearest to its image. Null if an image is far from the surface.
  */
 export function figuresInPlane(
   surface: Surface,

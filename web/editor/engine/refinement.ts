@@ -10,7 +10,7 @@ export interface RefinementJob<Result> {
   failed(error: unknown): void;
 }
 
-/** The largest number of restarts, for one surface, of an engine that stopped by itself. */
+/** The largest number of restarts for one surface, after the engine has stopped by itself. */
 const mostRestarts = 2;
 
 /**
@@ -37,7 +37,7 @@ export class Refinement<Result> {
     this.#restarts = 0;
   }
 
-  /** Computes this job next, and drops one that waits. */
+  /** Requests this job as the next one, and drops a waiting job. */
   request(job: RefinementJob<Result>): void {
     if (job.revision === this.#wanted) return;
     this.#wanted = job.revision;

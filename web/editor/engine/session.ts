@@ -39,13 +39,16 @@ import { Refinement } from './refinement';
 import { shorterLegs } from './shorter_legs';
 import { emptyView, type View } from './view';
 
-/** The least gain in length, relative to the leg, for which the view shows a shorter path. */
+/**
+ * The view shows a shorter path only if the path is shorter than its leg by more than this
+ * fraction.
+ */
 const leastGain = 0.02;
 
 /** The sentence that replaces a curve whose computation was stopped. */
 const stoppedHint = 'it was stopped; an edit or another method computes it again';
 
-/** The pause between two displays of legs, as a multiple of the time of the first one. */
+/** The pause after a display of legs, as a multiple of the time that the display took. */
 const restPart = 5;
 
 /** Replaces a failed answer by null. Throws the error again if it reports a stop. */
@@ -68,12 +71,12 @@ export class Session {
   #drag: Drag | null = null;
   /** The drawn legs of figures' curves. */
   #drawn = new WeakMap<Figure, readonly DrawnLeg[]>();
-  /** The figure of the last comparison of legs with the shortest ones. */
+  /** The figure whose legs were last compared with the shortest paths. */
   #compared: Figure | null = null;
-  /** Whether a drag under way gives the view other samples or levels. */
+  /** Whether the view has other samples or levels than the figure, because of a drag. */
   #coarse = false;
   readonly #legs = new Legs();
-  /** The time until which newly traced legs stay invisible, and whether some wait for it. */
+  /** Newly traced legs wait until `#legsRest`; `#legsUnseen` says whether some are waiting. */
   #legsRest = 0;
   #legsUnseen = false;
   readonly #others = new BesideObjects(() => this.#newest.wake());
@@ -194,8 +197,8 @@ export class Session {
   }
 
   /**
-   * A sentence about the problem of a spline that is not visible; null if it has none. The view
-   * does not change.
+   * A sentence about the problem of a spline, which need not be visible; null without a problem.
+   * The view does not change.
    */
   async problemWith(spline: Spline): Promise<string | null> {
     const [client, state] = [this.#client, this.#state];
@@ -325,8 +328,8 @@ export class Session {
   }
 
   /**
-   * The legs that a drag continues: those of its last step, or those of its base before the first
-   * step.
+   * The legs that a drag continues: the legs of its last step or, before the first step, those of
+   * its base figure.
    */
   async #before(client: EngineClient, state: State, drag: Drag): Promise<DrawnBefore> {
     const { base, points } = drag;

@@ -1,15 +1,17 @@
-/** The median and the largest distance by which a curve's samples move, in a unit of length. */
+/**
+ * The median and the largest of the distances by which a curve's samples move, in a unit of length.
+ */
 export interface Shift {
   median: number;
   largest: number;
 }
 
-/** The median shift, in mean edges, above which users see a jump. */
+/** The largest median shift, in mean edges, that users do not see as a jump. */
 export const unseenShift = 0.2;
 
 /**
- * The distances between the samples of two curves (x, y, z each) at the same parameters; null if
- * the numbers of samples differ or are 0.
+ * The distances between the samples of two curves at the same parameters, in a unit of length. The
+ * arrays have x, y, z of each sample. Null if the numbers of samples differ or are 0.
  */
 export function shiftBetween(from: Float64Array, to: Float64Array, unit: number): Shift | null {
   if (from.length !== to.length || from.length === 0) return null;

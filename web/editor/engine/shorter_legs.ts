@@ -6,8 +6,8 @@ import type { EngineClient } from '../../worker/client';
 import { curveValueOf } from './compute';
 
 /**
- * Shorter paths that could replace a figure's stored legs; null if it stores none. The object's
- * curve in the engine becomes the figure's curve, with the stored legs.
+ * Shorter paths that could replace a figure's stored legs; null if the figure stores none. As a
+ * side effect, the object's curve in the engine becomes the figure's curve with the stored legs.
  */
 export async function shorterLegs(
   client: EngineClient,

@@ -6,13 +6,16 @@ import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
 
 /**
- * The ratio of a leg's new length to its old one above which the figure counts as torn. A move to a
- * place of another curvature also stretches figures, but less; points on both sides of a cut locus
- * separate at once.
+ * A figure counts as torn if a leg becomes longer by more than this factor. A move to a place of
+ * another curvature also stretches figures, but less; points on both sides of a cut locus separate
+ * at once.
  */
 const mostStretch = 4;
 
-/** Whether objects would be torn if these figures, `scale` times as large, replaced theirs. */
+/**
+ * Whether objects would be torn if these figures replaced the objects' own figures. They are
+ * `scale` times as large.
+ */
 export async function isTorn(
   client: EngineClient,
   surface: Surface,

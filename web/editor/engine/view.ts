@@ -22,7 +22,7 @@ export interface View extends Shown {
   legs: readonly Float32Array[];
   /** Paths between neighbouring points that are noticeably shorter than the curve's legs. */
   shorter: readonly ShorterLeg[];
-  /** The visible ones among the drawing's other objects. */
+  /** The drawing's other objects that are visible. */
   others: readonly Beside[];
   /** Whether only the polygon is visible, since the curve has too few points. */
   polygonOnly: boolean;

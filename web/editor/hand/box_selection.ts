@@ -3,7 +3,7 @@ import type { Viewer } from '../../viewer/viewer';
 import type { Editor } from '../state/editor';
 import type { Hold, Place } from './stage_pointer';
 
-/** The distance in CSS pixels within which a click means a line. */
+/** The largest distance from a line, in CSS pixels, at which a click means the line. */
 const reach = 7;
 
 /**
@@ -61,7 +61,7 @@ export class BoxSelection {
 
   /**
    * The indices of the edited object's visible points in the box. The list is empty if the box
-   * contains all points: it then selects the object as a whole.
+   * contains all points, since the box then selects the object as a whole.
    */
   #pointsIn(left: number, top: number, width: number, height: number): number[] {
     const { surface, box } = this.viewer;

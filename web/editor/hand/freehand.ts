@@ -16,14 +16,14 @@ import type { Hold, Place } from './stage_pointer';
 /** The least distance of consecutive samples of a stroke, in CSS pixels. */
 const leastStep = 1.5;
 /**
- * The largest distance in CSS pixels between the ends of a closed stroke, and the least ratio of
- * the stroke's length to this largest distance.
+ * A stroke is closed if its ends are at most `closesWithin` CSS pixels apart, and if it is more
+ * than `leastLoop` times as long as this limit.
  */
 const closesWithin = { mouse: 10, touch: 18 };
 const leastLoop = 6;
 /**
- * The largest number of fits of a curve to a stroke, and the factor by which each further fit
- * reduces the tolerance where the curve on the surface is too far off.
+ * A stroke is fitted at most `mostRounds` times. Each further fit multiplies the tolerance by
+ * `stricter` where the curve on the surface is too far from the stroke.
  */
 const mostRounds = 4;
 const stricter = 0.5;
@@ -121,8 +121,7 @@ export class FreehandGestures {
   }
 
   /**
-   * The number of samples of a stroke before it leaves the component of the surface on which it
-   * begins.
+   * The number of samples until a stroke leaves the component of the surface on which it begins.
    */
   async #countOnOnePart(stroke: readonly Drawn[]): Promise<number> {
     const { client } = this.session;
@@ -143,8 +142,8 @@ export class FreehandGestures {
   }
 
   /**
-   * The anchors of a curve near a stroke. Further fits bring the drawn curve within the tolerance,
-   * but there are at most `mostRounds` fits.
+   * The anchors of a curve near a stroke. Repeats the fit until the drawn curve is within the
+   * tolerance, but makes at most `mostRounds` fits.
    */
   async #fitted(stroke: readonly Drawn[], closed: boolean): Promise<ControlPoint[]> {
     const { viewer, tolerance } = this;

@@ -25,15 +25,15 @@ import type { Size } from './transform_frame';
 import { type Numbers, TransformGestures } from './transform_gestures';
 import { twoFingersMeanTheView } from './two_fingers';
 
-/** The distance in CSS pixels within which a click means a knot. */
+/** The largest distance from a knot, in CSS pixels, at which a click means the knot. */
 const nearKnot = { mouse: 6, touch: 12 };
 
 /** Receives clicks whose edits need the engine, and other events of gestures. */
 export interface CurveClicks {
   surfaceClicked(point: SurfacePoint): void;
   /**
-   * A click on the curve. `within` is the distance, in the surface's unit, within which it means a
-   * knot or an anchor.
+   * A click on the curve. It means a knot or an anchor that lies within the distance `within`, in
+   * the surface's unit.
    */
   curveClicked(tool: CurveTool, position: Vector3, within: number): void;
   /** The pointer is over the measured curve, or clicks it. */
@@ -160,7 +160,7 @@ export class Gestures {
     });
   }
 
-  /** Undoes the pointer's gesture; the events until its release are no click. */
+  /** Undoes the pointer's gesture. The pointer's release is then no click. */
   letGo(): void {
     this.#press = null;
     this.#drags.letGo();
@@ -173,7 +173,7 @@ export class Gestures {
   show(): void {
     const { surface } = this.viewer;
     const { view } = this.session;
-    // A mirror's line may start at an anchor, so its handle must not take the click.
+    // A mirror's line may start at an anchor, so the anchor's handle must not take the click.
     const isEdited = !['transform', 'mirror'].includes(this.editor.state.tool);
     this.#handles.show(surface && isEdited ? handlesOf(this.editor.state, view, surface) : []);
     this.#transforms.show();
@@ -189,7 +189,7 @@ export class Gestures {
           }))
         : [],
     );
-    // The view moved, so that another thing may lie under the pointer.
+    // The view may have moved, so that something else lies under the pointer.
     if (this.#hover) this.#schedule();
   }
 
@@ -209,7 +209,7 @@ export class Gestures {
   }
 
   /**
-   * Changes the selected anchor, or all anchors if none is selected, to corners or smooth anchors.
+   * Turns the selected anchor, or all anchors if none is selected, into corners or smooth anchors.
    */
   setJoint(joint: Joint): void {
     this.#pen.setJoint(joint);
@@ -384,8 +384,8 @@ export class Gestures {
   }
 
   /**
-   * A double click adds an anchor to the pen's curve, or removes the anchor under it. With the tool
-   * that only selects, it continues the drawing of the object under it.
+   * A double click adds an anchor to the pen's curve, or removes the anchor under the pointer. With
+   * the tool `select`, the user continues to draw the object under the pointer.
    */
   #doubleClick({ clientX: x, clientY: y, target: element }: MouseEvent): void {
     const { tool, figure } = this.editor.state;

@@ -19,10 +19,10 @@ interface Grabbed {
   x: number;
   y: number;
   circle: CircleShape | null;
-  /** The pen's handles at the dragged anchor, and at all anchors. */
+  /** The pen's handles at the dragged anchor (`tangents`) and at all anchors (`all`). */
   tangents: DrawnTangents;
   all: readonly DrawnTangents[];
-  /** The selected points after a click. */
+  /** The points to select if the press becomes a click; null if the press has already selected. */
   clicked: readonly number[] | null;
   /** The effect of a click on an anchor of the pen. */
   action: PenAction | null;

@@ -59,7 +59,7 @@ export function handlesOf(
   ];
 }
 
-/** The handles of anchors, and the tangent handles of the selected one. */
+/** The handles of all anchors, and the tangent handles of the selected anchor. */
 function penHandles(
   points: readonly ControlPoint[],
   view: View,
@@ -97,13 +97,13 @@ function penHandles(
       },
     ];
   });
-  // The handles follow their anchor, because Tab leads from one to the next.
+  // The tangent handles come right after their anchor in the list, since Tab follows this order.
   return anchors.toSpliced((selection as number) + 1, 0, ...tangents);
 }
 
 const tangentId = (side: Side, anchor: number) => `${side}-${anchor}`;
 
-/** The tangent handle of an anchor by its id; null if the id names something else. */
+/** The tangent handle with an id; null if the id names something else. */
 export function tangentOf(id: string): { side: Side; anchor: number } | null {
   const [, side, anchor] = /^(before|after)-(\d+)$/.exec(id) ?? [];
   return side ? { side: side as Side, anchor: Number(anchor) } : null;
@@ -119,7 +119,7 @@ export function selectionOf(id: string): NonNullable<Selection> {
   return isCircleHandle(id) ? id : Number(id.slice('point-'.length));
 }
 
-/** The part of the pen that a handle stands for, by its id; null if it stands for none. */
+/** The part of the pen's curve that the handle with this id represents; null if there is none. */
 export function underHandle(id: string): UnderPointer | null {
   const tangent = tangentOf(id);
   if (tangent) return { type: 'handle', side: tangent.side };
@@ -127,7 +127,7 @@ export function underHandle(id: string): UnderPointer | null {
   return typeof index === 'number' && !Number.isNaN(index) ? { type: 'anchor', index } : null;
 }
 
-/** The part of the pen that an element stands for; null if it stands for none. */
+/** The part of the pen's curve that an element represents; null if there is none. */
 export function underPointer(element: EventTarget | null): UnderPointer | null {
   const handle = element instanceof Element ? element.closest('.handle') : null;
   return handle instanceof HTMLElement ? underHandle(handle.dataset.id ?? '') : null;

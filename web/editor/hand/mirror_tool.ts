@@ -33,7 +33,7 @@ export function toggleMirror(editor: Editor): void {
  */
 export type MirrorIn = 'line' | 'plane' | 'symmetry';
 
-/** The purpose of the next click, by the number of earlier ones. */
+/** The purpose of the next click, by the number of earlier clicks. */
 const hints: Record<MirrorIn, readonly string[]> = {
   line: [
     'Click the surface where the mirror line goes through',
@@ -198,7 +198,7 @@ export class MirrorTool {
     this.viewer.aids.showFrame([Float32Array.from(places)]);
   }
 
-  /** Forgets the clicks, and looks for the surface's symmetry if it is the mirror. */
+  /** Forgets the clicks. If the mirror is the surface's plane of symmetry, looks for this plane. */
   #begin(): void {
     const isShown = this.#clicked.length > 0 || this.#symmetry;
     this.#clicked = [];

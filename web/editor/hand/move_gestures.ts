@@ -10,7 +10,7 @@ import { isResting } from '../state/tool';
 import type { Hold, Place } from './stage_pointer';
 import { reach, targetAt } from './targets';
 
-/** A line under a drag, and the objects that move with it. */
+/** A line that the user drags, and the move of the selected objects with it. */
 interface HeldLine {
   move: Promise<Move | null>;
   stopped: boolean;
@@ -101,7 +101,7 @@ export class MoveGestures {
     return Move.of(session, viewer.surface, { drawing, objects }, pivot).catch(() => null);
   }
 
-  /** Moves the selection by a number of CSS pixels; nudges are one step until `endNudge`. */
+  /** Moves the selection by a number of CSS pixels. All nudges until `endNudge` are one step. */
   nudge(dx: number, dy: number): void {
     // A nudge that fails has no effect; the next one starts afresh.
     this.#nudges = this.#nudges
@@ -111,7 +111,9 @@ export class MoveGestures {
       });
   }
 
-  /** Ends a move by keys when the key is released, or before the page would miss the release. */
+  /**
+   * Ends a move by keys: at the release of the key, or if the stage loses the focus before that.
+   */
   endNudge(): void {
     this.#nudges = this.#nudges.then(() => {
       if (this.#keyed?.revision === this.editor.state.revision) this.editor.commitDrag();

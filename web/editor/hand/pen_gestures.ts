@@ -31,7 +31,8 @@ export interface HeldKeys {
 
 /**
  * The pen: a click on the surface places a corner. A drag places a smooth anchor at its start, with
- * one handle under the pointer and the other opposite to it. Each is one step of the history.
+ * one handle under the pointer and the other opposite to it. Each click or drag is one step of the
+ * history.
  */
 export class PenGestures {
   constructor(
@@ -162,7 +163,9 @@ export class PenGestures {
     this.editor.select(t < 0.5 ? from : to);
   }
 
-  /** Turns an anchor with handles into a corner, and one without handles into a smooth one. */
+  /**
+   * Turns an anchor with handles into a corner, and an anchor without handles into a smooth one.
+   */
   convert(index: number): void {
     const { figure } = this.editor.state;
     const from = figure.points[index];
@@ -204,7 +207,8 @@ export class PenGestures {
   }
 
   /**
-   * An anchor at another point, with its handles; with Alt, the drag draws out new handles instead.
+   * An anchor after a drag to another point. Its handles move along; with Alt, the drag draws out
+   * new handles instead.
    */
   moved(
     anchor: ControlPoint,
@@ -218,7 +222,7 @@ export class PenGestures {
   }
 
   /**
-   * Changes the selected anchor, or all anchors if none is selected, to corners or smooth anchors.
+   * Turns the selected anchor, or all anchors if none is selected, into corners or smooth anchors.
    */
   setJoint(joint: Joint): void {
     const { figure, selection } = this.editor.state;

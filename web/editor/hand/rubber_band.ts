@@ -34,7 +34,7 @@ export class RubberBand {
   }
 
   /**
-   * The last point of the curve under construction; null if a click begins another one or adds no
+   * The last point of the curve under construction; null if a click begins another curve or adds no
    * point.
    */
   get #last(): ControlPoint | null {

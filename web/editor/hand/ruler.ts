@@ -4,7 +4,7 @@ import { Newest } from '../engine/newest';
 import type { Session } from '../engine/session';
 import type { Editor } from '../state/editor';
 
-/** The distance between two points of the surface, in its unit. */
+/** The distances between two points, along the surface and straight, in the surface's unit. */
 export interface Ruled {
   along: number;
   straight: number;
@@ -19,7 +19,7 @@ export class Ruler {
   #to: SurfacePoint | null = null;
   readonly #newest = new Newest<SurfacePoint>((to) => this.#show(to));
 
-  /** A listener for the measurement (null if there is none) and for whether one end is placed. */
+  /** A listener for the measurement (null without one), and for whether the first end is placed. */
   onChange: (ruled: Ruled | null, begun: boolean) => void = () => {};
 
   constructor(

@@ -5,8 +5,9 @@ import { selectionOf, tangentOf } from './handle_list';
 
 /**
  * Selects the point whose handle is under a press. With Shift, or if several points including this
- * one are selected, the others stay selected, so that a drag moves them as well. Returns the
- * selection after a click without a drag; null if the press has already made it.
+ * one are selected, the other selected points stay selected, so that a drag moves them as well.
+ * Returns the points to select if the press becomes a click; null if the press has already
+ * selected.
  */
 export function selectPressed(editor: Editor, id: string, shift: boolean): number[] | null {
   const selection = selectionOf(id);

@@ -13,10 +13,11 @@ export interface Snapped extends Pick {
   kind: SnapKind | null;
 }
 
-/** The distance in CSS pixels within which places snap. */
+/** The largest distance from a target, in CSS pixels, at which a place snaps to the target. */
 const within = { mouse: 9, touch: 18 };
 /**
- * The least length, in CSS pixels on the stage, of the sides of a triangle that can be a target.
+ * Corners and sides of a triangle are targets only if each side is at least this long on the stage,
+ * in CSS pixels.
  */
 const leastSide = 30;
 
@@ -48,8 +49,8 @@ export class Snapping {
   }
 
   /**
-   * The surface's point for a place of the window, snapped to targets except a held point of the
-   * edited object; null outside the silhouette.
+   * The surface's point for a place of the window, snapped to a target if one is near. The held
+   * point of the edited object is no target. Null outside the silhouette.
    */
   pick(where: Where, held: number | string | null = null): Snapped | null {
     const { viewer } = this;

@@ -49,8 +49,8 @@ const placeOf = (event: PointerEvent): Place => ({
 });
 
 /**
- * Distributes presses on the stage to the tools that draw and drag there: the first that takes a
- * press keeps the pointer until its release, Escape, or another finger's press.
+ * Distributes presses on the stage to the tools that draw and drag there. The first tool that takes
+ * a press keeps the pointer until its release, Escape, or another finger's press.
  */
 export class StagePointer implements Held {
   readonly #takers: Taker[] = [];
@@ -96,7 +96,7 @@ export class StagePointer implements Held {
     const { stage } = this;
     const free = event.target === stage || event.target instanceof HTMLCanvasElement;
     if (!free || event.button !== 0 || this.#pressed || this.severalFingers()) return;
-    // The view takes presses while the space bar is down, and those with Alt that no tool takes.
+    // The view takes presses while the space bar is down, and presses with Alt that no tool takes.
     if (stage.classList.contains('moving')) return;
     const from = placeOf(event);
     for (const taker of this.#takers) {
@@ -116,7 +116,7 @@ export class StagePointer implements Held {
   #move(event: PointerEvent): void {
     const pressed = this.#pressed;
     if (pressed?.pointer !== event.pointerId) return;
-    // A slow page receives several places at once.
+    // On a slow page, one event reports several places of the pointer.
     const events = event.getCoalescedEvents?.() ?? [];
     pressed.way.push(...(events.length > 0 ? events : [event]).map(placeOf));
     this.#frame ||= requestAnimationFrame(() => {

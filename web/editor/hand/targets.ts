@@ -15,10 +15,10 @@ export type Target =
   | { type: 'shorter'; index: number }
   | { type: 'surface'; pick: Pick };
 
-/** The distance in CSS pixels within which a click means a curve. */
+/** The largest distance from a curve, in CSS pixels, at which a click means the curve. */
 export const reach = { mouse: 7, touch: 16 };
 
-/** The distance in CSS pixels within which a click measures the curve. */
+/** The largest distance from the curve, in CSS pixels, at which a click measures the curve. */
 const measuredWithin = { mouse: 16, touch: 28 };
 
 export function targetAt(

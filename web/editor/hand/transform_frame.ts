@@ -18,8 +18,8 @@ export interface TransformFrame {
   /** The frame's first axis, a unit vector in the plane of the pivot's face. */
   right: Vector;
   /**
-   * The sides of the frame, in coordinates from the pivot: along the axis, and across it to the
-   * left.
+   * The sides of the frame, as distances from the pivot along the first axis and along the second
+   * axis to its left.
    */
   box: Box;
   /** The size of the contents, without the frame's margin. */
@@ -47,8 +47,8 @@ export interface ShownFrame {
 const margin = 0.02;
 const stalk = 0.05;
 /**
- * The number of points, on all lines together, that determine a frame, and the least number on each
- * line.
+ * About `measured` points on all lines together determine a frame. If there are many lines, each
+ * still contributes up to `fewestMeasured` points.
  */
 const measured = 512;
 const fewestMeasured = 16;

@@ -53,8 +53,8 @@ const labels: Record<FrameHandle, string> = {
 };
 
 /**
- * A placement by numbers: lengths along the frame's axes, an angle, and a scale, which the new
- * length of a side may replace.
+ * A placement by numbers: lengths along the frame's axes, an angle and a scale. The new length of a
+ * side may be given instead of the scale.
  */
 export interface Numbers extends Omit<Placement, 'point'>, Partial<Size> {
   x?: number;
@@ -63,7 +63,7 @@ export interface Numbers extends Omit<Placement, 'point'>, Partial<Size> {
 
 type Steps = Required<Omit<Numbers, keyof Size>>;
 
-/** The scale for which a side has this length; null for a side without extent. */
+/** The scale that changes a side's length from `of` to `length`; null if `of` is 0. */
 const scaleTo = (length: number, of: number) => (of > 0 ? length / of : null);
 
 interface Place {
@@ -71,7 +71,7 @@ interface Place {
   y: number;
 }
 
-/** A handle of the frame under a drag. */
+/** A handle of the frame that the user drags. */
 interface Hold {
   id: FrameHandle;
   from: SurfacePoint;
@@ -231,7 +231,7 @@ export class TransformGestures {
     const known = this.#around;
     if (known?.drawing === drawing && known.of === `${chosen}`) return known.extents;
     const objects = this.#objects;
-    // If the lines fail, the frame surrounds the objects' points.
+    // If the lines cannot be computed, the frame surrounds the objects' points.
     const lines = this.session.linesOf(objects.map(({ id }) => id)).catch(() => []);
     const extents = lines.then((found) => extentsOf(objects, found));
     this.#around = { of: `${chosen}`, drawing, extents };
@@ -315,7 +315,7 @@ export class TransformGestures {
     return { scale: Math.max(leastScale, kept) };
   }
 
-  /** Turns this point into the pivot of turns and scalings. */
+  /** Makes this point the pivot of turns and scalings. */
   async #putPivot(point: SurfacePoint): Promise<void> {
     const { client } = this.session;
     const { surface } = this.viewer;

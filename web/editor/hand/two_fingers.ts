@@ -1,14 +1,15 @@
 /** A gesture that one finger holds, such as the drag of a handle. */
 export interface Held {
-  /** The pointer id of the finger that moves a handle; null without one. */
+  /** The pointer id of the finger that holds the gesture; null if none does. */
   readonly heldBy: number | null;
   /** Undoes the gesture. */
   letGo(): void;
 }
 
 /**
- * Two fingers on the stage always move the view: a second finger undoes the drag of a handle by the
- * first, and the view takes both. The returned function says whether several fingers are down.
+ * Two fingers on the stage always move the view. If the first finger drags a handle, the second one
+ * undoes this drag, and the view takes both. The returned function tells whether several fingers
+ * are down.
  */
 export function twoFingersMeanTheView(stage: HTMLElement, held: Held): () => boolean {
   const fingers = new Map<number, PointerEvent>();

@@ -58,7 +58,7 @@ export class Editor {
   #resting: RestingTool = 'insert';
   readonly #begun = new Begun(firstState.drawing);
 
-  /** A listener for the sentence of a refused edit. */
+  /** A listener for the sentence that says why an edit is refused. */
   onRefusal: (sentence: string) => void = () => {};
 
   /** A listener for an action that interrupts the drag. The gesture of the drag then ends. */
@@ -268,7 +268,7 @@ export class Editor {
 
   /**
    * Records the change to another object. If the change removes points (`drops`), it is a step of
-   * its own, unless steps have been undone, since redo must keep them.
+   * its own. If steps have been undone, it is no step, since redo must keep these steps.
    */
   #leave(command: Command, drops: boolean): void {
     const isStep = drops && this.#history.undone.length === 0;
@@ -276,7 +276,7 @@ export class Editor {
     else recordActivation(this.#history, command);
   }
 
-  /** Returns from a tool for one click to the last tool that stays active. */
+  /** After a tool for one click, returns to the last tool that stays active. */
   rest(): void {
     this.setTool(this.#resting);
   }
@@ -290,7 +290,7 @@ export class Editor {
     this.#change({ selection: points.at(-1) ?? null, more: points.slice(0, -1) }, false);
   }
 
-  /** Selects a place of the edited object, and objects, without editing another one. */
+  /** Selects objects, and a place of the edited object. The edited object stays the same. */
   setSelection(selection: Selection, chosen: readonly number[]): void {
     this.#change({ selection, chosen }, false);
   }
@@ -444,7 +444,7 @@ export class Editor {
     if (!isEmpty(figure)) this.replace(cleared(figure));
   }
 
-  /** An edit of an object, by default the active one, as a command on `baseDrawing`. */
+  /** The command on `baseDrawing` for an edit of an object, by default the active one. */
   #commandOf(edit: FigureCommand, of?: number): Command {
     const base = this.baseDrawing;
     const { id, figure: from } = (of !== undefined && objectOf(base, of)) || activeObject(base);

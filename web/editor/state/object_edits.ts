@@ -93,7 +93,7 @@ export class ObjectEdits {
     this.#editor.perform(restyling(this.#editor.state.drawing, ids, to), { none });
   }
 
-  /** Waits for a click on an object whose look the selected ones take, or stops waiting. */
+  /** Waits for a click on an object, to give its look to the selected objects; or stops waiting. */
   toggleLook(): void {
     if (this.#editor.state.tool === 'look') this.#editor.rest();
     else if (selectedObjects(this.#editor.state).length > 0) this.#editor.setTool('look');
@@ -113,7 +113,8 @@ export class ObjectEdits {
   }
 
   /**
-   * Puts objects into an order, from the lowest, and one of them into a group or out of its group.
+   * Arranges objects in an order that begins with the lowest one, and moves one of them into a
+   * group or out of its group.
    */
   arrange(ids: readonly number[], joins: { id: number; group: string | null }): void {
     this.#editor.interrupt();

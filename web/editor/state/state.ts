@@ -16,7 +16,7 @@ export interface State {
   readonly figure: Figure;
   /** The figure without the drag under way. */
   readonly base: Figure;
-  /** Whether this surface stands in for one that did not open, and is still unedited. */
+  /** Whether this surface stands in for another that did not open, and is still unedited. */
   readonly standIn: boolean;
   /** The selected part of the edited object. */
   readonly selection: Selection;
@@ -39,7 +39,7 @@ export interface State {
   /** The revision, which grows with every change of the surface, the drawing or the method. */
   readonly revision: number;
   /**
-   * The epoch, which grows with changes after which an older curve must not stay visible. A drag's
+   * The epoch. It grows with each change after which older curves must not stay visible; a drag's
    * next position is no such change.
    */
   readonly epoch: number;
