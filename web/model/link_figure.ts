@@ -74,7 +74,7 @@ function legsFields(points: readonly ControlPoint[]): string[] {
 }
 
 /**
- * The handles of anchors: the index of a point with the handles before and after it, each in its
+ * For each anchor with handles: its index and the handles before and after it, each handle in its
  * own form.
  */
 function tangentsFields(points: readonly ControlPoint[]): string[] {

@@ -419,10 +419,7 @@ export class EngineClient {
     return this.#worker.call('putDown', [this.mesh, step]) as Promise<MappedPoints>;
   }
 
-  /**
-   * The rectangle along two axes around the log vectors of places. Rejects if a place is
-   * unreachable.
-   */
+  /** The rectangle along two axes around log vectors. Rejects if a place is unreachable. */
   boxAround(
     at: SurfacePoint,
     around: readonly Extent[],
