@@ -20,7 +20,7 @@ class DisjointSets {
     return v;
   }
 
-  /// Unites the sets of two numbers. Returns false if both were in one set already.
+  /// Unites the sets of two numbers. Returns false if both numbers already were in the same set.
   bool unite(int a, int b) {
     a = find(a);
     b = find(b);
@@ -61,7 +61,7 @@ class OrientedSets {
       root = parent_[root];
     }
     const Place place{root, turned};
-    // From now on, every face on the path points at the root.
+    // Path compression: the root becomes the parent of every face on the path.
     while (f != root) {
       const int up = parent_[f];
       const bool own = turned_[f] != 0;
@@ -74,7 +74,7 @@ class OrientedSets {
   }
 
   /// Joins the sets of two adjacent faces; `turned` is true if their orientations differ. Returns
-  /// false and changes nothing if the opposite is known.
+  /// false and changes nothing if the faces are already joined with the opposite relation.
   bool unite(int f, int g, bool turned) {
     const Place a = find(f);
     const Place b = find(g);

@@ -17,8 +17,8 @@ SortedSides sortSides(const Array<Triangle>& faces, int vertexCount) {
   };
   SortedSides sorted;
   Array<int>& start = sorted.start;
-  // The counts are stored two places further, since each start advances to the end of its list as
-  // the list fills.
+  // The count of vertex v goes to start[v + 2]. So start[v + 1] is at first the beginning of the
+  // list of v, and moves to the end while the list fills.
   start.assign(static_cast<size_t>(vertexCount) + 2, 0);
   forEachHalfedge([&](int v, const EdgeSide&) { ++start[v + 2]; });
   std::partial_sum(start.begin(), start.end(), start.begin());

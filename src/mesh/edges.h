@@ -12,9 +12,9 @@ struct EdgeSide {
   int halfedge;
 };
 
-/// The half-edges of faces, grouped by the smaller vertex of their edge. Those of vertex v begin at
-/// sides[start[v]] and end before sides[start[v + 1]]. They are sorted by the other vertex and then
-/// by half-edge.
+/// The half-edges of faces, grouped by the smaller vertex of their edge. The group of vertex v
+/// begins at sides[start[v]] and ends before sides[start[v + 1]]. Each group is sorted by the other
+/// vertex and then by half-edge.
 struct SortedSides {
   Array<int> start;
   Array<EdgeSide> sides;
@@ -41,8 +41,8 @@ void forEachEdge(const Array<Triangle>& faces, int vertexCount, Visit&& visit) {
   }
 }
 
-/// Whether the edge has one half-edge, or two that run in opposite directions. `faces` must be
-/// those given to `forEachEdge`.
+/// Whether the edge has one half-edge, or two that run in opposite directions. `faces` must be the
+/// faces given to `forEachEdge`.
 inline bool isManifoldEdge(const Array<Triangle>& faces, std::span<const EdgeSide> sides) {
   const auto tail = [&](const EdgeSide& side) {
     return faces[side.halfedge / 3][side.halfedge % 3];

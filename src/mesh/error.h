@@ -7,7 +7,7 @@ namespace karcher {
 
 /// The kind of a failure.
 enum class ErrorCode {
-  kBadFile,            ///< the file is no valid OBJ, or holds no faces
+  kBadFile,            ///< the file is not a valid OBJ file, or has no faces
   kBadIndex,           ///< a face or a point names a vertex or face that does not exist
   kNotFinite,          ///< a coordinate, weight or distance is NaN or infinite
   kDegenerateFace,     ///< a face has a repeated corner or no area

@@ -72,12 +72,12 @@ class Flips {
     for (const int g : across) cut(g, a, b, c, s, flat);
   }
 
-  /// Cuts face g between a and b by a line from c, which lies at the ratio s of the way from a to
-  /// b.
+  /// Cuts face g in two by a line from its third corner to c, which lies on its edge from a to b at
+  /// the ratio s of the way.
   void cut(int g, int a, int b, int c, double s, Array<int>& flat) {
     const Triangle corners = faces_.corners[g];
     alive_[g] = 0;
-    // The face has the same corners as the flat triangle, so it has no area either.
+    // A face that also has the corner c has no area either, so it only disappears.
     if ((corners.array() == c).any()) return;
     const std::array<Vec3, 3> weights = faces_.weightsOf(g);
     int atA = 0;

@@ -10,8 +10,8 @@
 #include "mesh/split_triangles.h"
 
 // A slab of cubes without three of them has the right topology. Subdivision of its faces adds
-// vertices. They move to the zero set of a smooth function and spread out there. Further rounds do
-// the same, each with triangles of half the size.
+// vertices. The vertices move to the zero set of a smooth function and spread out there. Further
+// rounds do the same, each with triangles of half the size.
 
 namespace karcher {
 namespace {
@@ -50,7 +50,7 @@ Vec3 nearerToSurface(const Vec3& p) {
   return p - f.value / std::max(f.gradient.squaredNorm(), 0.1) * f.gradient;
 }
 
-/// The surface of the cubes of this plan, scaled to the size of the rings.
+/// The surface of a slab of cubes, one for each # of the plan, scaled to the size of the rings.
 TriangleMesh slab() {
   const std::array<std::string_view, 3> plan = {"#######",  //
                                                 "# # # #",  //

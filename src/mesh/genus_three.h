@@ -4,8 +4,8 @@
 
 namespace karcher {
 
-/// A closed surface of genus 3: three tori in a row, smoothly joined. It has between 2/3 and 3/2 of
-/// `triangles` triangles if that is at least 500.
+/// A closed surface of genus 3: three tori in a row, smoothly joined. If `triangles` is at least
+/// 500, the number of triangles is between 2/3 and 3/2 of it.
 TriangleSoup genusThree(int triangles);
 
 }  // namespace karcher

@@ -3,8 +3,8 @@
 namespace karcher {
 namespace {
 
-/// The weight of each neighbour of an interior vertex of this valence. The vertex itself has the
-/// rest.
+/// The weight of each neighbour of an interior vertex of this valence. The rest is the weight of
+/// the vertex itself.
 double neighbourWeight(int valence) {
   const double c = 0.375 + 0.25 * std::cos(2 * kPi / valence);
   return (0.625 - c * c) / valence;
@@ -14,8 +14,8 @@ Vec3 movedVertex(const TriangleMesh& mesh, int v) {
   const Vec3& p = mesh.positions[v];
   const int first = mesh.outgoing[v];
   if (mesh.onBoundary[v]) {
-    // The boundary leaves the vertex along `first`, and arrives along the far side of its last
-    // face.
+    // Of the vertex's two boundary edges, one is `first`; the other is the far side of the vertex's
+    // last face.
     int last = first;
     for (const int h : outgoingHalfedges(mesh, v)) last = h;
     return 0.75 * p +

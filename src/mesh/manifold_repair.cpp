@@ -13,8 +13,8 @@
 namespace karcher {
 namespace {
 
-/// The largest number of faces at an edge that the repair still pairs. The time grows with the
-/// square of this number.
+/// The repair pairs at most this many faces at one edge, and leaves further faces unpaired. The
+/// time grows with the square of this number.
 constexpr int kMostPaired = 64;
 
 class ManifoldRepair {
@@ -82,7 +82,8 @@ class ManifoldRepair {
       ++faces[place.set];
       turned[place.set] += place.turned;
     }
-    // If both orientations have the same number of faces, that of the caller's first face stays.
+    // If both orientations have the same number of faces, the caller's first face keeps its
+    // orientation.
     Array<int> first(mesh_.faces.size(), -1);
     for (int f = 0; f < mesh_.faceCount(); ++f) {
       int& face = first[part_[f]];
@@ -149,9 +150,9 @@ class ManifoldRepair {
       away.push_back(awayFromEdge(sides[i], along));
     }
     while (true) {
-      // If angles are equal up to the file's rounding, a pair of faces that other edges connect
-      // wins. Of pairs that are equal up to the rounding of this computation, the file's first
-      // wins.
+      // Among angles that are equal up to the file's rounding, the search prefers two faces that
+      // other edges connect. Among pairs that are equal up to the rounding of this computation, it
+      // takes the file's first pair.
       double best = kInfinity;
       int first = -1;
       int second = -1;
@@ -172,8 +173,9 @@ class ManifoldRepair {
     }
   }
 
-  /// Splits vertices with several fans. The fan with the file's first face keeps the vertex. The
-  /// engine's face numbers must not decide, since they depend on the mesh's position in space.
+  /// Splits vertices with several fans. The fan whose face comes first in the file keeps the
+  /// vertex. The engine's face numbers must not decide, since they depend on the mesh's position in
+  /// space.
   void splitFans() {
     const int before = mesh_.vertexCount();
     connectVertices(mesh_);
@@ -270,7 +272,7 @@ class ManifoldRepair {
   ManifoldRepairs repairs_;
   Array<Array<int>> branching_;
   Array<std::array<int, 2>> mirrored_;
-  Array<int> part_;  ///< the set of each face; edges of two faces connect the faces of a set
+  Array<int> part_;  ///< the set of each face; edges with two faces connect the faces of a set
   /// 1 for each vertex at the end of an edge with more than two faces, and for added vertices
   Array<uint8_t> atBranching_;
 };

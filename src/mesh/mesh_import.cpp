@@ -19,7 +19,7 @@ struct Words {
   const char* many;  ///< the words after another number
 };
 
-/// The words for each kind of repair, for one and for several.
+/// The words for each kind of repair, in the singular and in the plural.
 constexpr std::array<Words, 12> kWords = {{
     {"triangulated", "polygon was cut into triangles", "polygons were cut into triangles"},
     {"leftOut", "face was left out: it has fewer than three corners, crosses itself or has no area",
@@ -79,8 +79,8 @@ void addRepairs(const CutRepairs& cut, Array<Repair>& repairs) {
   add(Repair::Kind::kRepeatedCorner, cut.repeatedCorners);
 }
 
-/// Checks that each face has at least 3 corners, that the counts of corners sum to their number,
-/// and that each corner is a vertex with a finite position.
+/// Checks that each face has at least 3 corners, that the sum of these counts is the number of
+/// given corners, and that each corner is a vertex with a finite position.
 void checkFaces(const PolygonSoup& polygons) {
   int64_t corners = 0;
   for (int face = 0; face < polygons.cornerCount.count(); ++face) {

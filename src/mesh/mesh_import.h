@@ -22,10 +22,10 @@ struct Repair {
     kKeptApart,       ///< vertices at the same place that stay apart, since parts only touch there
     kRepeatedCorner,  ///< omitted faces with the same vertex at two corners
     kDuplicate,       ///< omitted faces that repeat another
-    kNoArea,          ///< flipped faces whose corners lie on a line
+    kNoArea,          ///< faces whose corners lie on a line, removed by flips
     kTurnedOver,      ///< turned faces, which disagreed with their neighbours
-    kBranching,       ///< separated edges of more than two faces
-    kBowTie,          ///< split vertices between several fans of faces
+    kBranching,       ///< separated edges with more than two faces
+    kBowTie,          ///< split vertices that joined several fans of faces
     kDropped,         ///< omitted vertices that no face uses
   };
   Kind kind;
@@ -56,16 +56,16 @@ struct ImportedMesh {
 
 /// Repairs a mesh, in this order, and counts each kind in `repairs`:
 /// - contracts edges of at most 1e-14 of the diagonal, or 1e-12 of their face's longest edge;
-/// - welds vertices on boundaries where two faces lie along each other (`closeSeams`), which closes
-///   the seams of unwelded files; parts that only touch stay apart;
+/// - welds boundary vertices where two faces lie along each other (`closeSeams`). This closes the
+///   seams of unwelded files; parts that only touch stay apart;
 /// - omits faces with a repeated corner, and duplicates;
 /// - flips the longest edges of faces without area (`flipFlatTriangles`);
-/// - turns faces over until they agree, separates edges of more than two faces, and splits vertices
-///   between several fans (`connectRepaired`).
+/// - turns faces over until they agree, separates edges with more than two faces, and splits
+///   vertices that join several fans (`connectRepaired`).
 ///
 /// A mesh without such defects keeps its positions and faces, to the last bit; only their order
-/// changes. Throws what `buildMesh` throws, and Error kNotOrientable, kBadArgument (a weld that is
-/// not a number); errors name the caller's vertices and triangles. Vertices that no face uses may
+/// changes. Throws what `buildMesh` throws, and Error: kNotOrientable; kBadArgument if the weld is
+/// not a number. Errors name the caller's vertices and triangles. Vertices that no face uses may
 /// have any position.
 ImportedMesh importMesh(TriangleSoup soup, const ImportOptions& options = {});
 

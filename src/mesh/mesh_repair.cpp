@@ -33,8 +33,8 @@ Array<int> usedVertices(const TriangleSoup& soup) {
   return result;
 }
 
-/// The index of each face after a sort by the faces' smallest vertices. So faces follow the same
-/// curve as vertices.
+/// The index of each face after a sort by the smallest vertex, so that faces follow the same curve
+/// as vertices.
 Array<int> faceOrder(const Array<Triangle>& faces, int vertexCount) {
   Array<int> slot(static_cast<size_t>(vertexCount) + 1, 0);
   for (const Triangle& t : faces) ++slot[t.minCoeff() + 1];
@@ -223,7 +223,7 @@ class MeshRepair {
     }
   }
 
-  /// Finds the faces at the corners of input triangles that left no piece.
+  /// For input triangles without a piece, finds the faces at their corners.
   void lookBeside() {
     Numbering& numbering = result_.numbering;
     const TriangleMesh& mesh = result_.mesh;

@@ -9,7 +9,7 @@ namespace karcher {
 /// A grid of cubes that finds the points near each point.
 class NearPoints {
  public:
-  /// `radius` is the largest distance of the points to find.
+  /// `radius` is the largest distance at which the grid finds all points.
   NearPoints(const Array<Vec3>& positions, const Array<int>& points, double radius);
 
   /// Calls visit(q) for each point q > p within the radius of p, and for some farther points.

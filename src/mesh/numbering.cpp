@@ -11,8 +11,7 @@
 namespace karcher {
 namespace {
 
-/// The barycentric weights, in a piece, of the point whose weights in the whole triangle are
-/// `bary`.
+/// Converts a point's barycentric weights in the whole triangle to its weights in a piece.
 Vec3 weightsInPiece(const FacePiece& piece, const Vec3& bary) {
   // Weights sum to 1, so that two of them are coordinates in a plane.
   const auto plane = [](const Vec3& b) { return Vec2(b[1], b[2]); };
@@ -36,8 +35,8 @@ SurfacePoint inPieces(const FaceImage& image, const Vec3& bary) {
     most = least;
     best = {piece.face, weights};
   }
-  // The point can be outside all pieces only by rounding. This is large in a piece much smaller
-  // than the whole triangle.
+  // The point can be outside all pieces only by rounding. This rounding is large if the piece is
+  // much smaller than the whole triangle.
   best.bary = best.bary.cwiseMax(0);
   best.bary /= best.bary.sum();
   return clampedPoint(best.face, best.bary);
@@ -51,9 +50,9 @@ Vec3 placeIn(const FaceImage& image, const Vec3& bary) {
   return place;
 }
 
-/// The nearest point that a search finds. It begins at the adjacent faces, and goes on to the faces
-/// around the nearest one as long as these come nearer. So it gets past other triangles without
-/// area, several of which may lie side by side.
+/// The nearest point that a search finds. The search begins at the adjacent faces. As long as it
+/// comes nearer, it goes on to the faces around the nearest face. So it gets past other omitted
+/// triangles, several of which may lie side by side.
 SurfacePoint nearestBeside(const TriangleMesh& mesh, const FaceImage& image, const Vec3& place) {
   SurfacePoint best;
   double nearest = kInfinity;
@@ -112,8 +111,9 @@ SurfacePoint toEngine(const Numbering& numbering, const TriangleMesh& mesh, int 
   if (!image.pieces.empty()) return inPieces(image, point.bary);
   const Vec3 place = placeIn(image, point.bary);
   if (!image.beside.empty()) return nearestBeside(mesh, image, place);
-  // Faces at the triangle's own vertices come first, since others may be at the same place. Without
-  // them, the nearest point counts if it lies at the place up to the rounding of a file.
+  // The triangle has no faces at its own vertices; these would take precedence, since other parts
+  // of the surface may be at the same place. So the mesh's nearest point counts if it lies at the
+  // place up to the rounding of a file.
   SurfacePoint nearest = nearestPoint(mesh, place);
   const double distance = (position(mesh, nearest) - place).norm();
   if (distance <= kFloatRounding * boundingBoxDiagonal(mesh)) return nearest;

@@ -8,10 +8,10 @@
 /// positions.
 namespace karcher {
 
-/// A part of an input triangle that became a face of the engine.
+/// A face of the engine that is a part of an input triangle.
 struct FacePiece {
   int face = 0;
-  /// The weights of each corner of the engine's face in the input triangle.
+  /// The corners of the engine's face, each as barycentric weights in the input triangle.
   std::array<Vec3, 3> corners;
 };
 
@@ -28,8 +28,8 @@ struct Numbering {
   /// engine vertex. For a split vertex, the entry is its first part.
   Array<int> engineVertex;
   Array<int> inputVertex;  ///< the first input vertex that became each engine vertex
-  /// For each input triangle, the face of the engine that equals it, with the same order of corners
-  /// unless it is turned over. If there is no such face, the entry is -1 - i, and images[i]
+  /// For each input triangle, the face of the engine with the same corners, in the same order
+  /// unless the face was turned over. If there is no such face, the entry is -1 - i, and images[i]
   /// describes the triangle's image.
   Array<int> engineFace;
   Array<int> inputFace;  ///< the input triangle that contains each engine face
@@ -40,16 +40,17 @@ struct Numbering {
 
   int inputFaceCount() const { return engineFace.count(); }
   bool isTurnedOver(int t) const { return !turnedOver.empty() && turnedOver[t] != 0; }
-  /// The input vertices at the corners of an input triangle. If the triangle is one face of the
-  /// engine, the first of the vertices that were welded there stands for each of them.
+  /// The input vertices at the corners of an input triangle. If the triangle is a whole face of the
+  /// engine, the first of several welded vertices stands for all of them.
   Triangle inputCorners(const TriangleMesh& mesh, int inputFace) const;
 };
 
 /// Converts a caller's point to the engine's and checks it by `checkedPoint`. If the input triangle
-/// was cut, the result lies in the piece that contains the point. If it was omitted, the result is
-/// the nearest point that a search from the adjacent faces finds. If it has no adjacent faces, the
-/// result is the nearest point of the mesh, which must be at most 1e-6 diagonals away. Throws what
-/// `checkedPoint` throws, and Error kBadIndex if there is no such point.
+/// was cut, the result lies in the piece that contains the point. If the triangle was omitted, the
+/// result is the nearest point that a search from the adjacent faces finds. If the triangle has no
+/// adjacent faces, the result is the nearest point of the mesh, which must be at most 1e-6
+/// diagonals away. Throws what `checkedPoint` throws, and Error kBadIndex if there is no such
+/// point.
 SurfacePoint toEngine(const Numbering& numbering, const TriangleMesh& mesh, int inputFace,
                       const Vec3& bary);
 

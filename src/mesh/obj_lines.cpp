@@ -12,7 +12,8 @@ bool isSpace(char c) { return c == ' ' || c == '\t'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 
-/// The most digits of an exponent. They fit an integer; longer exponents have no meaning.
+/// The largest number of digits of an exponent, which then fits an integer. No sensible number has
+/// a longer exponent.
 constexpr size_t kMostExponentDigits = 9;
 
 size_t countDigits(std::string_view word, size_t from) {
@@ -27,7 +28,7 @@ size_t lineEnd(std::string_view text, size_t from) {
   return text[from] == '\r' && from + 1 < text.size() && text[from + 1] == '\n' ? 2 : 1;
 }
 
-/// Whether a comment starts here. A # inside a word belongs to the word.
+/// Whether a comment starts here. A # inside a word is a part of the word.
 bool startsComment(std::string_view text, size_t at) {
   return text[at] == '#' && (at == 0 || isSpace(text[at - 1]) || isLineEnd(text[at - 1]));
 }
@@ -134,8 +135,8 @@ class LineCheck {
     ++found_.faces;
   }
 
-  /// Checks a corner such as 7, 7/1 or 7//2: the number of a vertex; numbers after slashes do not
-  /// matter. A negative number counts back from the latest vertex.
+  /// Checks a corner such as 7, 7/1 or 7//2. Only the first number matters, the number of a vertex.
+  /// A negative number counts back from the latest vertex.
   void checkCorner(std::string_view word) {
     const size_t sign = word[0] == '-' || word[0] == '+' ? 1 : 0;
     const size_t digits = countDigits(word, sign);

@@ -31,12 +31,12 @@ struct NotFinite {
 struct ObjLines {
   int vertices = 0;
   int faces = 0;
-  Array<int> polygonLines;     ///< the line, from 1, of each face with more than three corners
+  Array<int> polygonLines;     ///< the lines of faces with more than three corners, from 1
   Array<int> shortLines;       ///< the lines of faces with fewer than three corners
   Array<NotFinite> notFinite;  ///< the vertices in the file's order
 };
 
-/// Checks that every vertex line has three decimal or non-finite numbers, and that every face line
+/// Checks that every vertex line has three numbers (decimal or not finite) and that every face line
 /// names vertices of the file. Throws what `readObj` throws.
 ObjLines checkObjLines(std::string_view text);
 

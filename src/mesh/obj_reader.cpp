@@ -12,7 +12,7 @@
 #include "mesh/polygon_soup.h"
 #include "mesh/positions.h"
 
-// Another name for the namespace, since a program that links this library may have its own
+// The macro renames the namespace, since a program that links this library may have its own
 // tinyobjloader.
 #define tinyobj karcherTinyobj
 #define TINYOBJLOADER_USE_DOUBLE
@@ -26,10 +26,10 @@
 namespace karcher {
 namespace {
 
-/// A checked file in a form that tinyobjloader reads, since tinyobjloader knows neither a backslash
-/// at a line's end nor a comment after a number. The form has only the lines that matter, none of
-/// them continued, and only the vertex of each corner. A line `vn` of a normal holds a vertex's
-/// color, since in the tinyobjloader of Debian 12 and 13 callbacks do not receive colors.
+/// A stream that rewrites a checked file for tinyobjloader, which understands neither a backslash
+/// at a line's end nor a comment after a number. The stream has only the lines that matter, joins
+/// continued lines, and keeps only the vertex of each corner. It writes a vertex's color as a
+/// normal (`vn`), since in the tinyobjloader of Debian 12 and 13 callbacks do not receive colors.
 class PlainLines : public plain::streambuf {
  public:
   explicit PlainLines(std::string_view text) : text_(text) {}
@@ -58,7 +58,8 @@ class PlainLines : public plain::streambuf {
         add(" ");
         add(corner.substr(0, corner.find('/')));
       }
-      // Tinyobjloader does not report a face without corners, but the check has counted it.
+      // Tinyobjloader does not report a face without corners, but the check has counted the face.
+      // So it gets a corner.
       if (block_.size() == begin) add(" 0");
       add("\n");
     } else if (keyword == "o" || keyword == "g" || keyword == "usemtl") {
@@ -98,7 +99,7 @@ class PlainLines : public plain::streambuf {
   std::string block_;
 };
 
-/// The contents of a checked file, as tinyobjloader reads them.
+/// Collects the contents of a checked file from the callbacks of tinyobjloader.
 class Reading {
  public:
   Reading(const ObjLines& lines, const ObjOptions& options) : lines_(lines), options_(options) {
@@ -150,7 +151,7 @@ class Reading {
   }
 
   PolygonSoup faces;
-  /// The lines of faces with more than three corners, and of those with fewer.
+  /// The lines of faces with more than three corners, and the lines of faces with fewer.
   Array<int> polygonLines;
   Array<int> shortLines;
 
@@ -263,7 +264,7 @@ class Reading {
   /// the number of faces with more than three corners, including those of unwanted parts
   int polygons_ = 0;
   int shortFaces_ = 0;
-  /// colors up to the last vertex that has one; -1 for vertices without a color
+  /// the color of each vertex up to the last one with a color; -1 for vertices without a color
   Array<Vec3> colors_;
   Array<ObjPart> parts_;
   Array<std::string> materials_;

@@ -23,18 +23,18 @@ struct ObjMarks {
   Array<std::string> materials;  ///< names, in the order of their first faces
   Array<int> material;  ///< the material of each triangle, -1 for none; empty if the file has none
   /// Red, green and blue of each vertex, from 0 to 255; white for a vertex without a color; empty
-  /// if no vertex has one. In the file they range up to 1, or up to 255 if any value is greater
+  /// if no vertex has one. In the file, values range up to 1, or up to 255 if any value is greater
   /// than 1.
   Array<uint8_t> colors;
 };
 
 struct ObjContents {
-  /// Vertices in the file's order, numbered from 0; triangles in the file's order, those of a
-  /// polygon one after another.
+  /// Vertices in the file's order, numbered from 0, and triangles in the file's order. The
+  /// triangles of a polygon are consecutive.
   TriangleSoup soup;
   ObjMarks marks;
   int polygonsCut = 0;  ///< the number of polygons cut into triangles
-  /// the number of polygons that lost repetitions of a vertex in a row
+  /// the number of polygons that named a vertex twice in a row and lost the repetition
   int repeatedCorners = 0;
   int leftOut = 0;  ///< the number of faces that have fewer than three corners or cannot be cut
   int firstLineLeftOut = 0;  ///< the line of the first of these faces, from 1
@@ -48,12 +48,13 @@ struct ObjOptions {
   std::optional<Array<int>> parts;
 };
 
-/// `bytes` is the content of the file, with any line ends. A check of every line comes before
-/// tinyobjloader, which reads 0 for a number that it does not understand. Numbers are right to
-/// within 10 units in the last place. Throws Error with the number of the line, from 1: kBadFile
-/// (not text, no faces, a vertex or face that cannot be read), kNotFinite (a coordinate nan or
-/// inf), kBadIndex (a face uses a vertex that the file does not have), kDegenerateFace (a polygon
-/// that cannot be cut into triangles); and kBadArgument for a part that does not exist.
+/// `bytes` is the content of the file, with any line ends. The function checks every line before
+/// tinyobjloader reads it, since tinyobjloader replaces a number that it does not understand by 0.
+/// Numbers are right to within 10 units in the last place. Throws Error with the number of the
+/// line, from 1: kBadFile (not text, no faces, a vertex or face that cannot be read), kNotFinite (a
+/// coordinate nan or inf), kBadIndex (a face uses a vertex that the file does not have),
+/// kDegenerateFace (a polygon that cannot be cut into triangles); kBadArgument (a part does not
+/// exist).
 ObjContents readObj(std::string_view bytes, const ObjOptions& options = {});
 
 }  // namespace karcher

@@ -18,9 +18,9 @@
 #include <utility>
 #include <vector>
 
-/// The streams that tinyobjloader uses: the standard ones, or, if KARCHER_PLAIN_STREAMS is defined,
-/// classes with only the part of their interface that tinyobjloader uses. The standard streams
-/// would link all locales with their formats of dates and money, which take 34 KB of the compressed
+/// The streams that tinyobjloader uses. If KARCHER_PLAIN_STREAMS is defined, they are classes with
+/// only the interface that tinyobjloader needs; else they are the standard streams. The standard
+/// streams link all locales with their formats of dates and money: 34 KB of the compressed
 /// WebAssembly module.
 namespace karcher::plain {
 
@@ -89,12 +89,12 @@ class istream {
   streambuf* buffer_;
 };
 
-/// A file, which is never found: the engine reads none.
+/// A file that never opens, since the engine reads no files.
 struct ifstream : istream {
   explicit ifstream(const char* /*name*/) : istream(nullptr) {}
 };
 
-/// A list of folders, which is empty.
+/// A stream without text. Tinyobjloader would read a list of folders from it.
 struct istringstream {
   explicit istringstream(const string& /*text*/) {}
 };

@@ -30,8 +30,8 @@ Array<Vec2> projected(const Array<Vec3>& corners) {
   return result;
 }
 
-/// Points of the plane in the cells of a grid, about one in each. A search for the points in a box
-/// visits few others.
+/// A grid that holds points of the plane, about one point in each cell. A search for the points in
+/// a box visits few points outside the box.
 class PointGrid {
  public:
   explicit PointGrid(const Array<Vec2>& points)
@@ -96,7 +96,7 @@ class EarClipping {
     while (ring_.count() >= 3) {
       int ear = shortest();
       if (diagonal_[ear] == kInfinity) {
-        // Corners that were removed may have blocked other ears.
+        // Removed corners may have blocked other ears.
         for (int i = 0; i < ring_.count(); ++i) diagonal_[i] = earDiagonal(i);
         ear = shortest();
         if (diagonal_[ear] == kInfinity) return {};
@@ -163,7 +163,7 @@ class EarClipping {
   const Array<Vec3>& corners_;
   Array<Vec2> plane_;
   PointGrid grid_;
-  Array<uint8_t> isLeft_;   ///< whether each corner is in the ring
+  Array<uint8_t> isLeft_;   ///< whether each corner is still in the ring
   Array<int> next_;         ///< the corner after each corner in the ring
   Array<int> previous_;     ///< the corner before each corner in the ring
   Array<int> ring_;         ///< the remaining corners

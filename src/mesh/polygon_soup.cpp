@@ -19,8 +19,8 @@ namespace {
               face + "cannot be cut into triangles: it crosses itself or has no area");
 }
 
-/// Removes repetitions of a vertex that a polygon names several times in a row, but keeps three
-/// corners. Returns whether it removed any.
+/// Removes repetitions of a vertex that a polygon names several times in a row. Keeps at least
+/// three corners. Returns whether it removed any.
 bool takeOnce(Array<int>& corners) {
   Array<int> ring;
   for (const int v : corners) {
@@ -88,7 +88,8 @@ CutPolygons cutPolygons(PolygonSoup polygons, bool mend,
     corner += count;
     ++number.polygon;
     if (mend && takeOnce(ring)) {
-      // If only one or two different corners remain, the importer counts the face.
+      // If only one or two different corners remain, the importer counts the face as one with a
+      // repeated corner.
       result.repeatedCorners += ring[1] != ring[2] ? 1 : 0;
       if (ring.count() == 3) {
         triangles.emplace_back(ring[0], ring[1], ring[2]);

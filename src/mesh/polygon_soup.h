@@ -15,19 +15,19 @@ struct PolygonSoup {
   Array<int> mark;         ///< a number for each face, which its triangles inherit; may be empty
 };
 
-/// The number of a face among all faces, and its number among the faces of more than three corners.
+/// The number of a face among all faces, and among the faces with more than three corners.
 struct PolygonNumber {
   int face = -1;
   int polygon = -1;
 };
 
 struct CutPolygons {
-  /// The vertices, unchanged, and the triangles in the order of the faces, those of a polygon one
-  /// after another.
+  /// The unchanged vertices, and the triangles in the order of the faces. The triangles of a
+  /// polygon are consecutive.
   TriangleSoup soup;
   Array<int> mark;      ///< the mark of each triangle's face; empty without marks
   int polygonsCut = 0;  ///< the number of polygons cut into triangles
-  /// the number of polygons that lost repetitions of a vertex in a row
+  /// the number of polygons that named a vertex twice in a row and lost the repetition
   int repeatedCorners = 0;
   int leftOut = 0;  ///< the number of faces that cannot be cut
   PolygonNumber firstLeftOut;
@@ -40,7 +40,7 @@ struct CutPolygons {
 /// crosses itself. Other polygons that cannot be cut are omitted.
 ///
 /// Without `mend`, or if no face would remain, throws Error kDegenerateFace for the first polygon
-/// that cannot be cut, and names it by `placeOf`, for example "line 12".
+/// that cannot be cut, and names this polygon by `placeOf`, for example "line 12".
 CutPolygons cutPolygons(PolygonSoup polygons, bool mend,
                         const std::function<std::string(PolygonNumber)>& placeOf);
 

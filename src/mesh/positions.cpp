@@ -8,8 +8,8 @@
 namespace karcher {
 namespace {
 
-/// The largest coordinate; its inverse is the least extent. Between these limits, lengths fit
-/// floats, and products of several lengths fit doubles.
+/// The largest coordinate. Its inverse is the least width of a mesh. Between these limits, lengths
+/// fit floats, and products of several lengths fit doubles.
 constexpr double kLargestCoordinate = 1e30;
 
 class Check {

@@ -6,8 +6,8 @@ namespace karcher {
 
 /// Checks the positions of a mesh, or of some of its vertices, so that products of a few lengths
 /// neither overflow nor underflow. Coordinates must be within 1e30, and the mesh must be a single
-/// point or at least 1e-30 wide. Returns the length of the diagonal of the box around them. Throws
-/// Error kNotFinite, kBadArgument.
+/// point or at least 1e-30 wide. Returns the diagonal of the bounding box. Throws Error kNotFinite,
+/// kBadArgument.
 double checkPositions(const Array<Vec3>& positions, const Array<int>* vertices = nullptr);
 
 /// Checks a point of space with the limits of `checkPositions` for coordinates. Throws Error

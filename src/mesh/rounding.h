@@ -2,7 +2,7 @@
 
 /// The largest differences between computed numbers that should be equal, relative to their inputs.
 /// The longer the computation, the larger the difference. A comparison uses the constant that fits
-/// its numbers.
+/// the computation of its numbers.
 namespace karcher {
 
 /// A few operations on doubles, each of which rounds by 1.1e-16.

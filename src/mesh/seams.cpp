@@ -14,8 +14,8 @@ namespace {
 /// The default tolerance is at most this number times the shortest edge, and at most kFloatRounding
 /// times the diagonal.
 constexpr double kNearPartOfEdge = 0.01;
-/// The largest tolerance relative to the shortest edge, also for a caller's own tolerance, so that
-/// triangles keep their shape.
+/// The largest tolerance relative to the shortest edge, so that triangles keep their shape. It also
+/// limits a caller's own tolerance.
 constexpr double kMostPartOfEdge = 1.0 / 3;
 
 class Seams {
@@ -44,9 +44,9 @@ class Seams {
  private:
   /// Half-edges grouped by the places of their vertices.
   struct Edges {
-    Array<int> boundary;                 ///< edges of one half-edge
-    Array<int> branching;                ///< edges of more than two half-edges
-    Array<std::array<int, 2>> mirrored;  ///< edges of two half-edges in the same direction
+    Array<int> boundary;                 ///< edges with one half-edge
+    Array<int> branching;                ///< edges with more than two half-edges
+    Array<std::array<int, 2>> mirrored;  ///< edges with two half-edges in the same direction
   };
 
   int placeAt(int h) const { return place_[faces_.corners[h / 3][h % 3]]; }
@@ -187,8 +187,8 @@ class Seams {
     DisjointSets sets(positions_.count());
     if (!uniteNear(points, reach, most, sets)) return false;
     Array<int> joined = sets.names();
-    // Two corners of a face are never merged: the places of a set that would merge them stay as
-    // they are.
+    // The function never merges two corners of a face. If a set of places would merge two corners,
+    // all its places stay as they are.
     Array<uint8_t> torn(positions_.size(), 0);
     for (const Triangle& t : faces_.corners) {
       for (int k = 0; k < 3; ++k) {
@@ -204,8 +204,9 @@ class Seams {
   }
 
   /// Unites points that lie within each other's reach; `most` is the greatest reach. Returns
-  /// whether it united any. Points in one small cube are all within each other's reach, so it
-  /// unites them without comparing pairs. A large cluster then does not take quadratic time.
+  /// whether any points were united. Points in one small cube are all within each other's reach, so
+  /// the function unites them without a comparison of pairs. So a large cluster does not take
+  /// quadratic time.
   bool uniteNear(const Array<int>& points, const Array<double>& reach, double most,
                  DisjointSets& sets) const {
     double least = most;
@@ -354,12 +355,12 @@ class Seams {
     repairs_.welded += target_.unite(v, w) ? 1 : 0;
   }
 
-  /// Finds edges that two faces share in the file, and that more faces would share after welding.
-  /// The repair of such an edge might separate the two faces, so one end of the edge stays
-  /// unwelded. For example, a sheet and its turned copy, welded along their rim, then do not tear
-  /// at an edge from rim to rim. Returns whether it added an unwelded end.
+  /// Finds edges that two faces share in the file and that more faces would share after welding. A
+  /// later repair might separate the two faces, so the function marks one end of the edge as
+  /// unwelded. For example, a sheet and its turned copy, welded along their rims, then do not tear
+  /// at an edge from rim to rim. Returns whether the function marked any end.
   bool keepWholeEdges() {
-    // the most sides compared; the time grows with their square
+    // the largest number of compared sides; the time grows with its square
     constexpr size_t kMostCompared = 64;
     Array<Triangle> joined = faces_.corners;
     for (Triangle& t : joined) t = {target_.find(t[0]), target_.find(t[1]), target_.find(t[2])};
@@ -399,8 +400,8 @@ class Seams {
     unite(vertexAt(nextCorner(g)), vertexAt(turned ? nextCorner(h) : h));
   }
 
-  /// Welds half-edges of the same direction as long as the surface stays two-sided. Those whose
-  /// vertices are welded already take precedence.
+  /// Welds pairs of half-edges in the same direction as long as the surface stays two-sided. Pairs
+  /// whose vertices are welded already take precedence.
   void weldMirrored(const Edges& edges) {
     const auto isJoined = [&](const std::array<int, 2>& pair) {
       const auto same = [&](int v, int w) { return target_.find(v) == target_.find(w); };

@@ -55,9 +55,9 @@ Array<Vec3> evenPoints(int count, Curve&& curve) {
   return result;
 }
 
-/// Unit normals along a closed curve that turn as little as possible. Two reflections move each one
-/// to the next point (W. Wang, B. Juettler, D. Zheng, Y. Liu, "Computation of Rotation Minimizing
-/// Frames", 2008); the angle that is missing at the end is spread over all of them.
+/// Unit normals along a closed curve that turn as little as possible. Two reflections move each
+/// normal to the next point (W. Wang, B. Juettler, D. Zheng, Y. Liu, "Computation of Rotation
+/// Minimizing Frames", 2008); the angle that is missing at the end is spread over all normals.
 Array<Vec3> minimalNormals(const Array<Vec3>& points, const Array<Vec3>& tangents) {
   const int n = points.count();
   Array<Vec3> normals = {tangents[0].unitOrthogonal()};

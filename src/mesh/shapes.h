@@ -30,9 +30,9 @@ TriangleSoup makeShape(Shape shape, int triangles);
 /// The unit sphere of 20 frequency^2 triangles.
 TriangleSoup icosphere(int frequency);
 
-/// The torus about the z axis, with the circle of centers of radius 1 and the tube of radius 0.4.
-/// It is the image of the plane under a conformal map with periods 2 pi and kTorusPeriod. x is the
-/// longitude; y = 0 is the outer equator.
+/// The torus about the z axis. Its circle of centers has radius 1, and its tube has radius 0.4.
+/// `conformalTorus` maps the plane to the torus, conformally and with the periods 2 pi and
+/// kTorusPeriod. x is the longitude; y = 0 is the outer equator.
 inline constexpr double kTorusMajor = 1;
 inline constexpr double kTorusMinor = 0.4;
 extern const double kTorusPeriod;

@@ -13,8 +13,7 @@ double signChange(double from, double to, double atFrom, double atTo, double rou
                   const Function& valueAt) {
   if (atFrom == 0) return from;
   if (atTo == 0) return to;
-  // The second half of these steps is bisection only, which is enough to reach the precision of
-  // doubles.
+  // The second half of these steps is bisection only: enough steps for the precision of doubles.
   constexpr int kMostSteps = 100;
   const bool falls = atFrom > 0 && atTo < 0;
   double at = from;

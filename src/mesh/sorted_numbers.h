@@ -8,13 +8,13 @@
 /// code.
 namespace karcher {
 
-/// Sorts numbers by a comparison, and equal ones in ascending order.
+/// Sorts numbers by a comparison. Numbers that compare as equal are in ascending order.
 void sortNumbers(Array<int>& numbers, const std::function<bool(int, int)>& isBefore);
 
 /// The numbers from 0 to count - 1, sorted in the same way.
 Array<int> sortedNumbers(int count, const std::function<bool(int, int)>& isBefore);
 
-/// Sorts items by a comparison, and leaves equal ones in their order.
+/// Sorts items by a comparison. Items that compare as equal keep their order.
 template <class Item, class Comparison>
 void sortItems(Array<Item>& items, const Comparison& isBefore) {
   Array<Item> sorted;

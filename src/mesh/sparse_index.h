@@ -7,8 +7,9 @@
 
 namespace karcher {
 
-/// Numbers 0, 1, 2, ... for the few items (faces, cells) that a search meets, in the order in which
-/// it adds them. The index uses open addressing, so that its memory does not grow with the mesh.
+/// An index that gives the numbers 0, 1, 2, ... to the few items (faces, cells) that a search
+/// meets, in the order in which the search adds them. The index uses open addressing, so that its
+/// memory does not grow with the mesh.
 class SparseIndex {
  public:
   int count() const { return static_cast<int>(places_.size()); }
@@ -65,7 +66,7 @@ class SparseIndex {
 
   static constexpr int kFirstBits = 8;
 
-  /// the entries, a power of two in number
+  /// the entries; their number is a power of two
   Array<Entry> entries_ = Array<Entry>(size_t{1} << kFirstBits);
   uint32_t mask_ = (uint32_t{1} << kFirstBits) - 1;
   int shift_ = 32 - kFirstBits;

@@ -3,8 +3,8 @@
 namespace karcher {
 namespace {
 
-/// The vertices that divide edges: parts - 1 new ones along each. Stores for each half-edge the
-/// first of them, seen from its tail, and the step to the next.
+/// The new vertices that divide the edges, parts - 1 on each edge. For each half-edge, `first` is
+/// the new vertex nearest to the tail, and `step` (1 or -1) leads from one number to the next.
 struct EdgeVertices {
   Array<int> first;
   Array<int> step;

@@ -5,8 +5,9 @@
 
 namespace karcher {
 
-/// Cuts every face into parts^2 triangles by lines parallel to its sides, in its own plane. The
-/// mesh's vertices keep their numbers; those along the edges follow, then those inside the faces.
+/// Cuts every face into parts^2 triangles in its plane, by lines parallel to its sides. The mesh's
+/// vertices keep their numbers; the new vertices on the edges follow, then the new vertices inside
+/// the faces.
 TriangleSoup splitTriangles(const TriangleMesh& mesh, int parts);
 
 }  // namespace karcher

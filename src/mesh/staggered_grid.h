@@ -12,8 +12,8 @@ struct GridSize {
   int columns = 0;  ///< the number of steps along v
 };
 
-/// The size of a grid of about this number of nearly equilateral triangles on a rectangle of
-/// uLength x vLength.
+/// The size of a grid on a rectangle of uLength x vLength that has about the given number of
+/// triangles, all nearly equilateral.
 inline GridSize staggeredGridSize(double uLength, double vLength, int triangles) {
   // A row is as high as an equilateral triangle.
   const double rowsPerColumn = uLength / vLength * 2 / std::sqrt(3.0);
@@ -23,8 +23,8 @@ inline GridSize staggeredGridSize(double uLength, double vLength, int triangles)
 }
 
 /// A closed surface of the points point(u, v). The function is periodic in u and v with period 1; u
-/// is a multiple of 1 / rows in [0, 1). The faces are counterclockwise seen from the side on which
-/// the derivatives with respect to u, then v turn counterclockwise.
+/// is a multiple of 1 / rows in [0, 1). The normals of the faces point along the cross product of
+/// the derivatives with respect to u and v.
 template <class Point>
 TriangleSoup closedGrid(const GridSize& size, Point&& point) {
   TriangleSoup soup;
@@ -52,8 +52,7 @@ TriangleSoup closedGrid(const GridSize& size, Point&& point) {
 }
 
 /// A sheet from point(u, v) for u and v in [0, 1]. Shifted rows have half steps at their ends. The
-/// faces are counterclockwise seen from the side on which the derivatives with respect to v, then u
-/// turn counterclockwise.
+/// normals of the faces point along the cross product of the derivatives with respect to v and u.
 template <class Point>
 TriangleSoup openGrid(const GridSize& size, Point&& point) {
   TriangleSoup soup;

@@ -19,7 +19,7 @@ SurfacePoint checkedPoint(int faceCount, int face, const Vec3& bary) {
       std::abs(bary.sum() - 1) <= kFloatRounding) {
     return clampedPoint(face, bary);
   }
-  // The text about the point is built only for an error, since it takes longer than the rest of the
+  // The text is built only for an error, since its construction takes longer than the rest of the
   // check.
   throw Error(isFinite ? ErrorCode::kBadPoint : ErrorCode::kNotFinite,
               "the point (" + inSentence(bary[0]) + ", " + inSentence(bary[1]) + ", " +
@@ -53,7 +53,7 @@ PointLocation locate(const TriangleMesh& mesh, const SurfacePoint& point) {
   const int zeros = isZero[0] + isZero[1] + isZero[2];
   if (zeros == 1) {
     location.simplex = Simplex::kEdge;
-    // The edge starts at the corner after the one of weight 0.
+    // The edge starts at the corner that follows the corner of weight 0.
     location.halfedge = 3 * point.face + (isZero[0] ? 1 : isZero[1] ? 2 : 0);
   } else if (zeros == 2) {
     location.simplex = Simplex::kVertex;

@@ -3,7 +3,8 @@
 #include "mesh/rounding.h"
 #include "mesh/triangle_mesh.h"
 
-/// Points anywhere on the surface: a face and barycentric weights, also on edges and vertices.
+/// Points anywhere on the surface, also on edges and at vertices. A point is a face and barycentric
+/// weights.
 namespace karcher {
 
 struct SurfacePoint {
@@ -20,8 +21,8 @@ inline SurfacePoint checkedPoint(const TriangleMesh& mesh, int face, const Vec3&
   return checkedPoint(mesh.faceCount(), face, bary);
 }
 
-/// The point with these weights. Weights below kLocalRounding come from rounding and become 0: the
-/// point lies on the edge or vertex. The sum becomes 1.
+/// The point with these weights. Weights below kLocalRounding come from rounding and become 0, so
+/// that the point lies exactly on an edge or at a vertex. The sum becomes 1.
 inline SurfacePoint clampedPoint(int face, const Vec3& bary) {
   SurfacePoint point{face, bary};
   for (int k = 0; k < 3; ++k) {
@@ -54,7 +55,7 @@ PointLocation locate(const TriangleMesh& mesh, const SurfacePoint& point);
 /// The point at parameter s in [0, 1] along half-edge h, in h's face.
 SurfacePoint edgePoint(int h, double s);
 
-/// The same point with the weights of another face that holds it: the other face of its edge, or
+/// The same point, with its weights in `face`. This may be the other face of the point's edge, or
 /// any face around its vertex. Throws Error kBadArgument if `face` does not hold the point.
 SurfacePoint inFace(const TriangleMesh& mesh, const SurfacePoint& point, int face);
 

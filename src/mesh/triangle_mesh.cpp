@@ -194,8 +194,7 @@ Topology topology(const TriangleMesh& mesh) {
     ++boundaryEdges;
     if (seen[h]) continue;
     ++result.boundaryLoops;
-    // Of the half-edges that leave the head of this one, the first has no twin and continues the
-    // boundary.
+    // The `outgoing` half-edge of a boundary vertex has no twin, so that it continues the boundary.
     for (int g = h; !seen[g]; g = mesh.outgoing[mesh.head(g)]) {
       seen[g] = 1;
     }

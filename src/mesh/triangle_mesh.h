@@ -15,8 +15,8 @@ struct TriangleMesh {
   Array<Triangle> faces;
   /// For each half-edge, the opposite one in the neighbouring face; -1 at the boundary.
   Array<int> twin;
-  /// For each vertex, a half-edge that leaves it. At a boundary vertex it is the first
-  /// counterclockwise, which has no twin, so that `outgoingHalfedges` meets every face.
+  /// For each vertex, a half-edge that leaves it. At a boundary vertex it is the first in
+  /// counterclockwise order; it has no twin. So `outgoingHalfedges` meets every face.
   Array<int> outgoing;
   /// 1 for each vertex on the boundary, else 0.
   Array<uint8_t> onBoundary;
@@ -38,7 +38,7 @@ inline int cornerOf(int h) { return h % 3; }
 inline int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
 inline int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
-/// The next half-edge, counterclockwise, among those that leave h's tail; -1 past the boundary.
+/// The half-edge that leaves h's tail next after h, counterclockwise; -1 past the boundary.
 inline int rotateLeft(const TriangleMesh& mesh, int h) { return mesh.twin[previous(h)]; }
 
 /// The half-edges that leave a vertex of a mesh (or of another `Connectivity` with `rotateLeft`),
@@ -88,9 +88,9 @@ bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c);
 /// place by the caller's indices.
 TriangleMesh buildMesh(Array<Vec3> positions, Array<Triangle> faces);
 
-/// The first half of `buildMesh`, for callers that renumber before the second. Checks positions and
-/// triangles one by one. Throws what `buildMesh` throws, except for manifold errors and vertices
-/// without a face.
+/// The first half of `buildMesh`, for callers that renumber the mesh before the second half. Checks
+/// positions and triangles one by one. Throws what `buildMesh` throws, except for manifold errors
+/// and vertices without a face.
 void checkTriangles(const Array<Vec3>& positions, const Array<Triangle>& triangles);
 
 /// The part of `checkTriangles` that checks the number of faces and the existence of their
@@ -101,7 +101,7 @@ void checkCorners(int vertexCount, const Array<Triangle>& triangles);
 /// area. `name` is its number in errors.
 void checkArea(const Array<Vec3>& positions, const Triangle& triangle, int name);
 
-/// The numbers of vertices and faces in errors, if they differ from the mesh's own.
+/// The numbers by which errors name vertices and faces, if they differ from the mesh's own.
 struct MeshNames {
   const Array<int>* vertex = nullptr;  ///< the number of each vertex of the mesh
   const Array<int>* face = nullptr;    ///< the number of each face of the mesh
@@ -115,8 +115,8 @@ struct MeshNames {
 TriangleMesh connectMesh(Array<Vec3> positions, Array<Triangle> faces, const MeshNames& names);
 
 /// Fills `outgoing` and `onBoundary` from `twin`. If a vertex has several fans of faces, its
-/// `outgoing` half-edge belongs to one of them, at the boundary if possible. Every vertex must
-/// belong to a face.
+/// `outgoing` half-edge belongs to one of the fans, if possible to a fan at the boundary. Every
+/// vertex must belong to a face.
 void connectVertices(TriangleMesh& mesh);
 
 /// The length of the bounding box's diagonal.

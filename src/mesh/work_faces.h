@@ -5,13 +5,13 @@
 
 namespace karcher {
 
-/// The faces of a file during its repair. Vertices keep the file's numbers; the smallest number
-/// represents welded vertices.
+/// The faces of a file during its repair. Vertices keep the file's numbers; welded vertices all
+/// have the smallest of their numbers.
 struct WorkFaces {
   Array<Triangle> corners;
   Array<int> source;  ///< the input triangle that contains each face
-  /// For each face, the index in `weights` of the weights of its corners; -1 if the face is the
-  /// whole input triangle. The array is empty if all faces are whole.
+  /// For each face, the index of its corners' weights in `weights`; -1 if the face is the whole
+  /// input triangle. The array is empty if all faces are whole.
   Array<int> part;
   Array<std::array<Vec3, 3>> weights;
 

@@ -2,14 +2,14 @@
 
 #include "mesh/surface_point.h"
 
-/// The triangles in which a blended field is linear: the faces of the mesh or, if faces are cut,
-/// the four triangles into which each face is cut by the lines between the midpoints of its edges.
+/// The triangles in which a blended field is linear. They are the faces of the mesh or, if faces
+/// are cut, four triangles in each face: the lines between the midpoints of the edges cut the face.
 ///
 /// A cut face f has the cells 4 f + k at its corners k and the cell 4 f + 3 in its middle:
 ///
 ///             2
-///            / \            Corners of cell k: corner k of the face, the midpoint of the edge that
-///           / 2 \           leaves it, that of the edge that enters it.
+///            / \            Corners of cell k: corner k of the face, the midpoint of the half-edge
+///           / 2 \           that leaves it, the midpoint of the half-edge that enters it.
 ///         m2 --- m1         Corners of cell 3: m0, m1, m2, where mk is the midpoint of half-edge
 ///         / \ 3 / \         3 f + k.
 ///        / 0 \ / 1 \        .
@@ -41,7 +41,8 @@ class Cells {
     return cut_ ? clampedPoint(cell / 4, toFaceWeights(cell, bary)) : clampedPoint(cell, bary);
   }
 
-  /// Converts barycentric weights of a cell, or differences of them, to those of its face.
+  /// Converts barycentric weights of a cell, or differences of such weights, to weights of its
+  /// face.
   Vec3 inFace(int cell, const Vec3& bary) const { return cut_ ? toFaceWeights(cell, bary) : bary; }
 
   /// The point at parameter s in [0, 1] along half-edge h.

@@ -5,8 +5,8 @@
 /// The Riemannian center of mass of weighted points: the zero of grad K.
 namespace karcher {
 
-/// The result of a search. Only kConverged is a center of mass (a local minimum of K); otherwise
-/// the point is where the search ended.
+/// The result of a search. With kConverged the point is a center of mass (a local minimum of K);
+/// otherwise it is the place where the search ended.
 enum class Status {
   kConverged,
   kIndefinite,  ///< the Hessian is not positive definite: the points are too far apart
@@ -21,8 +21,8 @@ enum class Status {
 /// The name of a status in reports: "converged".
 const char* statusName(Status status);
 
-/// The tolerance of a zero's barycentric weights: the zero lies in the face if no weight is below 0
-/// by more than this.
+/// The tolerance of a zero's barycentric weights. The zero counts as inside the face if no weight
+/// is below 0 by more than this tolerance.
 inline constexpr double kInsideTolerance = 1e-10;
 
 struct CenterOfMass {
@@ -41,10 +41,10 @@ bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point);
 /// result is the zero around this end. The edge must not lie on the boundary.
 CenterOfMass centerBetween(FieldBlend& fields, Weights weights, int h);
 
-/// Finds the zero of the blended field by walking from face to face. In each face the zero has a
-/// closed form; if it lies outside, the walk crosses the edge beyond which it lies. From a near
-/// start the walk visits one or two faces. A zero between faces lies on their common edge or
-/// vertex.
+/// Finds the zero of the blended field by walking from face to face. In each face a closed form
+/// gives the zero. If the zero lies outside the face, the walk crosses an edge beyond which the
+/// zero lies. From a start near the zero the walk visits one or two faces. A zero between faces
+/// lies on their common edge or vertex.
 CenterOfMass walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start);
 
 }  // namespace karcher

@@ -8,16 +8,16 @@
 namespace karcher {
 
 /// The centroid of a region: the center of mass of its area or of a density on it. It minimizes the
-/// integral of the squared distances to the points of the region and need not lie in the region.
+/// integral of the squared distances to the points of the region, and may lie outside the region.
 /// `density` is the mass per area: a value of at least 0 for each vertex, linear in triangles;
 /// without values it is 1 everywhere.
 ///
-/// The mass of each triangle, or of its part in the region, is moved to the centroid of this mass.
-/// On a plane this is exact up to rounding; on smooth surfaces the error is of second order in the
-/// length of edges. The region's centroid is the center of mass of these points, and the energy is
-/// the mean squared distance to them. The options are those of centers of mass; the weights are
-/// always divided by their sum. On a large mesh the check by exact distances (options.isChecked)
-/// takes most of the time.
+/// The function replaces the mass of each triangle in the region, or of a triangle's part in it, by
+/// a point mass at the centroid of this mass. On a plane this is exact up to rounding; on smooth
+/// surfaces the error is of second order in the length of edges. The result is the center of mass
+/// of these points, and its energy is the mean squared distance to them. The options are those of
+/// centers of mass; the weights are always divided by their sum. On a large mesh the check by exact
+/// distances (options.isChecked) takes most of the time.
 ///
 /// Throws what `centerOfMass` throws (mean.h), such as kUnreachable for a region on several
 /// components. Throws Error kBadArgument if the region has no area or mass, if the density does not

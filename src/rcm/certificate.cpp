@@ -9,8 +9,8 @@
 namespace karcher {
 namespace {
 
-/// The certificate of a point on an edge or at a vertex. It needs a path to each point, since
-/// distances from one source need a source inside a face.
+/// The certificate of a point on an edge or at a vertex. It needs a path to each point, since a
+/// search from one source needs a source inside a face.
 Certificate byPaths(const Geometry& geometry, const WeightedPoints& points,
                     const SurfacePoint& point) {
   Certificate result;

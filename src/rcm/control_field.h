@@ -15,17 +15,17 @@ struct FieldValue {
   double squaredDistance = 0;    ///< d(v, p)^2
 };
 
-/// The field of one control point. It computes the value at a vertex on first use and keeps it, so
-/// that its memory and time depend on the part of the mesh where callers read it.
+/// The field of one control point. The field computes the value at a vertex on first use and keeps
+/// the value. So its memory and time depend on the part of the mesh where callers read the field.
 class ControlField {
  public:
   /// A function that computes the value at a vertex. The value must depend on the vertex alone, not
   /// on earlier calls.
   using Evaluate = std::function<FieldValue(int vertex)>;
 
-  /// A function that computes the field at the midpoint of a half-edge minus the mean of the values
-  /// at its ends. The result is in the half-edge's frame, whose x axis is the half-edge's
-  /// direction.
+  /// A function that computes the midpoint correction of a half-edge: the field at its midpoint
+  /// minus the mean of the values at its ends. The result is in the half-edge's frame, whose x axis
+  /// is the half-edge's direction.
   using EvaluateMidpoint = std::function<Vec2(int halfedge)>;
 
   /// Removes all values, in time linear in their number; `evaluate` computes new ones. With
@@ -51,7 +51,7 @@ class ControlField {
   bool hasMidpoints() const { return static_cast<bool>(evaluateMidpoint_); }
 
   /// The field at the midpoint of a half-edge minus the mean of the values at its ends. Callers
-  /// must use the same half-edge of an edge each time.
+  /// must always use the same one of an edge's two half-edges.
   const Vec2& midpointCorrection(int halfedge) {
     const auto [entry, isNew] = corrections_.try_emplace(halfedge);
     if (isNew) {
@@ -65,8 +65,7 @@ class ControlField {
     return entry->second;
   }
 
-  /// The value of `midpointCorrection`, which the field does not keep: for callers that read each
-  /// value only once.
+  /// Computes `midpointCorrection` without keeping it, for callers that read each value only once.
   Vec2 midpointCorrectionUnkept(int halfedge) const { return evaluateMidpoint_(halfedge); }
 
  private:

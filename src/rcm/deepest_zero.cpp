@@ -31,7 +31,7 @@ class DeepestZero {
     return cell_ != cell;
   }
 
-  /// Whether the cell across the edge opposite to corner k may also have a zero (isTheOnlyZero).
+  /// Whether the cell beyond the edge opposite to corner k may also have a zero (isTheOnlyZero).
   bool isDoubtful(int k) const {
     if (best_.bary[k] >= kNearEdge) return false;
     const int i = k == 2 ? 0 : k + 1;

@@ -6,17 +6,17 @@ namespace karcher {
 
 /// The choice between zeros of adjacent cells.
 ///
-/// The field is not continuous across edges: near an edge two cells may each have a zero, or
-/// neither of them. If both have one, the zero that lies deeper inside its cell counts, so that a
-/// center does not depend on the cell that the search visited first.
+/// The field is not continuous across edges. So near an edge, both cells may have a zero, or
+/// neither cell. If both have a zero, the zero that lies deeper inside its cell counts. So a center
+/// does not depend on the cell that the search visited first.
 ///
-/// `zero` is the blend's zero in `cell` and lies inside it. Returns the deepest of this zero and
-/// the zeros around it. Usually `isTheOnlyZero` shows quickly that no other zero is near.
+/// `zero` is the blend's zero in `cell`, and lies inside the cell. Returns the deepest of this zero
+/// and the zeros around it. Usually `isTheOnlyZero` shows quickly that no other zero is near.
 SurfacePoint deepestZero(FieldBlend& fields, Weights weights, int cell, const CellZero& zero);
 
 /// If all weights of a zero exceed this bound, no other zero is near, since the field's
 /// discontinuity moves a zero by a smaller fraction of an edge. (Larger discontinuities make a
-/// curve jump, which curves/trace/bridge.h finds.)
+/// curve jump; curves/trace/bridge.h finds such jumps.)
 inline constexpr double kNearEdge = 0.1;
 
 /// Whether no adjacent face can have another zero, given the cell's zero and its depth inside the

@@ -10,9 +10,9 @@ namespace {
 
 using Neighbour = StencilNeighbour;
 
-/// Adds the transport along one edge from `from` to the neighbour `vertex`, unless the index of
-/// this neighbour is below `begin`: earlier neighbours lie in finished rings. Until `findRings`
-/// averages them, `place` and `rotation` of a neighbour are sums.
+/// Adds the transport along one edge, from `from` to the neighbour `vertex`. Does nothing if the
+/// index of this neighbour is below `begin`, since such neighbours lie in finished rings. The
+/// `place` and `rotation` of a neighbour are sums until `findRings` averages them.
 void carry(Array<Neighbour>& ring, int begin, Array<int>& ways, const Neighbour& from, int vertex,
            double length, double directionThere, double directionBack) {
   const auto known = std::find_if(ring.begin(), ring.end(),
@@ -32,9 +32,9 @@ void carry(Array<Neighbour>& ring, int begin, Array<int>& ways, const Neighbour&
 
 /// Writes to `ring` the vertex itself and then its neighbours, ring by ring. A neighbour's place is
 /// the mean of the transports along all edges from the previous ring, so that it does not depend on
-/// the numbering of the mesh. Rings do not extend past a hub, whose estimate is its own log vector.
-/// Stencils through a hub would mix paths around all its sides, and their size would grow as the
-/// square of the number of its edges.
+/// the numbering of the mesh. Rings do not extend past a hub. (The estimate at a hub is its own log
+/// vector.) Stencils through a hub would mix paths around all its sides, and have a total size that
+/// grows with the square of the number of its edges.
 void findRings(const Geometry& geometry, int vertex, int rings, Array<Neighbour>& ring,
                Array<int>& ways) {
   const TriangleMesh& mesh = *geometry.mesh;

@@ -7,14 +7,14 @@
 /// solver's values around it. Their coefficients depend only on the mesh, so that all fields share
 /// them.
 ///
-/// A fit places the neighbours in the plane of the vertex's frame by transport along edges. Their
-/// weights are a Gaussian with the covariance of their positions, so that the weights do not depend
-/// on a mesh's anisotropy.
+/// A fit places the neighbours in the plane of the vertex's frame by transport along edges. The
+/// neighbours' weights are a Gaussian with the covariance of their places, so that anisotropy of
+/// the mesh does not change the weights.
 ///
 /// Where triangles approximate a smooth surface, a fit averages out the noise of single vectors. On
-/// a rough surface such as a scan, shortest paths prefer one side of a vertex, which a fit mistakes
-/// for noise. So the more angle defects vary from vertex to vertex, the more the vertex's own log
-/// vector replaces the fit (Stencil).
+/// a rough surface such as a scan, shortest paths prefer one side of a vertex, and a fit mistakes
+/// this preference for noise. So the vertex's own log vector replaces a share of the fit (Stencil).
+/// The share is larger where angle defects vary more from vertex to vertex.
 namespace karcher {
 
 enum class Estimator {
@@ -36,19 +36,19 @@ enum class Estimator {
 inline bool isLinear(Estimator estimator) { return estimator != Estimator::kQuadratic2; }
 
 /// A term of a stencil. A term of vectors is the neighbour's vector times (x, y) as a complex
-/// number. A term of distances is the neighbour's squared distance minus that of the vertex, times
-/// the vector (x, y).
+/// number. A term of distances is the vector (x, y) times a difference: the neighbour's squared
+/// distance minus the vertex's squared distance.
 struct StencilTerm {
-  /// Two numbers, since an aligned Vec2 would take a third more memory.
+  /// x and y are two numbers, since with an aligned Vec2 a term would take a third more memory.
   double x;
   double y;
   int vertex;
 };
 
 /// An estimate: (1 - r) times the fit plus r times the vertex's own log vector. The share r is s^2
-/// / (s^2 + m^2 + 0.003^2), where m is the mean and s the standard deviation of the angle defects,
-/// in radians, of the vertex and its neighbours, without those on the boundary. At a hub, a vertex
-/// of more than 64 edges, r is 1.
+/// / (s^2 + m^2 + 0.003^2). Here m is the mean and s the standard deviation of angle defects (in
+/// radians): of the vertex and of its neighbours, except vertices on the boundary. At a hub (a
+/// vertex with more than 64 edges) r is 1.
 struct Stencil {
   const StencilTerm* begin = nullptr;  ///< the first of the terms of log vectors
   const StencilTerm* ofDistances = nullptr;
@@ -79,8 +79,8 @@ struct Stencil {
 /// The share of the log vector in an estimate. It is at least `share`, which depends only on the
 /// mesh. `difference` is the gradient by the log vector minus the gradient by the fit. Its length
 /// divided by twice `distance`, the distance from the source, is an angle at the source. If this
-/// angle is larger than on smooth surfaces, paths arrive from both sides of a ridge, and a fit over
-/// both sides describes no path.
+/// angle is larger than on smooth surfaces, paths arrive from both sides of a ridge. A fit over
+/// both sides then describes no path, so the share grows.
 inline double shareOfLogVector(double share, const Vec2& difference, double distance) {
   constexpr double kAngle = 0.01;  // an angle in radians
   const double squaredAngle = difference.squaredNorm() / (4 * distance * distance);
@@ -93,7 +93,7 @@ inline double shareOfLogVector(double share, const Vec2& difference, double dist
 struct StencilNeighbour {
   int vertex;
   Vec2 place;
-  Vec2 rotation;  ///< a unit vector that turns vectors in the neighbour's frame into the vertex's
+  Vec2 rotation;  ///< a unit vector: the turn from the neighbour's frame into the vertex's
 };
 
 /// The stencils of one estimator, each computed on first use.

@@ -95,12 +95,12 @@ Array<double> ExactEnergy::at(const SurfacePoint& center, double radius,
     const double weight = weights_.data()[i];
     if (weight == 0) continue;
     const double straight = (position(mesh, points_[i]) - middle).norm();
-    // The fast solver's distances are too short by more than this factor only rarely.
+    // The fast solver's distances are seldom too short by more than this factor.
     constexpr double kTooShort = 1.002;
     double most = kTooShort * std::max(guesses[i], straight) + 2 * radius;
-    // If the aim is shorter than a path to a place, the loop raises the aim to the longest path or,
-    // if a place has no path yet, doubles it. The loop ends: a farther search makes no path longer,
-    // and a doubled aim finally covers the mesh.
+    // If a path to a place is longer than the aim, the loop raises the aim to the longest path. If
+    // a place has no path yet, the loop doubles the aim. The loop ends: a farther search makes no
+    // path longer, and a doubled aim finally covers the mesh.
     for (;;) {
       distance.aimAt(PathAim{middle, radius, most});
       distance.setSource(points_[i]);
@@ -151,8 +151,8 @@ struct Compared {
   Array<SurfacePoint> places;
   Array<double> values;
   int checked = 0;  ///< the number of checked places, with the center
-  /// Whether the lowest place counts as a minimum without another comparison. It does so only if no
-  /// checked place is lower than the center by more than kLowerBy.
+  /// Whether the lowest place counts as a minimum without another comparison. It does not count if
+  /// a checked place is lower than the center by more than kLowerBy.
   bool isSettled = false;
 
   void take(const SurfacePoint& place, double value) {
@@ -189,8 +189,9 @@ ExactMinimum descend(const Geometry& geometry, ExactMinimum result, const Compar
   return result;
 }
 
-/// The quadratic here + first . x + bowl |x|^2 + second . (x^2 - y^2, 2 x y) that fits values on a
-/// circle best, by Fourier coefficients. Its unit is the circle's radius.
+/// The quadratic here + first . x + bowl |x|^2 + second . (x^2 - y^2, 2 x y) that best fits the
+/// values on a circle, by Fourier coefficients. `here` is the value at the center. The unit of x is
+/// the circle's radius.
 struct Quadratic {
   Vec2 first = Vec2::Zero();
   Vec2 second = Vec2::Zero();
@@ -206,8 +207,8 @@ struct Quadratic {
     }
   }
 
-  /// The minimum of this quadratic. If its least curvature is below `leastBowl`, the bowl is first
-  /// raised until the two are equal.
+  /// The minimum of this quadratic. If its least curvature is below `leastBowl`, the function first
+  /// raises the bowl until both are equal.
   Vec2 minimum(double leastBowl) const {
     const double rise = std::max(bowl, second.norm() + leastBowl);
     return Vec2(second.y() * first.y() - (rise - second.x()) * first.x(),
@@ -221,8 +222,8 @@ struct Quadratic {
   }
 };
 
-/// The minimum of the parabola through the lowest value on a circle and its two neighbors: its
-/// place, as a fraction of the full angle, and its value.
+/// The minimum of the parabola through the lowest value on a circle and its two neighbors. `part`
+/// is its place on the circle, as a fraction of the full angle.
 struct Dip {
   double part = 0;
   double value = 0;
@@ -238,8 +239,8 @@ Dip dipOf(std::span<const double> onCircle) {
   return {(k + 0.5 + beside) / count, at(k) + slope * beside / 2};
 }
 
-/// Whether the boundary shortens no radius of a circle. The test compares with half the radius,
-/// since on steep cones distances in space are shorter than along the surface.
+/// Whether the boundary shortens no radius of a circle. The test allows places in space as near as
+/// half the radius, since on steep cones distances in space are shorter than along the surface.
 bool isWhole(const TriangleMesh& mesh, const Array<SurfacePoint>& places, double radius) {
   constexpr double kNearest = 0.5;
   const Vec3 center = position(mesh, places[0]);

@@ -7,9 +7,9 @@
 /// Minima of the energy K(p) = sum_i w_i d(p, p_i)^2 by exact distances, near centers of mass.
 ///
 /// On a smooth surface a zero of blended fields is a minimum of K. On a rough or creased one K has
-/// many shallow minima. Estimates at vertices smooth them away, so that a zero may lie beside all
-/// of them. So the search compares K on circles about the zero, and moves to the lowest point on
-/// them if K is lower there.
+/// many shallow minima. The estimates at vertices smooth these minima away, so that a zero may lie
+/// at none of them. So the search compares K on circles about the zero, and moves to the lowest
+/// place if K is lower there.
 ///
 /// Only a few faces need exact distances. The windows that can reach these faces
 /// (WindowDistance::aimAt) are far fewer than the windows of a whole field.
@@ -46,29 +46,29 @@ class ExactEnergy {
 StraightestPath circleRadius(const Geometry& geometry, const SurfacePoint& center, double radius,
                              double part);
 
-/// The ends of `count` radii at equal angles from each other. The first lies half of this angle
-/// from the circle's start.
+/// The ends of `count` radii at equal angles from each other. The first radius is half of this
+/// angle away from the circle's start.
 Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& center,
                                  double radius, int count);
 
 struct ExactMinimum {
   SurfacePoint point;
   double energy = 0;
-  /// Whether no point on the circle of kCheckedRadius mean edges around the result is lower by more
-  /// than kLowerBy square mean edges.
+  /// Whether the check succeeded: on the circle of kCheckedRadius mean edges around the result, K
+  /// is nowhere lower by more than kLowerBy square mean edges.
   bool isLowest = true;
   int moves = 0;
 };
 
-/// Moves from `start` to the lowest compared place, a bounded number of times, until no place is
-/// lower by more than a quarter of kLowerBy. For few points, a comparison has many places, since
-/// one search from each point gives its distances to all places.
+/// Moves from `start` to the lowest compared place, again and again, until no place is lower by
+/// more than a quarter of kLowerBy. The number of moves is bounded. For few points, a comparison
+/// has many places, since one search from each point gives its distances to all places.
 ExactMinimum exactMinimumNear(const Geometry& geometry, ExactEnergy& energy,
                               const SurfacePoint& start);
 
 /// The same for many points. Each place needs a search of its own, so that a comparison has only a
-/// few places of a circle. The energy of many points is smooth except for small creases, so that a
-/// quadratic fit to these places finds its minimum.
+/// few places on a circle. The energy of many points is smooth except for small creases, so that
+/// the minimum of a quadratic fit to these places is near the energy's minimum.
 ExactMinimum exactMinimumNear(const Geometry& geometry, ExactOneSourceEnergy& energy,
                               const SurfacePoint& start);
 

@@ -190,7 +190,8 @@ int FieldBlend::findSlot(int cell) {
 
 void FieldBlend::fillSlot(int slot, int cell) {
   if (slot == shapes_.count()) {
-    // A segment passes some dozens of cells, so the blend reserves memory for many at once.
+    // A segment of a curve passes some dozens of cells, so the blend reserves memory for many at
+    // once.
     const size_t room = static_cast<size_t>(slot == 0 ? 32 : 2 * slot);
     vectors_.resize(room * static_cast<size_t>(width_));
     shapes_.resize(room);

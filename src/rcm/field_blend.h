@@ -10,9 +10,8 @@
 #include "rcm/control_field.h"
 
 /// The weighted sum of control points' fields: grad K for the energy K(p) = sum_i w_i d(p, p_i)^2
-/// (Mancinelli, Puppo, Eq. 1). The sum is linear in each cell. A cell is a face, or, if a field has
-/// values at the midpoints of edges, one of the four triangles into which the midpoints divide the
-/// face.
+/// (Mancinelli, Puppo, Eq. 1). The sum is linear in each cell. A cell is a face. If a field has
+/// values at the midpoints of edges, the midpoints divide each face into four cells.
 namespace karcher {
 
 /// Weights, one for each field. They sum to 1 up to kChainRounding.
@@ -70,11 +69,11 @@ struct EdgeField {
 struct CellZero {
   TriangleField field;
   Vec3 bary;
-  /// The determinant of the field's Jacobian times the determinant of the map from weights to the
+  /// The product of two determinants: of the field's Jacobian, and of the map from weights to the
   /// cell.
   double determinant;
-  /// A bound on the angle by which the values at the two ends of an edge turn relative to each
-  /// other between the faces on both sides. They turn since the frames of vertices rescale corner
+  /// A bound on the difference of an angle in two adjacent faces: the angle between the values at
+  /// the ends of their common edge. The angle differs since the frames of vertices rescale corner
   /// angles. The bound uses that the corner angles at both ends sum to less than pi.
   double holonomy;
 
@@ -102,8 +101,8 @@ class FieldBlend {
   /// The weighted sum of the fields at a point, in the frame of its face.
   Vec2 at(const SurfacePoint& point, Weights weights);
 
-  /// Finds the zero of `blend`. Returns false if its Hessian is not positive definite. Usually this
-  /// single call is all that a search needs at a sample.
+  /// Finds the zero of `blend`. Returns false if its Hessian is not positive definite. At most
+  /// samples a search needs only this single call.
   [[gnu::always_inline]] bool findZero(int cell, Weights weights, CellZero& zero);
 
   /// The weighted sum of the fields at a vertex, in its frame.
@@ -114,8 +113,8 @@ class FieldBlend {
   double energy(const SurfacePoint& point, Weights weights);
 
   /// The parameter s in [0, 1] along half-edge h of a cell at which the field's component along the
-  /// edge vanishes. The field is taken in the edge's own frame, which the cells on both sides
-  /// share, so that both find the same point.
+  /// edge vanishes. The function uses the field in the edge's own frame. The cells on both sides
+  /// share this frame, so that both give the same point.
   double zeroAlongEdge(int h, Weights weights);
 
   /// Writes to `result` the fields along half-edge h of a face. If faces are cut, it writes the
@@ -131,12 +130,12 @@ class FieldBlend {
   };
   CellJacobian jacobian(int cell, const TriangleField& field) const;
 
-  /// The unit direction of the cell's first edge in the frame of its face. Rotation by it turns
-  /// vectors in the cell's frame into vectors in the face's frame.
+  /// The unit direction of the cell's first edge in the frame of its face. A rotation by this
+  /// direction turns vectors in the cell's frame into vectors in the face's frame.
   Vec2 axisInFace(int cell) const;
 
  private:
-  /// The shape of a cell, which `findZero` reads with its fields.
+  /// The shape of a cell. `findZero` reads it together with the fields' vectors.
   struct CellShape {
     double edge = 0;  ///< the length of the cell's first half-edge
     double apexX = 0;

@@ -5,8 +5,8 @@
 #include "distance/distance_solver.h"
 #include "rcm/surface.h"
 
-/// Options of points' fields, and what follows from the choice of a solver: the object that
-/// computes distances, the estimator, and the shared data.
+/// Options of points' fields. The choice of a solver determines the object that computes distances,
+/// the estimator and the shared data.
 namespace karcher {
 
 /// The method that computes a control point's field.
@@ -31,8 +31,8 @@ struct FieldOptions {
   bool operator==(const FieldOptions&) const = default;
 };
 
-/// Whether exact distances (exact_minimum.h) check centers of mass in such fields. Centers in other
-/// fields are minima of another energy.
+/// Whether exact distances (exact_minimum.h) check centers of mass in fields with these options.
+/// Centers in other fields are minima of another energy.
 inline bool areHeldToExact(const FieldOptions& options) {
   return options.method == Method::kKarcher && options.solver != Solver::kGraph;
 }
@@ -47,8 +47,8 @@ void checkFieldOptions(const FieldOptions& options);
 /// computes them.
 void prepareFields(Surface& surface, const FieldOptions& options);
 
-/// The tolerance of kFast (window_distance.h). On all meshes tried, and on ring tubes of any
-/// proportion, the mean error of distances is at most 0.1 %, and the error is at most 1 % except at
+/// The tolerance of kFast (window_distance.h). On all tested meshes, including ring tubes of any
+/// proportion, distances have a mean error of at most 0.1 %, and errors of at most 1 % except at
 /// single vertices (docs/gallery.md).
 inline constexpr double kFastTolerance = 0.0075;
 

@@ -24,27 +24,28 @@ class FieldSet {
   const FieldOptions& options() const { return options_; }
   Surface& surface() const { return surface_; }
 
-  /// The field of a point, near or not (point_field.h): the existing one, else a spare one that the
-  /// set moves there, else a new one.
+  /// The field of a point, near or not (point_field.h). If the point has no field yet, the set
+  /// moves a spare field there or, without a spare field, creates a new one.
   std::shared_ptr<PointField> at(const SurfacePoint& point, bool isNear = false);
 
   /// The existing field of a point, or null.
   std::shared_ptr<PointField> find(const SurfacePoint& point, bool isNear = false) const;
 
-  /// Frees the spare fields except for at most `kept` of them.
+  /// Frees spare fields until at most `kept` spare fields remain.
   void dropSpare(int kept = 0);
 
-  /// Frees spare fields until there are no more of them than fields with holders.
+  /// Frees spare fields until there are no more spare fields than fields with holders.
   void trim();
 
-  /// The limit for the bytes that the solvers of all fields hold. Above it unused fields rest.
+  /// The limit for the bytes that the solvers of all fields hold. Above this limit, unused fields
+  /// rest.
   static constexpr int64_t kMostBytes = int64_t{1} << 29;
 
   /// Marks a field as part of the current use, such as the work on one curve.
   void use(PointField& field) const { field.setLastUse(uses_); }
 
   /// Ends the current use. While the solvers of all fields hold more than `most` bytes, fields that
-  /// are not part of this use rest (PointField::rest), starting with those unused for longest.
+  /// are not part of this use rest (PointField::rest), the longest unused field first.
   void restUnused(int64_t most = kMostBytes);
 
   /// The number of fields.
@@ -95,7 +96,7 @@ class FieldSets {
 
   Surface& surface() const { return surface_; }
 
-  /// The set of these options, which exists as long as a caller holds it. Throws what
+  /// The field set for these options. It exists as long as a caller holds it. Throws what
   /// `checkFieldOptions` throws.
   std::shared_ptr<FieldSet> of(const FieldOptions& options);
 

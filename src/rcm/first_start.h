@@ -16,9 +16,9 @@ std::optional<SurfacePoint> averageOfAverages(const Geometry& geometry,
                                               const Array<SurfacePoint>& points, Weights weights);
 
 /// The ball in space that contains all places where K is at most `energy`, for points with
-/// non-negative weights that sum to 1. Its center is the points' mean in space. The reason: if
-/// distances are measured in space, K at a place is K at this mean plus the squared distance from
-/// it, and distances along the surface are no shorter.
+/// non-negative weights that sum to 1. Its center is the points' mean in space. The reason: with
+/// distances in space, K at a place is K at the mean plus the squared distance from the mean to the
+/// place. Distances along the surface are no shorter than in space.
 struct LowerPlaces {
   Vec3 middle = Vec3::Zero();
   double radius = 0;

@@ -59,9 +59,9 @@ GradientOperator buildGradientOperator(const Geometry& geometry, Star star) {
   const TriangleMesh& mesh = *geometry.mesh;
   const int vertexCount = mesh.vertexCount();
   GradientOperator result(2 * vertexCount, vertexCount);
-  // The largest number of columns in a vertex's row. The vertex itself has one. Each face around it
-  // has two: for a ring vertex, and for the vertex across the outer edge. At the boundary, the last
-  // ring vertex has one more.
+  // An upper bound on the columns in a vertex's row: a column for the vertex itself, and two for
+  // each face around it (a ring vertex, and the vertex across the outer edge). At the boundary,
+  // there is one more for the last ring vertex.
   Array<int> rowSize(static_cast<size_t>(2 * vertexCount), 2);
   for (int h = 0; h < mesh.halfedgeCount(); ++h) {
     rowSize[2 * mesh.tail(h)] += 2;

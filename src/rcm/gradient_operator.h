@@ -22,8 +22,8 @@ enum class Star {
 };
 
 /// The operator that gives, at each vertex, the area-weighted mean of the constant gradients in the
-/// faces of its star. It turns each gradient into the vertex's frame; the gradient of a face beyond
-/// the ring turns first into the adjacent face of the ring. Apply the operator to squared
+/// faces of its star. It turns each gradient into the vertex's frame. For a face beyond the ring,
+/// it first turns the gradient into the adjacent face of the ring. Apply the operator to squared
 /// distances, which are smooth at the source.
 GradientOperator buildGradientOperator(const Geometry& geometry, Star star = Star::kWide);
 

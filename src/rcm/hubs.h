@@ -4,8 +4,8 @@
 
 namespace karcher {
 
-/// Whether a vertex is a hub: it has more than 64 edges, so that its neighbours are not near each
-/// other.
+/// Whether a vertex is a hub. A hub has more than 64 edges, so that not all its neighbours are near
+/// each other.
 bool isHub(const TriangleMesh& mesh, int vertex);
 
 /// Whether each vertex is a hub or has an edge to one; empty if the mesh has no hub.

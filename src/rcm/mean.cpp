@@ -47,8 +47,8 @@ void checkWeights(Array<double>& weights, int points, bool normalize) {
   }
 }
 
-/// Raises a negative energy to 0 if no weight is negative. Near its minimum, the fields' estimate
-/// of a sum of squares may be negative.
+/// Raises a negative energy to 0 if no weight is negative. The fields only estimate the sum of
+/// squares, and may give a negative number near its minimum.
 Mean withSoundEnergy(Mean mean, const Array<double>& weights) {
   const bool anyNegative =
       std::any_of(weights.begin(), weights.end(), [](double weight) { return weight < 0; });
@@ -58,8 +58,8 @@ Mean withSoundEnergy(Mean mean, const Array<double>& weights) {
   return mean;
 }
 
-/// Upper bounds on the distances of the points from a place. They use the points' fields at one
-/// corner of the place's face, that with the largest weight.
+/// Upper bounds on the distances of the points from a place. They use the points' fields at the
+/// corner of the place's face at which the place has the largest weight.
 Array<double> distancesNear(const Geometry& geometry, const Array<ControlField*>& fields,
                             const SurfacePoint& point) {
   int corner = 0;
@@ -105,12 +105,12 @@ Mean heldToExact(const Mean& zero, const Blended& in) {
   return held;
 }
 
-/// The number of points from which on the exact energy is smooth enough for a comparison at few
+/// With at least this many points, the exact energy is smooth enough for a comparison at few
 /// places.
 constexpr int kSmooth = 200;
 
-/// The mean of many points, checked if the options ask for it. It is empty if the search ends at a
-/// boundary, where fields find the mean better.
+/// The mean of many points. It is checked if the options request a check. It is empty if the search
+/// ends at a boundary, where fields find the mean better.
 std::optional<Mean> checkedMeanOfMany(Surface& surface, const Array<SurfacePoint>& points,
                                       const Array<double>& weights, const MeanOptions& options) {
   const WeightedPoints merged = mergedPoints(points, weights);
@@ -151,8 +151,8 @@ Mean checkedMean(const Mean& mean, const Blended& in, bool lowest) {
 }
 
 /// The estimated number of values in the fields of these points. A field has a value for each
-/// vertex of the mesh if `everywhere`, else only for vertices within the points' spread around its
-/// point.
+/// vertex of the mesh if `everywhere`, else only for the vertices that are nearer to its point than
+/// the extent of all points (extentOf).
 double likelyValues(const Surface& surface, const Array<SurfacePoint>& points, bool everywhere) {
   const double all = static_cast<double>(points.count()) * surface.mesh().vertexCount();
   if (everywhere) return all;
@@ -185,7 +185,8 @@ void judgeUniqueness(const Surface& surface, const Array<SurfacePoint>& points,
   }
 }
 
-/// The fields of points from a set, which keeps existing ones and moves or creates the others.
+/// The fields of points in a set. The set uses existing fields, and moves or creates the missing
+/// fields.
 Array<std::shared_ptr<PointField>> fieldsOf(FieldSet& set, const Array<SurfacePoint>& points) {
   Array<std::shared_ptr<PointField>> fields;
   for (const SurfacePoint& point : points) fields.push_back(set.find(point));
@@ -260,7 +261,7 @@ Mean centerOfMass(FieldSets& sets, const Array<SurfacePoint>& points, Array<doub
   mean = finished(std::move(mean));
   const bool isKept = values <= options.mostValues / 4;
   if (!isKept) fields.clear();
-  // The set keeps no more spare fields than the number of points.
+  // The set keeps at most as many spare fields as there are points.
   set->dropSpare(isKept ? points.count() : 0);
   if (isKept) kept = std::move(set);
   return mean;

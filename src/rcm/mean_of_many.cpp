@@ -14,14 +14,14 @@ namespace {
 /// The number of starts at which the search compares K, and the number of descents from them.
 constexpr int kStarts = 16;
 constexpr int kDescents = 3;
-constexpr int kMostSolves = 24;        ///< the most solves in one descent
+constexpr int kMostSolves = 24;        ///< the largest number of solves in one descent
 constexpr double kLongestStep = 0.25;  ///< the longest step, relative to the mesh's extent
 
-/// The length of a step, in mean edges, below which a descent ends: the gradient is not accurate
-/// enough for shorter steps.
+/// A descent ends before a step shorter than this, in mean edges, since the gradient is not
+/// accurate enough for shorter steps.
 constexpr double kLastStep = 0.1;
-/// The distance, in mean edges, from the lowest end so far at which another descent stops, since it
-/// would end there, too.
+/// Another descent stops at this distance, in mean edges, from the lowest end so far, since it
+/// would also end there.
 constexpr double kSameDescent = 2;
 
 /// A symmetric matrix that turns the natural step into the estimated Newton step.
@@ -39,7 +39,8 @@ struct Scale {
     return {x.x(), x.y(), y.y()};
   }
 
-  /// The BFGS update, by the change of the natural step over a length along the x axis.
+  /// The BFGS update. `change` is the change of the natural step over the given length along the x
+  /// axis.
   void learn(double length, const Vec2& change) {
     constexpr double kLeastCurvature = 0.02;
     if (!(change.x() > kLeastCurvature * length)) return;
@@ -108,8 +109,9 @@ Descent descend(const Geometry& geometry, State state, const EnergyFunction& ene
   return {state, Ended::kStuck};
 }
 
-/// The starts: one point from the middle of each of `count` equal steps of the cumulated weight.
-/// The order of the points is spatially coherent, so that the starts are spread over them.
+/// The starts: the weights are summed in the order of the points, and the sum is divided into
+/// `count` equal steps. The point at the middle of each step is a start. Points near in this order
+/// are near in space, so that the starts are spread over all points.
 Array<SurfacePoint> startsOf(const WeightedPoints& points, int count) {
   Array<SurfacePoint> starts;
   double sum = 0;
@@ -131,7 +133,7 @@ int nearestCorner(const TriangleMesh& mesh, const SurfacePoint& point) {
 }
 
 /// The starts with the lowest K by distances along edges. Such distances take a quarter of the
-/// solver's time, and all are too long by nearly the same factor. K by straight lines in space is a
+/// solver's time, and are all too long by nearly the same factor. K by straight lines in space is a
 /// lower bound; if a start's bound exceeds the kDescents lowest values found so far, the search
 /// skips the start.
 Array<SurfacePoint> lowestStarts(const Geometry& geometry, const WeightedPoints& points) {

@@ -13,9 +13,9 @@
 /// at the few points where K is lowest. The descents use the distances of the options' solver.
 namespace karcher {
 
-/// The number of different points, near or far, from which on this search is at least as fast as
-/// fields. With exact distances, 200 points all over 19,520 triangles take 1.9 s; with fields they
-/// take 31 s.
+/// For at least this many different points, near or far, this search is at least as fast as a
+/// search with fields. With exact distances, 200 points all over 19,520 triangles take 1.9 s; with
+/// fields they take 31 s.
 inline constexpr int kMany = 64;
 
 /// Whether this search can find the mean: there are at least kMany different points, no weight is

@@ -42,8 +42,8 @@ class Balance {
     const int count = weights.count();
     Array<char> free(weights.size(), 0);
     for (int i = 0; i < count; ++i) free[i] = weights[i] > 0;
-    // No set of held weights occurs twice. The number of sets is seldom more than a few times the
-    // number of weights.
+    // The loop would end without this bound, since no set of held weights occurs twice. The number
+    // of sets is seldom more than a few times the number of weights.
     const int bound = 100 + 50 * count;
     for (int step = 0; step < bound; ++step) {
       Array<double> next = given_;
@@ -75,8 +75,8 @@ class Balance {
   }
 
  private:
-  /// The weights nearest to `weights` that meet the constraints and change only the free ones.
-  /// Returns the constraints' multipliers.
+  /// Changes the free weights so that all weights meet the constraints, by the least sum of squared
+  /// changes. Returns the constraints' multipliers.
   Column project(const Array<char>& free, Array<double>& weights) const {
     Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
     for (int i = 0; i < columns_.count(); ++i) {
@@ -128,11 +128,12 @@ class Balance {
     return most;
   }
 
-  /// Non-negative weights that meet the constraints: the projected given weights if none is
-  /// negative, else weights on at most three vectors whose convex hull contains 0.
+  /// Non-negative weights that meet the constraints. They are the projected given weights if none
+  /// of these is negative. Else at most three vectors, whose convex hull contains 0, have all the
+  /// weight.
   Array<double> feasible() const {
     const int count = columns_.count();
-    // First, the given weights.
+    // The first attempt uses the given weights.
     Array<double> weights = given_;
     Array<char> free(weights.size(), 1);
     project(free, weights);
@@ -140,8 +141,8 @@ class Balance {
         *std::min_element(weights.begin(), weights.end()) >= 0) {
       return weights;
     }
-    // If a vector is 0, it has all the weight. Else the longest vector shares the weight with the
-    // vectors nearest to its opposite direction, one on each side; these two may be the same
+    // If a vector is 0, it has all the weight. Else the longest vector shares the weight with two
+    // vectors: on each side, the vector nearest to its opposite direction. The two may be the same
     // vector.
     weights.assign(weights.size(), 0);
     const auto vector = [&](int i) { return Vec2(columns_[i][1], columns_[i][2]); };

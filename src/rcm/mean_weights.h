@@ -6,17 +6,17 @@
 namespace karcher {
 
 struct MeanWeightsOptions {
-  /// The target weights, which are divided by their sum; equal weights if empty. The result has the
-  /// least sum of squared differences from the target.
+  /// The target weights; equal weights if empty. They are divided by their sum. The result has the
+  /// least sum of squared differences from the target weights.
   Array<double> given;
   bool nonNegative = false;  ///< whether no weight may be below 0
 };
 
 struct MeanWeights {
   Array<double> weights;  ///< the weights, one for each point, of sum 1
-  /// Whether a search by `centerOfMass` that starts at the point stays there. It does not if the
-  /// energy's Hessian is not positive definite, as with negative weights or distant points. Nor
-  /// does it if the energy by exact distances is lower near by (exact_minimum.h).
+  /// Whether a search by `centerOfMass` that starts at the point stays there. The search leaves the
+  /// point if the energy's Hessian is not positive definite (for example with negative weights or
+  /// distant points), or if the energy by exact distances is lower near by (exact_minimum.h).
   bool isMinimum = false;
 };
 
@@ -27,13 +27,13 @@ struct MeanWeights {
 /// point, and O(points) for each step of the active set. Throws Error: kTooFewPoints if there are
 /// no points; kUnreachable if they and x lie on several components; kBadWeights if there is not one
 /// given weight for each point, if one is not finite, or if their sum is not positive; kBadArgument
-/// if no such weights exist. No weights exist if, seen from x, the points lie on one line that
-/// misses x. No non-negative weights exist if 0 lies outside the convex hull of the log vectors.
+/// if no such weights exist. No weights exist if the ends of the log vectors lie on one line that
+/// misses 0. No non-negative weights exist if 0 lies outside the convex hull of the log vectors.
 MeanWeights weightsOf(FieldSet& set, const SurfacePoint& x, const Array<SurfacePoint>& points,
                       const MeanWeightsOptions& options);
 
-/// The same for given vectors v_i in the plane: weights with which their weighted sum vanishes.
-/// Throws Error as above, except kUnreachable.
+/// The same for given vectors v_i in the plane: weights w of sum 1 with sum_i w_i v_i = 0. Throws
+/// Error as above, except kUnreachable.
 Array<double> balancedWeights(const Array<Vec2>& vectors, const Array<double>& given,
                               bool nonNegative);
 

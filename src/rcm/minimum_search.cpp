@@ -27,8 +27,8 @@ bool areApart(const Geometry& geometry, const SurfacePoint& a, const SurfacePoin
   return (position(mesh, a) - position(mesh, b)).norm() > kNearEdge * geometry.meanEdge;
 }
 
-/// The corner of a vertex into which `down` points. If `down` points off the surface, it is the
-/// corner at the nearer side of the boundary.
+/// The corner at a vertex into which the direction `down` points. If `down` points off the surface,
+/// the result is the corner at the nearer side of the boundary.
 int cornerDownhill(const Geometry& geometry, int vertex, const Vec2& down) {
   const double total = geometry.totalAngle[vertex];
   double direction = std::atan2(down.y(), down.x()) / geometry.angleScale[vertex];
@@ -39,8 +39,8 @@ int cornerDownhill(const Geometry& geometry, int vertex, const Vec2& down) {
   return cornerOfDirection(geometry, vertex, direction).halfedge;
 }
 
-/// The same start. If it lies on an edge or at a vertex, the result is in the face into which K
-/// decreases, so that the choice of the face does not depend on the numbering of faces.
+/// The same start, in a face that does not depend on the numbering of faces: if the start lies on
+/// an edge or at a vertex, this is the face into which K decreases.
 SurfacePoint facedDownhill(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
   const Geometry& geometry = fields.geometry();
   const TriangleMesh& mesh = *geometry.mesh;
@@ -59,7 +59,8 @@ SurfacePoint facedDownhill(FieldBlend& fields, Weights weights, const SurfacePoi
   return start;
 }
 
-/// A sequence of searches. The center is the first result; with `lowest`, the best one.
+/// A sequence of searches. The center is the first search's result or, with `lowest`, the best
+/// result of all.
 class MinimumSearch {
  public:
   MinimumSearch(FieldBlend& fields, const Array<double>& weights, Method method)
@@ -97,10 +98,10 @@ class MinimumSearch {
   Array<Minimum> others_;
 };
 
-/// The radius within which control points are starts, relative to the radius within which a lower
-/// minimum may lie (LowerPlaces). Compared with searches from all control points, four of 810 means
-/// of three to eight points on three meshes are higher. Eight means, which the average of averages
-/// found, are lower.
+/// Control points within this radius are starts. It is relative to the radius within which a lower
+/// minimum may lie (LowerPlaces). In a test of 810 means of three to eight points on three meshes,
+/// searches from all control points gave a lower mean in four cases. In eight cases they gave a
+/// higher mean, since they did not start at the average of averages.
 constexpr double kSearched = 2;
 
 /// Searches from `start`, if any, and from the control points near which a lower minimum may be. It

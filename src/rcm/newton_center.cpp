@@ -10,7 +10,7 @@ namespace karcher {
 namespace {
 
 constexpr int kMaxIterations = 100;
-/// The largest gradient of a zero: a length, relative to the bounding box's diagonal.
+/// The largest length of the gradient at a zero, relative to the bounding box's diagonal.
 constexpr double kGradientTolerance = 1e-10;
 
 struct Candidate {
@@ -66,8 +66,9 @@ class NewtonSearch {
     return step;
   }
 
-  /// Traces the geodesic along the step. Returns the point with the smallest gradient among its end
-  /// and its joints, where it crosses edges. `before` is the gradient at its start.
+  /// Traces the geodesic along the step. The candidates are the geodesic's end and its joints,
+  /// where it crosses edges. Returns the candidate with the smallest gradient. `before` is the
+  /// gradient at the start.
   Candidate bestAlongStep(const Vec2& step, double before) {
     Candidate best;
     int bestJoint = 0;
@@ -95,8 +96,8 @@ class NewtonSearch {
   /// Continues if no joint of the geodesic is better than its start. Inside a face, the search
   /// moves to the best point of the step inside the face. On an edge, the search ends at a zero on
   /// the edge if each face has its zero beyond the edge; else it enters the other face. At a
-  /// vertex, the search tries the faces around it in turn. Returns false at the end of the search,
-  /// with its status in status_.
+  /// vertex, the search tries the faces around it in turn. Returns false if the search ends;
+  /// status_ then has its status.
   bool goOn(const TriangleField& field, const Vec2& step) {
     const PointLocation location = locate(mesh_, point_);
     if (location.simplex == Simplex::kFace) return shortenStep(field, step);
@@ -175,7 +176,7 @@ class NewtonSearch {
   Status status_ = Status::kNoProgress;
   /// The number of faces around the same edge or vertex that the search left without progress.
   int facesTried_ = 0;
-  int crossed_ = -1;  ///< the lower half-edge of the edge last crossed without progress
+  int crossed_ = -1;  ///< the last edge crossed without progress, by its lower half-edge
 };
 
 }  // namespace

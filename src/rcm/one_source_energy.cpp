@@ -14,7 +14,7 @@ bool isBefore(const SurfacePoint& a, const SurfacePoint& b) {
                                       b.bary.data() + 3);
 }
 
-/// The place, moved inwards by more than rounding if it lies on the boundary of its face: log
+/// Moves a place inwards by more than rounding if it lies on the boundary of its face, since log
 /// vectors need a start inside a face.
 SurfacePoint movedInside(const SurfacePoint& place) {
   if (place.bary.minCoeff() > kChainRounding) return place;
@@ -34,7 +34,7 @@ Vec2 logOf(const TriangleMesh& mesh, const SurfacePoint& point, const DistanceSo
 
 /// The squared distance of a point from the source. Each corner of the point's face sees the source
 /// at a position in the plane of the face. If these positions differ, as across the cut locus, the
-/// nearest one counts; else the squared distances from them are blended.
+/// nearest position counts. Else the result blends the squared distances from the three positions.
 double squaredDistanceOf(const Geometry& geometry, const SurfacePoint& point,
                          const DistanceSolver& solver) {
   const Vec2 place = pointInFace(geometry, point);
@@ -181,8 +181,8 @@ void ExactOneSourceEnergy::grow(const SurfacePoint& place) {
   for (const SurfacePoint& point : points_.points) {
     radius = std::max(radius, (position(mesh, point) - position(mesh, place)).norm());
   }
-  // The loop ends: no growth makes a corner farther, and an increasing radius reaches all of the
-  // mesh.
+  // The loop ends: growth never increases the distance of a corner, and an increasing radius
+  // finally reaches the whole mesh.
   for (;;) {
     solver_.grow(radius);
     if (solver_.reached() == kInfinity) break;

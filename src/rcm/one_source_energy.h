@@ -5,12 +5,12 @@
 #include "intrinsic/straightest.h"
 
 /// The energy K(p) = sum_i w_i d(p, p_i)^2 of many points at few places. Distances are symmetric,
-/// so the distances from the place, as the only source, determine K there. Half of -grad K is the
+/// so one search with the place as its only source gives all distances. Half of -grad K is the
 /// weighted sum of the log vectors at the place. Thousands of points take as much work as one.
 namespace karcher {
 
-/// Points with nonzero weights, sorted by their faces, with equal ones merged. So K does not depend
-/// on the points' order, not even in its last bit.
+/// Points with nonzero weights, sorted by their faces. Equal points are merged. So K does not
+/// depend on the points' order, not even in its last bit.
 struct WeightedPoints {
   Array<SurfacePoint> points;
   Array<double> weights;
@@ -29,8 +29,8 @@ class OneSourceEnergy {
   /// implement DistanceSolver::stepTo.
   OneSourceEnergy(const Geometry& geometry, const WeightedPoints& points, DistanceSolver& solver);
 
-  /// K and the natural step by the solver's distances, interpolated in the points' faces; exact on
-  /// a plane.
+  /// K and the natural step. Both use the solver's distances, interpolated in the points' faces,
+  /// and are exact on a plane.
   EnergyAt at(const SurfacePoint& place);
 
   /// The number of times that the energy computed distances.

@@ -8,8 +8,8 @@
 namespace karcher {
 namespace {
 
-/// The largest distance that a caller may give. Doubles can then hold products of several squared
-/// distances, even on the smallest faces.
+/// The largest distance that a caller may give, so that doubles can hold products of several
+/// squared distances, even on the smallest faces.
 constexpr double kLargestDistance = 1e60;
 
 }  // namespace

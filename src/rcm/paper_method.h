@@ -7,11 +7,11 @@
 
 /// The method of C. Mancinelli, E. Puppo, "Computing the Riemannian Center of Mass on Meshes"
 /// (`method: 'paper'`). Fields are gradients of squared distances, from the exact solver or the
-/// k-ring graph (ring_graph.h). Newton's method searches them.
+/// k-ring graph (ring_graph.h). Newton's method finds their zeros.
 namespace karcher {
 
-/// The field of given squared distances, one for each vertex: their gradients over the given star
-/// (Eq. 3, gradient_operator.h).
+/// The field of given squared distances, with one distance for each vertex. The field's values are
+/// the gradients over the given star (Eq. 3, gradient_operator.h).
 ControlField fieldOfSquares(Surface& surface, Star star, Array<double> squaredDistances);
 
 /// A field of a caller's own distances, one for each vertex. Throws Error: kBadArgument if there is

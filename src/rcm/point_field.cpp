@@ -44,8 +44,8 @@ void PointField::setPointFor(const SurfacePoint& point, const SurfacePoint& plac
   makeLogField(aimAt(place, most));
 }
 
-/// An aim at a ball about a place. The ball holds all vertices on which the estimates at the
-/// corners of the place's face depend: those at most two edges from a corner.
+/// An aim at a ball about a place. The ball holds all vertices that are at most two edges from a
+/// corner of the place's face, since the estimates at the corners depend on these vertices.
 PathAim PointField::aimAt(const SurfacePoint& place, double most) const {
   const TriangleMesh& mesh = surface_.mesh();
   const Vec3 center = position(mesh, place);

@@ -31,19 +31,19 @@ class PointField {
   /// the point and the vertex, and needs no memory of a solver.
   ///
   /// Beside hubs (hubs.h) callers read many values, and each search would go round the whole hub.
-  /// There exact windows find, in one search, all paths that are not by sight. The log vectors of a
-  /// near field need no fit (estimators.h). With exact distances the search compares each path with
-  /// the shortest one by exact windows, at many times the cost. With graph distances, and with the
-  /// paper's method, a near field is like any other.
+  /// So there a single search by exact windows finds all paths that are not by sight. The log
+  /// vectors of a near field need no fit (estimators.h). With exact distances the search compares
+  /// each path with the shortest path by exact windows, which takes many times longer. With graph
+  /// distances, and with the paper's method, a near field is like any other.
   void setPoint(const SurfacePoint& point, bool isNear = false);
-  /// Moves the field to a point, for callers that read it only near a place and for distances up to
-  /// `most`. Windows then cover only the region between the point and the place, instead of the
-  /// whole disk up to the place. Longer distances are upper bounds.
+  /// Moves the field to a point, for callers that read the field only near `place` and for
+  /// distances up to `most`. Windows then cover only the region between the point and the place,
+  /// instead of the whole disk up to the place. Longer distances are upper bounds.
   void setPointFor(const SurfacePoint& point, const SurfacePoint& place, double most);
   const SurfacePoint& point() const { return point_; }
   bool isNear() const { return isNear_; }
 
-  /// Whether a path by sight gives the value of a near field at a vertex.
+  /// Whether a near field takes its value at a vertex from a path by sight.
   bool sees(int vertex) const {
     return sightFrom(surface_.geometry(), sights_, vertex).has_value();
   }
@@ -104,7 +104,7 @@ class PointField {
   std::optional<PagedArray<LogEntry, 4>> logVectors_;
 };
 
-/// The fields of points, in the form that a blend takes.
+/// The fields of points, as pointers for a FieldBlend.
 Array<ControlField*> controlFields(const Array<PointField*>& points);
 
 }  // namespace karcher

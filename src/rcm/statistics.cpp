@@ -37,8 +37,8 @@ Array<Vec2> logVectors(const Geometry& geometry, const Array<SurfacePoint>& poin
   return vectors;
 }
 
-/// Whether a point is the median. It is if the joint pull of all other points there is at most its
-/// own weight.
+/// Whether a point is the median: the joint pull of the points elsewhere is at most the weight of
+/// all points at its place.
 bool isMedian(const Geometry& geometry, const Array<SurfacePoint>& points,
               const Array<double>& weights, int at) {
   const Array<Vec2> vectors = logVectors(geometry, points, points[at]);
@@ -102,8 +102,8 @@ RobustMean search(FieldSets& sets, const Array<SurfacePoint>& points, const Arra
         break;
       }
     }
-    // If the search is at one of the points and this is no minimum, the pull of the others leads it
-    // away.
+    // If the search is at a point that is not the minimum, the pull of the other points leads the
+    // search away.
     Array<double> factors = weights;
     for (int i = 0; i < factors.count(); ++i)
       factors[i] *= rule.pull(std::max(distances[i], least));
@@ -135,7 +135,8 @@ SurfacePoint moved(const Geometry& geometry, const SurfacePoint& place, const Ve
   return {place.face, barycentric(geometry, place.face, pointInFace(geometry, place) + way)};
 }
 
-/// Throws unless the Hessian at a center of mass is positive definite.
+/// The inverse of the Hessian at a center of mass. Throws Error unless the Hessian is positive
+/// definite.
 Eigen::Matrix2d inverseHessian(const Geometry& geometry, const Array<SurfacePoint>& points,
                                Weights weights, const SurfacePoint& center) {
   const Eigen::Matrix2d hessian = hessianAt(geometry, points, weights, center);

@@ -31,9 +31,9 @@ struct RobustMean {
 /// one exact search of distances. (E. Weiszfeld, "Sur le point pour lequel la somme des distances
 /// de n points donnes est minimum", 1937; P. T. Fletcher, S. Venkatasubramanian, S. Joshi, "The
 /// geometric median on Riemannian manifolds", 2009.) Each step first tests the nearest point,
-/// unless an earlier step has tested it: the point is the median if the joint pull of the other
-/// points there is no more than its own weight. Throws what `centerOfMass` throws (mean.h), and
-/// Error kBadArgument unless there is one positive weight for each point.
+/// unless an earlier step has tested it: this point is the median if the joint pull of the points
+/// elsewhere is no more than the weight of all points at its place. Throws what `centerOfMass`
+/// throws (mean.h), and Error kBadArgument unless there is one positive weight for each point.
 RobustMean median(FieldSets& sets, const Array<SurfacePoint>& points, const Array<double>& weights,
                   const RobustOptions& options = {});
 
@@ -58,26 +58,26 @@ EnergyGradient energyAt(const Geometry& geometry, const Array<SurfacePoint>& poi
                         Weights weights, const SurfacePoint& place);
 
 /// The second derivatives of the energy at a place inside a face, along the axes of the face's
-/// frame. They are computed by differences of gradients on both sides. On a plane the Hessian is
-/// twice the sum of the weights times the identity. It does not exist where several shortest paths
-/// lead to one of the points. Throws as above, and Error kBadArgument for a place on an edge or at
-/// a vertex.
+/// frame. The function computes them from the differences of gradients at places on opposite sides
+/// of the given place. On a plane the Hessian is twice the sum of the weights times the identity.
+/// It does not exist at a place from which several shortest paths lead to one of the points. Throws
+/// as above, and Error kBadArgument for a place on an edge or at a vertex.
 Eigen::Matrix2d hessianAt(const Geometry& geometry, const Array<SurfacePoint>& points,
                           Weights weights, const SurfacePoint& place);
 
-/// The derivatives of the center of mass of these weights with respect to each weight, with the
-/// others fixed. They are vectors in the frame of the center's face and, like the gradient, those
-/// on the polyhedron. The center must lie inside a face. Throws what `hessianAt` throws, and Error
+/// The partial derivatives of the center of mass with respect to the weights. They are vectors in
+/// the frame of the center's face. Like the gradient, they belong to the polyhedron, not to a
+/// smooth surface. The center must lie inside a face. Throws what `hessianAt` throws, and Error
 /// kBadArgument where the Hessian is not positive definite.
 Array<Vec2> weightDerivatives(const Geometry& geometry, const Array<SurfacePoint>& points,
                               Weights weights, const SurfacePoint& center);
 
-/// The derivatives of the center of mass with respect to each point: a matrix that maps a vector in
-/// the frame of the point's face to one in the frame of the center's face. The Hessian times this
-/// matrix is twice the point's weight times the derivative of the point's log vector at the center,
-/// which is computed by differences. If the path passes through no vertex, the derivative of the
-/// log vector is parallel transport along the path. The center and the points must lie inside
-/// faces. Throws what `weightDerivatives` throws.
+/// The derivatives of the center of mass with respect to each point: a matrix that maps vectors in
+/// the frame of the point's face to vectors in the frame of the center's face. The Hessian times
+/// this matrix is twice the point's weight times the derivative of the point's log vector at the
+/// center. Differences give this derivative. If the path passes through no vertex, the derivative
+/// of the log vector is parallel transport along the path. The center and the points must lie
+/// inside faces. Throws what `weightDerivatives` throws.
 Array<Eigen::Matrix2d> pointDerivatives(const Geometry& geometry, const Array<SurfacePoint>& points,
                                         Weights weights, const SurfacePoint& center);
 

@@ -26,7 +26,8 @@ void addPoint(DistanceSolver& solver, const SurfacePoint& point, double weight, 
   }
 }
 
-/// Whether blends (FieldBlend) read the midpoint of an edge at h, not at the twin of h.
+/// Whether blends (FieldBlend) read the midpoint of an edge by its half-edge h, not by the twin of
+/// h.
 bool isAskedFor(const TriangleMesh& mesh, int h) { return h < mesh.twin[h]; }
 
 /// The sum of fields with values at the midpoints of edges. The share of log vectors in an estimate

@@ -25,8 +25,8 @@ class Surface {
   /// The number of a vertex's connected component.
   int component(int vertex);
 
-  /// The graph of the paper's graph distances. The first use builds it unless `takeRingGraph` gave
-  /// one.
+  /// The graph of the paper's graph distances. The first use builds the graph unless
+  /// `takeRingGraph` has provided it.
   const RingGraph& ringGraph(int rings);
   bool hasRingGraph(int rings) const { return ringGraphs_.count(rings) != 0; }
   /// Keeps a graph that a caller has built step by step (RingGraphBuilder).

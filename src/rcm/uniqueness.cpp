@@ -10,10 +10,10 @@
 namespace karcher {
 namespace {
 
-/// The radius of the region in which the paths of the proof lie, relative to the radius r of a ball
+/// The paths of the proof lie within this radius of the center, relative to the radius r of a ball
 /// about the center. A shortest path between two points in the ball stays within 2 r of the center.
-/// At the distance 2 r the energy is larger than at the center, and a path from there to a point in
-/// the ball stays within 3 r.
+/// At the distance 2 r from the center the energy is larger than at the center. A shortest path
+/// from a place at this distance to a point in the ball stays within 3 r.
 constexpr double kReach = 3;
 
 /// The fraction of a smooth surface's radius of convexity up to which the proof applies, since the
@@ -33,8 +33,9 @@ struct FaceSet {
   Array<char> isIn;  ///< one entry for each face of the mesh
 };
 
-/// The faces within `radius` of the center in space that are connected to the center's face through
-/// edges between such faces. They contain the geodesic ball of that radius.
+/// The faces within `radius` of the center in space. A face counts only if a chain of such faces,
+/// adjacent at edges, connects it to the center's face. The result contains the geodesic
+/// ball of that radius.
 FaceSet facesWithin(const TriangleMesh& mesh, const SurfacePoint& center, double radius) {
   const Vec3 place = position(mesh, center);
   FaceSet found;
@@ -161,7 +162,7 @@ Array<SurfacePoint> spreadPoints(Surface& surface, int face, int count) {
   int step = 0;
   for (int f = 0; f < mesh.faceCount() && step < count; ++f) {
     sum += areaOf(f);
-    // One large face may contain the middles of several steps.
+    // One large face may contain the middles of several steps, but occurs only once.
     bool ends = false;
     for (; step < count && sum * count >= (step + 0.5) * all; ++step) ends = true;
     if (ends) result.push_back({f, Vec3::Constant(1.0 / 3)});

@@ -16,9 +16,9 @@
 /// Intrinsic Geometry of a Jordan Domain", for the boundary of the disk).
 namespace karcher {
 
-/// What is known of other minima of the energy.
+/// The knowledge about other minima of the energy.
 enum class Uniqueness {
-  kNotLooked,  ///< searches started at most at the control points
+  kNotLooked,  ///< no searches started all over the surface
   kCertain,    ///< no other minimum is lower, and none is near the points: this is proved
   kLikely,     ///< all searches ended at this minimum
   kNotUnique,  ///< some searches ended at other minima
@@ -37,17 +37,18 @@ struct CurvatureBound {
 /// The bound of the sphere and the torus, whose curvature has a closed form.
 std::optional<CurvatureBound> curvatureBound(Shape shape);
 
-/// The radius of a ball about `center` that holds all points of nonzero weight, if their energy
-/// provably has no other minimum in it and no lower value elsewhere; else -1. With negative weights
-/// there is no proof. With `smooth` the proof may be for the smooth surface that the mesh
-/// approximates. Otherwise it is for the mesh; then no vertex within three radii of the center has
-/// an angle defect above 1e-9.
+/// The radius of a ball about `center` that holds all points of nonzero weight; -1 without a proof.
+/// The proof shows that the energy has no other minimum in the ball and no lower value elsewhere.
+/// With negative weights there is no proof. With `smooth` the proof may be for the smooth surface
+/// that the mesh approximates. Otherwise it is for the mesh; then no vertex within three radii of
+/// the center has an angle defect above 1e-9.
 double provedRadius(const Surface& surface, const Array<SurfacePoint>& points,
                     const Array<double>& weights, const SurfacePoint& center,
                     const std::optional<CurvatureBound>& smooth = std::nullopt);
 
-/// Points spread evenly over the connected component of a face: the centroids of the faces in the
-/// middle of equal steps of the cumulated area. The order of the faces is spatially coherent.
+/// Points spread evenly over the connected component of a face: the centroids of at most `count`
+/// faces. The function sums the faces' areas in order, divides the sum into `count` equal steps,
+/// and takes the face at the middle of each step. Faces near in this order are near in space.
 Array<SurfacePoint> spreadPoints(Surface& surface, int face, int count);
 
 }  // namespace karcher

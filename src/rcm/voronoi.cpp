@@ -9,12 +9,12 @@
 #include "mesh/error.h"
 #include "mesh/rounding.h"
 
-/// Sites are added one after the other. In each triangle the earlier sites have convex pieces, and
-/// the new site takes from each piece the part that is nearer to it by more than rounding. A corner
-/// of a piece is a vertex of the mesh, or it lies between two earlier corners of which a site took
-/// only one. Such a pair of earlier corners names the new corner. So pieces on both sides of an
-/// edge have the same corners, and no gap opens, whatever the rounding. Pieces of one site are not
-/// merged, because other pieces share their corners.
+/// Sites are added one after the other. In each triangle the earlier sites have convex pieces. From
+/// each piece, the new site takes the part that is nearer to the new site by more than rounding. A
+/// corner of a piece is a vertex of the mesh, or it lies between two earlier corners, when a site
+/// takes only one of the two. This pair of earlier corners names the new corner. So pieces on both
+/// sides of an edge have the same corners, and no gap opens, whatever the rounding. Pieces of one
+/// site are not merged, because other pieces share their corners.
 namespace karcher {
 namespace {
 
@@ -103,7 +103,7 @@ class Pieces {
   }
 
  private:
-  /// Gives to the new site the parts of a face's pieces that are nearer to it.
+  /// Gives to the new site the parts of a face's pieces that are nearer to the new site.
   void divide(Array<Piece>& pieces, int site) {
     const auto isNearer = [&](int corner) { return isNearer_[corner] != 0; };
     for (int i = pieces.count() - 1; i >= 0; --i) {
@@ -123,7 +123,8 @@ class Pieces {
     }
   }
 
-  /// The corner between two others where the new site is as near as the nearest earlier site.
+  /// The corner between two given corners at the point where the new site is as near as the nearest
+  /// earlier site.
   int cornerBetween(int here, int next) {
     const auto [known, isNew] = between_.try_emplace(nameOf(here, next), corners_.count());
     if (!isNew) return known->second;

@@ -3,8 +3,8 @@
 #include "distance/distance_solver.h"
 #include "regions/region.h"
 
-/// Voronoi diagrams: the surface divided into cells, each with the points that are nearest to one
-/// of several sites. The package `karcher/statistics` has the same function under the same name.
+/// Voronoi diagrams: the surface, divided into cells. A cell holds points with the same nearest
+/// site. The package `karcher/statistics` has the same function under the same name.
 namespace karcher {
 
 struct VoronoiDiagram {
@@ -12,7 +12,7 @@ struct VoronoiDiagram {
   /// sites are equally near, the lowest number counts.
   Array<int> nearest;
   Array<double> areas;  ///< the area of each site's cell, in squared units of the mesh
-  /// The surface divided by the lines on which two sites are equally near and all others are
+  /// The surface, divided by lines. On a line two sites are equally near, and all other sites are
   /// farther away.
   Arrangement arrangement;
   /// The nearest site for each cell of the arrangement, or -1 for an unreachable cell. A site may
@@ -25,8 +25,8 @@ struct VoronoiDiagram {
 /// In every triangle, squared distances are interpolated linearly between the vertices. So the
 /// lines are exact on a plane, up to the grid of the arrangement (regions/grid.h). On smooth
 /// surfaces their error is of second order in the length of edges. Each point takes one field of
-/// the solver's distances. If sites coincide, the first has the cell and the others have empty
-/// cells.
+/// the solver's distances. If sites coincide, the first site has the cell, and the other sites have
+/// empty cells.
 ///
 /// Throws Error kTooFewPoints without sites and for a site without points, and what the solver
 /// throws.

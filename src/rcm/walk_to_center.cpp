@@ -32,8 +32,8 @@ constexpr int kMaxFaces = 400;
 constexpr int kMostDescents = 60;
 /// the longest step of a descent, relative to the mesh's extent
 constexpr double kLongestDescent = 0.5;
-/// The least weight of a near zero. If a weight is below this, the zero is distant, and the search
-/// descends before it walks.
+/// The least weight of a zero that counts as near. If a weight is smaller, the zero is distant, and
+/// the search descends before it walks.
 constexpr double kFarWeight = -6;
 
 int smallestCorner(const Vec3& b) {
@@ -47,8 +47,8 @@ std::optional<CellZero> zeroOfCell(FieldBlend& fields, Weights weights, int cell
   return zero;
 }
 
-/// The zero in a cell or on an edge around the tail of a half-edge; the tail itself if there is
-/// none. It does not depend on the cell from which the search came.
+/// The zero in a cell or on an edge around the tail of a half-edge; the tail itself if there is no
+/// such zero. The result does not depend on the cell from which the search came.
 CenterOfMass centerAroundTail(FieldBlend& fields, Weights weights, int halfedge) {
   const Cells& cells = fields.cells();
   const int first = cells.firstAround(halfedge);
@@ -66,7 +66,7 @@ CenterOfMass centerAroundTail(FieldBlend& fields, Weights weights, int halfedge)
   }
   if (!definite) return {cells.tailOf(first), Status::kIndefinite, 0};
 
-  // Among zeros between two cells, the one farthest from the ends of its edge counts.
+  // Among zeros between two cells, the zero farthest from the ends of its edge counts.
   double farthest = 0;
   SurfacePoint between;
   for (const int h : HalfedgesAround<Cells>(cells, first)) {
@@ -158,7 +158,7 @@ class ZeroWalk {
     return {centroid(cell), Status::kLimit, kMaxFaces};
   }
 
-  /// The zero between two cells that each have their zero beyond the common edge.
+  /// The zero between two cells, if the zero of each cell lies beyond the common edge.
   CenterOfMass betweenFaces(int h, int step) {
     CenterOfMass result = centerBetween(fields_, weights_, h);
     result.iterations = step;
@@ -188,8 +188,8 @@ class ZeroWalk {
 
   SurfacePoint centroid(int cell) const { return cells_.point(cell, Vec3::Constant(1.0 / 3)); }
 
-  /// The number of cells that the walk remembers. If it returns to one of them, the zero lies
-  /// between faces.
+  /// The number of cells that the walk remembers. If the walk returns to a remembered cell, the
+  /// zero lies between faces.
   static constexpr int kHistory = 16;
 
   FieldBlend& fields_;

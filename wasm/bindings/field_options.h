@@ -6,8 +6,8 @@
 
 namespace karcher::bindings {
 
-/// Reads {method, solver, rings, star}, by the names of the JavaScript API. Throws Error
-/// kBadArgument for other names, and what `checkFieldOptions` throws.
+/// Reads {method, solver, rings, star}, with names of the JavaScript API. Throws Error kBadArgument
+/// for other names, and what `checkFieldOptions` throws.
 FieldOptions fieldOptionsFromJs(const emscripten::val& options);
 
 /// The name of a solver in the JavaScript API.

@@ -9,21 +9,21 @@
 
 #include "mesh/error.h"
 
-/// How failures reach JavaScript. An exception that leaves the module loses its sentence. So each
-/// binding runs under a guard, which keeps the failure's code and sentence and returns an empty
-/// result. The TypeScript facade takes the failure after each call.
+/// How failures reach JavaScript. An exception that leaves the WebAssembly module loses its
+/// sentence. So each binding runs under a guard, which keeps the failure's code and sentence and
+/// returns an empty result. The TypeScript facade takes the failure after each call.
 namespace karcher::bindings {
 
 /// Keeps a failure until `takeFailure`.
 void keepFailure(const char* code, const char* sentence);
 
-/// Returns the kept failure as {code, message}, or undefined, and forgets it.
+/// Returns the kept failure as {code, message} and forgets it. Returns undefined without a failure.
 emscripten::val takeFailure();
 
 /// Keeps the current exception.
 void keepCurrentException();
 
-/// Returns the result of `work`, or undefined or an empty value if it failed.
+/// Returns the result of `work`. If `work` failed, returns undefined or an empty value.
 template <class Work>
 auto guarded(const Work& work) -> decltype(work()) {
   using Result = decltype(work());
@@ -39,7 +39,7 @@ auto guarded(const Work& work) -> decltype(work()) {
   }
 }
 
-/// A function or member function `Work` under the guard, bound as Guarded<&Work>::call.
+/// Runs the function or member function `Work` under the guard. Bindings use Guarded<&Work>::call.
 template <auto Work>
 struct Guarded;
 

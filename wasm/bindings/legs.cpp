@@ -14,8 +14,8 @@ namespace {
 /// The relative difference of lengths below which paths count as equally short.
 constexpr double kSameLength = 1e-9;
 
-/// Weights below this limit come from rounding, for example if a link has only two weights of a
-/// point and the third is computed from them.
+/// Weights below this limit come from rounding. For example, a link may have only two weights of a
+/// point; the third weight is then computed.
 constexpr double kNoWeight = 1e-15;
 
 /// The same points, except that a point that is on an edge up to rounding moves onto the edge.

@@ -6,15 +6,16 @@
 
 namespace karcher::bindings {
 
-/// Conversion of a control polygon's legs. In JavaScript they are a list that has, for each leg,
-/// the points through which it passes; a shortest leg has no points. The list is empty if all legs
-/// are shortest.
+/// Conversion of a control polygon's legs. In JavaScript, legs are a list with an array for each
+/// leg: the points through which the leg passes, or no points for a shortest leg. The list is empty
+/// if all legs are shortest.
 class Legs {
  public:
   /// The legs of a curve's value with these points. `areDrawn`, an Int32Array of 0 and 1, marks
-  /// drawn legs: for these the list includes their own ends, which may differ from the control
-  /// points. Legs of the last call need no new search. Throws Error kUnreachable for waypoints on
-  /// another component than the leg's ends, and what `pointsFromJs` throws.
+  /// drawn legs. The points of a drawn leg include its ends, which may differ from the control
+  /// points. Legs that are the same as in the last call need no new search. Throws Error
+  /// kUnreachable if the points of a leg and its ends lie on different components, and what
+  /// `pointsFromJs` throws.
   Array<SurfacePath> fromJs(const MeshHandle& mesh, const Array<SurfacePoint>& points,
                             const val& legs, const val& areDrawn);
 
@@ -35,8 +36,8 @@ val legsToJs(const MeshHandle& mesh, const Array<SurfacePath>& legs,
              const FindPathOptions& shortest);
 
 /// A list with {path, shorter} for each leg of a curve. `path` is the leg's path (path.h).
-/// `shorter` is a shorter path between the leg's ends; it is missing for shortest legs and if a
-/// search finds none.
+/// `shorter` is a shorter path between the leg's ends; it is missing for shortest legs, and if a
+/// search finds no shorter path.
 val legsAndShorterToJs(const MeshHandle& mesh, Curve& curve);
 
 }  // namespace karcher::bindings

@@ -113,8 +113,9 @@ val MeshHandle::carried(const val& points, int levels) const {
   checkLevels(levels);
   Array<double> wire;
   for (SurfacePoint point : pointsFromJs(numbering_, mesh(), points)) {
-    // Face f becomes 4 f + k at its corner k, and 4 f + 3 between the middles of its edges
-    // (loop_subdivision.cpp). Doubling is exact, and subtraction from 1 loses at most the last bit.
+    // Face f becomes the faces 4 f + k at its corners k, and the face 4 f + 3 between the middles
+    // of its edges (loop_subdivision.cpp). Doubling is exact, and subtraction from 1 loses at most
+    // the last bit.
     for (int level = 0; level < levels; ++level) {
       const Vec3 bary = point.bary;
       int corner = 0;
@@ -333,8 +334,8 @@ val MeshHandle::meanToJs(const Mean& mean) const {
   return result;
 }
 
-/// Field number `field` of a caller's distances, in the engine's order. Errors name the caller's
-/// vertex.
+/// The field with the number `field` in a caller's distances, in the engine's order. Errors name
+/// the caller's vertex.
 Array<double> MeshHandle::engineDistances(const Array<double>& distances, size_t field) const {
   const double* own = distances.data() + field * numbering_.engineVertex.size();
   Array<double> result;

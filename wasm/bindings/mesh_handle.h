@@ -40,7 +40,7 @@ class MeshHandle {
   /// The mesh refined by `levels` steps of Loop subdivision.
   std::unique_ptr<MeshHandle> subdivided(int levels) const;
   /// The same points on the refined mesh. Each point keeps its barycentric place in its original
-  /// triangle, which is now divided.
+  /// triangle, which the refinement has divided.
   val carried(const val& points, int levels) const;
 
   val checkedPoint(const val& point) const;
@@ -64,9 +64,9 @@ class MeshHandle {
   /// {points, directions, remaining}
   val expMap(const val& from, const val& vectors, const val& directions) const;
   val mirror(const val& line, const val& points, const val& directions) const;
-  /// The vectors transported along the log map's path to its end.
+  /// The vectors after transport along the log map's path to its end.
   val transport(const val& from, const val& to, const val& vectors) const;
-  /// The vectors transported from the first of a line's points to the last.
+  /// The vectors after transport along a line, from its first point to its last.
   val transportAlong(const val& line, const val& vectors) const;
   /// {points, lengths}: the points of a line at the given lengths from its start, then `count`
   /// evenly spaced points. `length` is the line's length; 0 stands for the sum of its chords.
@@ -80,18 +80,19 @@ class MeshHandle {
   /// Builds the data that fields with these options share. They include the ring graph of the
   /// solver `graph`, unless a GraphBuilderHandle has already built it step by step.
   void prepareFields(const val& field);
-  /// `start` is a point, or an empty array for the engine's choice. The result has a `certificate`
-  /// if `certifies` is true.
+  /// `start` is a point, or an empty array if the engine is to choose the start. The result has a
+  /// `certificate` if `certifies` is true.
   val centerOfMass(const val& points, const val& weights, const val& start, bool normalize,
                    bool looksForOthers, bool certifies, const val& field);
-  /// {point, position, energy, status}, with the values for each row of weights one after the
+  /// {point, position, energy, status}: arrays with the values of one row of weights after the
   /// other.
   val centersOfMass(const val& points, const val& rows, const val& start, bool normalize,
                     bool isChecked, const val& field);
   /// {weights, isMinimum}; `given` is empty for equal weights.
   val weightsOf(const val& point, const val& points, const val& given, bool nonNegative,
                 const val& field);
-  /// `distances` holds one field after another. Each has a distance for each vertex of the caller.
+  /// `distances` holds one field after another. Each field has a distance for each vertex of the
+  /// caller.
   val centerOfMassOfDistances(const val& distances, const val& weights, const val& start,
                               bool normalize);
   val circle(const val& center, double radius, const val& arcs, int samples, int levels,
@@ -108,15 +109,15 @@ class MeshHandle {
              double miterLimit) const;
   /// The distances of points from the nearest of the outlines; NaN for unreachable points.
   val distanceFromPaths(const val& outlines, const val& points) const;
-  /// A list of {area, perimeter, boundary, share, triangles, sides}. If `combine` is "none" it has
-  /// one such object for each shape, with `isLeft`; else it has one object in all. `counts` has the
-  /// number of outlines of each shape. `insides` has an array for each shape. The array is empty,
-  /// or holds a point inside, or the side of the first outline that is inside (1 for the left, 0
-  /// for the right).
+  /// A list of {area, perimeter, boundary, share, triangles, sides}. If `combine` is "none", the
+  /// list has such an object for each shape, with `isLeft`; else it has a single object. `counts`
+  /// has the number of outlines of each shape. `insides` has an array for each shape. The array
+  /// holds the four numbers of a point inside, or one number for the inner side of the first
+  /// outline (1 for the left, 0 for the right), or nothing.
   val regions(const val& outlines, const val& counts, const val& insides, const std::string& rule,
               const std::string& combine) const;
-  /// A list of {positions, triangles, faces}, one for each cell. `report` is a function of the
-  /// completed fraction that returns whether to continue.
+  /// A list of {positions, triangles, faces}, one for each cell. `report` takes the completed
+  /// fraction and returns whether to continue.
   val cut(const val& outlines, const val& report) const;
 
  private:
@@ -137,12 +138,12 @@ class MeshHandle {
   std::optional<CurvatureBound> smooth_;
   std::optional<FaceTree> faceTree_;  ///< the tree, built on first use
   std::shared_ptr<FieldSets> fieldSets_;
-  /// The fields of the last center of mass.
+  /// The set of the fields of the last center of mass.
   std::shared_ptr<FieldSet> fields_;
 };
 
 /// `bytes` is a Uint8Array with the content of an OBJ file. `parts` holds the numbers of the wanted
-/// parts, or is null for all. `weld` is ImportOptions::weld.
+/// parts, or is null for all parts. `weld` is ImportOptions::weld.
 std::unique_ptr<MeshHandle> meshFromObj(const val& bytes, const val& parts, bool repair,
                                         double weld);
 /// `positions` is a Float64Array, `triangles` an Int32Array, with three numbers for each item.

@@ -80,7 +80,8 @@ val MeshHandle::logMapOfVertices(const val& from, double radius) {
   solver->grow(radius);
   SourceVectors ofVertices(geometry);
   ofVertices.setSource(start);
-  // The map of the tangent plane to space is linear, so the images of two vectors determine it.
+  // The map from the tangent plane to space is linear, so the images of two vectors determine the
+  // map.
   const Vec3 along = tangentToSpace(geometry, start, Vec2::UnitX());
   const Vec3 across = tangentToSpace(geometry, start, Vec2::UnitY());
   Array<double> vectors;
@@ -169,8 +170,8 @@ val MeshHandle::transportAlong(const val& line, const val& vectors) const {
   Array<double> carried;
   for (int i = 0; i < ways.count() / 3; ++i) {
     Vec2 way = tangentFromSpace(geometry, path.start(), vectorAt(ways, i));
-    // The path may turn at every point, but each piece of it is straight. So the pieces transport
-    // the vector one after the other.
+    // The path may turn at every point, but is straight between two points. So the loop transports
+    // the vectors along one straight piece after the other.
     for (int k = 1; k < path.points.count(); ++k) {
       const SurfacePath piece{{path.points[k - 1], path.points[k]},
                               {0, path.lengths[k] - path.lengths[k - 1]}};

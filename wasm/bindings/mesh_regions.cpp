@@ -14,8 +14,9 @@ namespace {
 
 /// The data from which JavaScript decides whether a point lies in a region. `share` tells for each
 /// input triangle whether none, all or a part of it is inside. For triangles that are partly
-/// inside, `sides` has the sides of the inner part, sorted by triangle: the second and third
-/// weights of the side's start, then those of its end. `triangles` has the triangle of each side.
+/// inside, `sides` has the sides of the inner part, sorted by triangle. A side is four numbers: the
+/// second and third weights of its start, and the second and third weights of its end. `triangles`
+/// has the triangle of each side.
 struct Inside {
   enum : uint8_t { kNone = 0, kAll = 1, kPart = 2 };
   Array<uint8_t> share;
@@ -88,8 +89,8 @@ Array<SurfacePath> pathsFromJs(const Numbering& numbering, const TriangleMesh& m
   return paths;
 }
 
-/// The region of a shape. `inside` is a point inside, empty, or the side of the first outline that
-/// is inside: 1 for the left, 0 for the right.
+/// The region of a shape. `inside` holds a point inside, or the inner side of the first outline (1
+/// for the left, 0 for the right), or nothing.
 Region regionOf(const Geometry& geometry, const Numbering& numbering, const Arrangement& all,
                 const PathRange& range, FillRule rule, const val& inside) {
   const Array<double> numbers = fromJs<double>(inside);
@@ -145,7 +146,7 @@ val MeshHandle::regions(const val& outlines, const val& counts, const val& insid
 }
 
 val MeshHandle::cut(const val& outlines, const val& report) const {
-  // On large meshes, the reported fractions match the time that has passed.
+  // The fractions below are about the fractions of the time on large meshes.
   const auto reached = [&](double done) {
     if (!report(done).as<bool>()) refuse("the cut was given up");
   };

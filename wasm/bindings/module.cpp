@@ -6,7 +6,7 @@
 #include "bindings/mesh_handle.h"
 #include "rcm/center_of_mass.h"
 
-// The allocator's own count, which Emscripten's <malloc.h> does not declare.
+// The statistics of the allocator. Emscripten's <malloc.h> does not declare them.
 extern "C" {
 struct mallinfo {
   size_t arena, ordblks, smblks, hblks, hblkhd, usmblks, fsmblks, uordblks, fordblks, keepcost;
@@ -19,7 +19,7 @@ namespace {
 
 double allocatedBytes() { return static_cast<double>(mallinfo().uordblks); }
 
-/// The names of the statuses, by number.
+/// A list with the name of each status, in the order of the statuses' numbers.
 val statusNames() {
   val names = val::array();
   for (int i = 0; i <= static_cast<int>(kLastSampleStatus); ++i) {

@@ -4,7 +4,7 @@ namespace karcher::bindings {
 
 Array<int> append(Path& path, const Numbering& numbering, const TriangleMesh& mesh,
                   const Array<SurfacePoint>& points, double length) {
-  // The position of one point in two faces differs by rounding.
+  // The positions of one point, computed in two faces, differ by rounding.
   constexpr double kSamePoint = 1e-13;
   Array<int> kept;
   Array<double> chords;
@@ -25,8 +25,8 @@ Array<int> append(Path& path, const Numbering& numbering, const TriangleMesh& me
     kept.push_back(i);
     last = here;
   }
-  // Chords are shorter than arcs, and lengths have rounding errors. So the chords are stretched to
-  // the given length.
+  // Chords are shorter than arcs, and lengths have rounding errors. So all chords are stretched by
+  // one factor, to the given length in total.
   const double stretch = whole > 0 ? length / whole : 0;
   for (const double chord : chords) path.lengths.push_back(path.length + stretch * chord);
   path.length += length;

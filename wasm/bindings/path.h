@@ -4,8 +4,8 @@
 
 namespace karcher::bindings {
 
-/// A path on the surface for JavaScript, in arrays over its points. A point that the engine has in
-/// two faces occurs once.
+/// A path on the surface for JavaScript. Its arrays have an entry for each point. If the engine
+/// gives a point twice, in two faces, the path has it once.
 struct Path {
   bool closed = false;
   double length = 0;

@@ -7,7 +7,8 @@
 namespace karcher::bindings {
 namespace {
 
-/// The vertices of the path, and whether the piece that leads to each is unconverged (JoinedPath).
+/// The vertices of the path. `unconverged` tells for each vertex whether the piece that ends there
+/// is unconverged (JoinedPath).
 struct Vertices {
   Path path;
   Array<uint8_t> unconverged;

@@ -21,15 +21,15 @@ struct TracedLine {
 };
 
 struct ViewOptions {
-  bool inDouble = false;    ///< whether positions along the path have 64 bits
+  bool inDouble = false;    ///< whether the path's positions are 64-bit numbers
   bool withPoints = false;  ///< whether to include the path's faces and weights
 };
 
 /// The options from {inDouble, withPoints}.
 ViewOptions viewOptionsFromJs(const val& options);
 
-/// The whole view as one Uint8Array, which wasm/view.ts reads: first the numbers of 64 bits, then
-/// those of 32 bits, then those of 8 bits.
+/// The whole view as one Uint8Array, which wasm/view.ts reads: first the 64-bit numbers, then the
+/// 32-bit numbers, then the 8-bit numbers.
 val viewToJs(const MeshHandle& mesh, const TracedLine& line, const ViewOptions& options);
 
 }  // namespace karcher::bindings

@@ -5,7 +5,7 @@
 #include "mesh/mesh_import.h"
 #include "mesh/surface_point.h"
 
-/// Conversion of values between JavaScript and the engine, with copies of arrays. A point is four
+/// Conversion of values between JavaScript and the engine. Arrays are copied. A point is four
 /// numbers (face, b0, b1, b2); JavaScript may pass a vertex as (NaN, vertex, 0, 0). Faces and
 /// vertices have the caller's numbers in JavaScript and the engine's numbers here.
 namespace karcher::bindings {

@@ -25,16 +25,19 @@ export { comparedMethods };
 export interface MethodResult {
   /** Whether the method gave a curve. */
   ok: boolean;
-  /** The reason why the method failed or why some numbers are missing; null if neither happened. */
+  /**
+   * The reason why the method failed or why some numbers are missing; null if there is no such
+   * reason.
+   */
   reason: string | null;
   /**
-   * The time of the preparation, once for the mesh. It excludes the data that every method needs:
-   * neighbours, angles, frames.
+   * The time of the preparation, which a mesh needs once. It excludes the data that every method
+   * needs: neighbours, angles, frames.
    */
   prepareMs: number | null;
   /**
-   * The time of the curve with all its fields, log maps or distances, without the paths that join
-   * its samples.
+   * The time to compute the curve, including all fields, log maps or distances, but not the paths
+   * that join the samples.
    */
   traceMs: number | null;
   /** The part of `traceMs` that the fields of the points take; 0 for methods without fields. */
@@ -83,7 +86,7 @@ export interface MethodRun extends MethodResult {
 }
 
 export interface CompareOptions extends LongWorkOptions {
-  /** The time in milliseconds after which a method gives up, at its next step. */
+  /** The time limit in milliseconds. A method gives up at its first step after this time. */
   budgetMs?: number;
   /**
    * Whether to omit the drag and the repetitions of short measurements, for figures that only show
@@ -112,7 +115,7 @@ export function standardOptions(method: ComparedMethod, plan: CurvePlan): Method
   };
 }
 
-/** A description of a method's options: of the solver of its distances, or of its log maps. */
+/** A description in words of how a method with these options finds distances or log maps. */
 export function solverWords(options: MethodOptions): string {
   const { method, solver, rings = 6, star = 'wide', seeds = 'heaviest' } = options;
   const delaunay = options.delaunay ? ', on the intrinsic Delaunay triangulation' : '';
@@ -240,7 +243,7 @@ export async function runMethod(
   return run;
 }
 
-/** A limit of time, which ends longer work at its next step. */
+/** A time limit. It ends longer work at the first step after the limit. */
 class Budget {
   readonly signal: AbortSignal;
   /** The reason why the budget ended the work; null if it did not. */
@@ -297,8 +300,8 @@ function reasonOf(error: unknown): string {
 }
 
 /**
- * The largest number of runs of short work. Short work is repeated since a first run is slower than
- * usual.
+ * The largest number of runs of short work. Short work runs several times, since a first run is
+ * slower than later runs.
  */
 const mostRuns = 5;
 const longEnoughMs = 400;
@@ -316,8 +319,8 @@ interface Repeated {
 /** Sets the median times of the preparation, the trace and the drag. */
 async function repeat(run: MethodRun, repeated: Repeated): Promise<void> {
   const { method, curve, mesh, plan, work } = repeated;
-  // Each repetition needs a new curve, since a point that returns to an earlier place finds its
-  // cached field there.
+  // Each repetition needs a new curve. In the same curve, a point that returns to an earlier place
+  // would find its cached field.
   const traces = [run.traceMs!];
   const fields = [run.fieldsMs!];
   const drags = [await drag(curve, mesh, plan, work)];
@@ -342,7 +345,8 @@ async function repeat(run: MethodRun, repeated: Repeated): Promise<void> {
 }
 
 /**
- * The median time of preparations on new copies of the mesh and of the method's own preparation.
+ * The median time of the method's own preparation and of further preparations, each on a new copy
+ * of the mesh.
  */
 async function medianPreparation({ peers, method, mesh, work }: Repeated): Promise<number> {
   const times = [method.prepareMs];
@@ -370,7 +374,7 @@ async function whileQuick(spent: number, run: () => Promise<number>): Promise<vo
 
 /**
  * Moves the middle point to the next corner, and traces all segments that the point affects.
- * Returns the time of the trace.
+ * Returns the duration of the trace.
  */
 function drag(curve: MethodCurve, mesh: Mesh, { points }: CurvePlan, work: LongWorkOptions) {
   const middle = Math.floor(points.length / 2);

@@ -28,13 +28,15 @@ export class ComparedCurve implements MethodCurve {
     this.#handle.call((curve) => curve.movePoint(index, wire));
   }
 
-  /** Sets the start of each segment's searches, instead of the point of the largest weight. */
+  /**
+   * Sets the start of each segment's searches. By default it is the point of the largest weight.
+   */
   startAt(point: PointLike): void {
     const wire = wirePoint(point);
     this.#handle.call((curve) => curve.startAt(wire));
   }
 
-  /** Computes the missing fields and samples at once. Returns its time in milliseconds. */
+  /** Computes all missing fields and samples in one call. Returns the duration in milliseconds. */
   finish(): number {
     const start = performance.now();
     while (!this.#handle.call((curve) => curve.advance(all)));
@@ -42,8 +44,8 @@ export class ComparedCurve implements MethodCurve {
   }
 
   /**
-   * Does the same as `finish` in slices, with pauses between them. The returned time excludes the
-   * pauses. `work.progress` receives the completed fraction of the samples. Rejects with the
+   * Does the same as `finish` in slices, with pauses between them. The returned duration excludes
+   * the pauses. `work.progress` receives the completed fraction of the samples. Rejects with the
    * signal's reason.
    */
   async trace({ progress, signal }: LongWorkOptions = {}): Promise<number> {
@@ -86,18 +88,18 @@ export class ComparedCurve implements MethodCurve {
 
   /**
    * The number of samples found so far that the method's own authors would not accept. The library
-   * of the heat methods stops where the weighted sum of logarithms is shorter than a third of the
-   * root of the face's area; here samples converge at 1e-6 mean edges. For other methods this is
-   * the number of samples that did not converge.
+   * of the heat methods accepts a sample if the weighted sum of logarithms is shorter than a third
+   * of the root of the face's area; here a sample converges only at 1e-6 mean edges. For other
+   * methods this is the number of samples that did not converge.
    */
   lostByOwnRule(): number {
     return this.#handle.call((curve) => curve.lostByOwnRule());
   }
 
   /**
-   * The number of log maps that a heat method has computed, one for each vertex that a search
-   * visited, and the number of its requests for log maps. The library of the method's authors
-   * computes a map at each request. Null for other methods.
+   * The numbers of computed and of requested log maps of a heat method. It computes one log map for
+   * each vertex that a search visits. The library of the method's authors computes a map at each
+   * request. Null for other methods.
    */
   logMaps(): LogMapCounts | null {
     return this.#handle.call((curve) => curve.logMaps());

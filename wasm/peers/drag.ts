@@ -3,13 +3,13 @@ import type { CurveSamples, LongWorkOptions } from '../types.js';
 import type { CurvePlan, MethodCurve } from './types.js';
 import { at, length, subtract, type Vector } from './vectors.js';
 
-/** The curve leaps in a step if a sample moves farther than the hand by more than this factor. */
+/** In a step, the curve leaps if a sample moves more than this many times as far as the hand. */
 const leapRatio = 5;
 
 /** The length of a drag in mean edges, unless the next control point is nearer. */
 const dragEdges = 2;
 
-/** The steadiness of a curve in a drag: a control point moves in small even steps. */
+/** The steadiness of a curve in a drag. In the drag, a control point moves in small even steps. */
 export interface DragMeasures {
   /** The number of steps of the drag. */
   steps: number;
@@ -17,7 +17,7 @@ export interface DragMeasures {
   leaps: number;
   /**
    * The largest move of a sample in a step, divided by the move of the hand; null if no sample
-   * counts both before and after a step.
+   * converged (or lay on a bridge) both before and after a step.
    */
   most: number | null;
 }
@@ -58,7 +58,10 @@ export async function measureDrag(
   return result;
 }
 
-/** The direction from the start to the first point that is farther away than a rounding error. */
+/**
+ * The direction from the start of a polyline to its first point that is farther away than a
+ * rounding error.
+ */
 function directionOf(polyline: Float64Array): Vector {
   const from = at(polyline, 0);
   const last = polyline.length / 3 - 1;
@@ -70,7 +73,7 @@ function directionOf(polyline: Float64Array): Vector {
   return subtract(at(polyline, last), from);
 }
 
-/** Whether a sample counts. A bridged one does, since users see it like the others. */
+/** Whether a sample counts. Bridged samples count, since users see them like converged samples. */
 const isThere = (status: string) => status === 'converged' || status === 'bridged';
 
 function farthest(before: CurveSamples, after: CurveSamples): number | null {

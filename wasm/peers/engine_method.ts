@@ -112,7 +112,7 @@ class EngineCurve implements MethodCurve {
     this.#moved.set(index, point);
   }
 
-  /** This has no effect: the engine chooses the starts of its searches. */
+  /** Has no effect, since the engine chooses the starts of its searches. */
   startAt(): void {}
 
   finish(): number {

@@ -16,9 +16,9 @@ export { warm } from './warm.js';
 
 /**
  * Loads the engine together with the methods that it is compared with. The loaded module is larger
- * than that of `load` and is for comparisons only. The property `karcher` of the result creates the
- * meshes. Rejects with `KarcherError` notLoaded if WebAssembly is missing or the module does not
- * load.
+ * than the module of `load`, and is for comparisons only. The property `karcher` of the result
+ * creates the meshes. Rejects with `KarcherError` notLoaded if WebAssembly is missing or the module
+ * does not load.
  */
 export async function loadPeers(options: LoadOptions = {}): Promise<Peers> {
   const url = new URL('./karcher-peers.wasm', import.meta.url);

@@ -50,7 +50,10 @@ export interface EngineBenchmark {
   ringGraph(rings: number): void;
   gradientOperator(): void;
   field(point: Float64Array, field: EngineFieldOptions): void;
-  /** Chooses a field and the vertices within a radius of its point, and returns their number. */
+  /**
+   * Chooses a field and the vertices within a radius of its point. Returns the number of these
+   * vertices.
+   */
   chooseField(point: Float64Array, field: EngineFieldOptions, radius: number): number;
   /** Computes the chosen field again and reads it at the chosen vertices. */
   readField(): void;
@@ -75,11 +78,11 @@ export interface EngineComparedCurve {
   delete(): void;
   movePoint(i: number, point: Float64Array): void;
   startAt(point: Float64Array): void;
-  /** Computes one field or up to this many samples. Returns true when all is done. */
+  /** Computes one field, or up to `samples` samples. Returns true when the curve is complete. */
   advance(samples: number): boolean;
   samplesLeft(): number;
   lostByOwnRule(): number;
-  /** The numbers of log maps computed and requested; null for methods without log maps. */
+  /** The numbers of computed and of requested log maps; null for methods without log maps. */
   logMaps(): { made: number; asked: number } | null;
   /** The view (../view.ts) of the samples alone. */
   samples(): Uint8Array;

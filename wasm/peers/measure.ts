@@ -11,8 +11,8 @@ export interface CurveMeasures {
   /** The number of samples that did not converge. */
   lost: number;
   /**
-   * The distances between corresponding samples that both converged, in mean edges, and their
-   * number.
+   * The distances, in mean edges, between corresponding samples that both converged. `samples` is
+   * the number of these pairs.
    */
   deviation: { median: number; max: number; samples: number } | null;
   /**
@@ -40,8 +40,8 @@ export interface ReferenceSamples extends Pick<CurveSamples, 'count' | 'position
 }
 
 /**
- * The centers of mass of a path's two ends: the points at the fractions of its length that the
- * weights give.
+ * The centers of mass of a path's two ends. They are points of the path; the weights give the
+ * fractions of the path's length at which they lie.
  */
 export function alongPath(path: Path, { t, weights }: WeightTable): ReferenceSamples {
   const polyline = path.polyline({ bits: 64 });
@@ -70,8 +70,8 @@ export function alongPath(path: Path, { t, weights }: WeightTable): ReferenceSam
 }
 
 /**
- * A step between samples is a leap if its length exceeds those of its neighbours by more than this
- * factor.
+ * A step between samples is a leap if it is longer than the steps before and after it by more than
+ * this factor.
  */
 const leapRatio = 5;
 
@@ -79,7 +79,7 @@ const leapRatio = 5;
 export class CurveMeter {
   readonly #meanEdge: number;
   readonly #triangles: Int32Array;
-  /** For each vertex, the sum of the normals of its faces, weighted by area. */
+  /** For each vertex, the area-weighted sum of the normals of its faces. */
   readonly #normals: Float64Array;
 
   constructor(mesh: Mesh) {
@@ -92,7 +92,7 @@ export class CurveMeter {
   /**
    * Measures a curve against a reference with the same segments and parameters. `affine` are the
    * averages in space of the control points with the samples' weights. They show where a curve
-   * moves fast without a leap, as rational curves are at their ends.
+   * moves fast without a leap, as rational curves do at their ends.
    */
   measure(
     curve: CurveSamples,
@@ -150,7 +150,7 @@ export class CurveMeter {
       const steps = numbers.map((i) => this.#step(curve, i));
       const paces = numbers.map((i) => (affine ? stepOf(affine, i) : 1));
       steps.forEach((step, k) => {
-        // A step without a neighbour has no step to compare with.
+        // A step without a neighbouring step cannot be compared.
         const beside = [k - 1, k + 1].filter((other) => typeof steps[other] === 'number');
         if (step === null || beside.length === 0 || step <= this.#meanEdge) return;
         const isLeap = beside.every(
@@ -162,7 +162,7 @@ export class CurveMeter {
     return breaks;
   }
 
-  /** The distance from a sample to the next; null if one of them is lost. */
+  /** The distance from a sample to the next; null if one of the two samples is lost. */
   #step(curve: CurveSamples, i: number): number | null {
     if (curve.status[i] !== 'converged' || curve.status[i + 1] !== 'converged') return null;
     return stepOf(curve, i);

@@ -35,9 +35,9 @@ export class Peers {
 
   /**
    * Prepares a method on a mesh, which must outlive the method. After each step (some vertices of a
-   * graph, a landmark of an embedding) it calls `work.progress` and checks the signal. Rejects with
-   * the signal's reason, and with `KarcherError`: noEmbedding, degenerateFace, unreachable,
-   * badArgument.
+   * graph, or a landmark of an embedding) the preparation calls `work.progress` and checks the
+   * signal. Rejects with the signal's reason, and with `KarcherError`: noEmbedding, degenerateFace,
+   * unreachable, badArgument.
    */
   async prepare(
     mesh: Mesh,
@@ -96,8 +96,8 @@ export class Peers {
 
   /**
    * Records of the paper's searches, one for each row of weights. Searches begin at the point with
-   * the largest weight. If `warm`, a search after a converged one begins where the converged one
-   * ended.
+   * the largest weight. If `warm`, a search that follows a converged search begins where that
+   * search ended.
    * @internal
    */
   newtonSteps(

@@ -10,30 +10,30 @@ import { add, at, cross, dot, length, scaled, subtract, type Vector } from './ve
 const rulerSamples = 33;
 
 /**
- * The barycentric weight below which a point counts as lying on a side of its face. In mean edges,
- * it is also the length up to which a path's first pieces count as rounding errors.
+ * The barycentric weight below which a point counts as lying on a side of its face. The same
+ * number, in mean edges, is the length up to which a path's first pieces count as rounding errors.
  */
 const onSide = 1e-6;
 
 /**
- * The error of a curve's samples as centers of mass. It is measured by exact shortest paths for
- * every method, whatever the method's own distances are.
+ * The error of a curve's samples as centers of mass. Exact shortest paths measure this error for
+ * every method, whatever distances the method itself uses.
  */
 export interface RulerMeasures {
   /**
-   * |sum of w_i log_x p_i| in mean edges: 0 at a center of mass. On a surface that bends little, it
-   * is about the distance to a center.
+   * |sum of w_i log_x p_i| in mean edges: 0 at a center of mass. On a surface that bends little,
+   * this length is about the distance to a center.
    */
   residual: { median: number; max: number } | null;
   /**
-   * The energy of a sample is the sum of w_i d(x, p_i)^2. `median` is the median of the energies,
-   * and `excess` that of the differences from the reference's energies (null without a reference),
-   * in squared mean edges.
+   * The energy of a sample is the sum of w_i d(x, p_i)^2. `median` is the median of the energies.
+   * `excess` is the median of the differences from the reference's energies (null without a
+   * reference). Both are in squared mean edges.
    */
   energy: { median: number; excess: number | null } | null;
   /**
-   * The number of measured samples: the converged ones among `rulerSamples`, or among all if the
-   * curve has fewer.
+   * The number of measured samples. They are the converged samples among `rulerSamples` evenly
+   * spaced samples, or among all samples if the curve has fewer.
    */
   measured: number;
   /** The number of samples chosen for the measurement. */
@@ -157,7 +157,8 @@ export class Ruler {
   }
 
   /**
-   * A function that turns the directions of paths that leave a point into the plane of its face.
+   * Returns a function for the directions of paths that leave a point. The function turns a
+   * direction into the plane of the point's face.
    */
   #tangentPlane({ face, bary }: SurfacePoint): (direction: Vector) => Vector {
     const corners = this.#cornersOf(face);
@@ -205,9 +206,9 @@ const unit = (a: Vector): Vector => scaled(a, 1 / length(a));
 const normalOf = ([a, b, c]: [Vector, Vector, Vector]) => cross(subtract(b, a), subtract(c, a));
 
 /**
- * The direction in which a path leaves its start: the direction of its first piece that is longer
- * than a rounding error, since the start may lie next to a side. Null for a path that stays at its
- * start.
+ * The direction in which a path leaves its start; null for a path that stays at its start. It is
+ * the direction of the first piece longer than a rounding error, since the start may lie next to a
+ * side.
  */
 function firstStep(path: Path, least: number): Vector | null {
   const polyline = path.polyline({ bits: 64 });

@@ -37,12 +37,12 @@ export interface MethodOptions {
   star?: Star;
   /**
    * For `paper` and `karcher`: the starts of searches. With `heaviest` (the default), searches
-   * start as in the engine: the ends of a segment at the control point of the largest weight, other
-   * samples at the last sample that converged. A search that fails starts again at control points.
-   * With `authors`, searches start as in the program of the paper's authors: at the geodesic de
-   * Boor point until a search finds a center, then at the last center found in any segment. A
-   * search that fails has no second start. A control point with all the weight, as at the ends of a
-   * Bezier curve, is itself the sample.
+   * start as in the engine. Searches for the ends of a segment start at the control point of the
+   * largest weight; searches for other samples start at the last sample that converged. A search
+   * that fails starts again at control points. With `authors`, searches start as in the program of
+   * the paper's authors: at the geodesic de Boor point until a search finds a center, then at the
+   * last center found in any segment. A search that fails has no second start. If one control point
+   * has all the weight, as at the ends of a Bezier curve, this point is the sample.
    */
   seeds?: 'heaviest' | 'authors';
   /** For the heat methods: whether to use the intrinsic Delaunay triangulation of the surface. */
@@ -69,19 +69,20 @@ export interface WeightTable {
 }
 
 /**
- * A curve by its control points and weights. Segment j has a sample for each row of the table: the
- * center of mass, with the row's weights, of the points from number `first[j]` on, one point for
- * each column.
+ * A curve, given by control points and weights. Segment j uses the points from number `first[j]`
+ * on, one for each column of the table. It has a sample for each row: the center of mass of its
+ * points with the row's weights.
  */
 export interface CurvePlan {
   /** The control points of the whole curve. */
   points: readonly PointLike[];
   /** The number of each segment's first control point. */
   first: readonly number[];
-  /** The weights of a segment's points at each of its samples. */
+  /** The table with the weights of a segment's points at each sample. */
   table: WeightTable;
   /**
-   * The kind and the weights of a curve that can be subdivided. `bSurf` and `leveled` need them.
+   * The kind and the weights of a curve that can be subdivided. `bSurf` and `leveled` need this
+   * shape.
    */
   shape?: { kind: 'bspline' | 'bezier' | 'rational'; weights?: readonly number[] };
 }
@@ -94,19 +95,22 @@ export interface MethodCurve {
   movePoint(i: number, point: PointLike): void;
   /** Starts the searches of each segment at a point of the surface. */
   startAt(point: PointLike): void;
-  /** Computes the missing fields and samples at once. Returns its time in milliseconds. */
+  /** Computes all missing fields and samples in one call. Returns the duration in milliseconds. */
   finish(): number;
-  /** Does the same as `finish` in slices. The returned time excludes the pauses between them. */
+  /**
+   * Does the same as `finish` in slices. The returned duration excludes the pauses between the
+   * slices.
+   */
   trace(work?: LongWorkOptions): Promise<number>;
   /** The milliseconds that the fields of the last `trace` took; 0 for methods without fields. */
   readonly fieldsMs: number;
-  /** The samples of all segments, with the status of the search for each. */
+  /** The samples of all segments, each with the status of its search. */
   samples(): CurveSamples;
   /** The samples joined by geodesics, for drawing. */
   line(): ComparedLine;
   /** The number of samples that the method's own authors would not accept. */
   lostByOwnRule(): number;
-  /** The numbers of log maps computed and requested; null for methods without log maps. */
+  /** The numbers of computed and of requested log maps; null for methods without log maps. */
   logMaps(): LogMapCounts | null;
   /** Frees the memory. A second call has no effect. */
   dispose(): void;
@@ -148,7 +152,9 @@ export type ComparedCenter = Pick<CenterOfMass, 'point' | 'position' | 'status'>
 export interface LogMapCounts {
   /** The number of computed log maps. */
   made: number;
-  /** The number of requests for log maps. The authors' library would compute a map for each. */
+  /**
+   * The number of requests for log maps. The authors' library would compute a map for each request.
+   */
   asked: number;
 }
 

@@ -11,8 +11,9 @@ const landmarks = 50;
 const warmed = new WeakMap<Peers, Map<string, Promise<void>>>();
 
 /**
- * Runs a method on a small mesh before its first measurement. Browsers compile its part of the
- * WebAssembly module on first use, which takes longer than the method on thousands of triangles.
+ * Runs a method on a small mesh before its first measurement. Browsers compile the method's part of
+ * the WebAssembly module on first use. This takes longer than the method itself takes on thousands
+ * of triangles.
  */
 export function warm(peers: Peers, options: MethodOptions): Promise<void> {
   const done = warmed.get(peers) ?? new Map<string, Promise<void>>();

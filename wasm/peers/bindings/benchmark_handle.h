@@ -8,8 +8,8 @@
 
 namespace karcher::bindings {
 
-/// The steps that `karcher bench` times, each without the copies to and from JavaScript that a
-/// binding adds. The mesh must outlive it.
+/// The steps that `karcher bench` times. Their times exclude the copies between JavaScript and the
+/// engine that a binding adds. The mesh must outlive the object.
 class BenchmarkHandle {
  public:
   explicit BenchmarkHandle(MeshHandle& mesh) : mesh_(mesh) {}
@@ -23,10 +23,10 @@ class BenchmarkHandle {
   void gradientOperator() { mesh_.surface().gradientOperator(); }
   /// Computes the paper's field of a point, including the gradients.
   void field(const val& point, const val& options);
-  /// Chooses a field of log vectors and all vertices within `radius` of its point, and returns
-  /// their number.
+  /// Chooses a field of log vectors and all vertices within `radius` of its point. Returns the
+  /// number of these vertices.
   int chooseField(const val& point, const val& options, double radius);
-  /// Computes the chosen field again and reads it at the chosen vertices.
+  /// Computes the chosen field again, and reads its values at the chosen vertices.
   void readField();
   /// Applies the gradient operator once.
   void gradient();

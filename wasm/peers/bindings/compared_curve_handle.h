@@ -33,8 +33,8 @@ class ComparedCurveHandle {
   bool advance(int samples) { return curve_.advance(samples); }
   int samplesLeft() const { return curve_.samplesLeft(); }
   int lostByOwnRule() const { return curve_.lostByOwnRule(); }
-  /// {made, asked}: the numbers of computed and of requested log maps; null for methods without log
-  /// maps.
+  /// {made, asked}: the number of computed log maps and the number of requests for log maps; null
+  /// for methods without log maps.
   val logMaps() const;
   /// The view (view.h) of the samples alone.
   val samples() const;
@@ -47,8 +47,8 @@ class ComparedCurveHandle {
 };
 
 /// `options` is {method, field: {method, solver, rings, star}, seeds, delaunay, adaptive,
-/// landmarks, landmarkDistances}. `progress` is undefined, or a function of the number of landmarks
-/// that returns whether to continue.
+/// landmarks, landmarkDistances}. `progress` is undefined, or a function that takes the number of
+/// landmarks and returns whether to continue.
 std::unique_ptr<PreparedMethodHandle> prepareMethod(MeshHandle& mesh, const val& options,
                                                     const val& progress);
 
@@ -58,9 +58,9 @@ std::unique_ptr<ComparedCurveHandle> comparedCurve(PreparedMethodHandle& method,
                                                    const val& first, const val& t,
                                                    const val& weights);
 
-/// {points, t, weights} of a basis at evenly spaced parameters: 'bspline' (uniform cubic), 'bezier'
-/// (parameters: the degree), 'rational' (the points' weights, on Bernstein polynomials) or
-/// 'barycentric' (the betas).
+/// {points, t, weights} of the basis `name` at evenly spaced t. The names and their `parameters`
+/// are 'bspline' (uniform cubic; none), 'bezier' (the degree), 'rational' (the points' weights, on
+/// Bernstein polynomials) and 'barycentric' (the betas).
 val basisWeights(const std::string& name, const val& parameters, int samples);
 
 }  // namespace karcher::bindings
