@@ -85,7 +85,7 @@ export class Curve {
 
   /**
    * The curve's value: options from which the curve can be created again. It omits numbers that the
-   * kind does not use, and those options for samples, levels and fields that were not given.
+   * kind does not use, and options for samples, levels and fields that were not given.
    */
   value(): CurveValue {
     const parts = this.#shape;

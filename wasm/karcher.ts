@@ -89,8 +89,8 @@ export class Karcher {
 
   /**
    * Creates a mesh from polygons. `corners` has the vertices of one polygon after the other, and
-   * `sizes` the number of corners of each, at least 3. The polygons are cut into triangles, as
-   * those of an OBJ file are, and each triangle is a face.
+   * `sizes` has the number of corners of each polygon, at least 3. The polygons are cut into
+   * triangles, like the polygons of an OBJ file, and each triangle is a face.
    */
   meshFromPolygons(
     positions: ArrayLike<number>,

@@ -250,9 +250,9 @@ export class Mesh extends MeshPlaces {
   }
 
   /**
-   * The exact geodesic distances of points from the nearest of paths (or lists of their points);
-   * NaN for unreachable points. Throws `KarcherError` badArgument for a path without length,
-   * consecutive points without a face in common, and the limits of exact distances (see
+   * The exact geodesic distance of each point from the nearest of several paths (or lists of their
+   * points); NaN for unreachable points. Throws `KarcherError` badArgument for a path without
+   * length, consecutive points without a face in common, and the limits of exact distances (see
    * `distance`).
    *
    * @example
@@ -377,8 +377,8 @@ export class Mesh extends MeshPlaces {
   /**
    * The exp map: the ends of the straightest geodesics from a point along vectors of its tangent
    * plane. Components of a vector perpendicular to the plane have no effect. The map transports
-   * directions at `from` along the geodesics. It is the inverse of `logMap` where the geodesics are
-   * the paths that `logMap` finds to their ends. Throws what `logMap` throws.
+   * directions at `from` along the geodesics. It is the inverse of `logMap` if the geodesics are
+   * the paths that `logMap` finds to the end points. Throws what `logMap` throws.
    */
   expMap(from: PointLike, vectors: VectorsLike, directions?: VectorsLike): MappedPoints {
     return maps.expMap(this.handle, from, vectors, directions);

@@ -35,7 +35,7 @@ export class MeshPlaces {
 
   /**
    * x, y, z of each vertex, in the caller's order, as a new array. Welded vertices have the same
-   * place; dropped ones keep theirs.
+   * place; dropped vertices keep their places.
    *
    * @example
    * ```ts
@@ -47,7 +47,8 @@ export class MeshPlaces {
   }
 
   /**
-   * The vertices of each triangle, in the caller's order and numbers, as a new array.
+   * The three vertices of each triangle, as a new array. Triangles are in the caller's order, and
+   * vertices have the caller's numbers.
    *
    * @example
    * ```ts

@@ -2,7 +2,7 @@ import { KarcherError } from './errors.js';
 
 /** The largest size of the engine's memory, which has 32-bit addresses. */
 const memoryBytes = 2 ** 32;
-/** The size of data above which the free memory is checked. Smaller data needs no check. */
+/** Only data with more bytes than this needs a check of the free memory. */
 const largeBytes = 2 ** 26;
 
 /**

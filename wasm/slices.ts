@@ -8,8 +8,8 @@ import type { LongWorkOptions } from './types.js';
 export const batchMask = 0xfff;
 
 /**
- * Long work in slices of a few milliseconds, between which its thread does waiting tasks. After
- * each batch a loop checks whether a slice is over, and if so awaits `rest`.
+ * Long work in slices of a few milliseconds. Between the slices, the thread does waiting tasks.
+ * After each batch a loop checks whether a slice is over, and if so awaits `rest`.
  */
 export class Slices {
   readonly #work: LongWorkOptions;

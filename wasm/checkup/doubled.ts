@@ -3,8 +3,8 @@ import { batchMask, type Slices } from '../slices.js';
 /** The faces that lie on an earlier face. */
 export interface FacesOnOthers {
   /**
-   * 1 for each face that lies on an earlier one with the same orientation. The engine omits such
-   * faces.
+   * 1 for each face that lies on an earlier face with the same orientation; else 0. The engine
+   * omits such faces.
    */
   same: Uint8Array;
   /**

@@ -4,9 +4,7 @@ import type { Option } from './options.js';
 const label = (option: Option) =>
   `--${option.name}${option.value === undefined ? '' : ` ${option.value}`}`;
 
-/**
- * The largest width of the left column. After a longer entry, its description starts a new line.
- */
+/** The largest width of the left column. The description of a longer entry starts a new line. */
 const mostWidth = 28;
 
 const indented = (rows: readonly (readonly [string, string])[]) => {

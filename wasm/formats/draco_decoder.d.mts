@@ -1,6 +1,6 @@
 /**
- * The part of the package `draco3d` that is used: the decoder. The build writes the decoder, with
- * its WebAssembly module inside, beside the reader.
+ * The used part of the package `draco3d`: the decoder. The build writes the decoder, with its
+ * WebAssembly module inside, beside the reader.
  */
 export interface DracoModule {
   readonly HEAPU8: Uint8Array;

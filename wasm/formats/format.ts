@@ -71,8 +71,9 @@ export function withoutMark(bytes: Uint8Array): Uint8Array {
 }
 
 /**
- * The format of bytes, by their beginning, or else by the name's ending. Throws `KarcherError`
- * badFile if the file is no mesh of a supported format; the message names the file's kind.
+ * The format of a file, by the beginning of its bytes, or else by the ending of its name. Throws
+ * `KarcherError` badFile if the file is no mesh of a supported format; the message names the file's
+ * kind.
  */
 export function formatOf(bytes: Uint8Array, name = ''): MeshFormat {
   const start = startOf(withoutMark(bytes));

@@ -16,7 +16,8 @@ import type { FilePart, Polygons } from './types.js';
 type Matrix = readonly number[];
 
 /**
- * The largest number of parts of a file. A small file may have many, since instances repeat a mesh.
+ * The largest number of parts of a file. A small file may have many parts, since instances repeat a
+ * mesh.
  */
 const mostParts = 250_000;
 
@@ -78,7 +79,7 @@ interface Primitive {
   /** The number of its material, -1 for none. */
   material: number;
   /**
-   * The end of the part's name: a comma and the number among the mesh's primitives, from 1; empty
+   * The end of the part's name: a comma and the primitive's number in the mesh, from 1. It is empty
    * if the mesh has only one primitive.
    */
   number: string;
@@ -337,8 +338,8 @@ class Scene {
   #vertices = 0;
   #corner = 0;
   /**
-   * For the last node, the number of the first vertex of each accessor. The node's primitives share
-   * these vertices.
+   * For each accessor of the last node, the number of the first of its vertices in the scene. The
+   * node's primitives share these vertices.
    */
   #starts = new Map<Accessor, number>();
   #node: PlacedMesh | null = null;

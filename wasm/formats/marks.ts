@@ -22,7 +22,7 @@ export function partOfEach(
   return partOf;
 }
 
-/** The material of each triangle, which is that of its part; -1 for none. */
+/** The material of each triangle's part; -1 for none. */
 export function materialsOf(
   names: string[],
   ofParts: readonly number[],

@@ -179,7 +179,8 @@ export function curvesOnPart(
 }
 
 /**
- * The runs of at least two points that are not null: the first index, and the one after the last.
+ * The runs of at least two points that are not null. A run has its first index, and the index after
+ * its last one.
  */
 function runsOf(points: readonly (SurfacePoint | null)[]): [first: number, end: number][] {
   const runs: [number, number][] = [];

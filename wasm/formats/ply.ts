@@ -92,7 +92,7 @@ class BinaryRows implements Rows {
 
 /**
  * Reads a PLY file: text, or binary with either order of bytes. Positions are the properties x, y,
- * z of `vertex`, polygons the list `vertex_indices` (or `vertex_index`) of `face`. Rejects with
+ * z of `vertex`. Polygons are the list `vertex_indices` (or `vertex_index`) of `face`. Rejects with
  * `KarcherError` badFile or badIndex, with the line or byte, or the signal's reason.
  */
 export async function readPly(bytes: Uint8Array, work: LongWorkOptions): Promise<Polygons> {

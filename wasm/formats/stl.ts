@@ -48,9 +48,9 @@ export function isTextStl(start: string): boolean {
 }
 
 /**
- * Reads an STL file, binary or of text, whose solids are its parts. Corners at exactly the same
- * place are one vertex; vertices have numbers in the order of their first occurrence. Normals are
- * skipped. Rejects with `KarcherError` badFile, with the line or byte, or the signal's reason.
+ * Reads an STL file, binary or text. The solids of the file are its parts. Corners at exactly the
+ * same place are one vertex; vertices have numbers in the order of their first occurrence. Normals
+ * are skipped. Rejects with `KarcherError` badFile, with the line or byte, or the signal's reason.
  */
 export async function readStl(
   bytes: Uint8Array,

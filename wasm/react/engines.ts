@@ -23,8 +23,8 @@ export function takeEngine(worker: boolean): Promise<AnyKarcher> {
 
 /**
  * Releases an engine. The engine ends when its last user has released it, but only in the next
- * task: StrictMode unmounts every component once and mounts it again at once, which should not load
- * a worker twice.
+ * task: StrictMode unmounts every component once and mounts it again at once. This must not load a
+ * worker twice.
  */
 export function releaseEngine(worker: boolean): void {
   const shared = engines.get(worker)!;

@@ -54,8 +54,8 @@ export async function energyAt(
 /**
  * The Hessian of the energy at a point inside a face, by central differences of gradients. On a
  * plane its matrix is twice the sum of the weights times the identity. The energy has no Hessian
- * where several shortest paths lead to one of the points, or where they turn from one side of a
- * vertex to the other.
+ * where several shortest paths lead to one of the points, or where a shortest path changes from one
+ * side of a vertex to the other.
  *
  * Rejects with `KarcherError` badArgument for a point on an edge or at a vertex.
  */

@@ -15,8 +15,8 @@ export type Site = PointLike | readonly PointLike[];
  */
 export interface VoronoiDiagram {
   /**
-   * The number of the nearest site for each vertex, the lowest of equally near ones; -1 for
-   * unreachable vertices.
+   * The number of the nearest site for each vertex; the lowest number if several sites are equally
+   * near, and -1 for unreachable vertices.
    */
   nearest: Int32Array;
   /** The area of each site's cell, in squared units of the mesh. */
@@ -36,8 +36,8 @@ export interface VoronoiDiagram {
  *
  * In every triangle, squared distances are interpolated linearly between the vertices. So the
  * borders are exact on a plane; on smooth surfaces their error is of the order of the squared edge
- * length. Each site takes one field of distances. If sites coincide, the first has the cell and the
- * others have empty ones.
+ * length. Each site takes one field of distances. If sites coincide, the first site has the cell,
+ * and the others have empty cells.
  *
  * Rejects with `KarcherError` tooFewPoints without sites, or for a site without points, and as
  * `Mesh.distance` does.

@@ -166,7 +166,9 @@ export class CurveDrag {
     return nearest;
   }
 
-  /** Whether the surface lies in front of a place of the scene, which the camera sees at `seen`. */
+  /**
+   * Whether the surface hides a place of the scene. `seen` is the place in the camera's picture.
+   */
   #isHidden(place: Vector3, seen: Vector3): boolean {
     this.#raycaster.setFromCamera(new Vector2(seen.x, seen.y), this.#camera);
     const [hit] = this.#raycaster.intersectObject(this.#object, false);

@@ -92,8 +92,8 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
   }
 
   /**
-   * The unit normal of the point's face, on the side from which its corners appear
-   * counterclockwise.
+   * The unit normal of the point's face. It points to the side from which the corners of the face
+   * appear counterclockwise.
    */
   normal(point: PointLike, target = new Vector3()): Vector3 {
     const { face } = this.#inFace(point);

@@ -87,7 +87,10 @@ class Server {
     });
   }
 
-  /** Executes the waiting calls. Between two calls it receives cancellations of the others. */
+  /**
+   * Executes the waiting calls. Between two calls, the worker can receive cancellations of the
+   * other calls.
+   */
   async #begin(): Promise<void> {
     if (this.#beginning) return;
     this.#beginning = true;
