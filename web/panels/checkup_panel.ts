@@ -68,7 +68,7 @@ export class CheckUpPanel {
     } catch (error) {
       if (client !== this.#checked) return;
       this.#checked = null;
-      // The panel closes. The user can open it again, which starts another check.
+      // After a cancel, the panel closes. Another check starts when the user opens it again.
       if (controller.signal.aborted) this.#details.open = false;
       else this.#found.replaceChildren(make('p', sentenceOf(error)));
     } finally {

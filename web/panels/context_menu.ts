@@ -31,7 +31,7 @@ export class ContextMenu {
     private readonly clipboard: Clipboard,
     private readonly align: (how: Alignment) => void,
     private readonly makers: () => readonly Action[],
-    /** The actions on the surface at a point, or without a point (null). */
+    /** The actions on the surface. `point` is the surface's point at the menu's place, or null. */
     private readonly ofSurface: (point: SurfacePoint | null) => readonly Action[],
     /** Whether a point lies in the fill of an object. */
     private readonly isFilledAt: (id: number, point: SurfacePoint) => boolean,

@@ -76,7 +76,7 @@ export class CurvePanel {
     const takesPoints = !isRound(kind) && !isDerived(kind);
     this.#goOn.hidden = tool !== 'select' || !takesPoints || isEmpty(state.figure);
     byId('actions').hidden = !isCurve(kind) && this.#goOn.hidden;
-    // A curve of the pen is edited at its anchors instead.
+    // These buttons are for splines. The user edits a curve of the pen at its anchors.
     for (const button of [this.#split, this.#reverse]) {
       button.hidden = !isSpline(kind);
       // A disabled button keeps its place, so that no control jumps while the user adds the first

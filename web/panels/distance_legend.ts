@@ -30,7 +30,7 @@ export class DistanceLegend {
     );
   }
 
-  /** Shows the legend; `on` is also true while the requested distances are not ready. */
+  /** Shows the legend. `on` is true once distances are requested, even before they are ready. */
   show(shown: ShownDistances | null, on: boolean, state: State): void {
     this.#legend.shown = on;
     this.#legend.busy = on && !shown?.current;

@@ -36,7 +36,7 @@ export function choices<Choice extends string>(
   });
 }
 
-/** Appends an option to a menu for each value, with its text. */
+/** Appends an option to a menu for each value and its text. */
 export const fill = (menu: HTMLSelectElement, texts: Readonly<Record<string, string>>): void =>
   menu.append(...Object.entries(texts).map(([value, text]) => make('option', text, { value })));
 

@@ -30,7 +30,8 @@ export class Folds {
   show({ drawing, figure }: State): void {
     const count = isRound(figure.kind) || isEmpty(figure) ? 0 : figure.points.length;
     write(byId('points-count'), count > 0 ? `${count}` : '');
-    // A growing list folds only when another object is edited, never under the pointer.
+    // The list opens or closes only when another object is edited, so that a growing list never
+    // folds under the pointer.
     if (drawing.active === this.#active) return;
     this.#active = drawing.active;
     const said = recall('points');

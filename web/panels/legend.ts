@@ -6,7 +6,7 @@ export interface LegendWords {
   /** The id of the menu item that shows the legend. */
   item: string;
   title: string;
-  /** The action of the legend's button, and its key. */
+  /** The words for the action of the legend's button, and the action's key. */
   hides: string;
   key: string;
 }

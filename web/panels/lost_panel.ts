@@ -25,8 +25,8 @@ const advice: Record<LostReason, string> = {
 const mostShown = 40;
 
 /**
- * The places that the panel shows. It omits places without lost samples, unless the curve jumps
- * there: the line between their two good samples is fine.
+ * The places that the panel shows. It omits places without bad samples, where the line is fine,
+ * unless the curve jumps there.
  */
 const seenOf = (intervals: readonly LostInterval[]) =>
   intervals.filter(({ samples, reason }) => samples > 0 || reason === 'jump');

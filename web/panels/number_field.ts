@@ -2,7 +2,7 @@ import { EditedField, type FieldFormat } from './edited_field';
 
 export type NumberFormat = FieldFormat<number>;
 
-/** A field for a number, which by default is positive and of any size. */
+/** A field for a number. By default, the field accepts any positive number. */
 export class NumberField extends EditedField<number> {
   constructor(
     input: HTMLInputElement,

@@ -53,7 +53,7 @@ const selectedFills = (state: State) => {
   return state.drawing.objects.filter(({ id }) => ids.includes(id)).map(({ fill }) => fill);
 };
 
-/** Shows a number that the selected objects share; the field is empty if they differ. */
+/** Shows a number that the selected objects share. The field is empty if their numbers differ. */
 function showNumber(field: NumberField, shared: number | undefined): void {
   if (shared === undefined) field.showOpen();
   else field.show(shared);

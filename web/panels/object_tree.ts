@@ -48,8 +48,8 @@ export function unitsOf(rows: readonly ListedRow[]): Unit[] {
 /**
  * Moves a row to the place of another one. Returns the ids in their new order, and the moved
  * object's new group. An object that is dropped among the members of a group joins the group.
- * Directly below its own group it stays in the group; elsewhere it leaves it. A group must be
- * folded when its row moves, and `moved` is then one of its members.
+ * Directly below its own group, the object stays in the group; elsewhere it leaves the group. A
+ * group must be folded when its row moves, and `moved` is then one of its members.
  */
 export function rowsAfter(
   rows: readonly ListedRow[],

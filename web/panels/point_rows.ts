@@ -98,7 +98,7 @@ export class PointRows {
     button.addEventListener('click', () => {
       this.editor.select(index);
       this.editor.moveInOrder(step);
-      // The focus stays with the point.
+      // The focus follows the moved point.
       const row = this.#list.children[index + step];
       row?.querySelector<HTMLButtonElement>(`.move:nth-of-type(${step < 0 ? 2 : 3})`)?.focus();
     });

@@ -15,8 +15,8 @@ import type { ViewMenu } from './view_menu';
 export interface ToolEvents {
   removeSelected(): void;
   /**
-   * An address that opens the drawing again. `complete` means that it also works in other browsers,
-   * and `short` that every program accepts it.
+   * An address that opens the drawing again. If `complete`, the address also works in other
+   * browsers. If `short`, every program accepts the address.
    */
   link(): { address: string; complete: boolean; short: boolean };
   saveJson(): void;

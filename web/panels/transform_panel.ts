@@ -73,8 +73,8 @@ export class TransformPanel {
    */
   showSize(size: Size | null): void {
     const { width = 0, height = 0 } = size ?? {};
-    // Both sides are rounded to the decimals of the longer one, so that rounding errors give a line
-    // no width.
+    // Both sides are rounded to the decimals of the longer one, so that a line gets no width from
+    // rounding errors.
     const last = 10 ** (Math.floor(Math.log10(Math.max(width, height))) - 3);
     const rounded = (side: number) => last * Math.round(side / last) || null;
     this.#width.show(rounded(width));
@@ -85,7 +85,7 @@ export class TransformPanel {
     byId('size-unit').textContent = unit;
   }
 
-  /** Shows how much the surface's two sides differ, if the mirror is its plane of symmetry. */
+  /** Shows how much the surface's two sides differ, if the mirror is a plane of symmetry. */
   showMirror({ apart }: MirrorTool): void {
     byId('mirror-symmetric').hidden = apart === null;
     byId('mirror-apart').textContent =

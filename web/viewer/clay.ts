@@ -204,7 +204,10 @@ export function paint(color: Color, opacity: number, bars: Bars | null = null): 
   });
 }
 
-/** The sides that `material` draws. Inner sides would show as specks at the silhouette. */
+/**
+ * The sides that `material` draws for each value of `outside`. It omits inner sides, which would
+ * show as specks at the silhouette.
+ */
 const sides = { front: FrontSide, back: BackSide, both: FrontSide };
 
 const edgeMaterial = new MeshBasicMaterial({

@@ -38,8 +38,8 @@ export const litSurface = ({ front }: ViewerColors): Color =>
 const shades = [0.15, 0.3, 0.5, 0.75, 1, 1.2];
 
 /**
- * A thin line is hard to see if its color is nearer to the surface's than this, in OKLab: five
- * times the smallest visible difference.
+ * The distance in OKLab from a thin line's color to the surface's. Below this distance, the line is
+ * hard to see. It is five times the smallest visible difference.
  */
 const leastApart = 5 * 0.02;
 

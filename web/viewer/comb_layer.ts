@@ -10,7 +10,7 @@ const spacing = 0.011;
 const [fewestTeeth, mostTeeth] = [16, 600];
 /** The length that most teeth do not exceed at first, in units of the scene. */
 const usualLength = 0.12;
-/** The fraction of the teeth that do not exceed that length. */
+/** The fraction of the teeth that do not exceed `usualLength`. */
 const usualShare = 0.9;
 
 /** The facts that a comb shows, in the surface's coordinates. */

@@ -48,7 +48,7 @@ const nearer = 0.003;
 /** The fraction of a line's width that remains where the surface hides the line. */
 const hiddenWidth = 0.55;
 
-/** Dash and gap of auxiliary lines, and of parts of a curve without a center of mass. */
+/** Dash and gap of auxiliary lines, and of the lost parts of a curve. */
 export const fineDash = [0.009, 0.006] as const;
 const smallest = 256;
 
@@ -130,7 +130,7 @@ export class FatLine {
     if (isNew) this.#again();
   }
 
-  /** Sets the line's color, and that of the surface around it. */
+  /** Sets the color of the line, and the color of the surface around the line. */
   setColor(color: Color, surface: Color): void {
     const [hidden, seen] = this.#materials;
     seen!.color.copy(color);

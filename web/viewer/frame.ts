@@ -11,7 +11,9 @@ export interface Frame {
   up: UpAxis;
 }
 
-/** For each coordinate of the scene, the surface's coordinate and its sign. */
+/**
+ * A turn: for each coordinate of the scene, the surface's coordinate that it shows, and the sign.
+ */
 type Turn = readonly (readonly [axis: number, sign: number])[];
 
 const [x, y, z]: Turn[] = [
@@ -32,10 +34,12 @@ const [x, y, z]: Turn[] = [
   ],
 ] as const;
 
-/** A turn, then half a turn about the scene's z axis, which exchanges up and down. */
+/**
+ * The given turn, followed by half a turn about the scene's z axis, which exchanges up and down.
+ */
 const over = (turn: Turn): Turn => turn.map(([axis, sign], i) => [axis, i < 2 ? -sign : sign]);
 
-/** The turns for each axis, all of which are rotations. */
+/** The turn for each upward axis. Each turn is a rotation. */
 const turns: Readonly<Record<UpAxis, Turn>> = {
   ...{ x: x!, y: y!, z: z! },
   ...{ '-x': over(x!), '-y': over(y!), '-z': over(z!) },

@@ -46,7 +46,7 @@ const side = Math.ceil((4 * 2 * reach) / Math.min(...bellWidths));
  */
 const bellSteps = Math.ceil((3.7 * widest * side) / (2 * reach));
 /**
- * The largest fraction of the ground's color that shadow removes, where the sky is hidden
+ * The fraction of the ground's color that the shadow removes where the surface hides the sky
  * completely.
  */
 const darkest = 0.7;

@@ -7,11 +7,12 @@ import type { Surface } from './surface';
 type Drawn = Omit<ObjectDrawing, 'id' | 'locked'>;
 
 /**
- * The CSS pixels that a selected object's halo, and the seam between halo and line, add to the
- * line's width. The halo of an object under the pointer is as wide as the seam.
+ * The CSS pixels that halo and seam add to the width of a line. The halo surrounds the line of a
+ * selected object, and the seam separates line and halo. The halo of an object under the pointer is
+ * as wide as the seam.
  */
 const [haloWider, seamWider] = [8, 3];
-/** The CSS pixels that the rim of a line that is hard to see adds to the line's width. */
+/** The CSS pixels that a rim adds to the width of a line. Lines that are hard to see have a rim. */
 const rimWider = 2.5;
 
 const plain = { id: 0, locked: true };

@@ -14,8 +14,8 @@ export interface Handle {
 
 export interface HandleEvents {
   /**
-   * `grab` reports the start of a drag, `drag` each step, and `release` the end. The place is that
-   * of the handle's middle in the window, in CSS pixels.
+   * `grab` reports the start of a drag, `drag` each step, and `release` the end. The place is the
+   * handle's middle in the window, in CSS pixels.
    */
   grab(id: string, clientX: number, clientY: number): void;
   drag(id: string, clientX: number, clientY: number): void;

@@ -24,7 +24,7 @@ const shortestCrease = 0.06;
 
 export interface Sight {
   eye: [number, number, number];
-  /** The matrix from the scene to the camera's cube, in column order. */
+  /** The matrix from the scene to normalized device coordinates, in column order. */
   matrix: number[];
   /** The size of the stage, in CSS pixels. */
   width: number;

@@ -23,7 +23,7 @@ const closeDistance = 1.6;
 const [nearest, farthest] = [2e-4, 20];
 /** The least distance from which the camera shows a whole ball. */
 const nearestWhole = 0.16;
-/** The smallest reach of a view's place. */
+/** The smallest `reach` of a place that the view returns. */
 const leastReach = 1e-4;
 /** The range of the distance of the camera's near plane. */
 const [leastNear, mostNear] = [1e-5, 0.002];
@@ -53,7 +53,7 @@ export class OrbitView {
   readonly #controls: OrbitControls;
   /**
    * The camera's direction while the whole surface is in view; null after the user has moved the
-   * view. In the first case, the whole surface stays in view when the stage's size changes.
+   * view. While it is not null, the whole surface stays in view when the stage's size changes.
    */
   #whole: Vector3 | null = startDirection;
   #flight: { from: Place; to: Place; started: number } | null = null;

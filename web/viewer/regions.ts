@@ -121,8 +121,8 @@ function seenTriangles(
       const { x, y } = vantage.onStage(place.fromArray(places, 9 * i + corner));
       return [x, y] as const;
     }) as [Place, Place, Place];
-    // All triangles have the same orientation, so that neighbors add up where they meet and do not
-    // cancel.
+    // All triangles have the same orientation, so that the fills of neighbors add up at their
+    // common edge and do not cancel.
     const turn = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     const corners = turn < 0 ? [0, 2, 1] : [0, 1, 2];
     const onPaper = [a, b, c];

@@ -66,7 +66,7 @@ export class Surface {
   readonly #normals: Float32Array;
   readonly #hollows: Int8Array;
   readonly #outside: DrawnGeometry['outside'];
-  /** A flag for each face, 1 if it is visible; null if all are. */
+  /** A flag for each face, 1 if the face is visible; null if all faces are visible. */
   #seen: Uint8Array | null = null;
   readonly #edges: Mesh;
   #edgesShown = false;
@@ -321,8 +321,8 @@ export class Surface {
   }
 
   /**
-   * The distance from the scene's middle at which an upright camera sees the surface's whole width,
-   * for a direction. `slope` is the tangent of half the camera's horizontal field of view.
+   * The distance, in a direction from the scene's middle, at which an upright camera sees the
+   * surface's whole width. `slope` is the tangent of half the camera's horizontal field of view.
    */
   widthDistance(direction: Vector3, slope: number): number {
     const aside = new Vector3(0, 1, 0).cross(direction).normalize().divideScalar(slope);

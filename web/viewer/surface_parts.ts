@@ -19,8 +19,8 @@ export class SurfaceParts {
   #edges = false;
 
   /**
-   * `clay` returns the mesh of a part, `edges` that of its triangles' edges, and `paint` the
-   * material of a color over it.
+   * `clay` returns the mesh of a part, `edges` the mesh of its triangles' edges, and `paint` the
+   * material of a color over the part.
    */
   constructor(
     private readonly clay: (geometry: BufferGeometry) => Mesh,

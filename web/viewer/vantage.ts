@@ -9,7 +9,7 @@ export interface SeenLine {
   hidden: boolean[];
 }
 
-/** The point of a line nearest to a place of the stage. */
+/** The point of a line that appears nearest to a place of the stage. */
 export interface NearestSeen {
   /** The place in the scene. */
   position: Vector3;

@@ -155,7 +155,7 @@ export class Viewer {
     this.requestFrame();
   }
 
-  /** Whether surfaces show the colors of their files, if they have any. */
+  /** Whether surfaces show the colors of their files, if the files have colors. */
   get fileColors(): boolean {
     return this.#fileColors;
   }
@@ -368,7 +368,7 @@ export class Viewer {
     };
   }
 
-  /** The place of a scene's point on the stage, in CSS pixels, and whether the surface hides it. */
+  /** The place of a scene's point on the stage, in CSS pixels, and whether the point is hidden. */
   project(position: Vector3): { x: number; y: number; hidden: boolean } {
     return this.#vantage.project(position);
   }
@@ -464,7 +464,7 @@ export class Viewer {
   }
 
   /**
-   * The view as a PNG with `scale` pixels for each CSS pixel. Without a background, it is
+   * The view as a PNG with `scale` pixels for each CSS pixel. Without a background, the picture is
    * transparent around the surface.
    */
   picture(scale: number, background: string | null): Promise<Blob> {

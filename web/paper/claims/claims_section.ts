@@ -20,7 +20,9 @@ const unmeasured: Pick<JudgedClaim, 'verdict' | 'measured'> = {
   measured: '',
 };
 
-/** The paper's claims, with the measurements of the report or later ones of the page. */
+/**
+ * The paper's claims, with the measurements of the report or with later measurements of the page.
+ */
 export class ClaimsSection {
   readonly element = make('section', '', { className: 'figure', id: 'claims' });
   readonly #report: SavedReport | null;

@@ -13,7 +13,10 @@ export interface ConvergencePoint {
   method: LineId;
   triangles: number;
   meanEdge: number;
-  /** The root mean square distance of converged samples from the true curve; null without them. */
+  /**
+   * The root mean square distance of the converged samples from the true curve; null if no sample
+   * converged.
+   */
   error: number | null;
   lost: number;
   samples: number;

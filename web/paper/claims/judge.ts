@@ -26,7 +26,7 @@ function busy({ heldOpen, all: { load } }: Evidence): string {
   return ` The machine ${why}: what depends on time stays open.`;
 }
 
-/** A sentence about the methods that failed, whose samples all count as lost; empty without any. */
+/** A sentence about the failed methods, whose samples all count as lost; empty if none failed. */
 function failures({ failed }: Evidence): string {
   if (failed.size === 0) return '';
   const list = [...failed].map(([line, reason]) => `${line} (${reason})`);

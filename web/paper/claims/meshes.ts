@@ -13,7 +13,7 @@ import {
 } from 'karcher/peers';
 import { randomFrom } from '../../model/random';
 
-/** The compared methods; the paper's own appears with k = 6 and with exact distances. */
+/** The compared methods. The paper's method appears twice: with k = 6 and with exact distances. */
 export type MeshMethod = ComparedMethod | 'paperExact';
 
 /** The results of each method on a mesh from a folder, for a B-spline of given or seeded points. */

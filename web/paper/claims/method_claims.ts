@@ -153,7 +153,7 @@ function comparedGrowth(rows: Studies['growth'], method: 'vectorHeat' | 'weighte
   return [{ name, paper, slope, result, words }];
 }
 
-/** Two radii count as not far from each other up to this ratio. */
+/** Two radii count as not far from each other if their ratio is at most this. */
 const farTimes = 2;
 
 const surfaceOf = ({ surface, noise }: Studies['radius'][number]) =>

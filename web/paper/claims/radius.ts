@@ -32,7 +32,7 @@ const noises = [0, 0.2, 0.4];
 const radii = [0.5, 0.75, 1, 1.25, 1.5, 1.75, 2, 2.5];
 const casesARadius = 12;
 
-/** The largest curvature of the smooth surfaces, and their radius of injectivity. */
+/** The largest curvature and the radius of injectivity of each smooth surface. */
 const smooth = {
   sphere: { curvature: 1, injectivity: Math.PI },
   torus: {
@@ -42,8 +42,8 @@ const smooth = {
 };
 
 /**
- * The radius below which a ball has one center of mass by H. Karcher's theorem: half of the lesser
- * of the radius of injectivity and pi / (2 sqrt(K)), where K is the largest curvature.
+ * The radius below which a ball has one center of mass by H. Karcher's theorem: half of the radius
+ * of injectivity or half of pi / (2 sqrt(K)), whichever is smaller. K is the largest curvature.
  */
 export const conditionOf = (curvature: number, injectivity: number): number =>
   Math.min(injectivity, Math.PI / (2 * Math.sqrt(curvature))) / 2;
@@ -114,7 +114,7 @@ function count(mesh: Mesh, radius: number, cases: number, random: () => number) 
 
 /**
  * Four points in the geodesic ball around a random point, in random directions. Their distances
- * from it have the same distribution as for uniform points in a disk.
+ * from the random point have the same distribution as for uniform points in a disk.
  */
 function ball(mesh: Mesh, radius: number, random: () => number): SurfacePoint[] {
   const [a, b] = [Math.sqrt(random()), random()];

@@ -28,7 +28,7 @@ export interface SavedReport extends Origin {
   plots?: SavedPlots;
   /** The measurements of the figures' lines, by `figure/panel`. */
   panels?: Measured['panels'];
-  /** Table 1 with this many samples a segment. */
+  /** Table 1, measured with this number of samples a segment. */
   table?: { samples: number; cells: TableCell[] } | null;
   /** Further measurements for the claims; older reports have none. */
   studies?: Measured['studies'];

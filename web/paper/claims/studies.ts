@@ -16,7 +16,9 @@ export interface Studies {
   radius: RadiusPoint[];
   /** The searches of random B-splines on meshes of several kinds. */
   newton: NewtonFinding[];
-  /** Milliseconds of four fields, and of one more center of mass of the same points. */
+  /**
+   * Milliseconds for four fields of distances, and for another center of mass of the same points.
+   */
   oneCenter: { fieldsMs: number; centerMs: number };
   /** Milliseconds of a drag with 256 samples a segment: the field, and a segment's searches. */
   update: { fieldMs: number; segmentMs: number; triangles: number };

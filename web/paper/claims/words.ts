@@ -22,6 +22,6 @@ export const percent = (part: number): string => `${num(100 * part)} %`;
 
 export const sum = (values: readonly number[]): number => values.reduce((a, b) => a + b, 0);
 
-/** The median; of an even number of values the upper one. */
+/** The median. Of an even number of values, it is the upper one of the two in the middle. */
 export const middle = (values: readonly number[]): number =>
   values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)]!;

@@ -37,8 +37,8 @@ function setUpOf(id: LineId): string | null {
 }
 
 /**
- * A figure's caption with the settings of the paper's method. Its numbers come from the saved
- * report, or from `measured`.
+ * A figure's caption with the settings of the paper's method. Its numbers come from `measured`, by
+ * default from the saved report.
  */
 export function captionOf(
   figure: Figure,

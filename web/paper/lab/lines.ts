@@ -18,7 +18,8 @@ import { affineSamples, planOf, type Task } from './task';
 const { add, at, cross, distance, length, scaled, subtract } = vectors;
 
 /**
- * A line, and the samples for the measurement by exact paths; null if there is nothing to measure.
+ * A line, and the samples that exact paths measure. `samples` is null if there is nothing to
+ * measure.
  */
 export interface TracedLine {
   line: LineResult;

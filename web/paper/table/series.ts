@@ -9,7 +9,10 @@ export const measureNames: Record<Measure, string> = {
   dragMs: 'Update',
 };
 
-/** The times of B-splines by triangles. Paths between two points are a different task. */
+/**
+ * The times of B-splines for each number of triangles. Paths between two points are left out, since
+ * they are a different task.
+ */
 export function seriesOf(cells: readonly TableCell[], measure: Measure): AlignedData {
   const splines = cells.filter(({ segments }) => segments > 1);
   const triangles = [...new Set(splines.map((cell) => cell.triangles))].toSorted((a, b) => a - b);
@@ -18,7 +21,7 @@ export function seriesOf(cells: readonly TableCell[], measure: Measure): Aligned
     // The time until a method failed is not the time of a curve.
     const counts = measure === 'prepareMs' || cell?.result.ok;
     const milliseconds = counts ? (cell?.result[measure] ?? null) : null;
-    // A logarithmic scale has no zero, which a clock shows for times below its resolution.
+    // A clock shows zero for times below its resolution, and a logarithmic scale has no zero.
     return milliseconds ? milliseconds : null;
   };
   return [

@@ -56,7 +56,7 @@ export class FigureSection {
     return this.#panels.every((panel) => panel.settled);
   }
 
-  /** The measurements of the unchanged figure, by panel; empty after a move of a point. */
+  /** The measurements of the figure by panel; empty once the reader has moved a point. */
   measured(): Record<string, LineNumbers[]> {
     const entries = this.#figure.panels.flatMap(({ id }, i) => {
       const lines = this.#moved ? null : this.#panels[i]!.measured();

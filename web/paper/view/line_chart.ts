@@ -5,7 +5,7 @@ export interface ChartLine {
   label: string;
   /** The resolved color, since a canvas knows no custom properties. */
   color: string;
-  /** Whether the line is dashed, since another one has its color. */
+  /** Whether the line is dashed, since another line has the same color. */
   dashed?: boolean;
   /** A value for each place on the x axis; null is a gap. */
   values: readonly (number | null)[];
@@ -107,7 +107,7 @@ export class LineChart {
   }
 }
 
-/** The range of a logarithmic axis: that of its values, with a little room at either end. */
+/** The range of a logarithmic axis: the range of its values, with a little room at either end. */
 const around = (_: uPlot, least: number, most: number): uPlot.Range.MinMax => [
   least / roomAtEnds,
   most * roomAtEnds,

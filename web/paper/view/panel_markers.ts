@@ -9,7 +9,7 @@ export interface Dot {
   place: Vector;
 }
 
-/** Converts a place of the stage into one of a layer, in pixels. */
+/** Converts a place of the stage to a place of a layer, in pixels. */
 export type Seen = (at: { x: number; y: number }) => { x: number; y: number };
 
 /** Shows centers of mass as dots in a layer over the view. */

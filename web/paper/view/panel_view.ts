@@ -211,8 +211,8 @@ export class PanelView {
   }
 
   /**
-   * The place of a point of the scene on the stage, in CSS pixels, and whether the surface hides
-   * it.
+   * The place of a point of the scene on the stage, in CSS pixels, and whether the point is hidden:
+   * behind the surface or behind the camera.
    */
   project(position: Vector3): { x: number; y: number; hidden: boolean } {
     const { ray } = this.#raycaster;

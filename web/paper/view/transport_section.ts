@@ -4,7 +4,7 @@ import { Caption, sectionHead } from './section';
 
 const svgNames = 'http://www.w3.org/2000/svg';
 const height = 0.7;
-/** The size of a unit of the star in a drawing of 200 by 160. */
+/** The length of the star's unit in a drawing of 200 by 160. */
 const size = 58;
 
 type Place = readonly [number, number];
