@@ -25,7 +25,10 @@ function merged(line: readonly Planar[]): Planar[] {
   return places;
 }
 
-/** The line with extra places where two are far apart; corners keep their places. */
+/**
+ * The line with extra places between consecutive places that are far apart. Corners keep their
+ * places.
+ */
 function filled(places: readonly Planar[]): Planar[] {
   const result = places.slice(0, 1);
   for (const place of places.slice(1)) {

@@ -92,7 +92,10 @@ class Arclength {
     return this.#lengths.at(-1) ?? 0;
   }
 
-  /** The place at a length from the start; on a closed line lengths below 0 and beyond the end wrap around. */
+  /**
+   * The place at a length from the start. On a closed line, lengths below 0 and beyond the end wrap
+   * around.
+   */
   at(wanted: number): Vector {
     const { length } = this;
     const at = this.closed ? ((wanted % length) + length) % length : wanted;

@@ -131,9 +131,7 @@ function chordParameters(points: readonly Planar[]): number[] {
   return lengths.map((length) => length / whole);
 }
 
-/**
- * Improves each parameter by one Newton step, towards the place of the curve nearest to its point.
- */
+/** Moves each parameter by one Newton step towards the curve's nearest place to the given point. */
 function bettered(points: readonly Planar[], parameters: readonly number[], cubic: Cubic) {
   return parameters.map((t, i) => {
     const off = add(cubicAt(cubic, t), points[i]!, -1);

@@ -148,7 +148,7 @@ export function styleOf({ color, width, onSurface, dash, opacity }: LineStyle): 
   return { color, width, onSurface, dash, opacity };
 }
 
-/** The drawing with another place for each of its places on the surface. */
+/** The drawing with `move` applied to each of its places on the surface. */
 export function withDrawingPlaces(
   drawing: Drawing,
   move: (point: SurfacePoint) => SurfacePoint,

@@ -87,7 +87,9 @@ export type CircleType = 'arcs' | 'linear' | 'exact';
 /** The settings of a circle besides its shape; other kinds keep them. */
 export interface CircleForm {
   readonly type: CircleType;
-  /** The number of rational arcs, 3 to 24, or as many as the tolerance of the radius needs. */
+  /**
+   * The number of rational arcs, 3 to 24; 'auto' for as many as the tolerance of the radius needs.
+   */
   readonly arcs: number | 'auto';
 }
 
@@ -339,7 +341,7 @@ function withTangentPlaces(
   return { ...(before && { before: moved(before) }), ...(after && { after: moved(after) }) };
 }
 
-/** The figure with another place for each of its places on the surface. */
+/** The figure with `move` applied to each of its places on the surface. */
 export function withPlaces(figure: Figure, move: (point: SurfacePoint) => SurfacePoint): Figure {
   const { circle } = figure;
   const moved = (point: ControlPoint): ControlPoint => ({

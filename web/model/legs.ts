@@ -25,7 +25,7 @@ export function endsOf({ settings, points }: Polygon, i: number): string {
   return JSON.stringify(ends);
 }
 
-/** The figure without those legs of `before` that no longer join the same two points or handles. */
+/** The figure without the legs of `before` that no longer join the same two points or handles. */
 export function withFittingLegs<Of extends Polygon>(polygon: Of, before: Polygon): Of {
   if (polygon.points === before.points && polygon.settings.closed === before.settings.closed) {
     return polygon;

@@ -1,7 +1,7 @@
 /** Lines of equal value in the form that the page draws. */
 import { levelLines as crossingsOf, type LevelCrossing } from 'karcher/statistics';
 
-/** A step of 1, 2 or 5 times a power of ten: about `count` such steps reach `most`. */
+/** A step that is 1, 2 or 5 times a power of ten. About `count` such steps reach `most`. */
 export function roundStep(most: number, count: number): number {
   const power = 10 ** Math.floor(Math.log10(most / count));
   const factor = [1, 2, 5, 10].find((one) => one * power >= (most / count) * 0.999) ?? 10;

@@ -83,8 +83,8 @@ export function viewFields(view: ViewPlace | null): string[] {
 }
 
 /**
- * The fields of an object. `numberOf` returns the position of a source among all objects, from 1; 0
- * if it is gone.
+ * The fields of an object. `numberOf` returns the position of a source among all objects, counted
+ * from 1, or 0 if the source is gone.
  */
 function objectFields(
   { figure, ...properties }: DrawnObject,

@@ -13,7 +13,7 @@ import { formatPoint, parsePoint } from './link_numbers';
 
 /**
  * The fields of a figure's sources and settings. `numberOf` returns the position of the object with
- * an id among all objects, from 1.
+ * an id among all objects, counted from 1.
  */
 export function derivedFields(
   { sources, offset, parts = [], thickness = 0 }: Derived,
@@ -31,7 +31,7 @@ export function derivedFields(
 }
 
 /**
- * The derivation of a figure in a fragment, where the ids of objects are their positions, from 1.
+ * The derivation of a figure in a fragment. The ids of objects are their positions, counted from 1.
  */
 export function parseDerived(kind: Kind, fields: URLSearchParams): Derived {
   const texts = (fields.get('of') ?? '').split(',').slice(0, mostSources);

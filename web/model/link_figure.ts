@@ -24,8 +24,8 @@ import { withOrigin } from './origins';
 import { withTangents } from './pen';
 
 /**
- * The fields of a figure. `numberOf` returns the position of a source among all objects, from 1; 0
- * if it is gone.
+ * The fields of a figure. `numberOf` returns the position of a source among all objects, counted
+ * from 1, or 0 if the source is gone.
  */
 export function figureFields(
   { kind, points, settings, circle, circleForm, inside, rule, derived }: Figure,

@@ -7,7 +7,7 @@ export type UpAxis = Axis | `-${Axis}`;
 
 const tessellations = ['fair', 'delaunay', 'grid', 'anisotropic'] as const;
 
-/** The default ratio of length to height of the cells of an anisotropic plane. */
+/** The default ratio of length to height for the cells of an anisotropic plane. */
 export const usualStretch = 20;
 
 /** The ways to divide a plane into triangles. */
@@ -19,8 +19,8 @@ export type SampleSource =
 
 /**
  * A generated surface (made_mesh.ts) with about `triangles` triangles; a plane is the unit square
- * in z = 0. `stretch` is the ratio of length to height of the cells of an anisotropic plane, from 1
- * to 50; 20 by default.
+ * in z = 0. The cells of an anisotropic plane are `stretch` times as long as high: 1 to 50 times,
+ * 20 by default.
  */
 export type MadeSource =
   | SampleSource

@@ -146,8 +146,8 @@ export function penOptions(
 }
 
 /**
- * The indices of the control points of an anchor: its own and those of its handles. The anchor
- * where the curve closes has control points at both ends of the list.
+ * The indices of an anchor's control points: its own and those of its handles. The anchor at which
+ * the curve closes has control points at both ends of the list.
  */
 export function controlPointsOf(figure: Figure, anchor: number): number[] {
   const last = 3 * segmentsOf(figure);

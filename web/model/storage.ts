@@ -35,7 +35,10 @@ function find(storage: () => Storage, name: string): string | null {
   }
 }
 
-/** Keeps values by their names as long as there is room, and returns the names of those that did not fit. */
+/**
+ * Keeps values by their names as long as there is room. Returns the names of values that did not
+ * fit.
+ */
 export function rememberAll(values: Readonly<Record<string, string>>): string[] {
   const left = Object.entries(values).filter(
     ([name, value]) => !keep(() => localStorage, name, value),

@@ -88,9 +88,9 @@ function handleAt(
 }
 
 /**
- * The anchors of a curve near a stroke of at least two samples, with corners at its sharp turns and
- * at `breaks`. The last sample of a closed curve is the first one. The piece after an anchor has
- * the origin of its samples, if `originOf` gives one.
+ * The anchors of a curve near a stroke of at least two samples, with corners at the stroke's sharp
+ * turns and at `breaks`. For a closed curve, the last sample is the first one again. The piece
+ * after an anchor has the origin of its samples, if `originOf` gives one.
  */
 export function anchorsOf(
   samples: readonly StrokeSample[],

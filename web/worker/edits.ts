@@ -1,4 +1,4 @@
-/** Edits of a curve that need its mathematics; their results are values. */
+/** Edits of a curve that need its mathematics. They return the values of the resulting curves. */
 import type { CurveKind, CurveOptions, CurveValue, PointLike } from 'karcher';
 import type { RemoteCurve, RemoteMesh } from 'karcher/own-worker';
 

@@ -51,7 +51,7 @@ interface Traced {
  */
 const restPart = 2;
 
-/** The largest number of results kept for undo, in addition to those for the drawing's figures. */
+/** The largest number of results kept for undo, besides the results for the drawing's figures. */
 export const mostRemembered = 64;
 
 /**

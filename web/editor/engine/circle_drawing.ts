@@ -86,7 +86,7 @@ async function acrossRadius(
 
 /**
  * The lines of a circle or an ellipse. Rejects if there are none with these radii. In a draft, a
- * linear isoline replaces an exact one, since it takes the same time for every radius.
+ * linear isoline replaces an exact one, since a linear one takes the same time for every radius.
  */
 export async function drawCircle(
   client: EngineClient,

@@ -255,7 +255,7 @@ export function shiftOf(from: Shown, to: Shown, unit: number): Shift | null {
   return shiftBetween(from.curve.samples.position, to.curve.samples.position, unit);
 }
 
-/** Sentences that replace the engine's messages about points or arcs, since these count from 0. */
+/** Sentences that replace the engine's messages about points or arcs, which count from 0. */
 const withoutNumbers: Partial<Record<ErrorCode, string>> = {
   unreachable: 'the points lie on different components of the surface; no path joins them all',
   boundary: 'a geodesic from the center to its arc meets the surface’s boundary',

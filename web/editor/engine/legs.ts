@@ -52,7 +52,7 @@ export class Legs {
     const missing = pairs.find((ends) => !this.#known.has(keyOf(ends)));
     if (!missing) return false;
     if (this.#known.size > fewestKept + 4 * pairs.length) this.#forget(pairs);
-    // Points on two components have no path between them: that leg stays invisible.
+    // Points on two components have no path between them. Their leg stays invisible.
     const path = await client.mesh.shortestPath(...missing).catch(() => null);
     this.#known.set(keyOf(missing), path?.polyline() ?? null);
     return true;

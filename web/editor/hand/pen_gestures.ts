@@ -175,8 +175,8 @@ export class PenGestures {
   }
 
   /**
-   * The handle of an anchor at a place of the window; null outside the silhouette. If `kept`, its
-   * angle is a multiple of `angleStep`.
+   * The handle of an anchor, with its end at a place of the window; null outside the silhouette. If
+   * `kept`, the handle's angle is a multiple of `angleStep`.
    */
   tangentAt(anchor: SurfacePoint, place: { x: number; y: number }, kept: boolean): Tangent | null {
     const { surface } = this.viewer;
