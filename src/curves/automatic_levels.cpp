@@ -14,8 +14,8 @@ namespace {
 /// distance from a point has this convexity at 67 degrees from the point.
 constexpr double kLeastConvexity = 0.5;
 
-/// The largest detail on a leg of a safe piece, in radians. In the study of steadiness, curves with
-/// more detail turn visibly more than the subdivision curve.
+/// The largest detail (`detailAlong`) of a leg of a safe piece, in radians. In the study of
+/// steadiness, curves with more detail turn visibly more than the subdivision curve.
 constexpr double kMostDetail = 0.2;
 
 /// The largest number of edges that legs cross at `quickLevels`, as a root mean square. A leg

@@ -15,11 +15,11 @@ namespace karcher {
 namespace {
 
 constexpr int kFewestArcs = 3;
-/// The number of fitting arcs in a full turn before the first division, and the default number of
-/// an ellipse's arcs.
+/// The number of arcs in a full turn before the first division, if the options set no number. It is
+/// also the default number of an ellipse's arcs.
 constexpr int kFirstArcs = 7;
 constexpr int kMostCuts = 4;
-constexpr int kMostParts = 4;  ///< the largest number of parts of one arc in one round
+constexpr int kMostParts = 4;  ///< the largest number of parts into which a round divides an arc
 constexpr int kFewestSamples = 5;
 
 void checkRadiusIsPositive(double radius) {

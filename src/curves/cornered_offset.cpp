@@ -19,8 +19,8 @@ namespace {
 
 enum Side { kLeftSide, kRightSide };
 
-/// A place at which a path is divided. The strip of the piece before it ends at the perpendiculars
-/// `before`, the strip of the piece after it at `after`. The arrays are indexed by `Side`.
+/// A place at which a path is divided. The perpendiculars `before` bound the strip of the previous
+/// piece, the perpendiculars `after` the strip of the next one. The arrays are indexed by `Side`.
 struct Division {
   int index = 0;  ///< the index of the path's point
   SurfacePath before[2];
@@ -298,10 +298,10 @@ class CorneredOffset {
     }
   }
 
-  /// Leads the end of a run to the end of a perpendicular, where the side of the strip ends. The
-  /// function takes the first of the two perpendiculars whose end is no farther from the run's last
-  /// point than the longest chord; if there is none, the run stays as it is. A run that should end
-  /// there misses this place by at most the height of a chord.
+  /// Leads the end of a run to the end of a perpendicular, where the side of the strip ends. Of the
+  /// two perpendiculars, it is the first one that ends no farther from the run's last point than
+  /// the longest chord is long. If neither does, the run stays as it is. A run that should end at a
+  /// perpendicular misses its end by at most the height of a chord.
   void leadToEnd(Array<SurfacePoint>& run, const SurfacePath* one, const SurfacePath* other) const {
     for (const SurfacePath* end : {one, other}) {
       if (end == nullptr || run.count() < 3) continue;

@@ -50,8 +50,8 @@ class Curve {
     Array<double> pointWeights_;  ///< empty if the basis is not rational
     SegmentBasis basis_;
     PartOfSegment part_;
-    /// `basisTable_` has the weights of the basis alone, `table_` has them with the points' weights
-    /// as factors. Pieces with equal weights share a table.
+    /// `basisTable_` has the weights of the basis alone. `table_` has these weights with the
+    /// points' weights as factors. Pieces with equal weights share a table.
     std::shared_ptr<PieceWeights> basisTable_;
     std::shared_ptr<const PieceWeights> table_;
     std::shared_ptr<TracedPiece> traced_;
@@ -77,7 +77,7 @@ class Curve {
   /// field options also `checkGivenShape`), and what a basis of the caller's throws.
   void set(CurveValue value);
 
-  // Each edit sets the value that results from it.
+  // Each edit sets the value that results from the edit.
   void movePoint(int i, const SurfacePoint& point) { set(withPointPlaced(value_, i, point)); }
   /// Moves a point in a drag: the curve extends the legs that meet at the point, and searches no
   /// new ones.
@@ -102,8 +102,8 @@ class Curve {
   /// curve's handle would lie beyond the surface's boundary.
   int levels() const { return levels_; }
   /// The estimated largest distance, in the mesh's units, between the curve and the curve of level
-  /// 0 with the same points (Eq. 4); 0 without levels. NaN if the curve of level 0 is not safe
-  /// (automatic_levels.h), so that the distance has no meaning.
+  /// 0 with the same points (Eq. 4). It is 0 without levels, and NaN if the curve of level 0 is not
+  /// safe (automatic_levels.h), so that the distance has no meaning.
   double deviation();
   /// Whether the curve's points are centers of mass. Otherwise they lie on legs or are averages of
   /// two points.
@@ -149,7 +149,7 @@ class Curve {
   struct Next {
     CurveValue value;
     int levels = 0;
-    bool isNear = false;  ///< whether the fields are near ones
+    bool isNear = false;  ///< whether the fields are near fields
     bool jumps = false;   ///< whether the curve jumps at level 0, although it seemed safe
     Array<SurfacePath> legs;
     Array<Segment> segments;

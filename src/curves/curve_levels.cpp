@@ -11,8 +11,8 @@
 namespace karcher {
 namespace {
 
-/// The largest relative difference between a field's distance and the length of a path with which
-/// both count as equal: twice the usual largest error of fast fields.
+/// A field's distance and the length of a path count as equal up to this relative difference, which
+/// is twice the usual largest error of fast fields.
 constexpr double kSameLength = 0.02;
 
 }  // namespace

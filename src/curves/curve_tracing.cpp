@@ -116,9 +116,9 @@ void Curve::findSamples(const Next& next, Piece& piece, int segment) {
 }
 
 /// The center at an end of an open curve, if one point has all the weight there. This point is then
-/// the center by definition, whereas its estimated field is zero only near it. At joints of pieces
-/// no center is known: the search in the fields finds it, as on both sides of the joint. The
-/// paper's method always searches.
+/// the center by definition, whereas its estimated field is zero only near it. At a joint of pieces
+/// no center is known: there the search in the fields finds it, as at the samples on both sides.
+/// The paper's method always searches.
 std::optional<SurfacePoint> Curve::knownEnd(const Next& next, const Piece& piece, double t) {
   const bool isEnd = t == 0 ? piece.isFirst_ : piece.isLast_;
   if (!isEnd || next.value.options.field.method == Method::kPaper) return std::nullopt;

@@ -68,10 +68,10 @@ CurveValue withPointPlaced(CurveValue value, int i, const SurfacePoint& point);
 CurveValue withPointDragged(CurveValue value, int i, const SurfacePoint& point,
                             const Array<SurfacePath>& legs);
 
-// The value after other edits. Weights and betas stay with their points, and those of a new point
-// are 1. A caller's own knots stay as far as possible (knots.h). A leg stays if its ends are still
-// neighbours, in either direction; all others become shortest paths. Each function throws Error
-// kBadIndex for a point that does not exist.
+// The value after other edits. Weights and betas stay with their points. A new point has the weight
+// and the beta 1. A caller's own knots stay as far as possible (knots.h). A leg stays if its ends
+// are still neighbours, in either direction; all others become shortest paths. Each function throws
+// Error kBadIndex for a point that does not exist.
 CurveValue withPointInserted(CurveValue value, int i, const SurfacePoint& point);
 CurveValue withPointRemoved(CurveValue value, int i);
 /// Moves point `from` in the order so that its index becomes `to`.

@@ -362,7 +362,7 @@ Array<Isoline> exactIsolines(const Geometry& geometry, const SurfacePoint& sourc
     int end = i;
     while (end < images.count() && images[end].face == images[i].face) ++end;
     // If a whole face is nearer than the radius, it has no arcs. Some of its images are missing, so
-    // that nothing would undercut the others.
+    // that nothing would undercut the arcs of the other images.
     if (!isNearer(images[i].face)) faceArcs.append(images.data() + i, images.data() + end, arcs);
     i = end;
   }

@@ -35,9 +35,9 @@ double leastConvexity(const Geometry& geometry, const Array<SurfacePath>& legs,
                       ConvexityWorkspace& workspace);
 
 /// The detail along a leg, in radians: the mean difference between the curvatures of adjacent
-/// faces, times the square of the leg's length; 0 for a leg of few faces. A center of mass that
-/// sees the leg turns by this much more than the surface. As edges become shorter, the detail tends
-/// to zero on a smooth surface, and grows on a rough one.
+/// faces, times the square of the leg's length; 0 for a leg of few faces. A curve of centers of
+/// mass that see the leg turns by this angle more than the surface does. As edges become shorter,
+/// the detail tends to zero on a smooth surface, and grows on a rough one.
 double detailAlong(const Geometry& geometry, const SurfacePath& leg);
 
 }  // namespace karcher

@@ -19,8 +19,8 @@ namespace karcher {
 
 inline constexpr int kMostLevels = 8;
 
-/// Whether averages of two points can subdivide a kind of curve: B-splines, Bezier curves, also
-/// rational ones, and Catmull-Rom curves. Curves of other kinds have no levels.
+/// Whether averages of two points can subdivide a kind of curve: B-splines, Bezier curves (also
+/// rational ones) and Catmull-Rom curves. Curves of other kinds have no levels.
 bool takesLevels(CurveKind kind);
 
 /// A control polygon after some levels, and the pieces of its curve. The points of a piece are

@@ -191,8 +191,8 @@ class SplineLevelStep {
   const SurfacePath& leg(int i) const { return old_.legs[wrapped(i)]; }
   const WeightedPoint& pointAt(int i) const { return old_.points[wrapped(i)]; }
 
-  /// The repeated average of consecutive old points, from both ends towards the middle, and its two
-  /// anchors.
+  /// Returns the repeated average of the parents, from both ends of their row towards the middle,
+  /// and writes its two anchors.
   WeightedPoint averageOf(const Parents& parents, Anchor* anchors) {
     int left = 0;
     int right = parents.weights.count() - 1;

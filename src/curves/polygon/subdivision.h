@@ -22,8 +22,8 @@ struct SubdivisionWorkspace {
   AveragingWorkspace averaging;
 };
 
-/// The point at the fraction s of the fast path (find_path.h) from a to b. Outside [0, 1] the path
-/// continues straight, up to the surface's boundary.
+/// The point at the fraction s of the fast path (find_path.h) from a to b. For s outside [0, 1],
+/// the path continues straight, up to the surface's boundary.
 SurfacePoint averageAlongGeodesic(const Geometry& geometry, const SurfacePoint& a,
                                   const SurfacePoint& b, double s, SubdivisionWorkspace& workspace);
 
@@ -42,10 +42,11 @@ struct ParametricLine {
   Array<double> t;
 };
 
-/// Appends the Bezier curve of the control points, at least two, over [t0, t1]. The legs of their
-/// polygon are fast paths (find_path.h). The function halves the polygon (levels.h) until each part
-/// is short, has one leg, or is 2^-6 of the curve. The control polygons of the parts approximate
-/// the curve. If `line` is not empty, it must end at the first point, which is not repeated.
+/// Appends the Bezier curve of at least two control points, with parameters from t0 to t1. The legs
+/// of their polygon are fast paths (find_path.h). The function halves the polygon (levels.h) until
+/// each part is short, has one leg, or is 2^-6 of the curve. The control polygons of the parts
+/// approximate the curve. If `line` is not empty, it must end at the first point, which is not
+/// repeated.
 void appendBezier(const Geometry& geometry, std::span<const SurfacePoint> points, double t0,
                   double t1, SubdivisionWorkspace& workspace, ParametricLine& line);
 

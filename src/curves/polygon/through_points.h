@@ -3,8 +3,8 @@
 #include "curves/polygon/leg_average.h"
 #include "curves/spec/curve_shape.h"
 
-/// A Catmull-Rom curve as cubic Bezier curves from point to point. The derivative at a point is
-/// that of Barry and Goldman's pyramid, by log maps along the legs that meet there.
+/// A Catmull-Rom curve as cubic Bezier curves from point to point. The derivative at a point
+/// follows Barry and Goldman's pyramid, with log maps along the legs that meet at the point.
 namespace karcher {
 
 /// The inner control points of a cubic Bezier curve, as ends of straightest geodesics.

@@ -8,8 +8,8 @@ namespace karcher {
 struct CurvePoint {
   double parameter = 0;
   SurfacePoint point;
-  /// The status. If it is not kConverged, the point lies on a bridge (bridge.h) or, next to a
-  /// bridge, on the path that joins the samples around it.
+  /// The status. If it is not kConverged, the point lies on a bridge (bridge.h), or next to a
+  /// bridge on the path between the neighbouring samples.
   SampleStatus status = SampleStatus::kConverged;
 };
 

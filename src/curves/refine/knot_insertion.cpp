@@ -163,7 +163,8 @@ ControlPolygon partBefore(const Geometry& geometry, ControlPolygon open, double 
 ControlPolygon partAfter(const Geometry& geometry, ControlPolygon open, double u) {
   insertFully(geometry, open, u);
   const auto beyond = std::upper_bound(open.knots.begin(), open.knots.end(), u);
-  // At u the curve passes through a control point, whose index is that of the last knot u minus p.
+  // At u the curve passes through a control point. Its index is p less than the index of the last
+  // knot u.
   const int point = static_cast<int>(beyond - open.knots.begin()) - open.degree - 1;
   Array<double> knots(static_cast<size_t>(open.degree) + 1, u);
   knots.insert(knots.end(), beyond, open.knots.end());
@@ -180,7 +181,7 @@ ControlPolygon cutOpen(const Geometry& geometry, ControlPolygon closed, double u
   const double period = closed.knots.back() - closed.knots.front();
   const double start = u == closed.knots.back() ? u - period : u;
   const auto beyond = std::upper_bound(closed.knots.begin(), closed.knots.end(), start);
-  // The last span that starts there blends the points from index `span` on.
+  // The last span that starts at `start` blends the points from index `span` on.
   const int span = static_cast<int>(beyond - closed.knots.begin()) - 1;
   ControlPolygon open;
   open.degree = p;

@@ -50,8 +50,8 @@ struct CurveShape {
   int degree = 3;  ///< the degree of a B-spline
   KnotRule knotRule = KnotRule::kUniform;
   Array<double> knots = {};  ///< the knots with KnotRule::kOwn
-  /// Whether the square roots of the points' geodesic distances space a Catmull-Rom curve's knots.
-  /// Otherwise the knots are evenly spaced.
+  /// Whether the knots of a Catmull-Rom curve are spaced by the square roots of the distances
+  /// between consecutive points. Otherwise they are evenly spaced.
   bool centripetal = true;
   /// one positive weight for each point of kBSpline and kRational; if empty, all are 1
   Array<double> weights = {};
@@ -74,15 +74,16 @@ inline int legCount(const CurveShape& shape, int points) {
 /// numbers is out of range: kTooFewPoints, kNotFinite, kBadArgument.
 void checkShape(const CurveShape& shape, int points);
 
-/// Checks a shape as `checkShape` does. Throws kBadArgument also if it sets a property that its
-/// kind does not use.
+/// Checks a shape as `checkShape` does. Also throws kBadArgument if the shape sets a property that
+/// its kind does not use.
 void checkGivenShape(const CurveShape& shape, int points);
 
 /// The knots of a B-spline with this number of points, by its rule.
 Array<double> knotsOf(const CurveShape& shape, int points);
 
-// The shape after an edit of a curve of `points` points. Weights and betas stay with their points;
-// those of a new point are 1. A caller's own knots stay as far as possible (knots.h).
+// The shape after an edit of a curve of `points` points. Weights and betas stay with their points.
+// A new point has the weight and the beta 1. A caller's own knots stay as far as possible
+// (knots.h).
 CurveShape withPoint(CurveShape shape, int i);
 CurveShape withoutPoint(CurveShape shape, int points, int i);
 CurveShape withPointMoved(CurveShape shape, int from, int to);

@@ -33,8 +33,8 @@ Array<double> knotsWithPoint(const Array<double>& knots, int degree, bool closed
 /// The knots without control point i: the knot at the middle of its support is removed.
 Array<double> knotsWithoutPoint(const Array<double>& knots, int degree, bool closed, int i);
 
-/// The knots of the reversed curve: its points in reverse order, except that a closed curve keeps
-/// its first point.
+/// The knots of the reversed curve, whose points are in reverse order. The first point of a closed
+/// curve stays the first.
 Array<double> reversedKnots(const Array<double>& knots, int degree, bool closed);
 
 /// Closed knots: first the spans of the open knots, then `degree` spans across the join, each as

@@ -14,7 +14,7 @@ constexpr int kMostPieces = 8;
 
 using Interval = BridgeWorkspace::Interval;
 
-/// Appends an interval, merged with the last one if they touch.
+/// Appends an interval, or merges it with the last one if they touch.
 void addInterval(Array<Interval>& intervals, const Interval& interval) {
   if (!intervals.empty() && intervals.back().last >= interval.first) {
     intervals.back().last = interval.last;
@@ -210,8 +210,8 @@ void bridgeSegment(SegmentFields& fields, const SegmentBasis& basis,
   const bool isWhole =
       workspace.jumps.empty() && std::all_of(samples.begin(), samples.end(), isConverged);
   if (isWhole) return;
-  // This step is not for adaptive samples (no table), which are dense enough only for the branch
-  // that they follow. Nor is it for the paper's method, whose result depends on the start of the
+  // Adaptive samples (no table) skip this step, since they are dense enough only for the branch
+  // that they follow. The paper's method skips it, too: its result depends on the start of the
   // search and not on a branch.
   if (table != nullptr && goesOnWhereIndefinite(method)) {
     takeBestBranches(fields, table->samples, method, samples, workspace.back);

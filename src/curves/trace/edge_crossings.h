@@ -4,9 +4,9 @@
 
 /// Crossings of a curve of centers of mass with the edges of the mesh. The faces on both sides of
 /// an edge share its frame. In this frame, the blended field along the edge is linear between its
-/// values X_a(t) and X_b(t) at the ends. If faces are divided (cells.h), it is linear between an
-/// end and the middle. It has a zero on the edge's line where X_a(t) x X_b(t) = 0: at this t the
-/// curve passes from face to face, through the same point from either side.
+/// values X_a(t) and X_b(t) at the ends. If faces are divided (cells.h), the field is linear
+/// between an end and the middle. The field has a zero on the edge's line where X_a(t) x X_b(t) =
+/// 0: at this t the curve passes from face to face, through the same point from either side.
 ///
 /// Inside a face the field also depends on transport, so that the curve in the face ends a small
 /// fraction of an edge beside that point (crossing_study). The polyline through the crossings

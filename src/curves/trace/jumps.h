@@ -21,9 +21,9 @@ inline bool isConverged(const CurveSample& sample) {
 }
 
 /// Writes to `jumps`, in order, the steps between converged samples at which the curve breaks. The
-/// curve does not break at a step that is shorter than half of `kLongestStep`, nor at a step well
-/// inside a face or across one edge that the weights in its middle prove to be continuous. The
-/// function divides any other step into such steps. `basis` and `pointWeights` give the weights
+/// curve is continuous at a step shorter than half of `kLongestStep`. It is also continuous if the
+/// weights in the middle of the step prove this, which they can do well inside a face and across
+/// one edge. The function divides all other steps. `basis` and `pointWeights` give the weights
 /// (segment_basis.h). `table` has the weights at the samples and in the middles between them; it is
 /// null if a tolerance placed the samples. `weights` is scratch memory.
 void findJumps(FieldBlend& fields, const SegmentBasis& basis, const Array<double>& pointWeights,

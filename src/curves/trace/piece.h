@@ -7,7 +7,7 @@
 #include "curves/trace/joined_path.h"
 
 /// A piece of a curve. Its points are centers of mass of a few points of the refined polygon. A
-/// segment has 2^levels pieces, so at level 0 a single one.
+/// segment has 2^levels pieces: a single one at level 0.
 namespace karcher {
 
 /// The part of a segment that a piece covers: number `index` of `count` equal parts.
