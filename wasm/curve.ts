@@ -234,7 +234,7 @@ export class Curve {
     return deviation >= 0 ? deviation : null;
   }
 
-  /** The number of fields computed since the curve was created. Most edits add few. */
+  /** The number of fields computed since the curve was created. Most edits add few fields. */
   get fieldsComputed(): number {
     return this.#handle.call((curve) => curve.fieldsComputed());
   }

@@ -57,7 +57,7 @@ export type CurveGeometry = 'geodesic' | 'exact';
 /** The number of levels of a curve, or a rule for it. */
 export type CurveLevels = number | 'auto' | 'limit';
 
-/** The tolerance for levels that a curve chooses itself. */
+/** The tolerance for a number of levels that the curve chooses itself. */
 export interface LevelsTolerance {
   /**
    * The largest distance that levels may move a curve, in mean edges, if the curve is safe without

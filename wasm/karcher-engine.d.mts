@@ -69,7 +69,7 @@ export interface EngineRegion {
    * weight of one end, and then of the other end.
    */
   sides: Float64Array;
-  /** For a region of one shape, whether it lies left of its first outline. */
+  /** Whether the region lies left of its first outline, for a region of one shape. */
   isLeft?: boolean;
 }
 
@@ -364,7 +364,7 @@ export interface EngineCurve extends EngineCurveEdits {
   equallySpaced(count: number): CurvePoints;
 }
 
-/** A builder of the graph of the solver `graph`, in slices of work. */
+/** Builds the graph of the solver `graph` in slices of work. */
 export interface EngineGraphBuilder {
   delete(): void;
   /** Adds the next `vertices` vertices. Returns true when the graph is complete. */

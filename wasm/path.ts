@@ -62,7 +62,7 @@ export class Path {
     return this.#data.face.length;
   }
 
-  /** The points of the path. Two consecutive ones share a face. */
+  /** The points of the path. Two consecutive points share a face. */
   points(): SurfacePoint[] {
     const { face, bary } = this.#data;
     return Array.from(face, (number, i) => ({

@@ -83,6 +83,6 @@ export interface StraightestPath {
    * crossed a million edges (`limit`).
    */
   stop: 'complete' | 'boundary' | 'limit';
-  /** The rest of the length at the end; 0 for `complete`. */
+  /** The part of the given length beyond the path's end; 0 for `complete`. */
   remaining: number;
 }

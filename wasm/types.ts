@@ -44,7 +44,7 @@ export type ErrorCode =
   | 'outOfMemory'
   | 'internal';
 
-/** A center of mass, or the place where the search for one stopped. */
+/** A center of mass, or the point where the search for it stopped. */
 export interface CenterOfMass {
   /** The center as a point of the surface. */
   point: SurfacePoint;
@@ -110,7 +110,7 @@ export type Uniqueness = 'certain' | 'likely' | 'notUnique' | 'notLooked';
 /** Another minimum of the energy. */
 export type OtherMinimum = Pick<CenterOfMass, 'point' | 'position' | 'energy'>;
 
-/** Weights of points for which a given point is their center of mass. */
+/** Weights with which a given point is the center of mass of points. */
 export interface MeanWeights {
   /** One weight for each point; their sum is 1. */
   weights: Float64Array;

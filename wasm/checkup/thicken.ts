@@ -98,7 +98,7 @@ function united({ positions, triangles }: Triangles): Triangles {
   return { positions, triangles: Int32Array.from(triangles, (vertex) => same[vertex]!) };
 }
 
-/** The triangles with these face numbers, each of them once. */
+/** The triangles with these face numbers. A repeated number counts once. */
 const facesOf = (triangles: ArrayLike<number>, faces: ArrayLike<number>): Int32Array =>
   Int32Array.from(
     [...new Set(Array.from(faces))].flatMap((face) => cornersOf(triangles, 3 * face)),
@@ -222,7 +222,7 @@ function unfolded(
 function firstRoot(c: number, b: number, a: number): number {
   const under = b * b - 4 * a * c;
   if (c <= 0 || under < 0) return Infinity;
-  // The form avoids the difference of two numbers of similar size.
+  // This formula avoids the difference of two numbers of similar size.
   const half = -(b + Math.sign(b || 1) * Math.sqrt(under)) / 2;
   const roots = [half / a, c / half].filter((root) => root > 0);
   return Math.min(Infinity, ...roots);

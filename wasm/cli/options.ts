@@ -1,7 +1,7 @@
 /** An option of a command. Without `value` it is a flag. */
 export interface Option {
   name: string;
-  /** The name of the value in the help text: FILE. */
+  /** The name of the value in the help text, such as FILE. */
   value?: string;
   help: string;
   default?: string;
@@ -42,7 +42,7 @@ export const pointsOption: Option = {
   required: true,
 };
 
-/** The distance up to which vertices get a value. */
+/** Vertices get a value if their distance is at most this radius. */
 export const radiusOption: Option = {
   name: 'radius',
   value: 'R',

@@ -76,7 +76,7 @@ interface Primitive {
   indices: Accessor | null;
   triangles: number;
   colors: Accessor | null;
-  /** The number of its material, -1 for none. */
+  /** The number of the primitive's material, -1 for none. */
   material: number;
   /**
    * The end of the part's name: a comma and the primitive's number in the mesh, from 1. It is empty

@@ -42,7 +42,9 @@ interface Rows {
   type: number;
 }
 
-/** A reader of the accessors of a glTF file, which are lists of numbers in its buffers. */
+/**
+ * A reader of the accessors of a glTF file. An accessor is a list of numbers in the file's buffers.
+ */
 export class Accessors {
   readonly #json: Json;
   readonly #buffers: Buffers;

@@ -148,7 +148,7 @@ function embedded(uri: string): Uint8Array {
   }
 }
 
-/** The names of the files beside a glTF file that contain its buffers. */
+/** The names of the files that lie beside a glTF file and contain its buffers. */
 export function buffersBeside(json: unknown): string[] {
   if (!isJson(json)) return [];
   const uris = listOf(json, 'buffers')

@@ -37,7 +37,7 @@ interface Source {
   end(): void;
   /** The place of the last number: "line 12", "byte 240". */
   place(): string;
-  /** The least number of bytes of a vertex, and that of a face without corners. */
+  /** The least numbers of bytes of a vertex, and of a face without corners. */
   least: { vertex: number; face: number };
   /** The number of bytes that follow. */
   room(): number;
@@ -228,7 +228,7 @@ class TextSource implements Source {
   }
 }
 
-/** Numbers of four bytes, the most significant first, after the line with BINARY. */
+/** Numbers of four bytes, the most significant byte first, after the line with BINARY. */
 class BinarySource implements Source {
   readonly #view: DataView;
   readonly #beside: Beside;
@@ -276,7 +276,7 @@ class BinarySource implements Source {
     return color ? rest.slice(normal, normal + 3) : null;
   }
 
-  /** Skips the components of a face's color, whose number stands before them. */
+  /** Skips the components of a face's color. The number of components comes before them. */
   endFace(): void {
     const count = this.count('the number of components of a color');
     if (4 * count > this.room()) {

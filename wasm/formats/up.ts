@@ -128,7 +128,7 @@ interface Edge {
   end: string;
 }
 
-/** The edges without those of open chains, which enclose no area. */
+/** The edges of closed loops. Edges of open chains are left out, since they enclose no area. */
 function inLoops(edges: readonly Edge[]): Edge[] {
   const touching = new Map<string, Edge[]>();
   const ends = new Map<string, { out: number; in: number }>();

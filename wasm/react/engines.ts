@@ -10,7 +10,10 @@ interface Shared {
 /** The engines that mounted components share. A key says whether the engine runs in a worker. */
 const engines = new Map<boolean, Shared>();
 
-/** The engine of the page or of the worker. Its first user loads it, and all share it. */
+/**
+ * The engine of the page or of the worker. The first component that uses it loads it, and all share
+ * it.
+ */
 export function takeEngine(worker: boolean): Promise<AnyKarcher> {
   let shared = engines.get(worker);
   if (!shared) {

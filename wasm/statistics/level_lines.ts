@@ -14,7 +14,7 @@ export interface SegmentEnd {
 
 /** A point where a line of equal value crosses an edge. */
 export interface LevelCrossing extends SegmentEnd {
-  /** The triangle whose segment ends here, one of the two at the edge. */
+  /** The triangle whose segment ends here: one of the two triangles at the edge. */
   face: number;
   /** The weights of that triangle's corners. */
   bary: [number, number, number];
@@ -106,7 +106,7 @@ export function joinedSegments<End extends SegmentEnd>(
     }
   };
   const lines: End[][] = [];
-  // Open lines come first, such as those that begin at a boundary, then loops.
+  // Open lines, such as lines that begin at a boundary, come first. Loops follow.
   for (const [i, ends] of segments.entries()) {
     for (const from of [0, 1] as const) {
       if (!used[i] && meeting.get(ends[from].edge)!.length === 1) lines.push(lineFrom(i, from));

@@ -36,7 +36,7 @@ export class NearestPieces {
    */
   readonly whole: Int32Array;
 
-  /** The pieces of triangles that several sites share or shared. */
+  /** The pieces of triangles that several sites share, or shared earlier. */
   readonly #pieces = new Map<number, Piece[]>();
   readonly #first: Int32Array;
   /**

@@ -50,7 +50,7 @@ export class Surface<OfMesh extends AnyMesh = AnyMesh> {
   /** @internal The original triangles of the mesh, in their original order. */
   readonly triangles: Triangles;
 
-  /** @internal `surfaceFromGeometry` and `surfaceFromMesh` create one. */
+  /** @internal `surfaceFromGeometry` and `surfaceFromMesh` create surfaces. */
   constructor(mesh: OfMesh, triangles: Triangles) {
     this.mesh = mesh;
     this.triangles = triangles;

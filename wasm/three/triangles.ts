@@ -82,7 +82,7 @@ export class Triangles {
     return is(u!, w!, v!) || is(w!, v!, u!) || is(v!, u!, w!) ? 1 : 0;
   }
 
-  /** Puts a vertex into the table, and returns the first one at its place. */
+  /** Puts a vertex into the table, and returns the first vertex at the same place. */
   #keep(vertex: number): number {
     const { positions } = this;
     const i = 3 * vertex;
