@@ -53,7 +53,7 @@ export interface Properties extends LineStyle, FillStyle {
 }
 
 export interface DrawnObject extends Properties {
-  /** A number from 1 that no other object of the drawing has. It never changes. */
+  /** A whole number, at least 1, that no other object of the drawing has. It never changes. */
   readonly id: number;
   readonly figure: Figure;
 }
@@ -94,7 +94,7 @@ const defaultProperties: Properties = {
   group: null,
 };
 
-/** An object of a figure, with default values of its other properties. */
+/** An object with a figure, and with defaults for its other properties. */
 export function newObject(
   id: number,
   figure: Figure,
@@ -133,7 +133,7 @@ export const freeId = ({ objects }: Drawing) =>
 /** Whether all objects of the drawing are empty. */
 export const isBlank = ({ objects }: Drawing) => objects.every(({ figure }) => isEmpty(figure));
 
-/** A new object of a figure, in the look of the edited object. */
+/** A new object with a figure, and with the look of the edited object. */
 export function successorOf(drawing: Drawing, figure: Figure): DrawnObject {
   return newObject(freeId(drawing), figure, lookOf(activeObject(drawing)));
 }

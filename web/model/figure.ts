@@ -50,8 +50,8 @@ export type Tangents = { readonly [Which in Side]?: Tangent };
 /** A point that the user placed. Its weight and its beta default to 1. */
 export type ControlPoint = SurfacePoint & { readonly [Name in ParameterName]?: number } & {
   /**
-   * Points on the path to the next point, if it is not the shortest. For the pen it is the path
-   * from the handle after this anchor to the handle before the next anchor.
+   * Points on the path to the next point, if this path is not the shortest. For the pen, the path
+   * leads from the handle after this anchor to the handle before the next anchor.
    */
   readonly leg?: readonly SurfacePoint[];
   /** The handles of an anchor of the pen. */
@@ -124,8 +124,8 @@ export interface CurveSettings {
   /** The least number of levels during a drag, so that the number never falls; never in files. */
   readonly leastLevels?: number;
   /**
-   * Whether the curve is a draft of a drag: its levels may then move it by any distance. Never in
-   * files.
+   * Whether the curve is a draft of a drag. Its levels may then lie at any distance from the curve
+   * of level 0. Never in files.
    */
   readonly draft?: boolean;
 }

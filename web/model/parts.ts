@@ -51,8 +51,8 @@ export function lies({ face, bary }: SurfacePoint, { faces, weights }: SurfacePa
 type Six = [number, number, number, number, number, number];
 
 /**
- * Whether a point of the plane lies in a triangle or on its rim; its corners begin at index 6 *
- * `i`.
+ * Whether a point of the plane lies in a triangle or on its rim. The triangle's corners begin at
+ * index 6 * `i`.
  */
 export function isInTriangle(
   corners: Float32Array | Float64Array,

@@ -37,8 +37,8 @@ function handleOf(vector: Vector): Tangent | null {
 }
 
 /**
- * The figure after the two handles of a segment have moved by vectors, given at their anchors.
- * Smooth joints stay smooth.
+ * The figure after the two handles of a segment have moved. Each handle moves by a vector at its
+ * anchor. Smooth joints stay smooth.
  */
 export function withBentSegment(
   figure: Figure,

@@ -171,7 +171,7 @@ export class Session {
       this.#newest.push(state);
     } else if ((this.#coarse || drag !== null) && !state.dragging) this.#newest.push(state);
     else if (!this.#newest.busy) {
-      // A drag has ended after the trace of its last step; work that rested meanwhile continues.
+      // The drag has ended after the trace of its last step. Work that waited meanwhile continues.
       this.#newest.wake();
     }
   }

@@ -1,4 +1,6 @@
-/** Recognizes moves and mirrors that would tear a figure, leaving neighbouring points far apart. */
+/**
+ * Recognizes moves and mirrors that would tear a figure: neighbouring points would end far apart.
+ */
 import { Vector3 } from 'three';
 import type { DrawnObject } from '../../model/drawing';
 import { type ControlPoint, type Figure, isCurve } from '../../model/figure';
