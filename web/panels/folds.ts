@@ -7,8 +7,9 @@ import { byId, write } from './elements';
 const longest = 6;
 
 /**
- * The folds of the panel: the advanced settings, closed by default, and the list of points, closed
- * by default if it is long. The browser keeps the user's choices.
+ * The folds of the panel: the advanced settings and the list of points. By default, the advanced
+ * settings are closed, and the list is open if it is short and has numbers. The browser keeps the
+ * user's choices.
  */
 export class Folds {
   readonly #advanced = byId<HTMLDetailsElement>('fine');

@@ -172,7 +172,10 @@ export class ObjectRows {
     this.show(this.editor.state);
   }
 
-  /** Folds a group during its drag, so that its members move along. */
+  /**
+   * Folds an open group while its row is dragged, so that its members move along. Without a group,
+   * unfolds the group that was dragged.
+   */
   #carry(group: string | undefined): void {
     if (this.#carried !== null) this.#fold(this.#carried);
     const places = this.#rows.filter((row) => row.type === 'group' && row.group === group);

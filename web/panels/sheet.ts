@@ -13,9 +13,9 @@ const slop = 6;
 const parts: Record<Stop, number> = { collapsed: 0, half: 0.38, full: 0.88 };
 
 /**
- * The panel as a sheet over the lower part of a narrow window. Its handle drags it up and down. A
- * click on the handle opens or collapses it, the arrow keys move it from stop to stop, and Enter
- * and Space cycle through the stops.
+ * The panel as a sheet over the lower part of a narrow window. The user drags the sheet by its
+ * handle. A click on the handle opens or collapses the sheet, the arrow keys move it from stop to
+ * stop, and Enter and Space cycle through the stops.
  */
 export class Sheet {
   readonly #handle = byId<HTMLButtonElement>('sheet-handle');

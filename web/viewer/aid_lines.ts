@@ -60,7 +60,7 @@ export class AidLines implements Layer {
     this.redraw();
   }
 
-  /** Shows the geodesics between control points; bold while they stand for the curve. */
+  /** Shows the geodesics between control points. With `bold`, they stand for the curve. */
   showPolygon(legs: readonly Float32Array[], bold: boolean): void {
     const lines = this.#inScene(legs);
     this.#polygon.set(bold ? [] : lines);
@@ -79,7 +79,7 @@ export class AidLines implements Layer {
     return this.#shorterWays;
   }
 
-  /** Marks points of the curve, given by x, y, z in the surface's coordinates. */
+  /** Marks points of the curve, with x, y, z of each point in the surface's coordinates. */
   showMarks(places: ArrayLike<number>): void {
     const points = this.#surface?.toScene(Float32Array.from(places)) ?? new Float32Array();
     const dots = Array.from({ length: points.length / 3 }, (_, i) =>

@@ -321,7 +321,10 @@ export class OrbitView {
     this.#tell();
   }
 
-  /** Returns to the default view of the whole; at once if the user does not want motion. */
+  /**
+   * Returns to the default view of the whole; at once if `animated` is false or the user does not
+   * want motion.
+   */
   reset({ animated }: { animated: boolean }): void {
     this.#whole = startDirection;
     this.#showWhole(animated);
@@ -343,7 +346,9 @@ export class OrbitView {
     };
   }
 
-  /** Shows the scene from a place. The ball around its target with radius `reach` just fits. */
+  /**
+   * Shows the scene from a place. The ball of radius `reach` around the place's target just fits.
+   */
   show(place: ViewPlace, { animated }: { animated: boolean }): void {
     if (typeof place === 'string') {
       this.#whole = views[place];

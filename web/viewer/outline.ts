@@ -51,7 +51,7 @@ export function outlineOf(mesh: Mesh, [x, y, z]: readonly [number, number, numbe
   };
 }
 
-// The next corner. A side of a triangle has the index of the corner at its start.
+// The next corner of the same triangle. A side has the index of the corner at its start.
 
 const follower = (corner: number) => (corner % 3 === 2 ? corner - 2 : corner + 1);
 

@@ -4,7 +4,7 @@ import type { Vector } from '../model/figure';
 import type { NearestPlace, Plane } from '../model/symmetry';
 import type { Surface } from './surface';
 
-/** The section of the surface by a plane: a line for each triangle. */
+/** The section of the surface by a plane: a line for each triangle that the plane crosses. */
 export function sectionOf(surface: Surface, { normal, offset }: Plane): Float32Array[] {
   const { positions, triangles } = surface.arrays;
   const heights = new Float64Array(positions.length / 3);
@@ -29,7 +29,7 @@ export function sectionOf(surface: Surface, { normal, offset }: Plane): Float32A
   return lines;
 }
 
-/** About `count` places of the surface, in proportion to the area. */
+/** About `count` places of the surface, spread evenly over its area. */
 export function samplesOf(surface: Surface, count: number): Vector[] {
   const areas = Float64Array.from({ length: surface.triangles }, (_, face) => {
     const [a, b, c] = surface.corners(face);
@@ -50,7 +50,10 @@ export function samplesOf(surface: Surface, count: number): Vector[] {
   return samples;
 }
 
-/** The place of the surface nearest to a place of the scene, with its triangle's normal. */
+/**
+ * A function that finds the place of the surface nearest to a place of the scene, with the unit
+ * normal of the triangle there.
+ */
 export const nearestPlaceOf =
   (surface: Surface): NearestPlace =>
   (place) => {

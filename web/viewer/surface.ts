@@ -208,13 +208,15 @@ export class Surface {
     return geometry;
   }
 
-  /** The first point where a ray of the scene meets the surface. */
+  /** The first point where a ray of the scene meets a visible face of the surface. */
   pick(ray: Ray): Pick | null {
     const hit = this.#hit(ray);
     return hit ? this.#pickAt(hit.faceIndex!, hit.point) : null;
   }
 
-  /** The distance along the ray to the surface; infinite if it misses. */
+  /**
+   * The distance along the ray to a visible face of the surface; infinite if the ray meets none.
+   */
   depth(ray: Ray): number {
     return this.#hit(ray)?.distance ?? Infinity;
   }

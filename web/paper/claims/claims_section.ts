@@ -36,7 +36,9 @@ export class ClaimsSection {
     this.show({});
   }
 
-  /** Judges the claims that the report leaves open, by the panels that the page has measured. */
+  /**
+   * Judges the claims that the report did not measure, by the panels that the page has measured.
+   */
   show(panels: Measured['panels']): void {
     const live = judge({ panels, table: [], studies: {}, meshes: null, load: null });
     const rows = live.map((row): ShownClaim => {

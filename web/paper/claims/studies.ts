@@ -41,15 +41,20 @@ export interface Studies {
   inverse: { cases: number; minima: number; back: number; farthest: number };
   /** B-splines on a torus with noise of growing height, in mean edges. */
   roughness: RoughnessPoint[];
-  /** B-splines on a rough torus with control points at growing distances. */
+  /** B-splines on rough tori, with control points at growing distances. */
   spread: SpreadPoint[];
   /** Paths between random pairs of points. */
   descent: DescentFinding[];
-  /** Milliseconds of preparation and first curve on ever finer meshes; null where the method failed. */
+  /**
+   * Milliseconds of the preparation and the first curve together, on ever finer meshes; null where
+   * the method failed.
+   */
   growth: { method: string; triangles: number; ms: number | null; reason: string | null }[];
   /** B-splines on ever finer meshes of a sphere and a torus. */
   convergence: ConvergencePoint[];
-  /** Milliseconds of a drag on a mesh of several hundred thousand triangles. */
+  /**
+   * Milliseconds of the preparation and of a drag, on a torus of a quarter of a million triangles.
+   */
   large: {
     method: string;
     triangles: number;

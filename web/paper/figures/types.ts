@@ -109,7 +109,7 @@ export interface LineNumbers {
 }
 
 export interface LineResult extends LineNumbers {
-  /** The places x, y, z of the vertices, on the surface. */
+  /** Polylines on the surface, with x, y, z of each vertex. */
   polylines: Float32Array[];
   /**
    * A status for each vertex of each polyline: 1 where the curve is lost. Empty if the line has no

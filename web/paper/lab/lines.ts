@@ -249,7 +249,7 @@ const makers: Partial<Record<LineId, Maker>> = {
 
 /**
  * The shaft and the head of an arrow in the middle of a triangle, against the gradient of the
- * values at its corners.
+ * values at its corners. Null if the gradient or the triangle's area is zero.
  */
 function gradientArrow(
   corners: [Vector, Vector, Vector],

@@ -110,7 +110,10 @@ export class TableClient {
     this.events.cell(cell);
   }
 
-  /** Marks the cell under measurement as failed, or the whole row if its mesh is missing. */
+  /**
+   * Marks the cell under measurement as failed. If no cell is under measurement, for example
+   * because the row's mesh could not be made, marks all remaining cells of the row.
+   */
   #fail(reason: string): void {
     const place = this.#place;
     this.#stop();

@@ -125,7 +125,7 @@ export class FigurePanel {
     this.element.dataset.panel = panel.id;
   }
 
-  /** Computes everything when its turn comes. */
+  /** Computes everything when the panel's turn comes. */
   start(): void {
     this.#making.textContent = `Waits for its turn: ${meshWords(this.#spec)}`;
     this.context.turns.ask({ element: this.#stage, run: (signal) => this.#run(signal) });

@@ -10,7 +10,7 @@ export function sectionHead(name: string, title: string, ...more: Element[]): HT
 
 /**
  * The end of a text's first sentence: a stop before a capital or a quotation mark. A stop after a
- * single letter ends an initial.
+ * single letter belongs to an initial and does not end the sentence.
  */
 const sentenceEnd = /(?<=[^\s.][^\s.]|\d)[.?!](?= [A-Z“])/u;
 
