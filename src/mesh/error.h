@@ -11,7 +11,7 @@ enum class ErrorCode {
   kBadIndex,           ///< a face or a point names a vertex or face that does not exist
   kNotFinite,          ///< a coordinate, weight or distance is NaN or infinite
   kDegenerateFace,     ///< a face has a repeated corner or no area
-  kNonManifoldEdge,    ///< an edge has more than two faces, or two run along it in one direction
+  kNonManifoldEdge,    ///< an edge has more than two faces, or two in the same direction
   kNonManifoldVertex,  ///< the faces around a vertex form more than one fan
   kNotOrientable,      ///< the surface has only one side
   kBadPoint,           ///< barycentric weights are negative or do not sum to 1
@@ -27,10 +27,11 @@ enum class ErrorCode {
 /// The name of a code, for callers in other languages, such as "nonManifoldEdge".
 const char* errorCodeName(ErrorCode code);
 
-/// A number for a sentence, with at most `digits` digits, such as 0.25 or 1e-07.
+/// A number as text for a sentence, with at most `digits` digits, such as 0.25 or 1e-07.
 std::string inSentence(double value, int digits = 6);
 
-/// A number with at least six digits, and enough to identify the double, such as 3.000000000001.
+/// A number as text, with at least six digits and enough digits to identify the double, such as
+/// 3.000000000001.
 std::string inFull(double value);
 
 /// A failure of the engine: a code, and a sentence that names the object and the limit.

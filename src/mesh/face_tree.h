@@ -4,9 +4,9 @@
 
 namespace karcher {
 
-/// A tree of boxes around the faces of a mesh, which finds the point of the surface nearest to a
-/// place. A box holds faces with consecutive indices, which lie near each other in an imported mesh
-/// (morton.h).
+/// A tree of boxes around the faces of a mesh. It finds the point of the surface that is nearest to
+/// a place. A box holds faces with consecutive indices; in an imported mesh, such faces lie near
+/// each other (morton.h).
 class FaceTree {
  public:
   /// The mesh must outlive the tree.

@@ -247,9 +247,9 @@ class ManifoldRepair {
     }
   }
 
-  /// Two edges may have the same two vertices if one fan meets both edges. This function separates
-  /// the faces of such edges, which also splits the fan. Then it pairs the faces that still lie
-  /// along each other.
+  /// If one fan of faces meets two edges, these edges may have the same two vertices. This function
+  /// separates the faces of such edges, so that the fan splits. Then it pairs the faces that still
+  /// lie along each other.
   void partSharedEdges() {
     bool changed = true;
     for (int round = 0; changed && round < kMostPaired; ++round) {

@@ -40,9 +40,9 @@ struct ImportOptions {
   /// Whether to repair. If false, the import rejects meshes that are not manifold surfaces, and
   /// welds only vertices at exactly the same place.
   bool repair = true;
-  /// The largest distance between vertices that the import welds, in the mesh's units, but at most
-  /// a third of the shortest edge at either vertex. 0 welds nothing. A negative value stands for
-  /// the smaller of 1e-6 of the diagonal and 1 % of the shortest edge at either vertex.
+  /// The import welds vertices up to this distance from each other, in the mesh's units, but at
+  /// most up to a third of the shortest edge at either vertex. 0 welds nothing. A negative value
+  /// stands for the smaller of 1e-6 of the diagonal and 1 % of the shortest edge at either vertex.
   double weld = -1;
 };
 

@@ -2,7 +2,7 @@
 
 #include "mesh/types.h"
 
-/// Order along a Morton (Z-order) curve, which brings neighbours in space together in memory.
+/// The order along a Morton (Z-order) curve. It brings neighbours in space together in memory.
 namespace karcher {
 
 /// Sorts `vertices`, which are indices of finite `positions`, by Morton codes with 21 bits for each

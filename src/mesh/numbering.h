@@ -33,8 +33,8 @@ struct Numbering {
   /// describes the triangle's image.
   Array<int> engineFace;
   Array<int> inputFace;  ///< the input triangle that contains each engine face
-  /// 1 for each input triangle whose face turned over, which swaps corners 1 and 2; empty if no
-  /// face did
+  /// 1 for each input triangle whose face was turned over, so that corners 1 and 2 are swapped;
+  /// empty if no face was turned over
   Array<uint8_t> turnedOver;
   Array<FaceImage> images;
 

@@ -22,7 +22,7 @@ size_t countDigits(std::string_view word, size_t from) {
   return end - from;
 }
 
-/// The length of the line end at `from`: 1 or 2; 0 if there is none.
+/// The length of the line end at `from`: 1 or 2, or 0 without a line end.
 size_t lineEnd(std::string_view text, size_t from) {
   if (from == text.size() || !isLineEnd(text[from])) return 0;
   return text[from] == '\r' && from + 1 < text.size() && text[from + 1] == '\n' ? 2 : 1;
@@ -52,8 +52,8 @@ size_t gap(std::string_view line, size_t from) {
   return end == 0 ? 0 : 1 + end;
 }
 
-/// Whether the word is nan, inf or infinity, as C and Python print them, or begins with 1.#, such
-/// as 1.#INF.
+/// Whether the word stands for a number that is not finite: nan, inf or infinity, as C and Python
+/// print them, or a word that begins with 1.#, such as 1.#INF.
 bool isNotFinite(std::string_view word) {
   std::string lower(word.substr(word.find_first_not_of("+-") == 1 ? 1 : 0));
   for (char& c : lower) {

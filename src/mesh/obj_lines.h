@@ -9,8 +9,8 @@ namespace karcher {
 
 /// Cuts the next line off the front of `text`. Returns it without its line end (\n, \r or both) and
 /// without its comment. A comment begins at a # that starts a word. A backslash at the end of a
-/// line, unless in a comment, continues the line on the next one. The returned line then contains
-/// line ends.
+/// line continues the line on the next line, unless the backslash is in a comment. A continued line
+/// is returned with its inner line ends.
 std::string_view takeObjLine(std::string_view& text);
 
 /// Cuts the next word off the front of `line`, which may continue on other lines. Returns an empty
@@ -40,7 +40,7 @@ struct ObjLines {
 /// names vertices of the file. Throws what `readObj` throws.
 ObjLines checkObjLines(std::string_view text);
 
-/// A sentence about the face in this line, which has too few corners.
+/// An error message: the face in this line has too few corners.
 std::string shortFace(int line);
 
 }  // namespace karcher

@@ -17,8 +17,8 @@
 #define tinyobj karcherTinyobj
 #define TINYOBJLOADER_USE_DOUBLE
 #define TINYOBJLOADER_IMPLEMENTATION
-// Tinyobjloader takes its streams from plain_streams.h, which includes every header that it
-// includes.
+// Tinyobjloader takes its streams from plain_streams.h. That file already includes every header
+// that tinyobjloader includes.
 #define std karcher::plain
 #include <tiny_obj_loader.h>
 #undef std

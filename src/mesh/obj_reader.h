@@ -10,7 +10,7 @@
 /// ignores normals, texture coordinates, lines and points.
 namespace karcher {
 
-/// An object or group, which a line `o` or `g` begins. A repeated name continues its part.
+/// An object or group, which begins at a line `o` or `g`. A repeated name continues its part.
 struct ObjPart {
   std::string name;   ///< "object, group"; "mesh" for faces before any such line
   int triangles = 0;  ///< the number of triangles; a polygon counts as its triangles
@@ -23,8 +23,8 @@ struct ObjMarks {
   Array<std::string> materials;  ///< names, in the order of their first faces
   Array<int> material;  ///< the material of each triangle, -1 for none; empty if the file has none
   /// Red, green and blue of each vertex, from 0 to 255; white for a vertex without a color; empty
-  /// if no vertex has one. In the file, values range up to 1, or up to 255 if any value is greater
-  /// than 1.
+  /// if no vertex has a color. In the file, values range up to 1, or up to 255 if any value is
+  /// greater than 1.
   Array<uint8_t> colors;
 };
 

@@ -42,7 +42,7 @@ class PointGrid {
       low_ = low_.cwiseMin(p);
       high = high.cwiseMax(p);
     }
-    // If the points have no width or are not finite, all are in one row.
+    // If the points have no width or are not finite, all points are in one row.
     for (int k = 0; k < 2; ++k) {
       const double width = high[k] - low_[k];
       perWidth_[k] = width > 0 ? side_ / width : 0;

@@ -8,9 +8,9 @@ namespace karcher {
 struct SeamOptions {
   /// The diagonal of the box around the vertices.
   double diagonal = 0;
-  /// The largest distance between vertices that the function welds, but at most a third of the
-  /// shortest edge at either vertex. 0 welds nothing. A negative value stands for the smaller of
-  /// 1e-6 of the diagonal and 1 % of the shortest edge at either vertex.
+  /// The function welds vertices up to this distance from each other, but at most up to a third of
+  /// the shortest edge at either vertex. 0 welds nothing. A negative value stands for the smaller
+  /// of 1e-6 of the diagonal and 1 % of the shortest edge at either vertex.
   double tolerance = -1;
   /// Whether to weld only vertices at exactly the same place. In this case the function omits no
   /// face, and welds nothing unless every edge then has one face, or two in opposite directions.

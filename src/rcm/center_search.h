@@ -10,8 +10,8 @@ namespace karcher {
 CenterOfMass findCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start,
                         Method method);
 
-/// Whether the method's search continues where the Hessian is not positive definite, as our walk
-/// does. The paper's Newton method stops there, so that its result depends on its start.
+/// Whether the method's search continues at places where the Hessian is not positive definite. Our
+/// walk continues there. The paper's Newton method stops, so that its result depends on its start.
 inline bool goesOnWhereIndefinite(Method method) { return method != Method::kPaper; }
 
 }  // namespace karcher

@@ -50,8 +50,8 @@ class ControlField {
 
   bool hasMidpoints() const { return static_cast<bool>(evaluateMidpoint_); }
 
-  /// The field at the midpoint of a half-edge minus the mean of the values at its ends. Callers
-  /// must always use the same one of an edge's two half-edges.
+  /// The field at the midpoint of a half-edge minus the mean of the values at its ends. For each
+  /// edge, callers must always use the same half-edge.
   const Vec2& midpointCorrection(int halfedge) {
     const auto [entry, isNew] = corrections_.try_emplace(halfedge);
     if (isNew) {

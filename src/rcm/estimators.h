@@ -3,9 +3,9 @@
 #include "distance/paged_array.h"
 #include "intrinsic/geometry.h"
 
-/// Estimators of the gradient of a squared distance at a vertex, as linear combinations of a
-/// solver's values around it. Their coefficients depend only on the mesh, so that all fields share
-/// them.
+/// Estimators of the gradient of a squared distance at a vertex. An estimate is a linear
+/// combination of a solver's values around the vertex. The coefficients depend only on the mesh, so
+/// that all fields share them.
 ///
 /// A fit places the neighbours in the plane of the vertex's frame by transport along edges. The
 /// neighbours' weights are a Gaussian with the covariance of their places, so that anisotropy of
@@ -19,15 +19,15 @@ namespace karcher {
 
 enum class Estimator {
   /// A linear least-squares fit to the log vectors of the 1-ring, transported into the vertex's
-  /// frame; the estimate is its value at the vertex. It is exact for linear fields, as on the
-  /// plane, and halves the noise of single vectors.
+  /// frame; the estimate is the fit's value at the vertex. It is exact for linear fields, such as
+  /// fields on the plane, and has half the noise of single vectors.
   kLinear1,
   /// the same fit over the 2-ring
   kLinear2,
   /// A quadratic least-squares fit to squared distances over the 2-ring, through the vertex's own
-  /// value; the estimate is its gradient at the vertex. It is of second order, and needs exact log
-  /// vectors. The share of the vertex's own log vector also depends on the field
-  /// (shareOfLogVector). If the ring does not determine the fit, the estimate is that of kLinear2.
+  /// value; the estimate is the fit's gradient at the vertex. It is of second order, and needs
+  /// exact log vectors. The share of the vertex's own log vector also depends on the field
+  /// (shareOfLogVector). If the ring does not determine the fit, kLinear2 gives the estimate.
   kQuadratic2,
 };
 

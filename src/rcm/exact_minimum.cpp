@@ -16,7 +16,7 @@ struct Circle {
   double radius;
   int count;
 };
-/// The circles around a center of few points. The first is the checked one.
+/// The circles around a center of few points. The check uses the first circle.
 constexpr Circle kCircles[] = {{kCheckedRadius, 64}, {0.1, 16}, {0.03, 16}};
 /// The circle around a center of many points.
 constexpr Circle kCircleOfMany{kCheckedRadius, 12};

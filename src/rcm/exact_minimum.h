@@ -6,9 +6,9 @@
 
 /// Minima of the energy K(p) = sum_i w_i d(p, p_i)^2 by exact distances, near centers of mass.
 ///
-/// On a smooth surface a zero of blended fields is a minimum of K. On a rough or creased one K has
-/// many shallow minima. The estimates at vertices smooth these minima away, so that a zero may lie
-/// at none of them. So the search compares K on circles about the zero, and moves to the lowest
+/// On a smooth surface a zero of blended fields is a minimum of K. On a rough or creased surface K
+/// has many shallow minima. The estimates at vertices smooth these minima away, so that a zero may
+/// lie at none of them. So the search compares K on circles about the zero, and moves to the lowest
 /// place if K is lower there.
 ///
 /// Only a few faces need exact distances. The windows that can reach these faces

@@ -42,8 +42,8 @@ struct Hessian {
 
 Hessian hessian(const Geometry& geometry, int face, const TriangleField& field);
 
-/// Values of a field at the ends of an edge or of half an edge, in the edge's frame, whose x axis
-/// is the edge's direction.
+/// A field's values at the ends of an edge, or of half an edge. They are in the edge's frame, whose
+/// x axis is the edge's direction.
 struct EdgeValues {
   Vec2 tail = Vec2::Zero();
   Vec2 head = Vec2::Zero();

@@ -84,8 +84,8 @@ class FieldSet {
   int uses_ = 1;
 };
 
-/// A pointer to the same set for a curve, which may hold many fields. When the last copy of this
-/// pointer ends, the set is trimmed, since the curve's fields are then spare.
+/// A pointer to the same set, for a curve. The end of the pointer's last copy trims the set, since
+/// the curve's fields, which may be many, are then spare.
 std::shared_ptr<FieldSet> trimmedAfter(std::shared_ptr<FieldSet> set);
 
 /// The field sets of one surface, one for each combination of options in use.

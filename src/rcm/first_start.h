@@ -9,9 +9,10 @@
 /// means, near which other searches start.
 namespace karcher {
 
-/// The weighted average of the first two points on the path between them, then of this average and
-/// the third point, and so on. On a plane this is the mean; elsewhere it is near the mean. It is
-/// empty if a weight is negative or if no path is found between an average and the next point.
+/// The weighted average of the first two points on the path between them, then the average of this
+/// point and the third point, and so on. On a plane the last average is the mean; elsewhere it is
+/// near the mean. The result is empty if a weight is negative, or if a search finds no path between
+/// an average and the next point.
 std::optional<SurfacePoint> averageOfAverages(const Geometry& geometry,
                                               const Array<SurfacePoint>& points, Weights weights);
 

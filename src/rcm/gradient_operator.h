@@ -14,9 +14,9 @@ using GradientOperator = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// The faces whose gradients the operator averages at a vertex.
 enum class Star {
-  /// The faces around the vertex and those across its ring's outer edges, as in the program of the
-  /// paper's authors. With this star our curves equal those of that program to 1e-4 of an edge;
-  /// with kRing they differ by 0.03 to 0.11 edges (tests/bench/authors_study).
+  /// The faces around the vertex, and the faces across the outer edges of its ring, as in the
+  /// program of the paper's authors. With this star our curves equal the curves of that program to
+  /// 1e-4 of an edge; with kRing they differ by 0.03 to 0.11 edges (tests/bench/authors_study).
   kWide,
   kRing,  ///< the faces around the vertex: Eq. 3 as the paper prints it
 };

@@ -37,8 +37,8 @@ struct MeanOptions {
   FieldOptions field;
   /// The start of the search. By default, the paper's method starts at the control point of the
   /// largest weight. kKarcher starts at an average of averages, then at the control points near
-  /// which K may be lower (first_start.h), and returns the lowest minimum. For many points it
-  /// starts at some of them (mean_of_many.h).
+  /// which K may be lower (first_start.h), and returns the lowest minimum. For many points kKarcher
+  /// starts at some of the points (mean_of_many.h).
   std::optional<SurfacePoint> start;
   bool normalize = false;  ///< whether to divide the weights by their sum instead of checking it
   /// Whether to search from the control points and from 32 places all over the surface, and to

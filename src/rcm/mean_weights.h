@@ -25,10 +25,11 @@ struct MeanWeights {
 /// the points' fields in the set, as in `centerOfMass`. For three points the weights are
 /// determined; for more points they are the nearest to the given weights. Time: one field for each
 /// point, and O(points) for each step of the active set. Throws Error: kTooFewPoints if there are
-/// no points; kUnreachable if they and x lie on several components; kBadWeights if there is not one
-/// given weight for each point, if one is not finite, or if their sum is not positive; kBadArgument
-/// if no such weights exist. No weights exist if the ends of the log vectors lie on one line that
-/// misses 0. No non-negative weights exist if 0 lies outside the convex hull of the log vectors.
+/// no points; kUnreachable if the points and x lie on several components; kBadWeights if there is
+/// not one given weight for each point, if a given weight is not finite, or if their sum is not
+/// positive; kBadArgument if no such weights exist. No weights exist if the ends of the log vectors
+/// lie on one line that misses 0. No non-negative weights exist if 0 lies outside the convex hull
+/// of the log vectors.
 MeanWeights weightsOf(FieldSet& set, const SurfacePoint& x, const Array<SurfacePoint>& points,
                       const MeanWeightsOptions& options);
 

@@ -15,8 +15,8 @@ namespace karcher {
 ControlField fieldOfSquares(Surface& surface, Star star, Array<double> squaredDistances);
 
 /// A field of a caller's own distances, one for each vertex. Throws Error: kBadArgument if there is
-/// not one distance for each vertex or if one exceeds 1e60; kNotFinite if one is negative or not
-/// finite.
+/// not one distance for each vertex or if a distance exceeds 1e60; kNotFinite if a distance is
+/// negative or not finite.
 ControlField fieldFromDistances(Surface& surface, const Array<double>& distances);
 
 /// Newton's method along geodesics (Algorithm 1) from `start`. If each of two neighbouring faces

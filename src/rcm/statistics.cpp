@@ -117,8 +117,8 @@ RobustMean search(FieldSets& sets, const Array<SurfacePoint>& points, const Arra
   return mean;
 }
 
-/// The step of finite differences around a place inside a face: at most half the radius of the
-/// largest disk about the place that stays in the face.
+/// The step of finite differences around a place inside a face. It is at most half of the distance
+/// from the place to the nearest side.
 double stepInside(const Geometry& geometry, const SurfacePoint& place) {
   if (place.bary.minCoeff() <= kChainRounding) {
     throw Error(ErrorCode::kBadArgument, "the energy has derivatives inside faces only");

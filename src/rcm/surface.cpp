@@ -15,7 +15,7 @@ int Surface::component(int vertex) {
   if (!componentsAreKnown_) {
     components_ = componentOfVertices(mesh_);
     componentsAreKnown_ = true;
-    // Most meshes have one component, and need no number for each vertex.
+    // A mesh with one component, like most meshes, needs no number for each vertex.
     const auto isFirst = [](int component) { return component == 0; };
     if (std::all_of(components_.begin(), components_.end(), isFirst)) components_ = {};
   }

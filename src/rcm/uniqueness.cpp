@@ -61,7 +61,8 @@ bool isPositivelyCurved(const Geometry& geometry, int vertex) {
          geometry.totalAngle[vertex] < 2 * kPi - kChainRounding;
 }
 
-/// Whether faces connected through edges form a disk in which no vertex has positive curvature.
+/// Whether the faces, which are connected through edges, form a disk in which no vertex has
+/// positive curvature.
 bool isDiskWithoutPositiveCurvature(const Geometry& geometry, const FaceSet& set) {
   const TriangleMesh& mesh = *geometry.mesh;
   Array<char> isCounted;

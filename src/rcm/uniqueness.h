@@ -6,12 +6,12 @@
 #include "rcm/surface.h"
 
 /// Uniqueness of centers of mass. Suppose that the points lie in a ball that is small compared with
-/// the curvature and the injectivity radius. Then the energy is convex there; it has only one
-/// minimum in the ball, and no lower value outside (H. Karcher, "Riemannian Center of Mass and
-/// Mollifier Smoothing", 1977).
+/// the curvature and the injectivity radius. Then the energy is convex in the ball. It has only one
+/// minimum there, and no lower value outside (H. Karcher, "Riemannian Center of Mass and Mollifier
+/// Smoothing", 1977).
 ///
-/// On a mesh the same is true for a ball of any size if no vertex has positive curvature and the
-/// ball lies in a disk: such a disk has unique shortest paths and convex squared distances (M.
+/// On a mesh the same is true for a ball of any size if it lies in a disk without a vertex of
+/// positive curvature. Such a disk has unique shortest paths and convex squared distances (M.
 /// Bridson, A. Haefliger, "Metric Spaces of Non-Positive Curvature", chapter II.4; R. Bishop, "The
 /// Intrinsic Geometry of a Jordan Domain", for the boundary of the disk).
 namespace karcher {
@@ -19,7 +19,7 @@ namespace karcher {
 /// The knowledge about other minima of the energy.
 enum class Uniqueness {
   kNotLooked,  ///< no searches started all over the surface
-  kCertain,    ///< no other minimum is lower, and none is near the points: this is proved
+  kCertain,    ///< a proof shows that no other minimum is lower or near the points
   kLikely,     ///< all searches ended at this minimum
   kNotUnique,  ///< some searches ended at other minima
 };

@@ -224,7 +224,7 @@ bool isZero(FieldBlend& fields, Weights weights, const SurfacePoint& point) {
 
 CenterOfMass walkToCenter(FieldBlend& fields, Weights weights, const SurfacePoint& start) {
   if (fields.cells().cut()) return walkThroughCuts(fields, weights, start);
-  // Fast path: most samples of a curve lie in the face of the previous one, and no other zero is
+  // Fast path: most samples of a curve lie in the face of the previous sample, and no other zero is
   // near.
   CellZero zero;
   if (!fields.findZero(start.face, weights, zero)) {

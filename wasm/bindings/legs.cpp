@@ -18,7 +18,7 @@ constexpr double kSameLength = 1e-9;
 /// point; the third weight is then computed.
 constexpr double kNoWeight = 1e-15;
 
-/// The same points, except that a point that is on an edge up to rounding moves onto the edge.
+/// The same points, but points that are on an edge up to rounding are moved onto the edge.
 Array<SurfacePoint> onEdges(Array<SurfacePoint> points) {
   for (SurfacePoint& point : points) {
     for (int k = 0; k < 3; ++k) {

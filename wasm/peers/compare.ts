@@ -73,7 +73,7 @@ export interface MethodResult {
   breaks: number | null;
   /** The largest angle at a sample (`CurveMeasures.sharpestTurn`). */
   sharpestTurn: CurveMeasures['sharpestTurn'];
-  /** Measures by exact shortest paths, the same for all methods; null without a ruler. */
+  /** The measurements by exact shortest paths, made alike for all methods; null without a ruler. */
   ruler: RulerMeasures | null;
   /** The steadiness of the curve in a drag; null without a drag. */
   drag: DragMeasures | null;
@@ -100,9 +100,9 @@ export interface CompareOptions extends LongWorkOptions {
 }
 
 /**
- * The options of each method for a curve. The paper's method has exact distances for two points,
- * and otherwise graph distances with k = 6, as in the paper's Table 1. Its searches start as in the
- * program of the paper's authors.
+ * The standard options of a method for a curve. The paper's method has exact distances for two
+ * points, and otherwise graph distances with k = 6, as in the paper's Table 1. Its searches start
+ * as in the program of the paper's authors.
  */
 export function standardOptions(method: ComparedMethod, plan: CurvePlan): MethodOptions {
   if (method === 'karcher') return { method, solver: 'fast' };

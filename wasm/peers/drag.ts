@@ -26,8 +26,8 @@ export interface DragMeasures {
  * Drags the middle control point of a traced curve towards the next one, in `steps` even steps over
  * two mean edges or less. The drag follows the straightest geodesic that starts as the shortest
  * path between the two points. Traces the curve at each step, and leaves the point at the end. A
- * sample counts for a step if it converged, or lay on a bridge, both before and after. Rejects with
- * the signal's reason.
+ * sample counts for a step if it converged or lay on a bridge, both before and after the step.
+ * Rejects with the signal's reason.
  */
 export async function measureDrag(
   curve: Pick<MethodCurve, 'movePoint' | 'trace' | 'samples'>,

@@ -31,7 +31,7 @@ export type EngineMethodName = keyof typeof engineMethods;
 export const isOfEngine = (method: ComparedMethod): method is EngineMethodName =>
   method in engineMethods;
 
-/** A curve of the engine as a compared method, which needs no preparation. */
+/** A compared method whose curves are curves of the engine. It needs no preparation. */
 export class EngineMethod implements PreparedCurves {
   readonly options: MethodOptions;
   readonly prepareMs = 0;

@@ -22,11 +22,15 @@ export interface PeersModule extends EngineModule {
   ): EngineComparedCurve;
   benchmark(mesh: EngineMesh): EngineBenchmark;
   /**
-   * Ten numbers for each row of weights: whether the search converged; its iterations; the numbers
-   * of its geodesics (all; those cut at a joint; the cut ones whose original end has no smaller
-   * gradient than their start; those on which no joint has a smaller gradient); whether it ended
-   * inside a triangle; and the gradients at the starts of its last three iterations, the last one
-   * first, with 0 for an iteration that did not take place.
+   * Ten numbers for each row of weights:
+   * - whether the search converged;
+   * - the number of its iterations;
+   * - the numbers of all its geodesics, of geodesics cut at a joint, of cut geodesics whose
+   *   original end has no smaller gradient than their start, and of geodesics on which no joint has
+   *   a smaller gradient than their start;
+   * - whether the search ended inside a triangle;
+   * - the gradients at the starts of its last three iterations, the last one first, with 0 for an
+   *   iteration that did not take place.
    */
   newtonSteps(
     mesh: EngineMesh,

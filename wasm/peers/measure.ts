@@ -21,9 +21,9 @@ export interface CurveMeasures {
    */
   turningNoise: number | null;
   /**
-   * The number of leaps: steps between two consecutive converged samples that are longer than a
-   * mean edge and more than five times as long as the steps before and after them. If `measure` has
-   * affine averages, the steps are relative to the steps of these averages.
+   * The number of leaps. A leap is a step between two consecutive converged samples that is longer
+   * than a mean edge and more than five times as long as the steps before and after it. If
+   * `measure` has affine averages, it compares the steps relative to the steps of these averages.
    */
   breaks: number;
   /**
@@ -33,7 +33,7 @@ export interface CurveMeasures {
   sharpestTurn: { degrees: number; t: number } | null;
 }
 
-/** A reference: its samples' positions, and which of them converged. */
+/** A reference: the positions of its samples, and whether each sample converged. */
 export interface ReferenceSamples extends Pick<CurveSamples, 'count' | 'position' | 'status'> {
   /** The energy of each sample, if it is known in closed form, in squared units of the mesh. */
   energy?: Float64Array;
@@ -90,9 +90,9 @@ export class CurveMeter {
   }
 
   /**
-   * Measures a curve against a reference with the same segments and parameters. `affine` are the
-   * averages in space of the control points with the samples' weights. They show where a curve
-   * moves fast without a leap, as rational curves do at their ends.
+   * Measures a curve against a reference with the same segments and parameters. `affine` has
+   * averages of the control points in space, with the weights of the samples. They show where a
+   * curve moves fast without a leap, as rational curves do at their ends.
    */
   measure(
     curve: CurveSamples,
