@@ -50,7 +50,7 @@ class OrientedSets {
 
   struct Place {
     int set;      ///< the set, named by one of its faces
-    bool turned;  ///< whether the face is turned relative to that face
+    bool turned;  ///< whether the face is turned relative to the face that names the set
   };
 
   Place find(int f) {

@@ -5,7 +5,7 @@
 namespace karcher {
 
 /// A closed surface of genus 3: three tori in a row, smoothly joined. If `triangles` is at least
-/// 500, the number of triangles is between 2/3 and 3/2 of it.
+/// 500, the surface has between 2/3 and 3/2 of this number.
 TriangleSoup genusThree(int triangles);
 
 }  // namespace karcher

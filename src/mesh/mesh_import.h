@@ -21,7 +21,7 @@ struct Repair {
     kWelded,          ///< vertices at the same place that were merged
     kKeptApart,       ///< vertices at the same place that stay apart, since parts only touch there
     kRepeatedCorner,  ///< omitted faces with the same vertex at two corners
-    kDuplicate,       ///< omitted faces that repeat another
+    kDuplicate,       ///< omitted faces that repeat another face
     kNoArea,          ///< faces whose corners lie on a line, removed by flips
     kTurnedOver,      ///< turned faces, which disagreed with their neighbours
     kBranching,       ///< separated edges with more than two faces

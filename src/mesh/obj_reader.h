@@ -19,9 +19,9 @@ struct ObjPart {
 /// The parts, materials and colors of an OBJ file.
 struct ObjMarks {
   Array<ObjPart> parts;          ///< all parts of the file, in the order of their first faces
-  Array<int> part;               ///< the part of each triangle; empty if the file has only one
+  Array<int> part;               ///< the part of each triangle; empty if the file has one part
   Array<std::string> materials;  ///< names, in the order of their first faces
-  Array<int> material;  ///< the material of each triangle, -1 for none; empty if the file has none
+  Array<int> material;  ///< the material of each triangle, -1 for none; empty without materials
   /// Red, green and blue of each vertex, from 0 to 255; white for a vertex without a color; empty
   /// if no vertex has a color. In the file, values range up to 1, or up to 255 if any value is
   /// greater than 1.

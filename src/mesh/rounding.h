@@ -11,7 +11,7 @@ inline constexpr double kStepRounding = 1e-15;
 inline constexpr double kLocalRounding = 1e-12;
 /// A chain of such computations: lengths of paths, angles around vertices, sums over many points.
 inline constexpr double kChainRounding = 1e-9;
-/// Coordinates of a file or a ray that are in single precision.
+/// Coordinates in single precision, of a file or a ray.
 inline constexpr double kFloatRounding = 1e-6;
 
 }  // namespace karcher

@@ -24,7 +24,7 @@ inline GridSize staggeredGridSize(double uLength, double vLength, int triangles)
 
 /// A closed surface of the points point(u, v). The function is periodic in u and v with period 1; u
 /// is a multiple of 1 / rows in [0, 1). The normals of the faces point along the cross product of
-/// the derivatives with respect to u and v.
+/// the derivatives with respect to u and v, in this order.
 template <class Point>
 TriangleSoup closedGrid(const GridSize& size, Point&& point) {
   TriangleSoup soup;
@@ -52,7 +52,8 @@ TriangleSoup closedGrid(const GridSize& size, Point&& point) {
 }
 
 /// A sheet from point(u, v) for u and v in [0, 1]. Shifted rows have half steps at their ends. The
-/// normals of the faces point along the cross product of the derivatives with respect to v and u.
+/// normals of the faces point along the cross product of the derivatives with respect to v and u,
+/// in this order.
 template <class Point>
 TriangleSoup openGrid(const GridSize& size, Point&& point) {
   TriangleSoup soup;

@@ -69,7 +69,7 @@ class Cells {
   bool cut_;
 };
 
-/// The half-edge after h, counterclockwise, among those that leave h's tail; -1 past the boundary.
+/// The half-edge that leaves h's tail next after h, counterclockwise; -1 past the boundary.
 inline int rotateLeft(const Cells& cells, int h) { return cells.twin(previous(h)); }
 
 }  // namespace karcher

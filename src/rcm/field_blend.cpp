@@ -13,8 +13,8 @@ EdgeValues valuesAtEnds(const Geometry& geometry, ControlField& field, int h) {
           rotateBack(direction.head, field.at(geometry.mesh->head(h)).gradient)};
 }
 
-/// A field at the midpoint of half-edge h minus the mean of the values at its ends, in the frame of
-/// h. It is 0 on the boundary and for a field without values at midpoints.
+/// The midpoint correction of a field (ControlField), in the frame of half-edge h. It is 0 on the
+/// boundary and for a field without values at midpoints.
 Vec2 midpointCorrection(const TriangleMesh& mesh, ControlField& field, int h) {
   const int t = mesh.twin[h];
   if (t < 0 || !field.hasMidpoints()) return Vec2::Zero();

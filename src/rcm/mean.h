@@ -40,7 +40,7 @@ struct MeanOptions {
   /// which K may be lower (first_start.h), and returns the lowest minimum. For many points kKarcher
   /// starts at some of the points (mean_of_many.h).
   std::optional<SurfacePoint> start;
-  bool normalize = false;  ///< whether to divide the weights by their sum instead of checking it
+  bool normalize = false;  ///< whether to divide the weights by their sum; else the sum is checked
   /// Whether to search from the control points and from 32 places all over the surface, and to
   /// decide whether the center is the only minimum. Without `start` the center is the lowest
   /// minimum found. This computes each field on the whole surface.

@@ -12,7 +12,7 @@ namespace karcher {
 /// The start and the end of a search for a robust mean.
 struct RobustOptions {
   std::optional<SurfacePoint> start;  ///< the start; by default the center of mass
-  /// the length of a step, relative to the diagonal, below which the search ends
+  /// the search ends after a step shorter than this, relative to the diagonal
   double tolerance = 1e-7;
   int mostSteps = 200;
 };
@@ -51,9 +51,10 @@ struct EnergyGradient {
   Vec2 gradient = Vec2::Zero();  ///< the gradient: -2 times the weighted sum of the log vectors
 };
 
-/// The energy and its gradient by the paths of the log map (tangent_maps.h). The gradient is that
-/// on the polyhedron. At a center of mass it is small but not zero, since searches for centers use
-/// fields that smooth these paths. Throws Error kUnreachable as the log map does.
+/// The energy and its gradient by the paths of the log map (tangent_maps.h). The gradient belongs
+/// to the polyhedron itself. At a center of mass this gradient is small but not zero, since
+/// searches for centers use fields that smooth these paths. Throws Error kUnreachable as the log
+/// map does.
 EnergyGradient energyAt(const Geometry& geometry, const Array<SurfacePoint>& points,
                         Weights weights, const SurfacePoint& place);
 

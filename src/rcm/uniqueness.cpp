@@ -16,8 +16,8 @@ namespace {
 /// from a place at this distance to a point in the ball stays within 3 r.
 constexpr double kReach = 3;
 
-/// The fraction of a smooth surface's radius of convexity up to which the proof applies, since the
-/// mesh differs from the surface.
+/// The proof applies up to this fraction of a smooth surface's radius of convexity, since the mesh
+/// differs from the surface.
 constexpr double kConvexPart = 0.9;
 
 double distanceToFace(const TriangleMesh& mesh, int f, const Vec3& place) {

@@ -57,7 +57,7 @@ class CurveHandle {
   val nearest(const val& place);
   double lengthAt(double parameter);
   val pointAtLength(double length);
-  /// {parameter, face, bary, position}, as arrays over the points.
+  /// {parameter, face, bary, position}: arrays with an entry for each point.
   val equallySpaced(int count);
 
  private:

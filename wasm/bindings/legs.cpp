@@ -11,7 +11,7 @@
 namespace karcher::bindings {
 namespace {
 
-/// The relative difference of lengths below which paths count as equally short.
+/// Paths count as equally short if the relative difference of their lengths is below this.
 constexpr double kSameLength = 1e-9;
 
 /// Weights below this limit come from rounding. For example, a link may have only two weights of a

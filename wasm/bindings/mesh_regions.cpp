@@ -146,7 +146,7 @@ val MeshHandle::regions(const val& outlines, const val& counts, const val& insid
 }
 
 val MeshHandle::cut(const val& outlines, const val& report) const {
-  // The fractions below are about the fractions of the time on large meshes.
+  // On large meshes, the fractions below are about the passed fractions of the time.
   const auto reached = [&](double done) {
     if (!report(done).as<bool>()) refuse("the cut was given up");
   };
