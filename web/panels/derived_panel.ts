@@ -122,7 +122,7 @@ export class DerivedPanel {
     const { drawing, figure, none, dragging } = state;
     if (dragging) return;
     const count = combinable(drawing, selectedObjects(state)).length;
-    // The panel appears with the first point, so that nothing jumps when further points follow.
+    // The buttons appear with the first point, so that nothing jumps when further points follow.
     byId('makers-group').hidden = !willCombine(drawing, selectedObjects(state));
     for (const [i, button] of this.#makers.entries()) {
       button.hidden = count < 2 && i >= 2;

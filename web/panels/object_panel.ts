@@ -272,7 +272,7 @@ export class ObjectPanel {
     byId<HTMLButtonElement>('new-object').disabled = isEmpty(activeObject(state.drawing).figure);
   }
 
-  /** Shows the surface's unit in the menu of units of widths. */
+  /** Shows the surface's unit as an option for the unit of widths. */
   showUnit(unit: Unit): void {
     this.#widthUnit.options[this.#widthUnit.options.length - 1]!.text = unit || 'units';
   }

@@ -52,7 +52,7 @@ function start(): void {
   const table = new TableSection(
     detail < 1 ? smallRows(detail) : tableRows,
     build.version,
-    // The report's numbers are for the full meshes, so they do not apply to smaller ones.
+    // The report's numbers are for the full meshes, so they do not apply to smaller meshes.
     detail < 1 ? null : savedReport,
   );
   const carried = new CarriedSection(context, detail);

@@ -25,8 +25,8 @@ export const partPainted = ({ from, to }: Bars) => to - from;
 type Valued = readonly [number, number, number];
 
 /**
- * The largest number of bars in a triangle. A triangle with more bars is painted whole, since they
- * are too fine to see.
+ * The largest number of bars in a triangle. A triangle with more bars is painted whole: the bars
+ * would be too fine to see.
  */
 const mostBars = 64;
 

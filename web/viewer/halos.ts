@@ -56,7 +56,7 @@ export class Halos {
     this.#hover.setColors(new Color(colors.frame), surface);
   }
 
-  /** Shows the halos of chosen and hovered objects, and the rims of those objects that need one. */
+  /** Shows halos around chosen and hovered objects, and rims around the objects that need one. */
   show(all: readonly Drawn[], chosen: readonly Drawn[], hovered: readonly Drawn[]): void {
     this.#inside.show(around([...chosen, ...hovered]));
     this.#halo.show(around(chosen));

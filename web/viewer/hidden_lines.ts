@@ -17,7 +17,7 @@ const grain = 0.004;
  */
 const asideEdges = 0.4;
 const [leastAside, mostAside] = [0.002, 0.02];
-/** The least length of a gap and of a visible piece: facets cause shorter ones. */
+/** Shorter gaps are closed, and shorter visible pieces are dropped: they come from facets. */
 const speck = 0.02;
 /** The least length of a crease; on a rough surface shorter ones are only grain. */
 const shortestCrease = 0.06;

@@ -40,7 +40,7 @@ export class LinesAt {
 
   /**
    * The id of the topmost object visible at the place, except for locked objects and the edited
-   * one; null without one.
+   * one; null if there is none.
    */
   object(within: number): number | null {
     const found = this.lines.objects.findLast(({ locked, style, lines, dots }) => {
@@ -84,7 +84,7 @@ export interface ObjectsIn {
   edited: boolean;
 }
 
-/** The objects that are partly visible in a box of the stage, without locked ones. */
+/** The unlocked objects that are at least partly visible in a box of the stage. */
 export function objectsIn(
   vantage: Vantage,
   { objects, own }: PickableLines,

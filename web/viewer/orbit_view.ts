@@ -29,7 +29,10 @@ const leastReach = 1e-4;
 const [leastNear, mostNear] = [1e-5, 0.002];
 /** The factor on distances for a turn of the wheel by one pixel. */
 const wheelFactor = 0.95 ** -0.01;
-/** The pixels of a wheel's line and of its page, and the factor for a pinch on a touchpad. */
+/**
+ * The pixels that the wheel turns for a line and for a page, and the factor for a pinch on a
+ * touchpad.
+ */
 const [pixelsOfLine, pixelsOfPage, pixelsOfPinch] = [16, 100, 10];
 /**
  * The rings of the search for the surface around a place: the first radius in pixels, the ratio of
@@ -48,7 +51,7 @@ interface Place {
 /** The camera, and its motion by pointer, keys and flights. */
 export class OrbitView {
   readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.002, 100);
-  /** The surface before the camera; null before the first one. */
+  /** The surface in view; null until there is one. */
   surface: Surface | null = null;
   readonly #controls: OrbitControls;
   /**
@@ -76,7 +79,7 @@ export class OrbitView {
       ...{ capture: true, passive: false },
     });
     window.addEventListener('pointermove', (event) => this.#pinch(event), { capture: true });
-    // This listener runs after those of the controls, which do not report small changes of a near
+    // This listener runs after the controls' listeners, which do not report small changes of a near
     // view.
     window.addEventListener('pointermove', () => {
       if (this.#pointers.size > 0 && !this.#told.equals(this.camera.position)) this.#tell();

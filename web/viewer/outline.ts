@@ -81,8 +81,8 @@ function faceNormals({ positions, triangles }: Mesh): Float64Array {
  */
 function sidesAcross({ positions, triangles }: Mesh): Int32Array {
   const across = new Int32Array(triangles.length).fill(-1);
-  // Each vertex has a list of unpaired sides. Of its two ends, a side is in the list of the end
-  // with the lower index.
+  // Each vertex has a list of unpaired sides. A side is in the list of its end that has the lower
+  // index.
   const firstAt = new Int32Array(positions.length / 3).fill(-1);
   const behind = new Int32Array(triangles.length);
   for (let side = 0; side < triangles.length; side++) {

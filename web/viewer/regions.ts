@@ -150,7 +150,7 @@ export function holds({ whole, parts, corners }: Region, { face, bary }: Surface
   return false;
 }
 
-/** The index of the first of the sorted numbers that is not below a value. */
+/** The index of the first number in `sorted` that is not below `value`. */
 function firstOf(sorted: Int32Array, value: number): number {
   let low = 0;
   let high = sorted.length;

@@ -22,8 +22,8 @@ export function frameOf({ positions, triangles }: MeshArrays, up: UpAxis): Frame
 }
 
 /**
- * The mesh in the scene, by a frame. Vertices without a triangle, which may lie anywhere, move to
- * the middle of the scene.
+ * Converts a mesh to the scene's coordinates by a frame. Vertices without a triangle, which may lie
+ * anywhere, move to the middle of the scene.
  */
 export function geometryInScene({ positions, triangles }: MeshArrays, frame: Frame) {
   const places = placesInScene(frame, positions);

@@ -235,7 +235,7 @@ export class Surface {
     return this.#pickAt(hit.faceIndex, hit.point).point;
   }
 
-  /** The distance of a place of the scene from the surface; null if it is larger than a bound. */
+  /** The distance of a place of the scene from the surface; null if it exceeds `most`. */
   distanceWithin(position: Vector3, most: number): number | null {
     return this.#tree.closestPointToPoint(position, undefined, 0, most)?.distance ?? null;
   }

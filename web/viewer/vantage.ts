@@ -94,7 +94,9 @@ export class Vantage {
     return { position: from.lerp(to, best.part), distance: best.distance };
   }
 
-  /** The length of a number of CSS pixels at a point of the scene, in the surface's unit. */
+  /**
+   * The length, in the surface's unit, that a number of CSS pixels covers at a point of the scene.
+   */
   reach(position: Vector3, pixels: number): number {
     const away = this.camera.position.distanceTo(position);
     const height = 2 * away * Math.tan((this.camera.fov * Math.PI) / 360);

@@ -274,7 +274,9 @@ export class Viewer {
     return this.#regions.at(point);
   }
 
-  /** Marks the selected objects, by their ids, and whether the edited one is selected. */
+  /**
+   * Marks the selected objects: `others` by their ids, and the edited object if `edited` is true.
+   */
   showChosen(others: readonly number[], edited: boolean): void {
     if (`${others}` === `${this.#chosen}` && edited === this.#isChosen) return;
     [this.#chosen, this.#isChosen] = [others, edited];
@@ -350,7 +352,7 @@ export class Viewer {
     return new LinesAt(this.#vantage, this.#pickable, place);
   }
 
-  /** The objects that are partly visible in a box of the window, without locked ones. */
+  /** The unlocked objects that are at least partly visible in a box of the window. */
   objectsIn(left: number, top: number, width: number, height: number): ObjectsIn {
     const { box } = this;
     this.#view.camera.updateMatrixWorld();
@@ -388,7 +390,9 @@ export class Viewer {
     return this.#size;
   }
 
-  /** The length of a number of CSS pixels at a point of the scene, in the surface's unit. */
+  /**
+   * The length, in the surface's unit, that a number of CSS pixels covers at a point of the scene.
+   */
   reach(position: Vector3, pixels: number): number {
     return this.#vantage.reach(position, pixels);
   }

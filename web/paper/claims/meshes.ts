@@ -67,7 +67,7 @@ export function wanderingPoints(mesh: Mesh, seed: number): SurfacePoint[] {
   return result;
 }
 
-/** Compares the methods on a mesh, with given control points or with seeded ones. */
+/** Compares the methods on a mesh, with given or seeded control points. */
 export async function judgeMesh(
   peers: Peers,
   name: string,

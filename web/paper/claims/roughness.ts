@@ -19,7 +19,7 @@ export interface RoughnessPoint {
   samples: number;
   /** The median residual by exact paths, in mean edges. */
   residual: number | null;
-  /** The turning noise against the curve of exact log vectors. */
+  /** The turning noise, with the curve of exact log vectors as the true curve. */
   turning: number | null;
 }
 

@@ -12,7 +12,7 @@ import { middle } from './words';
 
 /** Measurements that the claims need and the figures do not have. */
 export interface Studies {
-  /** Points in balls of growing radius, on smooth surfaces and on bumpy ones. */
+  /** Points in balls of growing radius, on smooth and on bumpy surfaces. */
   radius: RadiusPoint[];
   /** The searches of random B-splines on meshes of several kinds. */
   newton: NewtonFinding[];

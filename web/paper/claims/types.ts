@@ -135,7 +135,7 @@ export class Evidence {
     return known(this.#whole(panel, id).traceMs, `the time of ${id} of ${panel}`);
   }
 
-  /** The panels that measured all of these lines. */
+  /** The panels with measurements of all these lines. */
   panelsWith(...ids: LineId[]): string[] {
     const names = Object.keys(this.all.panels).filter((name) =>
       ids.every((id) => this.all.panels[name]!.some((line) => line.id === id)),

@@ -43,7 +43,7 @@ export interface Transport {
   centroid: Plane;
   /** The angle, at the centroid, of the direction back to v. */
   thetaTv: number;
-  /** The angle from the frame of v to that of the face. */
+  /** The angle from the frame of v to the face's frame. */
   rotation: number;
   /** The angle that v lacks to a full turn. */
   defect: number;

@@ -9,7 +9,7 @@ export interface Carried {
   source: Float32Array[];
   /** The image of each stroke, cut into parts at points that have no weights or no center. */
   target: Float32Array[];
-  /** The numbers of points: all, those carried, and those with a weight below 0. */
+  /** The numbers of all points, of carried points, and of points with a weight below 0. */
   points: number;
   carried: number;
   negative: number;

@@ -94,7 +94,7 @@ export class Lab {
     }
   }
 
-  /** Carries a drawing from one mesh to another by the weights of its points. */
+  /** Carries a drawing from one mesh to another by the weights of the drawing's points. */
   async carry({ source, target, middle, points }: CarryJob): Promise<Carried> {
     const [from, to] = [await this.#scene(source), await this.#scene(target)];
     return carry(from, to, middle, points);

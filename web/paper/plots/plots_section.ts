@@ -32,7 +32,7 @@ export interface PlotSizes {
 
 const usualSizes: PlotSizes = { convergence: convergenceSizes, roughness: 5_000 };
 
-/** Shows the errors of every method on finer meshes, and on rougher ones. */
+/** Shows the errors of every method on ever finer meshes, and on ever rougher meshes. */
 export class PlotsSection {
   readonly element = make('section', '', { className: 'figure', id: 'plots' });
   readonly #cards = {

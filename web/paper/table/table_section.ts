@@ -118,7 +118,7 @@ export class TableSection {
     return tableCsv(rows, this.cells, about);
   }
 
-  /** Measures these rows, by default those up to the chosen size. */
+  /** Measures these rows, by default all rows up to the chosen size. */
   start(rows = this.#chosen()): void {
     this.cells = [];
     this.#savedAbout = null;

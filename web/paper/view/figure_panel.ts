@@ -160,7 +160,9 @@ export class FigurePanel {
     }
   }
 
-  /** Takes new places of the points, moved in this panel or in one that shares the points. */
+  /**
+   * Takes new places of the points, moved in this panel or in another one that shares the points.
+   */
   setPoints(points: readonly Vector[]): void {
     this.#points = points;
     this.#renew();
@@ -337,7 +339,7 @@ export class FigurePanel {
     return { color: new Color(lineColor(id)), width, opaque };
   }
 
-  /** The dots of centers of mass: those of the lines, and other minima. */
+  /** The dots of the lines' centers of mass, and of other minima. */
   #dots(): Dot[] {
     const ofLines = [...this.#results.values()].flatMap(({ id, marker }) =>
       marker && this.#shown.has(id) ? [{ line: id, place: marker }] : [],
@@ -439,7 +441,7 @@ export class FigurePanel {
     }
   }
 
-  /** The panel's numbers: those of all methods with measurements at the current points. */
+  /** The panel's numbers as JSON, for all methods with measurements at the current points. */
   json(): string {
     const lines = this.panel.lines.flatMap((id) => {
       const line = this.#result(id);
