@@ -93,11 +93,11 @@ class NewtonSearch {
     return best;
   }
 
-  /// Continues if no joint of the geodesic is better than its start. Inside a face, the search
-  /// moves to the best point of the step inside the face. On an edge, the search ends at a zero on
-  /// the edge if each face has its zero beyond the edge; else it enters the other face. At a
-  /// vertex, the search tries the faces around it in turn. Returns false if the search ends;
-  /// status_ then has its status.
+  /// Continues if neither the joints nor the end of the geodesic are better than its start. Inside
+  /// a face, the search moves to the best point of the step inside the face. On an edge, the search
+  /// ends at a zero on the edge if each face has its zero beyond the edge; else it enters the other
+  /// face. At a vertex, the search tries the faces around it in turn. Returns false if the search
+  /// ends; status_ then has its status.
   bool goOn(const TriangleField& field, const Vec2& step) {
     const PointLocation location = locate(mesh_, point_);
     if (location.simplex == Simplex::kFace) return shortenStep(field, step);

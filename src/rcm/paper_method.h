@@ -29,7 +29,7 @@ struct NewtonSteps {
   int shortened = 0;  ///< the number of geodesics that the search cut at a joint
   /// the number of shortened geodesics whose original end has no smaller gradient than their start
   int needed = 0;
-  /// the number of geodesics on which no joint has a smaller gradient than their start
+  /// the number of geodesics whose joints and end have no smaller gradient than their start
   int stuck = 0;
   bool inside = false;  ///< whether a zero inside a triangle ended the search
   /// The norms of the gradients at the starts of the last three iterations, the last one first; 0

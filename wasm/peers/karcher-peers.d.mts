@@ -26,8 +26,8 @@ export interface PeersModule extends EngineModule {
    * - whether the search converged;
    * - the number of its iterations;
    * - the numbers of all its geodesics, of geodesics cut at a joint, of cut geodesics whose
-   *   original end has no smaller gradient than their start, and of geodesics on which no joint has
-   *   a smaller gradient than their start;
+   *   original end has no smaller gradient than their start, and of geodesics whose joints and end
+   *   have no smaller gradient than their start;
    * - whether the search ended inside a triangle;
    * - the gradients at the starts of its last three iterations, the last one first, with 0 for an
    *   iteration that did not take place.

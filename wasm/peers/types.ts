@@ -41,8 +41,8 @@ export interface MethodOptions {
    * largest weight; searches for other samples start at the last sample that converged. A search
    * that fails starts again at control points. With `authors`, searches start as in the program of
    * the paper's authors: at the geodesic de Boor point until a search finds a center, then at the
-   * last center found in any segment. A search that fails has no second start. If one control point
-   * has all the weight, as at the ends of a Bezier curve, this point is the sample.
+   * last center found in any segment. With `authors`, a search that fails has no second start, and
+   * a control point with all the weight, as at the ends of a Bezier curve, is itself the sample.
    */
   seeds?: 'heaviest' | 'authors';
   /** For the heat methods: whether to use the intrinsic Delaunay triangulation of the surface. */
@@ -173,7 +173,7 @@ export interface NewtonSteps {
   shortened: number;
   /** The number of cut geodesics whose original end has no smaller gradient than their start. */
   needed: number;
-  /** The number of geodesics on which no joint has a smaller gradient than their start. */
+  /** The number of geodesics whose joints and end have no smaller gradient than their start. */
   stuck: number;
   /**
    * The norms of the gradient at the starts of the last three iterations, the last one first; 0 for
