@@ -274,9 +274,7 @@ export class Viewer {
     return this.#regions.at(point);
   }
 
-  /**
-   * Marks the selected objects: `others` by their ids, and the edited object if `edited` is true.
-   */
+  /** Marks the selected objects: `others` by their ids, and with `edited` the edited one. */
   showChosen(others: readonly number[], edited: boolean): void {
     if (`${others}` === `${this.#chosen}` && edited === this.#isChosen) return;
     [this.#chosen, this.#isChosen] = [others, edited];
@@ -390,9 +388,7 @@ export class Viewer {
     return this.#size;
   }
 
-  /**
-   * The length, in the surface's unit, that a number of CSS pixels covers at a point of the scene.
-   */
+  /** The length of CSS pixels at a point of the scene, in the surface's unit. */
   reach(position: Vector3, pixels: number): number {
     return this.#vantage.reach(position, pixels);
   }
