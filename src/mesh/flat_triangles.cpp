@@ -72,8 +72,8 @@ class Flips {
     for (const int g : across) cut(g, a, b, c, s, flat);
   }
 
-  /// Cuts face g in two by a line from its third corner to c, which lies on its edge from a to b at
-  /// the ratio s of the way.
+  /// Cuts face g in two. The cut leads from the face's third corner to c, which lies on the edge
+  /// from a to b at the ratio s of the way.
   void cut(int g, int a, int b, int c, double s, Array<int>& flat) {
     const Triangle corners = faces_.corners[g];
     alive_[g] = 0;

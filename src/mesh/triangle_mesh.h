@@ -93,8 +93,7 @@ TriangleMesh buildMesh(Array<Vec3> positions, Array<Triangle> faces);
 /// and vertices without a face.
 void checkTriangles(const Array<Vec3>& positions, const Array<Triangle>& triangles);
 
-/// The part of `checkTriangles` that checks the number of faces and the existence of their
-/// vertices.
+/// The part of `checkTriangles` that checks the number of faces, and that their vertices exist.
 void checkCorners(int vertexCount, const Array<Triangle>& triangles);
 
 /// The part of `checkTriangles` that checks that a triangle has three different corners and an

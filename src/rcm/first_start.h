@@ -5,8 +5,8 @@
 #include "intrinsic/geometry.h"
 #include "rcm/field_blend.h"
 
-/// The start of the first search for a mean of few points, and a bound on the places of lower
-/// means, near which other searches start.
+/// For a mean of few points: the start of the first search, and a ball that contains all lower
+/// means. Other searches start near this ball.
 namespace karcher {
 
 /// The weighted average of the first two points on the path between them, then the average of this

@@ -37,10 +37,11 @@ struct RobustMean {
 RobustMean median(FieldSets& sets, const Array<SurfacePoint>& points, const Array<double>& weights,
                   const RobustOptions& options = {});
 
-/// The minimum of the weighted sum of d^2 / 2 for distances d up to a threshold t, and of t (d - t
-/// / 2) beyond: points beyond the threshold pull no more than points at it (P. J. Huber, "Robust
-/// Estimation of a Location Parameter", 1964). Throws what `median` throws, and Error kBadArgument
-/// for a threshold that is not positive.
+/// The Huber mean: the minimum of the weighted sum of the points' costs. The cost of a point at the
+/// distance d is d^2 / 2 up to a threshold t, and t (d - t / 2) beyond. So points beyond the
+/// threshold pull no more than points at it (P. J. Huber, "Robust Estimation of a Location
+/// Parameter", 1964). Throws what `median` throws, and Error kBadArgument for a threshold that is
+/// not positive.
 RobustMean huberMean(FieldSets& sets, const Array<SurfacePoint>& points,
                      const Array<double>& weights, double threshold,
                      const RobustOptions& options = {});

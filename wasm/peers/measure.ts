@@ -16,8 +16,8 @@ export interface CurveMeasures {
    */
   deviation: { median: number; max: number; samples: number } | null;
   /**
-   * The root mean square of the differences between the turning angles of the curve and of the
-   * reference, in radians, at about 128 samples of each segment.
+   * The root mean square, in radians, of the differences in turning angle between the curve and the
+   * reference, at about 128 samples of each segment.
    */
   turningNoise: number | null;
   /**
