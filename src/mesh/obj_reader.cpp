@@ -17,9 +17,11 @@
 #define tinyobj karcherTinyobj
 #define TINYOBJLOADER_USE_DOUBLE
 #define TINYOBJLOADER_IMPLEMENTATION
+#ifdef KARCHER_PLAIN_STREAMS
 // Tinyobjloader takes its streams from plain_streams.h. That file already includes every header
 // that tinyobjloader includes.
 #define std karcher::plain
+#endif
 #include <tiny_obj_loader.h>
 #undef std
 

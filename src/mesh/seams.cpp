@@ -211,19 +211,19 @@ class Seams {
                  DisjointSets& sets) const {
     double least = most;
     for (const int p : points) least = std::min(least, reach[p]);
-    const Heaps heaps = heapsOf(points, least);
-    bool any = heaps.first.count() < points.count();
+    const PointGroups groups = groupsByCube(points, least);
+    bool any = groups.first.count() < points.count();
     Array<int> numberOf(positions_.size(), -1);
-    for (int i = 0; i < heaps.first.count(); ++i) {
-      numberOf[heaps.first[i]] = i;
-      for (const int p : heaps.at(i)) sets.unite(heaps.first[i], p);
+    for (int i = 0; i < groups.first.count(); ++i) {
+      numberOf[groups.first[i]] = i;
+      for (const int p : groups.at(i)) sets.unite(groups.first[i], p);
     }
-    const NearPoints near(positions_, heaps.first, any ? most + 2 * least : most);
-    for (const int p : heaps.first) {
+    const NearPoints near(positions_, groups.first, any ? most + 2 * least : most);
+    for (const int p : groups.first) {
       near.forEachNear(p, [&](int q) {
         if (sets.find(p) == sets.find(q)) return;
-        for (const int a : heaps.at(numberOf[p])) {
-          for (const int b : heaps.at(numberOf[q])) {
+        for (const int a : groups.at(numberOf[p])) {
+          for (const int b : groups.at(numberOf[q])) {
             const double limit = std::min(reach[a], reach[b]);
             if ((positions_[a] - positions_[b]).squaredNorm() > limit * limit) continue;
             sets.unite(a, b);
@@ -237,7 +237,7 @@ class Seams {
   }
 
   /// Points in groups: each group has the points in one cube.
-  struct Heaps {
+  struct PointGroups {
     Array<int> points;  ///< the points, one group after the other
     Array<int> begin;   ///< the begin of each group, and the end of the last
     Array<int> first;   ///< the first point of each group
@@ -250,9 +250,9 @@ class Seams {
 
   /// Groups points by cubes. The cubes are so small that no two points in a cube are farther apart
   /// than `width`. If the cubes would be too many to number exactly, each point is a group.
-  Heaps heapsOf(const Array<int>& points, double width) const {
-    Heaps heaps;
-    heaps.points = points;
+  PointGroups groupsByCube(const Array<int>& points, double width) const {
+    PointGroups groups;
+    groups.points = points;
     const double side = width / 2;  // a side smaller than width / sqrt(3)
     Array<Vec3> cubes;
     double farthest = 0;
@@ -268,17 +268,17 @@ class Seams {
         return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
       };
       const Array<int> sorted = sortedNumbers(points.count(), isBefore);
-      heaps.points.clear();
+      groups.points.clear();
       for (int k = 0; k < sorted.count(); ++k) {
-        if (k == 0 || cubes[sorted[k]] != cubes[sorted[k - 1]]) heaps.begin.push_back(k);
-        heaps.points.push_back(points[sorted[k]]);
+        if (k == 0 || cubes[sorted[k]] != cubes[sorted[k - 1]]) groups.begin.push_back(k);
+        groups.points.push_back(points[sorted[k]]);
       }
     } else {
-      for (int k = 0; k < points.count(); ++k) heaps.begin.push_back(k);
+      for (int k = 0; k < points.count(); ++k) groups.begin.push_back(k);
     }
-    for (const int k : heaps.begin) heaps.first.push_back(heaps.points[k]);
-    heaps.begin.push_back(points.count());
-    return heaps;
+    for (const int k : groups.begin) groups.first.push_back(groups.points[k]);
+    groups.begin.push_back(points.count());
+    return groups;
   }
 
   /// The length of the shortest edge at each place on a boundary; infinite elsewhere.

@@ -47,6 +47,7 @@ class NewtonSearch {
       if (best.gradient < gradient.norm()) {
         point_ = best.point;
         facesTried_ = 0;
+        turnedFrom_ = -1;
       } else if (!goOn(field, newtonStep(h, gradient))) {
         return {point_, status_, iteration};
       }
@@ -148,14 +149,14 @@ class NewtonSearch {
   }
 
   bool turnAtVertex(int vertex) {
-    ++facesTried_;
     int h = 3 * point_.face;
     while (mesh_.tail(h) != vertex) ++h;
+    if (turnedFrom_ < 0) turnedFrom_ = h;
     const int left = rotateLeft(mesh_, h);
     const int on = left >= 0 ? left : mesh_.outgoing[vertex];
     status_ = mesh_.onBoundary[vertex] ? Status::kBoundary : Status::kNoProgress;
     point_ = edgePoint(on, 0);
-    return facesTried_ < kMaxIterations && !(facesTried_ > 1 && on == mesh_.outgoing[vertex]);
+    return ++facesTried_ < kMaxIterations && on != turnedFrom_;
   }
 
   /// Whether the face of h has the zero of its field on the far side of h.
@@ -176,7 +177,8 @@ class NewtonSearch {
   Status status_ = Status::kNoProgress;
   /// The number of faces around the same edge or vertex that the search left without progress.
   int facesTried_ = 0;
-  int crossed_ = -1;  ///< the last edge crossed without progress, by its lower half-edge
+  int turnedFrom_ = -1;  ///< the half-edge from the vertex in the first of the faces tried there
+  int crossed_ = -1;     ///< the last edge crossed without progress, by its lower half-edge
 };
 
 }  // namespace

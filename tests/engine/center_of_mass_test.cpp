@@ -184,6 +184,44 @@ TEST(NewtonCenter, StopsAtAnEdgeBetweenFacesThatPointAtEachOther) {
   EXPECT_GT(onEdge, 0);
 }
 
+TEST(NewtonCenter, GivesUpAtAVertexOnlyIfNoFaceAroundItLeadsOn) {
+  // The field of a point plus noise has zeros that the search can reach from some faces alone.
+  const TriangleMesh mesh = planeGrid(12, 9);
+  const Geometry geometry = buildGeometry(mesh);
+  const uint64_t seed = 23;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  const Array<double> one{1};
+  int checked = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Vec3 p(random.uniform(1, 11), random.uniform(1, 8), 0);
+    Array<FieldValue> values;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      const Vec3 away = mesh.positions[v] - p;
+      const Vec3 noise(random.uniform(-1, 1), random.uniform(-1, 1), 0);
+      values.push_back({inVertexFrame(geometry, v, 2 * away + noise), away.squaredNorm()});
+    }
+    ControlField field;
+    field.reset([&](int v) { return values[v]; });
+    FieldBlend blend(geometry, {&field});
+    // The starts are one point, which each of the faces around it names.
+    const int vertex = random.index(mesh.vertexCount());
+    const SurfacePoint there = edgePoint(mesh.outgoing[vertex], 0);
+    int leading = 0;
+    int gaveUp = 0;
+    for (const int h : outgoingHalfedges(mesh, vertex)) {
+      const CenterOfMass center = newtonCenter(blend, one, edgePoint(h, 0));
+      const bool stayed = position(mesh, center.point) == position(mesh, there);
+      gaveUp += stayed && center.status == Status::kNoProgress;
+      leading += !stayed;
+    }
+    if (leading == 0) continue;
+    ++checked;
+    EXPECT_EQ(gaveUp, 0) << "case " << i << ": " << leading << " faces lead on";
+  }
+  EXPECT_GT(checked, 0);
+}
+
 TEST(FieldBlend, FindsTheSameZeroOnAnEdgeFromBothSides) {
   const TriangleMesh mesh = bunnyMesh();
   const Geometry geometry = buildGeometry(mesh);

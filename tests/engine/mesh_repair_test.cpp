@@ -63,7 +63,7 @@ void expectSamePlaces(const TriangleSoup& soup, const ImportedMesh& imported, do
 }
 
 /// Checks that the adjacency matches the faces.
-void expectSound(const TriangleMesh& mesh) {
+void expectAdjacency(const TriangleMesh& mesh) {
   const TriangleMesh again = buildMesh(mesh.positions, mesh.faces);
   EXPECT_TRUE(again.twin == mesh.twin);
   EXPECT_TRUE(again.onBoundary == mesh.onBoundary);
@@ -86,7 +86,7 @@ TEST(RepairMesh, MendsEachDefectAlone) {
       ASSERT_GE(count, 7);
       const ImportedMesh imported = importMesh(made.soup());
       EXPECT_EQ(countsOf(imported), (Counts{{repairName(repairOf(defect)), count}}));
-      expectSound(imported.mesh);
+      expectAdjacency(imported.mesh);
       expectSamePlaces(made.soup(), imported, apart(defect, imported.mesh));
       const Topology after = topology(imported.mesh);
       const bool adds = defect == Defect::kFin || defect == Defect::kBowTie;
@@ -114,7 +114,7 @@ TEST(RepairMesh, MendsDefectsInPairs) {
         expected[repairName(repairOf(one))] += made.add(one, 5);
         expected[repairName(repairOf(other))] += made.add(other, 5);
         const ImportedMesh imported = importMesh(made.soup());
-        expectSound(imported.mesh);
+        expectAdjacency(imported.mesh);
         expectSamePlaces(made.soup(), imported, apart(other, imported.mesh));
         if (other != Defect::kSeams) {
           EXPECT_EQ(countsOf(imported), expected);
@@ -319,7 +319,7 @@ TEST(RepairMesh, SeparatesAWallFromTheBoxAroundIt) {
   EXPECT_EQ(countsOf(imported), (Counts{{"branching", 4}}));
   EXPECT_EQ(topology(imported.mesh).components, 2);
   EXPECT_EQ(topology(imported.mesh).boundaryLoops, 1);
-  expectSound(imported.mesh);
+  expectAdjacency(imported.mesh);
   expectSamePlaces(soup, imported, 1e-15);
 }
 
@@ -346,7 +346,7 @@ TEST(RepairMesh, DoesNotTearASheetWithItsBack) {
     const TriangleSoup soup = sheetWithItsBack(columns, rows);
     const ImportedMesh imported = importMesh(soup);
     SCOPED_TRACE(std::to_string(columns) + " x " + std::to_string(rows));
-    expectSound(imported.mesh);
+    expectAdjacency(imported.mesh);
     expectSamePlaces(soup, imported, 1e-12);
     EXPECT_EQ(imported.mesh.faceCount(), soup.triangles.count());
     EXPECT_EQ(topology(imported.mesh).components, 1);
@@ -450,7 +450,7 @@ TEST(RepairMesh, FlipsAChainOfTrianglesOnALine) {
   EXPECT_EQ(countsOf(imported), (Counts{{"noArea", 19}}));
   EXPECT_EQ(imported.mesh.faceCount(), 40);
   EXPECT_EQ(topology(imported.mesh).boundaryLoops, 1);
-  expectSound(imported.mesh);
+  expectAdjacency(imported.mesh);
   expectSamePlaces(soup, imported, 1e-12);
 }
 

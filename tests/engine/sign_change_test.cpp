@@ -8,13 +8,13 @@
 namespace karcher {
 namespace {
 
-constexpr double kRounding = 1e-15;
+constexpr double kUnitRounding = 1e-15;
 
 /// The zero of a function, and the number of evaluations.
 template <class Function>
 double changeOf(const Function& function, double from, double to, int& evaluations) {
   evaluations = 0;
-  return signChange(from, to, function(from), function(to), kRounding * (from + to), [&](double x) {
+  return signChange(from, to, function(from), function(to), kUnitRounding * (from + to), [&](double x) {
     ++evaluations;
     return function(x);
   });
