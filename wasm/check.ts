@@ -23,7 +23,7 @@ export function shown(value: unknown): string {
 }
 
 function textOf(value: unknown): string {
-  // The text of a function would be its code.
+  // A function as text is its source code, which says nothing here.
   if (typeof value === 'function') return 'a function';
   try {
     return String(value);

@@ -67,7 +67,7 @@ export class Curve {
   readonly #handle: Handle<EngineCurve>;
   #options: CurveOptions;
   #basis: OwnBasis | undefined;
-  /** The curve's data, and the properties from its last view; undefined after an edit. */
+  /** The curve's data, as the engine last returned them; undefined after an edit. */
   #parts: EngineCurveParts | undefined;
   #facts: Facts | undefined;
   #edits = 0;

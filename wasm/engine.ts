@@ -130,7 +130,7 @@ const forgotten = new FinalizationRegistry<Lease>((lease) => {
  */
 const leastMost = 16;
 
-/** An object in the module's memory, until `dispose`, or until nobody can reach it any more. */
+/** An object in the module's memory. `dispose` frees it, or else the handle's garbage collection. */
 export class Handle<Target extends { delete(): void }> {
   readonly engine: Engine;
   readonly #what: string;

@@ -394,7 +394,7 @@ export class Mesh extends MeshPlaces {
 
   /**
    * Vectors of the tangent plane at the start of a path, transported along it to its end: x, y, z
-   * for each. The path may have turns, such as the path of a curve.
+   * for each. The path need not be straight. For example, it can be the path of a curve.
    *
    * @throws {KarcherError} badArgument for consecutive points without a face in common.
    * @example

@@ -64,7 +64,7 @@ import { checkedUp } from './worker/checkup';
 /** Lets the browser send its requests before work that blocks the page. */
 const breathe = () => new Promise((resolve) => setTimeout(resolve));
 
-/** An object beside the edited one, in the scene. */
+/** The drawing, in the scene, of an object other than the edited one. */
 function drawingOf(
   { id, style, locked, lines, points, center }: Beside,
   viewer: Viewer,

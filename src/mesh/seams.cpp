@@ -357,8 +357,9 @@ class Seams {
 
   /// Finds edges that two faces share in the file and that more faces would share after welding. A
   /// later repair might separate the two faces, so the function marks one end of the edge as
-  /// unwelded. For example, a sheet and its turned copy, welded along their rims, then do not tear
-  /// at an edge from rim to rim. Returns whether the function marked any end.
+  /// unwelded. For example, a sheet and its copy of opposite orientation are welded along their
+  /// rims. With the mark, they do not tear at an edge that joins two vertices of the rim. Returns
+  /// whether the function marked any end.
   bool keepWholeEdges() {
     // the largest number of compared sides; the time grows with its square
     constexpr size_t kMostCompared = 64;

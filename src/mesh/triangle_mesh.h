@@ -96,8 +96,8 @@ void checkTriangles(const Array<Vec3>& positions, const Array<Triangle>& triangl
 /// The part of `checkTriangles` that checks the number of faces, and that their vertices exist.
 void checkCorners(int vertexCount, const Array<Triangle>& triangles);
 
-/// The part of `checkTriangles` that checks that a triangle has three different corners and an
-/// area. `name` is its number in errors.
+/// The part of `checkTriangles` that checks one triangle: its corners must differ and its area must
+/// be positive. Errors call the triangle by the number `name`.
 void checkArea(const Array<Vec3>& positions, const Triangle& triangle, int name);
 
 /// The numbers by which errors name vertices and faces, if they differ from the mesh's own.

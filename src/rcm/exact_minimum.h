@@ -54,8 +54,9 @@ Array<SurfacePoint> circleAround(const Geometry& geometry, const SurfacePoint& c
 struct ExactMinimum {
   SurfacePoint point;
   double energy = 0;
-  /// Whether the check succeeded: on the circle of kCheckedRadius mean edges around the result, K
-  /// is nowhere lower by more than kLowerBy square mean edges.
+  /// Whether the check succeeded. It compares K at the result with K on the circle of
+  /// kCheckedRadius mean edges around the result. It fails if K is lower anywhere on the circle by
+  /// more than kLowerBy, in squared mean edges.
   bool isLowest = true;
   int moves = 0;
 };

@@ -185,8 +185,8 @@ void judgeUniqueness(const Surface& surface, const Array<SurfacePoint>& points,
   }
 }
 
-/// The fields of points in a set. The set uses existing fields, and moves or creates the missing
-/// fields.
+/// The fields of points in a set. For a point without a field, the set moves a field that it no
+/// longer needs, or creates a new one.
 Array<std::shared_ptr<PointField>> fieldsOf(FieldSet& set, const Array<SurfacePoint>& points) {
   Array<std::shared_ptr<PointField>> fields;
   for (const SurfacePoint& point : points) fields.push_back(set.find(point));

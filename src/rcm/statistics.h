@@ -77,9 +77,9 @@ Array<Vec2> weightDerivatives(const Geometry& geometry, const Array<SurfacePoint
 /// The derivatives of the center of mass with respect to each point: a matrix that maps vectors in
 /// the frame of the point's face to vectors in the frame of the center's face. The Hessian times
 /// this matrix is twice the point's weight times the derivative of the point's log vector at the
-/// center. Differences give this derivative. If the path passes through no vertex, the derivative
-/// of the log vector is parallel transport along the path. The center and the points must lie
-/// inside faces. Throws what `weightDerivatives` throws.
+/// center, which the function computes by finite differences. If the path passes through no vertex,
+/// the derivative of the log vector equals the parallel transport along the path. The center and
+/// the points must lie inside faces. Throws what `weightDerivatives` throws.
 Array<Eigen::Matrix2d> pointDerivatives(const Geometry& geometry, const Array<SurfacePoint>& points,
                                         Weights weights, const SurfacePoint& center);
 

@@ -24,8 +24,8 @@ export async function boundaryEdges(
   const count = numbers.reduce((most, number) => Math.max(most, number), 0) + 1;
   const onOthers = doubled ? await facesOnOthers(triangles, numbers, count, slices) : null;
   const vertexAt = new Int32Array(count);
-  // Each number has a list of the larger numbers that edges join to it. In `others`, the lists
-  // follow one another.
+  // Each vertex has a list of its neighbours with larger numbers. In `others`, these lists follow
+  // one another.
   const starts = new Int32Array(count + 1);
   const others = new Int32Array(numbers.length);
   const forEachEdge = async (done: number, visit: (low: number, high: number) => void) => {

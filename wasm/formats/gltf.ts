@@ -85,7 +85,7 @@ interface Primitive {
   number: string;
 }
 
-/** A primitive at the place of a node. */
+/** A primitive with the transform of a node. */
 interface Strip {
   name: string;
   node: PlacedMesh;

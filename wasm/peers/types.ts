@@ -173,7 +173,7 @@ export interface NewtonSteps {
   shortened: number;
   /** The number of cut geodesics whose original end has no smaller gradient than their start. */
   needed: number;
-  /** The number of geodesics whose joints and end have no smaller gradient than their start. */
+  /** The number of geodesics with a smaller gradient neither at a joint nor at the end. */
   stuck: number;
   /**
    * The norms of the gradient at the starts of the last three iterations, the last one first; 0 for

@@ -1,11 +1,11 @@
 /**
  * A division of a surface into parts, each nearest to one of several sites. Squared distances are
- * linear in each triangle. Sites are added one after the other. In a triangle, a new site takes
- * from the convex pieces of earlier sites the points that are nearer to the new site by more than
- * rounding.
+ * linear in each triangle. Sites are added one after the other. In a triangle, a new site
+ * takes points from the convex pieces of earlier sites: those nearer to the new site by more than
+ * the rounding error.
  *
- * A corner of a piece is a vertex of the mesh, or lies between two earlier corners of which a site
- * took only one. The two earlier corners identify the new corner. So the pieces on both sides of an
+ * A corner of a piece is a vertex of the mesh or a point between two earlier corners. Such a point
+ * arises if a site took one of the two earlier corners and not the other. The two earlier corners identify the new corner. So the pieces on both sides of an
  * edge share the new corner, even if they lie in two triangles, and no gap opens, whatever the
  * rounding.
  */

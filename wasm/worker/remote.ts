@@ -20,8 +20,8 @@ interface Caller {
 }
 
 /**
- * The type of a value on this side: meshes and curves, which stay in the worker, have remote
- * methods.
+ * The type of a value on this side. Meshes and curves stay in the worker, and their types here
+ * have remote methods.
  */
 type Remote<Value> = Value extends Mesh
   ? RemoteMesh

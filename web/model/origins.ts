@@ -99,7 +99,7 @@ const namesIn = ({ points }: Figure): string[] => [
   ...new Set(points.flatMap(({ origin }) => (origin ? [origin.of] : []))),
 ];
 
-/** Words about the origins of a figure's pieces; empty if none has one. */
+/** A text about the origins of a figure's pieces; empty if no piece has an origin. */
 export const originsText = (figure: Figure): string =>
   namesIn(figure)
     .map((name) => `from ${name}`)

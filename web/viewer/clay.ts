@@ -237,7 +237,7 @@ export function colorSurface(colors: SurfaceColors): void {
   edgeMaterial.color.set(colors.edges);
 }
 
-/** Shows a surface as plain clay, with these sides outside. */
+/** Shows a surface as plain clay. `outside` says which sides of its triangles are visible. */
 export function showClay(outside: DrawnGeometry['outside']): void {
   material.side = sides[outside];
   inner.visible = outside === 'both';

@@ -52,7 +52,10 @@ export interface Step {
 const rounds = 3;
 const mostCompared = 64;
 
-/** The places in a frame at their middle. Throws if a place is unreachable. */
+/**
+ * The coordinates of places and directions in a frame at the middle of the places. Throws if no path
+ * leads from the middle to a place.
+ */
 export function framedAt(mesh: Mesh, { places, directions }: DirectedPlaces): Framed {
   const every = Math.ceil(places.length / mostCompared);
   const some = places.filter((_, i) => i % every === 0);

@@ -41,12 +41,12 @@ RefinedCurve withPointOnCurve(Curve& curve, double parameter);
 Array<CurveParts> splitAt(Curve& curve, double parameter);
 
 /// Joins two open curves of the same kind to one. If the end of the first and the start of the
-/// second meet, the result has this point once. B-splines become one B-spline, and so do Bezier
-/// curves of degree 1 to 5, after elevation to the same degree; a geodesic connects them if they do
-/// not meet. For other kinds, the result is the curve through the points of both. Throws Error
-/// kBadArgument if the kinds or the degrees of B-splines differ, a Bezier curve has a higher degree
-/// than 5, a curve is closed, or a basis is the caller's own; kUnreachable if the points lie on
-/// several components.
+/// second meet, the result has this point once. Two B-splines of the same degree become one
+/// B-spline. Two Bezier curves of degree 1 to 5 are elevated to the same degree and become one
+/// B-spline, too. In both cases, a geodesic connects the two curves if they do not meet. For other
+/// kinds, the result is the curve through the points of both. Throws Error kBadArgument if the
+/// kinds or the degrees of B-splines differ, a Bezier curve has a higher degree than 5, a curve is
+/// closed, or a basis is the caller's own; kUnreachable if the points lie on several components.
 CurveParts joined(const Curve& first, const Curve& second);
 
 }  // namespace karcher

@@ -52,7 +52,7 @@ export interface CurveClicks {
   /** The pointer is over the surface, or clicks it, while the tool mirrors. */
   mirrorAimed(point: SurfacePoint): void;
   mirrorClicked(point: SurfacePoint): void;
-  /** A sentence that says why a gesture stops. */
+  /** Shows a sentence that says why a gesture stops. */
   stopped(why: string): void;
   /** The size of the frame's contents; null without a frame. */
   sized(size: Size | null): void;

@@ -21,8 +21,8 @@ export class Begun {
   }
 
   /**
-   * Updates which object counts as begun, after each lasting state. After an undo (`isBack`), an
-   * unfinished edited object counts as begun again.
+   * Updates which object counts as begun. The caller calls it with each new lasting state. After an
+   * undo (`isBack`), an unfinished edited object counts as begun again.
    */
   follow({ figure, drawing }: State, isBack = false): void {
     const { active } = drawing;
