@@ -288,6 +288,8 @@ export async function start(): Promise<void> {
   editor.onEnded = (figure) => session.ended(figure);
   editor.insideOf = (figure) => session.insideOf(figure);
   editor.onRefusal = showNote;
+  editor.begun.onRemoval = () =>
+    showNote('The curve had too few points and was removed. Undo brings it back.');
   session.onFailure = (error) => showNote(sentenceOf(messageOf(error)));
   session.onBusy = (busy) => status.setBusy(busy);
   session.onProgress = (done, stage) => status.setProgress(done, stage);

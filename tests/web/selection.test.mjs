@@ -262,6 +262,7 @@ describe('the selection', () => {
   });
 
   const hint = (tab) => tab.page.locator('#hint').textContent();
+  const removals = (tab) => tab.page.getByText('too few points and was removed').count();
   const rows = (tab) => tab.page.locator('#objects li').count();
   const pointCounts = async (tab) =>
     (await objectsOf(tab)).map(({ figure }) => figure.points.length);
@@ -289,6 +290,7 @@ describe('the selection', () => {
       await tab.settled();
       assert.deepEqual(await pointCounts(tab), [0]);
       assert.equal(await rows(tab), 0);
+      assert.equal(await removals(tab), 1);
       assert.equal(await hint(tab), 'Choose a tool to draw');
       await tab.page.keyboard.press('Control+z');
       await tab.settled();
@@ -311,6 +313,7 @@ describe('the selection', () => {
     await page.locator('#objects .object').last().click();
     await tab.settled();
     assert.deepEqual(await pointCounts(tab), [4, 4]);
+    assert.equal(await removals(tab), 1);
     assert.equal((await tab.state()).drawing.active, 1);
     await page.keyboard.press('Control+z');
     await tab.settled();

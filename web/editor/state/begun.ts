@@ -7,6 +7,9 @@ import type { State } from './state';
 export class Begun {
   #id: number | null;
 
+  /** A listener for the removal of an object. */
+  onRemoval: () => void = () => {};
+
   constructor({ active }: Drawing) {
     this.#id = active;
   }
@@ -32,7 +35,8 @@ export class Begun {
 
   /**
    * The command together with the removal of the begun object, if another object is edited
-   * afterwards; the command alone if the begun object is finished, locked or a source.
+   * afterwards. `onRemoval` hears of the removal. If the begun object is finished, locked or a
+   * source, the result is the command alone.
    */
   gone(command: Command, base: Drawing): Command {
     const begun = this.#id === null ? undefined : objectOf(base, this.#id);
@@ -41,6 +45,7 @@ export class Begun {
     const index = after.objects.indexOf(begun);
     const isUsed = after.objects.some(({ figure }) => figure.derived?.sources.includes(begun.id));
     if (after.active === begun.id || index < 0 || isUsed) return command;
+    this.onRemoval();
     return { type: 'steps', steps: [command, { type: 'delete', index, object: begun }] };
   }
 }

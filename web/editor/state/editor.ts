@@ -56,7 +56,7 @@ export class Editor {
   /** The drawing before the drag under way, and the drag as one command. */
   #drag: { base: Drawing; command: Command | null; inside?: Command | null } | null = null;
   #resting: RestingTool = 'insert';
-  readonly #begun = new Begun(firstState.drawing);
+  readonly begun = new Begun(firstState.drawing);
 
   /** A listener for the sentence that says why an edit is refused. */
   onRefusal: (sentence: string) => void = () => {};
@@ -92,7 +92,7 @@ export class Editor {
     const kept = this.#drawings.get(mesh) ?? drawing;
     if (history && !this.#drawings.has(mesh)) this.#histories.set(mesh, history);
     const part = { mesh, drawing: kept, standIn, selection: null, chosen: [] };
-    this.#begun.keep();
+    this.begun.keep();
     this.#change({ ...part, tool: this.#resting }, true);
   }
 
@@ -100,7 +100,7 @@ export class Editor {
   perform(command: Command | null, part: PartOfStep = {}): void {
     if (!command) return;
     this.cancelDrag();
-    const whole = this.#begun.gone(command, this.#state.drawing);
+    const whole = this.begun.gone(command, this.#state.drawing);
     const drawing = apply(this.#state.drawing, whole);
     record(this.#history, whole);
     this.#change({ drawing, ...part, tool: this.#resting }, true);
@@ -155,7 +155,7 @@ export class Editor {
     if (!this.#drag) return;
     const { base } = this.#drag;
     const ended = this.#drag.command && this.#ended(this.#drag.command, base);
-    const command = ended && this.#begun.gone(this.#withInside(ended), base);
+    const command = ended && this.begun.gone(this.#withInside(ended), base);
     const isAsShown = command === this.#drag.command;
     const drawing = isAsShown ? this.#state.drawing : apply(base, command!);
     if (command && base !== drawing) record(this.#history, command);
@@ -236,7 +236,7 @@ export class Editor {
     const command = stepBack(this.#history);
     if (!command) return;
     this.#step(command);
-    this.#begun.follow(this.#state, true);
+    this.begun.follow(this.#state, true);
   }
 
   redo(): void {
@@ -257,10 +257,11 @@ export class Editor {
     const { drawing } = this.#state;
     const { active, objects } = drawing;
     const drawn = objects.findLast(({ id, figure }) => id !== active && !isEmpty(figure));
-    if (!this.#begun.is(active) || (!drawn && isEmpty(this.#state.figure))) return;
+    if (!this.begun.is(active) || (!drawn && isEmpty(this.#state.figure))) return;
     const command = drawn ? activation(drawing, drawn.id) : deletion(drawing, [active]);
     if (!command) return;
-    const whole = this.#begun.gone(command, drawing);
+    const whole = this.begun.gone(command, drawing);
+    if (!drawn) this.begun.onRemoval();
     const part = { selection: null, chosen: [], none: drawn !== undefined };
     this.#leave(whole, whole !== command || !drawn);
     this.#change({ drawing: apply(drawing, whole), ...part }, true);
@@ -302,7 +303,7 @@ export class Editor {
     const command = edited === undefined ? null : activation(this.#state.drawing, edited);
     if (command) {
       this.cancelDrag();
-      const whole = this.#begun.gone(command, this.#state.drawing);
+      const whole = this.begun.gone(command, this.#state.drawing);
       const drawing = apply(this.#state.drawing, whole);
       this.#leave(whole, whole !== command);
       this.#change({ drawing, selection: null, chosen, tool: this.#resting }, true);
@@ -487,13 +488,13 @@ export class Editor {
 
   /** Keeps the begun object when it loses the selection, since it is a source now. */
   keepBegun(): void {
-    this.#begun.keep();
+    this.begun.keep();
   }
 
   #change(part: StateChange, newEpoch: boolean): void {
     const before = this.#state;
     this.#state = changedState(before, part, this.#drag?.base ?? null, newEpoch);
-    if (!this.#drag) this.#begun.follow(this.#state);
+    if (!this.#drag) this.begun.follow(this.#state);
     for (const listener of this.#listeners) listener(this.#state, before);
   }
 }
