@@ -318,6 +318,20 @@ describe('a surface', () => {
     assert.throws(() => facesOf(1, { stretch: 0 }), { code: 'badArgument' });
   });
 
+  test('makes decals that are smooth where several vertices lie at one place', () => {
+    const surface = surfaceFromGeometry(karcher, new THREE.IcosahedronGeometry(1, 6));
+    const center = { vertex: 0 };
+    const { vectors } = surface.mesh.logMap(center);
+    const { index, attributes } = decalGeometry(surface, vectors, surface.frame(center), 0.5);
+    const at = (attribute, v) => new THREE.Vector3().fromBufferAttribute(attribute, v);
+    assert.ok(index.count > 100);
+    for (const v of index.array) {
+      // The normals of the unit sphere are its places.
+      const away = at(attributes.normal, v).distanceTo(at(attributes.position, v));
+      assert.ok(away < 0.05, `vertex ${v}: ${away}`);
+    }
+  });
+
   test('has tubes along paths', () => {
     const surface = surfaceFromGeometry(karcher, new THREE.TorusGeometry(1, 0.4, 24, 64));
     const { path } = surface.mesh.circle({ face: 100, bary: [0.2, 0.3, 0.5] }, { radius: 0.3 });

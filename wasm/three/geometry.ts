@@ -18,8 +18,8 @@ export interface GeometryGroup {
 /**
  * The geometry of a surface: positions in 32 bits, an index of 32 bits in the order of the mesh's
  * faces, and normals. Vertices keep their numbers. If several vertices lie at one place, the index
- * names the first of them, so that normals are smooth across seams. The geometry has the given
- * `groups`, such as those of the original geometry.
+ * names the first of them, and all have its normal, so that normals are smooth across seams. The
+ * geometry has the given `groups`, such as those of the original geometry.
  */
 export function geometryOf(
   surface: Surface<AnyMesh>,
@@ -34,6 +34,8 @@ export function geometryOf(
     geometry.addGroup(start, count, materialIndex);
   }
   geometry.computeVertexNormals();
+  const normals = geometry.getAttribute('normal') as BufferAttribute;
+  for (let v = 0; v < normals.count; v++) normals.copyAt(v, normals, triangles.first(v));
   return geometry;
 }
 
