@@ -106,11 +106,12 @@ export class CurveDrag {
         attribute.setXYZ(i, place.x, place.y, place.z);
       });
       attribute.needsUpdate = true;
-      geometry.computeBoundingSphere();
     } else {
-      if (attribute) geometry.dispose();
-      geometry.setFromPoints(places);
+      geometry.dispose();
+      // `setFromPoints` would write into the old attribute, which has room for its own count only.
+      geometry.deleteAttribute('position').setFromPoints(places);
     }
+    geometry.computeBoundingSphere();
   };
 
   readonly #press = (event: PointerEvent): void => {
