@@ -132,6 +132,25 @@ describe('hooks of react-three-fiber', () => {
     });
   }
 
+  test('show a changed curve on another surface at once', async () => {
+    const { page, complaints } = await open();
+    await page.evaluate((value) => window.page.show(value), shown);
+    await isDrawn(page);
+    const other = { ...shown, segments: 50, options: { ...shown.options, closed: true } };
+    await page.evaluate((value) => {
+      window.before = window.page.seen.curve;
+      window.page.show(value);
+    }, other);
+    await page.waitForFunction(() => {
+      const { curve, message } = window.page.seen;
+      return message !== '' || (curve && curve !== window.before && curve.view);
+    });
+    assert.equal(await page.evaluate(() => window.page.seen.message), '');
+    assert.equal(await page.evaluate(() => window.page.seen.curve.value.closed), true);
+    assert.deepEqual(complaints, []);
+    await page.close();
+  });
+
   test('free the memory when they are unmounted', async () => {
     const { page, complaints } = await open();
     const cycle = async () => {

@@ -142,9 +142,11 @@ export function useSurfaceCurve(
   }, [surface, hasOptions, fail, newest, look, told]);
   useEffect(() => {
     if (!made || !given || made.given === given) return;
+    // The effect above has disposed of a curve on another surface; its successor has these options.
+    if (made.curve.surface !== surface) return;
     made.given = given;
     made.curve.set(given).catch(fail);
-  }, [made, given, fail]);
+  }, [made, given, surface, fail]);
   useEffect(() => {
     if (!made) return;
     const { material } = made.curve;
