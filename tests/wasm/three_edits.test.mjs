@@ -38,3 +38,14 @@ test('there is a handle at each control point, however many there were before', 
   drag.dispose();
   curve.dispose();
 });
+
+test('a drag that replaces a waiting change starts from its points, without the old legs', async () => {
+  const [a, b, d, e] = pointsAt(10, 200, 420, 430);
+  const curve = new SurfaceCurve(surface, { kind: 'polyline', points: [a, b] });
+  const changed = curve.set({ ...curve.value, points: [a, b, d] });
+  const moves = [curve.movePoint(2, d), curve.movePoint(2, e)];
+  assert.deepEqual(await Promise.all([changed, ...moves]), [false, false, true]);
+  const expected = surface.mesh.curve({ kind: 'polyline', points: [a, b, e] });
+  assert.deepEqual(curve.view.polyline, expected.view().polyline);
+  curve.dispose();
+});

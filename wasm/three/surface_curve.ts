@@ -160,8 +160,10 @@ export class SurfaceCurve extends Object3D<SurfaceCurveEvents> {
     }
     this.#value = value;
     return new Promise((tell, fail) => {
+      // A drag of a curve that is not drawn yet has no legs to continue.
+      const continues = isDrag && this.#waiting?.isDrag !== false;
       this.#waiting?.tell(false);
-      this.#waiting = { value, isDrag, tell, fail };
+      this.#waiting = { value, isDrag: continues, tell, fail };
       void this.#next();
     });
   }
