@@ -55,6 +55,11 @@ describe('without a mouse', () => {
         await page.waitForFunction(() => !window.karcherPage.state().dragging);
       }
       assert.notEqual(JSON.stringify((await figure()).points[0]), before);
+      // The focus selects again after a move by keys.
+      await keys('Tab');
+      assert.equal((await tab.state()).selection, 1);
+      await keys('Shift+Tab');
+      assert.equal((await tab.state()).selection, 0);
       await keys('Delete');
       assert.equal((await figure()).points.length, points - 1);
       // Each arrow key was a step, and so was the deletion.

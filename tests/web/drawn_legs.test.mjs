@@ -189,6 +189,40 @@ describe('stretched legs', () => {
     });
   });
 
+  test('are shortest again if several points where they lead are removed together', async () => {
+    const { editor, edits, settled } = page;
+    editor.setKind('polyline');
+    for (const at of [0, 0.3, 0.35, 0.4]) await edits.append(along(at));
+    await settled();
+    await drag(1, places(0.3, 2.45));
+    await release();
+    assert.ok(legs()[0] > 0);
+    const base = figure();
+    editor.selectPoints([1, 2]);
+    await edits.removeSelected();
+    await settled();
+    assert.deepEqual(legs(), [0, 0]);
+    assert.ok(Math.abs(length() - 0.4) < 1e-3, `${length()} long`);
+    editor.undo();
+    await settled();
+    assert.deepEqual(figure(), base);
+  });
+
+  test('a curve of another kind that is reversed stays clamped as a B-spline', async () => {
+    const { editor, edits, settled } = page;
+    editor.setKind('bezier');
+    for (const at of [0, 0.1, 0.2, 0.3]) await edits.append(along(at));
+    await settled();
+    assert.ok(figure().settings.clamped);
+    await edits.reverse();
+    assert.ok(figure().settings.clamped);
+    editor.setKind('bspline');
+    editor.setSettings({ closed: true });
+    await settled();
+    await edits.reverse();
+    assert.ok(figure().settings.clamped);
+  });
+
   for (const knots of [null, [0, 0, 0, 0, 1, 2.5, 3, 3, 3, 3]]) {
     test(`follow the point that they lead to, with ${knots ? 'own' : 'clamped'} knots`, async () => {
       const { editor, edits, settled } = page;

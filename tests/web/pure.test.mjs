@@ -183,6 +183,29 @@ describe('a figure', () => {
     assert.deepEqual(byLengths.circle, { ...ellipse, center: move(ellipse.center) });
     assert.equal('across' in withPlaces({ ...figure, circle }, move).circle, false);
   });
+
+  test('that is a cut keeps its choices of parts on another mesh', async () => {
+    const { withDrawingPlaces, newObject } = await load('model/drawing.ts');
+    const parts = [
+      { point: point(3), state: 'deleted' },
+      { point: point(4), state: 'hidden' },
+    ];
+    const cut = { ...figure, kind: 'cut', points: [], derived: { sources: [1, 2], parts } };
+    const drawing = { objects: [{ ...newObject(1), figure: cut }], active: 1 };
+    const moved = withDrawingPlaces(drawing, ({ face }) => point(face + 100));
+    assert.deepEqual(moved.objects[0].figure.derived, {
+      sources: [1, 2],
+      parts: [
+        { ...parts[0], point: point(103) },
+        { ...parts[1], point: point(104) },
+      ],
+    });
+  });
+
+  test('does not pass its inside on to the next one', async () => {
+    const { cleared } = await load('model/figure.ts');
+    assert.equal('inside' in cleared({ ...figure, inside: 'right' }), false);
+  });
 });
 
 describe('legs', () => {

@@ -133,6 +133,24 @@ describe('strokes', () => {
     assert.equal(page.jointOf(seam.tangents), 'corner');
   });
 
+  test('that return to their start have two anchors even if one cubic would do', () => {
+    for (const [width, height] of [
+      [100, 50],
+      [150, 70],
+      [60, 60],
+      [60, 30],
+    ]) {
+      const petal = sampled((t) => {
+        const angle = 2 * Math.PI * t;
+        const bulge = Math.sin(angle) * Math.sin(angle / 2);
+        return [((1 - Math.cos(angle)) / 2) * width * pixel, (bulge * height * pixel) / 2];
+      }, 120);
+      const anchors = page.anchorsOf(strokeOf(petal), true);
+      assert.ok(anchors.length >= 2, `${width} by ${height}: ${anchors.length}`);
+      assert.ok(worstOff(anchors, petal, true) <= 3.1 * pixel);
+    }
+  });
+
   test('are unrolled from a sphere with their lengths and turns', () => {
     // A circle of latitude turns evenly: its cone unrolls to an arc.
     const height = 0.5;

@@ -236,7 +236,9 @@ export function fittedCubics(
   const fit = (from: number, to: number, start: Planar, end: Planar): void => {
     const part = points.slice(from, to + 1);
     const found = nearestCubic(part, { start, end }, tolerances.slice(from, to + 1));
-    if (found.off <= 1 || to - from < 2) {
+    // A closed curve needs two anchors.
+    const isWholeLoop = loop !== undefined && from === 0 && to === last;
+    if ((found.off <= 1 && !isWholeLoop) || to - from < 2) {
       pieces.push({ from, to, cubic: found.cubic });
       return;
     }

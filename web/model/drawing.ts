@@ -153,9 +153,11 @@ export function withDrawingPlaces(
   drawing: Drawing,
   move: (point: SurfacePoint) => SurfacePoint,
 ): Drawing {
-  const objects = drawing.objects.map((object) => ({
-    ...object,
-    figure: withPlaces(object.figure, move),
-  }));
+  const objects = drawing.objects.map((object) => {
+    const figure = withPlaces(object.figure, move);
+    const { derived } = figure;
+    const parts = derived?.parts?.map((part) => ({ ...part, point: move(part.point) }));
+    return { ...object, figure: parts ? { ...figure, derived: { ...derived!, parts } } : figure };
+  });
   return { ...drawing, objects };
 }

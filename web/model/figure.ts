@@ -321,10 +321,11 @@ export function isEmpty({ kind, points, circle, derived }: Figure): boolean {
 }
 
 /**
- * The figure without its points, circle or sources, whichever its kind has. Its settings stay,
- * except knots that no longer fit.
+ * The figure without its points, circle or sources, whichever its kind has, and without the inside
+ * of its line. Its settings stay, except knots that no longer fit.
  */
-export function cleared(figure: Figure): Figure {
+export function cleared(whole: Figure): Figure {
+  const figure = withInside(whole, undefined);
   if (isRound(figure.kind)) return { ...figure, circle: null };
   if (isDerived(figure.kind)) {
     const { derived: _, ...rest } = figure;

@@ -84,7 +84,8 @@ export function splineFrom(options: CurveValue, before: Spline): Spline {
     closed,
     ...(degree !== undefined && { degree }),
     ...(parametrization !== undefined && { parametrization }),
-    clamped: knots === 'clamped',
+    // The knots of other curves do not say whether B-splines are clamped.
+    ...(kind === 'bspline' && !closed && { clamped: knots === 'clamped' }),
     knots: knots === undefined || typeof knots === 'string' ? null : Array.from(knots),
   };
   return { kind, settings, points };

@@ -6,6 +6,7 @@ import type { SurfacePoint } from 'karcher';
 import type { Command } from '../../model/commands';
 import type { DrawnObject } from '../../model/drawing';
 import { isRound, plain, withLeg } from '../../model/figure';
+import { withFittingLegs } from '../../model/legs';
 import { placesOf } from '../../model/moving';
 import type { Surface } from '../../viewer/surface';
 import type { EngineClient } from '../../worker/client';
@@ -93,7 +94,8 @@ export async function align(
     for (const [i, index] of selectedPoints(state).entries()) {
       if (goals[i]) points[index] = moved[i]![0]!.points[0]!;
     }
-    const edit = { type: 'replace', from: figure, to: { ...figure, points } } as const;
+    const to = withFittingLegs({ ...figure, points }, figure);
+    const edit = { type: 'replace', from: figure, to } as const;
     editor.perform({ type: 'figure', id: state.drawing.active, edit });
     return;
   }

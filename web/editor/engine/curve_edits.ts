@@ -83,7 +83,8 @@ export class CurveEdits {
       if (more.length > 0) {
         return this.#edit((from) => {
           const points = from.points.filter((_, i) => !all.includes(i));
-          const command: FigureCommand = { type: 'replace', from, to: { ...from, points } };
+          const to = withFittingLegs({ ...from, points }, from);
+          const command: FigureCommand = { type: 'replace', from, to };
           return { command, selection: null };
         });
       }

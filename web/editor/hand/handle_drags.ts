@@ -1,5 +1,6 @@
 import { byRadii, withHandle } from '../../model/circle';
 import { type CircleShape, type ControlPoint, type Figure, isCurve } from '../../model/figure';
+import { withFittingLegs } from '../../model/legs';
 import { type PenAction, penActionAt } from '../../model/pen_hints';
 import type { DrawnTangents } from '../../model/pen_legs';
 import { Handles } from '../../viewer/handles';
@@ -79,7 +80,7 @@ export class HandleDrags {
   /** Undoes the drag under way. */
   letGo(): void {
     if (this.#nudges) this.editor.cancelDrag();
-    this.#nudges = false;
+    this.#forgetNudge();
     this.handles.letGo();
   }
 
@@ -175,7 +176,8 @@ export class HandleDrags {
     const points = takenAlong(base.points, { index, to, more }, (other, before) =>
       moved(before, surface.along(from, to, before), all[other] ?? {}),
     );
-    this.editor.preview({ type: 'replace', from: base, to: { ...base, points } }, [...more, index]);
+    const replacing = withFittingLegs({ ...base, points }, base);
+    this.editor.preview({ type: 'replace', from: base, to: replacing }, [...more, index]);
   }
 
   #showSnap(snapped: Snapped | null): void {
@@ -202,6 +204,12 @@ export class HandleDrags {
   /** Records the moves by keys as one step of the history. */
   #endNudge(): void {
     if (this.#nudges) this.editor.commitDrag();
+    this.#forgetNudge();
+  }
+
+  /** Lets the focus select again. */
+  #forgetNudge(): void {
+    if (this.#nudges) this.#grabbed = null;
     this.#nudges = false;
   }
 
