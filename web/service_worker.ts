@@ -75,9 +75,12 @@ async function keepBook(): Promise<void> {
   const list = await fetch(addressOf('book/files.json'), { cache: 'no-cache' });
   const book = (await list.json()) as typeof __KARCHER_FILES__;
   const kept = bookPrefix + book.version;
-  const names = (await caches.keys()).filter((name) => name.startsWith(bookPrefix));
-  if (names.includes(kept)) return;
+  const names = (await caches.keys()).filter(
+    (name) => name.startsWith(bookPrefix) && name !== kept,
+  );
   const store = await caches.open(kept);
+  // The browser stores all files or none, so that a store without files was interrupted.
+  if ((await store.keys()).length > 0) return;
   try {
     const { files: listed } = book;
     await store.addAll(
