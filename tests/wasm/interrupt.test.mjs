@@ -34,14 +34,16 @@ test('an endless call is interrupted, and all objects are unchanged', minutes, a
   const text = grid(12);
   const places = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2] };
   const coordinates = Float64Array.from(places.positions);
+  const file = Buffer.from(text);
   const meshes = [
     await karcher.meshFromObj(text),
-    await karcher.meshFromObj(new TextEncoder().encode(text)),
+    await karcher.meshFromObj(file),
     await karcher.meshFromArrays(coordinates, places.triangles),
     await karcher.shape('torus', 2000),
   ];
   // Later changes by the caller, or disposals, do not affect them.
   coordinates.fill(7);
+  file.fill(7);
   const coarse = await karcher.shape('sphere', 500);
   meshes.push(await coarse.subdivide(2));
   await coarse.dispose();

@@ -4,6 +4,7 @@ import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { load } from 'karcher';
 import { badFiles, distancesOf, fields, grid } from './meshes.mjs';
+import { loadForTest } from './workers.mjs';
 
 /** The bytes in use after the first 10 and after all of `times` rounds of `work`. */
 function bytesAround(karcher, times, work) {
@@ -203,4 +204,26 @@ test('using frees the memory at the end of a block', { skip: !Symbol.dispose }, 
   assert.throws(() => curve.polyline(), { code: 'disposed' });
   mesh[Symbol.dispose]();
   assert.throws(() => mesh.positions(), { code: 'disposed' });
+});
+
+test('the side that calls a worker keeps nothing of meshes that are disposed of', async (t) => {
+  setFlagsFromString('--expose-gc');
+  const collect = runInNewContext('gc');
+  const karcher = await loadForTest(t);
+  const text = new TextEncoder().encode(grid(50));
+  const used = () => {
+    collect();
+    return process.memoryUsage().arrayBuffers;
+  };
+  const round = async () => {
+    const mesh = await karcher.meshFromObj(text);
+    // The curve, which is not disposed of itself, goes with its mesh.
+    await mesh.curve({ kind: 'polyline', points: [{ vertex: 0 }, { vertex: 9 }] });
+    await mesh.dispose();
+  };
+  await round();
+  const early = used();
+  for (let i = 0; i < 10; i++) await round();
+  const late = used();
+  assert.ok(late - early < 2 * text.length, `${(late - early) / text.length} files are kept`);
 });

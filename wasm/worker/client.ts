@@ -162,6 +162,7 @@ export class WorkerClient {
     }).finally(() => {
       settled.abort();
       this.#hold();
+      if (name === 'dispose') this.#forgetGone();
     });
     this.#hold();
     return progress ? done.then((result) => told(result, progress)) : done;
@@ -223,14 +224,17 @@ export class WorkerClient {
     const since = performance.now();
     const wait = () => {
       let left = since + leastPatience - performance.now();
-      for (const origin of this.#kept) {
-        if (isGone(origin)) this.#kept.delete(origin);
-        else left += origin.took;
-      }
+      this.#forgetGone();
+      for (const { took } of this.#kept) left += took;
       if (left > 0) cancelled.timer = setTimeout(wait, left);
       else this.#restart();
     };
     cancelled.timer = setTimeout(wait, leastPatience);
+  }
+
+  /** Lets go of the arguments of objects that were disposed of, such as whole files. */
+  #forgetGone(): void {
+    for (const origin of this.#kept) if (isGone(origin)) this.#kept.delete(origin);
   }
 
   #forgetCancelled(): void {
@@ -457,9 +461,9 @@ function checkedWorker(worker: WorkerLike): WorkerLike {
 const isGone = ({ isDisposed, call, of }: Origin): boolean =>
   isDisposed || (call === 'curve' && of !== null && of.isDisposed);
 
-/** A copy of a view alone, without the rest of its buffer. */
+/** A copy of a view alone, without the rest of its buffer. The `slice` of a `Buffer` is no copy. */
 const copyOf = (view: ArrayBufferView): unknown =>
-  'slice' in view ? (view as Uint8Array).slice() : structuredClone(view);
+  'slice' in view ? Uint8Array.prototype.slice.call(view) : structuredClone(view);
 
 const gone = () => new KarcherError('disposed', 'the mesh or curve has been disposed of');
 
