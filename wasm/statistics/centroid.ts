@@ -5,6 +5,7 @@ import type { RegionValue } from '../path_values.js';
 import { Region } from '../region.js';
 import type { PointLike, SurfacePoint } from '../types.js';
 import type { AnyMesh } from './energy.js';
+import { facesOf } from './surface.js';
 
 /** The options of the search for a centroid. */
 export interface CentroidOptions {
@@ -93,7 +94,8 @@ export async function centroid(
     throw new KarcherError('badArgument', `there must be at least one sample, not ${samples}`);
   }
   const least = checkNumber(tolerance, 'the tolerance') * mesh.info.diagonal;
-  const [positions, triangles] = [await mesh.positions(), await mesh.triangles()];
+  const positions = await mesh.positions();
+  const triangles = await facesOf(mesh, positions);
   const density = checkDensity(given.density, positions.length / 3);
   const data =
     region === 'all'

@@ -3,6 +3,7 @@ import { KarcherError } from '../errors.js';
 import { Path } from '../path.js';
 import type { AnyMesh } from './energy.js';
 import { type LevelCrossing, levelLines } from './level_lines.js';
+import { facesOf, firstOfWelded } from './surface.js';
 
 /**
  * The lines on which a function has given levels: a list of paths for each level. The function has
@@ -28,19 +29,21 @@ export async function isolines(
   const wanted = checkArray(levels, 'the levels').map((level, i) =>
     checkNumber(level, `level ${i}`),
   );
-  const [positions, triangles] = [await mesh.positions(), await mesh.triangles()];
+  const positions = await mesh.positions();
   if (given.length !== positions.length / 3) {
     const sentence = `there are ${positions.length / 3} vertices but ${given.length} values`;
     throw new KarcherError('badArgument', sentence);
   }
+  const faces = await facesOf(mesh, positions);
+  const welded = await firstOfWelded(mesh, positions, faces);
   // Of welded vertices with equal values, only the first counts, so that no line ends at a seam.
   const known = new Map<string, number>();
   const first = Array.from(given, (value, v) => {
-    const name = `${positions.subarray(3 * v, 3 * v + 3).join()},${value}`;
+    const name = `${welded[v]},${value}`;
     if (!known.has(name)) known.set(name, v);
     return known.get(name)!;
   });
-  const corners = triangles.map((vertex) => first[vertex]!);
+  const corners = faces.map((vertex) => first[vertex]!);
   const ascending = [...new Set(wanted)].sort((a, b) => a - b);
   const lines = levelLines(corners, (corner) => given[corners[corner]!]!, ascending).map((each) =>
     each.flatMap((line) => pathOf(line, positions, corners) ?? []),

@@ -50,21 +50,13 @@ export class NearestPieces {
   readonly #between = new Map<number, number>();
   #sites = 0;
 
-  /**
-   * `distances` are the distances of the vertices from some point. Vertices at one place count as
-   * one if these distances are equal, too.
-   */
-  constructor(positions: Float64Array, triangles: Int32Array, distances: Float64Array) {
+  /** `faces` are those of `facesOf`, and `first` is that of `firstOfWelded`. */
+  constructor(positions: Float64Array, faces: Int32Array, first: Int32Array) {
     this.positions = positions;
     const count = positions.length / 3;
-    const known = new Map<string, number>();
-    this.#first = Int32Array.from({ length: count }, (_, v) => {
-      const name = `${positions.subarray(3 * v, 3 * v + 3).join()},${distances[v]}`;
-      if (!known.has(name)) known.set(name, v);
-      return known.get(name)!;
-    });
-    this.triangles = triangles.map((vertex) => this.#first[vertex]!);
-    this.whole = new Int32Array(triangles.length / 3).fill(-1);
+    this.#first = first;
+    this.triangles = faces.map((vertex) => first[vertex]!);
+    this.whole = new Int32Array(faces.length / 3).fill(-1);
     this.#least = new Array<number>(count).fill(Infinity);
     this.#site = new Int32Array(count).fill(-1);
   }
@@ -101,9 +93,16 @@ export class NearestPieces {
     });
   }
 
-  /** The pieces of a triangle: one, or those of several sites. */
+  /**
+   * The pieces of a triangle: one, or those of several sites, or none for a triangle that is no face
+   * of the surface and so has a vertex at several corners.
+   */
   of(face: number): readonly Piece[] {
-    return this.#pieces.get(face) ?? [{ site: this.whole[face]!, corners: this.#cornersOf(face) }];
+    const pieces = this.#pieces.get(face);
+    if (pieces) return pieces;
+    const corners = this.#cornersOf(face);
+    const [a, b, c] = corners;
+    return a === b || b === c || c === a ? [] : [{ site: this.whole[face]!, corners }];
   }
 
   /**

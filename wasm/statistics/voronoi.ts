@@ -4,6 +4,7 @@ import type { Region } from '../region.js';
 import type { DistanceOptions, PointLike } from '../types.js';
 import type { AnyMesh } from './energy.js';
 import { NearestPieces } from './nearest_pieces.js';
+import { facesOf, firstOfWelded } from './surface.js';
 import { areasOf, bordersOf, regionOf, type VoronoiBorder } from './voronoi_cells.js';
 
 /** A site of a Voronoi diagram: a point, or several points of which the nearest counts. */
@@ -56,14 +57,10 @@ export async function voronoi(
   if (checkArray(sites, 'the sites').length === 0) {
     throw new KarcherError('tooFewPoints', 'a Voronoi diagram needs at least one site');
   }
-  const [positions, triangles] = [await mesh.positions(), await mesh.triangles()];
-  let pieces: NearestPieces | undefined;
-  for (const site of sites) {
-    const distances = await mesh.distance(site, options);
-    pieces ??= new NearestPieces(positions, triangles, distances);
-    pieces.add(distances);
-  }
-  const found = pieces!;
+  const positions = await mesh.positions();
+  const faces = await facesOf(mesh, positions);
+  const found = new NearestPieces(positions, faces, await firstOfWelded(mesh, positions, faces));
+  for (const site of sites) found.add(await mesh.distance(site, options));
   return {
     nearest: found.nearest(),
     areas: areasOf(found, sites.length),

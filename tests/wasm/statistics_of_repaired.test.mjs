@@ -1,0 +1,140 @@
+// Statistics of meshes with repairs: the surface has each of its points once.
+import assert from 'node:assert/strict';
+import { after, describe, test } from 'node:test';
+import { load } from 'karcher';
+import { centroid, isolines, voronoi } from 'karcher/statistics';
+import { loadInWorker } from 'karcher/worker';
+
+const engine = await load();
+const remote = await loadInWorker();
+after(() => remote.dispose());
+
+const near = (a, b) => assert.ok(Math.hypot(...a.map((x, k) => x - b[k])) < 1e-12, `${a}, ${b}`);
+const kinds = ({ info }) => info.repairs.map(({ kind }) => kind);
+
+for (const [where, karcher] of Object.entries({ 'in the page': engine, 'in a worker': remote })) {
+  describe(`with the engine ${where}`, () => {
+    const corners = [
+      [0, 0, 0],
+      [1, 0, 0],
+      [1, 1, 0],
+      [0, 1, 0],
+    ];
+    const repeated = [0, 1, 2, 0, 2, 3, 1, 2, 0];
+    const squares = {
+      'with common vertices': [corners.flat(), repeated],
+      'with vertices of its own': [
+        repeated.flatMap((v) => corners[v]),
+        Array.from(repeated.keys()),
+      ],
+    };
+    for (const [name, [positions, triangles]] of Object.entries(squares)) {
+      test(`a face that is repeated ${name} counts once`, async () => {
+        const mesh = await karcher.meshFromArrays(positions, triangles);
+        assert.ok(kinds(mesh).includes('duplicate'));
+        near((await centroid(mesh, 'all')).position, [0.5, 0.5, 0]);
+        const heights = positions.filter((_, i) => i % 3 === 1);
+        const [[line, ...others]] = await isolines(mesh, heights, [0.5]);
+        assert.deepEqual([line.length, others], [1, []]);
+        const { areas, borders, cell } = await voronoi(mesh, [{ vertex: 0 }]);
+        near([...areas], [1]);
+        assert.deepEqual(borders, []);
+        near([cell(0).area, cell(0).perimeter], [1, 4]);
+        near((await centroid(mesh, cell(0))).position, [0.5, 0.5, 0]);
+        // The border between two sites runs through the repeated face.
+        const two = await voronoi(mesh, [{ vertex: 0 }, { vertex: 1 }]);
+        near([...two.areas], [0.5, 0.5]);
+        near([two.borders.length, two.borders[0].path.length], [1, 1]);
+        near((await centroid(mesh, two.cell(1))).position, [0.75, 0.5, 0]);
+      });
+    }
+
+    test('both sides of a double surface count', async () => {
+      const mesh = await karcher.meshFromArrays(
+        [corners, corners].flat(2),
+        [0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6, 0, 1, 2],
+      );
+      assert.ok(kinds(mesh).includes('duplicate'));
+      const { areas } = await voronoi(mesh, [{ vertex: 0 }]);
+      near([...areas], [2]);
+    });
+
+    test('vertices of parts that only touch have their own distances', async () => {
+      const tetrahedron = (at) =>
+        [
+          [0, 0, 0],
+          [1, 0, 0],
+          [0, 1, 0],
+          [0, 0, 1],
+        ].map((corner) => corner.map((x, k) => at[k] + x));
+      const faces = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3];
+      // The second and the third touch where the second has its corner 1 and the third its corner 0.
+      // A last face has no area, and its vertices, one of them there, are dropped.
+      const parts = [
+        [9, 9, 9],
+        [0, 0, 0],
+        [1, 0, 0],
+      ].map(tetrahedron);
+      const flat = [
+        [1, 0, 0],
+        [1, -1, -1],
+        [1, -2, -2],
+      ];
+      const area = (3 + Math.sqrt(3)) / 2;
+      for (const isWelded of [true, false]) {
+        for (const more of [[], flat]) {
+          const all = [...more, ...parts.flat()];
+          const own = parts.flatMap((_, i) => faces.map((v) => more.length + 4 * i + v));
+          const triangles = [...more.keys(), ...own];
+          const mesh = isWelded
+            ? await karcher.meshFromArrays(all.flat(), triangles)
+            : await karcher.meshFromArrays(
+                triangles.flatMap((v) => all[v]),
+                Array.from(triangles.keys()),
+              );
+          assert.ok(kinds(mesh).includes('keptApart'));
+          assert.equal(kinds(mesh).includes('dropped'), more.length > 0);
+          const face = (part, k) => more.length / 3 + 4 * part + k;
+          const bary = [0.25, 0.25, 0.5];
+          const sites = [0, 1, 2].map((part) => ({ face: face(part, 0), bary }));
+          const { areas, borders, cell } = await voronoi(mesh, sites);
+          near([...areas], [area, area, area]);
+          assert.deepEqual(borders, []);
+          for (const part of [0, 1, 2]) {
+            // The tetrahedra are closed.
+            assert.equal(cell(part).perimeter, 0);
+            for (const k of [0, 1, 2, 3])
+              assert.ok(cell(part).contains({ face: face(part, k), bary }));
+          }
+        }
+      }
+    });
+
+    test('a face that is cut has the welded vertices of its neighbors', async () => {
+      // The third face lies on the diagonal, whose middle is a vertex. The last one touches the
+      // square there.
+      const middle = [0.5, 0.5, 0];
+      const [a, b, c, d] = corners;
+      const places = [
+        [a, b, c],
+        [a, middle, d],
+        [a, c, middle],
+        [middle, c, d],
+        [middle, [0, 0, 1], [1, 0, 1]],
+      ];
+      const vertices = Array.from({ length: 15 }, (_, v) => v);
+      const mesh = await karcher.meshFromArrays(places.flat(2), vertices);
+      assert.deepEqual(kinds(mesh), ['welded', 'keptApart', 'noArea']);
+      const sites = [0, 3].map((face) => ({ face, bary: face ? [0, 0, 1] : [0, 1, 0] }));
+      const along = await voronoi(mesh, sites);
+      near([...along.areas], [0.5, 0.5]);
+      near([along.borders.length, along.borders[0].path.length], [1, Math.SQRT2]);
+      const { areas, borders } = await voronoi(mesh, [{ vertex: 0 }, { vertex: 1 }]);
+      near([...areas], [0.5, 0.5]);
+      near([borders.length, borders[0].path.length], [1, 1]);
+      const heights = places.flat().map(([x]) => x);
+      const [lines] = await isolines(mesh, heights, [0.25]);
+      near(lines.map(({ length }) => length).sort(), [Math.hypot(0.25, 0.5), 1]);
+    });
+  });
+}
