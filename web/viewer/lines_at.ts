@@ -58,23 +58,18 @@ export class LinesAt {
   /** The nearest visible point on a line of another object, in the scene; null without one. */
   nearestOnObjects(within: number): Vector3 | null {
     const found = this.lines.objects
-      .flatMap(({ lines }) => lines.map((line) => this.vantage.nearest(line, this.place)))
+      .flatMap(({ lines }) =>
+        lines.map((line) => this.vantage.nearest(line, this.place, () => within)),
+      )
       .filter((one) => one !== null)
-      .filter(({ position, distance }) => distance <= within && this.#isSeen(position))
       .sort((a, b) => a.distance - b.distance);
     return found[0]?.position ?? null;
   }
 
   #pointOf(line: Float32Array, within: number, style: LineStyle | null = null): Vector3 | null {
-    const nearest = this.vantage.nearest(line, this.place);
-    if (!nearest) return null;
-    const half = style ? this.vantage.seenWidth(style, nearest.position) / 2 : 0;
-    const isNear = nearest.distance <= Math.max(within, half);
-    return isNear && this.#isSeen(nearest.position) ? nearest.position : null;
-  }
-
-  #isSeen(position: Vector3): boolean {
-    return !this.vantage.project(position).hidden;
+    const half = (position: Vector3) => (style ? this.vantage.seenWidth(style, position) / 2 : 0);
+    const reach = (position: Vector3) => Math.max(within, half(position));
+    return this.vantage.nearest(line, this.place, reach)?.position ?? null;
   }
 }
 

@@ -9,7 +9,7 @@ export interface SeenLine {
   hidden: boolean[];
 }
 
-/** The point of a line that appears nearest to a place of the stage. */
+/** The visible point of a line that appears nearest to a place of the stage. */
 export interface NearestSeen {
   /** The place in the scene. */
   position: Vector3;
@@ -62,11 +62,17 @@ export class Vantage {
     }
     return line;
   }
+
   /**
-   * The point of a polyline in the scene that appears nearest to a place of the stage, even if the
-   * surface hides it; null if no segment is wholly in front of the camera.
+   * The visible point of a polyline in the scene that appears nearest to a place of the stage, at
+   * most `within` CSS pixels away, which may depend on the point; null if there is none. Segments
+   * that are partly behind the camera do not count.
    */
-  nearest(line: Float32Array, place: { x: number; y: number }): NearestSeen | null {
+  nearest(
+    line: Float32Array,
+    place: { x: number; y: number },
+    within: (position: Vector3) => number,
+  ): NearestSeen | null {
     const { camera, size } = this;
     const matrix = new Matrix4().multiplyMatrices(
       camera.projectionMatrix,
@@ -74,8 +80,8 @@ export class Vantage {
     );
     const seen = (i: number, target: Vector3) =>
       toStage(target.fromArray(line, i).applyMatrix4(matrix), size);
-    let best: { distance: number; at: number; part: number } | null = null;
-    const [a, b] = [new Vector3(), new Vector3()];
+    const near: NearestSeen[] = [];
+    const [a, b, from, to] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
     if (line.length >= 3) seen(0, b);
     for (let i = 3; i < line.length; i += 3) {
       a.copy(b);
@@ -86,12 +92,12 @@ export class Vantage {
       const along = ((place.x - a.x) * dx + (place.y - a.y) * dy) / (length || 1);
       const part = Math.min(1, Math.max(0, along));
       const distance = Math.hypot(a.x + part * dx - place.x, a.y + part * dy - place.y);
-      if (!best || distance < best.distance) best = { distance, at: i, part };
+      const position = from.fromArray(line, i - 3).lerp(to.fromArray(line, i), part);
+      if (distance <= within(position)) near.push({ position: position.clone(), distance });
     }
-    if (!best) return null;
-    const from = new Vector3().fromArray(line, best.at - 3);
-    const to = new Vector3().fromArray(line, best.at);
-    return { position: from.lerp(to, best.part), distance: best.distance };
+    // Only near points need a ray, the nearest first.
+    near.sort((one, other) => one.distance - other.distance);
+    return near.find(({ position }) => !this.project(position).hidden) ?? null;
   }
 
   /**

@@ -1,0 +1,86 @@
+// Lines under the pointer and in a selection box, on shapes that hide points in closed form.
+import assert from 'node:assert/strict';
+import { before, describe, test } from 'node:test';
+import { PerspectiveCamera, Vector3 } from 'three';
+import { load } from './figures.mjs';
+
+const size = { width: 800, height: 600 };
+const style = { width: 2, dash: 'solid', onSurface: false, opacity: 1, color: null };
+
+/** The unit ball, for rays from outside. */
+const ball = {
+  frame: { scale: 1 },
+  depth({ origin, direction }) {
+    const along = -origin.dot(direction);
+    const inside = 1 - origin.lengthSq() + along * along;
+    return inside > 0 ? along - Math.sqrt(inside) : Infinity;
+  },
+};
+
+describe('on the stage', () => {
+  let modules;
+  before(async () => {
+    modules = { ...(await load('viewer/lines_at.ts')), ...(await load('viewer/vantage.ts')) };
+  });
+  const viewOf = (surface, away) => {
+    const camera = new PerspectiveCamera(30, size.width / size.height, 0.01, 100);
+    camera.position.set(0, 0, away);
+    camera.updateMatrixWorld();
+    return new modules.Vantage(surface, camera, size);
+  };
+  const pickable = (line) => ({
+    ...{ curve: line, own: [line], style, shorter: [] },
+    objects: [{ id: 7, style, locked: false, lines: [line], dots: [] }],
+  });
+
+  test('a hidden stretch of a line does not keep its visible stretch from the pointer', () => {
+    // A curve around the ball: in the view, its back crosses its front at half the ball's height.
+    const count = 720;
+    const places = Array.from({ length: count + 1 }, (_, i) => {
+      const t = (2 * Math.PI * i) / count;
+      return new Vector3(0.15 * Math.cos(3 * t), Math.sin(t), Math.cos(t)).normalize();
+    });
+    const line = Float32Array.from(places.flatMap((place) => place.toArray()));
+    const away = 6;
+    const vantage = viewOf(ball, away);
+    const seen = places.map((place) => {
+      const { x, y } = vantage.onStage(place.clone());
+      // A point p of the unit sphere is visible from e if p · e > 1.
+      return { x, y, isFront: place.z * away > 1 };
+    });
+    const within = 7;
+    let crossed = 0;
+    for (const { x, y, isFront } of seen) {
+      // Both stretches are far from the rim here.
+      if (Math.hypot(x - size.width / 2, y - size.height / 2) > 150) continue;
+      for (const dx of [-5, -2, 2, 5]) {
+        const place = { x: x + dx, y };
+        const nearest = (front) =>
+          Math.min(
+            ...seen
+              .filter((one) => one.isFront === front)
+              .map((one) => Math.hypot(one.x - place.x, one.y - place.y)),
+          );
+        const [front, back] = [nearest(true), nearest(false)];
+        // The samples are less than 2 pixels apart.
+        if (Math.abs(front - within) < 1) continue;
+        const lines = new modules.LinesAt(vantage, pickable(line), place);
+        const found = lines.curve(within);
+        assert.equal(found !== null, front < within, `${place.x}, ${place.y}: ${front}, ${back}`);
+        assert.equal(lines.own(within), front < within);
+        assert.equal(lines.object(within), front < within ? 7 : null);
+        const other = lines.nearestOnObjects(within);
+        if (!found) assert.equal(other, null);
+        else {
+          assert.deepEqual(other.toArray(), found.toArray());
+          const at = vantage.project(found);
+          assert.equal(at.hidden, false);
+          const distance = Math.hypot(at.x - place.x, at.y - place.y);
+          assert.ok(distance <= front + 1e-3 && distance > front - 1, `${distance} for ${front}`);
+        }
+        if (!isFront && front < within && back < front) crossed++;
+      }
+    }
+    assert.ok(crossed > 20, `${crossed} places where the back is nearer`);
+  });
+});
