@@ -17,6 +17,16 @@ const ball = {
   },
 };
 
+/** The plane z = 0, and above it a lid from x = `edge` on. */
+const lidded = (edge) => ({
+  frame: { scale: 1 },
+  depth({ origin, direction }) {
+    const to = (z) => (z - origin.z) / direction.z;
+    const isUnderLid = origin.x + to(0.1) * direction.x > edge;
+    return isUnderLid ? to(0.1) : to(0);
+  },
+});
+
 describe('on the stage', () => {
   let modules;
   before(async () => {
@@ -82,5 +92,36 @@ describe('on the stage', () => {
       }
     }
     assert.ok(crossed > 20, `${crossed} places where the back is nearer`);
+  });
+
+  test('a box selects a line of which it holds a visible part, and no vertex', () => {
+    const vantage = viewOf(lidded(0.4), 6);
+    const [from, to] = [new Vector3(-1, -0.2, 0), new Vector3(1, 0.3, 0)];
+    const line = Float32Array.from([...from.toArray(), ...to.toArray()]);
+    const selects = (left, top, right, bottom) => {
+      const box = { left, top, width: right - left, height: bottom - top };
+      const { others, edited } = modules.objectsIn(vantage, pickable(line), box);
+      assert.deepEqual(others, edited ? [7] : []);
+      return edited;
+    };
+    const at = (part) => vantage.onStage(from.clone().lerp(to, part));
+    const around = (part, aside = 0) => {
+      const { x, y } = at(part);
+      return [x - 20, y - 20 + aside, x + 20, y + 20 + aside];
+    };
+    assert.ok(selects(...around(0.5)), 'across');
+    assert.ok(selects(...around(0.3)));
+    assert.ok(!selects(...around(0.5, 40)), 'below');
+    assert.ok(!selects(...around(0.5, -40)), 'above');
+    assert.ok(!selects(...around(0.9)), 'under the lid');
+    // The box of a segment's ends contains more than the segment.
+    const [left, right] = [at(0.2), at(0.4)];
+    assert.ok(!selects(left.x, right.y, left.x + 2, right.y + 2), 'beside its corner');
+    assert.ok(selects(...around(0)), 'at an end');
+    // From near, the line leads from the stage to behind the camera.
+    const beside = viewOf(null, 0.5);
+    const past = Float32Array.from([0, 0, 0, 0, 0.1, 1]);
+    const all = { left: 0, top: 0, ...size };
+    assert.ok(modules.objectsIn(beside, pickable(past), all).edited);
   });
 });

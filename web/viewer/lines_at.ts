@@ -79,18 +79,30 @@ export interface ObjectsIn {
   edited: boolean;
 }
 
+/** A box of the stage, in CSS pixels. */
+interface StageBox {
+  left: number;
+  top: number;
+  width: number;
+  height: number;
+}
+
 /** The unlocked objects that are at least partly visible in a box of the stage. */
 export function objectsIn(
   vantage: Vantage,
   { objects, own }: PickableLines,
-  { left, top, width, height }: { left: number; top: number; width: number; height: number },
+  box: StageBox,
 ): ObjectsIn {
-  const place = new Vector3();
+  const isSeen = (place: Vector3) => !vantage.project(place).hidden;
+  const [from, to, position] = [new Vector3(), new Vector3(), new Vector3()];
   const isWithin = (line: Float32Array) => {
     for (let i = 0; i < line.length; i += 3) {
-      const { x, y } = vantage.onStage(place.fromArray(line, i));
-      if (x < left || x > left + width || y < top || y > top + height) continue;
-      if (!vantage.project(place.fromArray(line, i)).hidden) return true;
+      vantage.onStage(to.fromArray(line, i));
+      if (middleIn(box, to, to) !== null && isSeen(position.fromArray(line, i))) return true;
+      // A box may hold a visible part of a segment without its ends.
+      const middle = i > 0 && from.z <= 1 && to.z <= 1 ? middleIn(box, from, to) : null;
+      if (middle !== null && isSeen(vantage.fromStage(from.lerp(to, middle)))) return true;
+      from.copy(to);
     }
     return false;
   };
@@ -99,4 +111,23 @@ export function objectsIn(
       !locked && (lines.some(isWithin) || dots.map(dotAt).some(isWithin)),
   );
   return { others: others.map(({ id }) => id), edited: own.some(isWithin) };
+}
+
+/**
+ * The middle of the part of a segment that lies in a box, from 0 at the start of the segment to 1
+ * at its end; null if no part lies there.
+ */
+function middleIn({ left, top, width, height }: StageBox, from: Vector3, to: Vector3) {
+  let [enters, leaves] = [0, 1];
+  for (const [start, end, low, high] of [
+    [from.x, to.x, left, left + width],
+    [from.y, to.y, top, top + height],
+  ] as const) {
+    if (Math.max(start, end) < low || Math.min(start, end) > high) return null;
+    if (start === end) continue;
+    const [atLow, atHigh] = [(low - start) / (end - start), (high - start) / (end - start)];
+    enters = Math.max(enters, Math.min(atLow, atHigh));
+    leaves = Math.min(leaves, Math.max(atLow, atHigh));
+  }
+  return enters <= leaves ? (enters + leaves) / 2 : null;
 }

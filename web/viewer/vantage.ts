@@ -50,6 +50,14 @@ export class Vantage {
     return toStage(position.project(this.camera), this.size);
   }
 
+  /** The inverse of `onStage`. */
+  fromStage(place: Vector3): Vector3 {
+    const { width, height } = this.size;
+    place.x = (2 * place.x) / width - 1;
+    place.y = 1 - (2 * place.y) / height;
+    return place.unproject(this.camera);
+  }
+
   /** A polyline in the surface's coordinates as it appears on the stage. */
   seen(polyline: Float32Array): SeenLine {
     const line: SeenLine = { x: [], y: [], hidden: [] };
