@@ -27,10 +27,10 @@ import { drawingOnPart, placesOfDrawing } from './model/part_drawing';
 import type { SurfacePart } from './model/parts';
 import { sameDrawing } from './model/saved_work';
 import { keepFile, keptFile, recall, remember } from './model/storage';
-import { guessUnit } from './model/units';
 import { formatBytes, formatCount, formatInteger } from './panels/elements';
 import { sentenceOf, showError, showNote } from './panels/messages';
 import { showProgress } from './panels/progress';
+import { keepUnit, unitOf } from './panels/unit_choice';
 import { chooseFile } from './panels/which_file';
 import { type FoundLink, startingLink, workOn } from './saving';
 import { drawnGeometry, type GeometryRequest } from './viewer/drawn_geometry';
@@ -301,7 +301,7 @@ export class Opening {
         new Map(places.map((place, i) => [place, points[i] ?? null])),
       );
       if (client !== this.session.client || drawing !== this.editor.state.drawing) return;
-      remember(`unit.${turned}`, recall(`unit.${mesh}`) ?? guessUnit(meshLabel(mesh)));
+      keepUnit(key, unitOf(mesh));
       const wanted = () => (came > 0 ? own.drawing : null);
       if (!(await this.#open(turned, fileSource(turned, file), wanted))) return;
       // Later edits change only this new entry of the browser's history, not the previous one.

@@ -85,6 +85,19 @@ describe('lengths', () => {
     await tab.settled();
     await tab.page.waitForFunction(() => window.karcherPage.state().mesh.endsWith('part.stl'));
     assert.equal(await unit.inputValue(), 'in');
+    // The unit is that of the file, whichever way the page reads it.
+    const choose = async (up, other) => {
+      await tab.page.locator('#up').selectOption(up);
+      await tab.page.waitForFunction(
+        (key) => window.karcherPage.state().mesh.includes(key),
+        `~${up}`,
+      );
+      await tab.settled();
+      assert.equal(await unit.inputValue(), other);
+    };
+    await choose('x', 'in');
+    await unit.selectOption('cm');
+    await choose('y', 'cm');
     await tab.close();
   });
 });

@@ -1,4 +1,4 @@
-import { meshLabel } from '../model/meshes';
+import { keyOfFile, meshLabel } from '../model/meshes';
 import { recall, remember } from '../model/storage';
 import { guessUnit, isUnit, type Unit } from '../model/units';
 import { byId, fill } from './elements';
@@ -11,6 +11,18 @@ const names: Record<Unit, string> = {
   in: 'inches',
 };
 
+/** The unit of a surface, by its key: the kept choice, or else a guess. */
+export function unitOf(key: string): Unit {
+  // Earlier versions kept the choice by the whole key, with its options for reading.
+  const chosen = recall(nameFor(key)) ?? recall(`unit.${key}`);
+  return isUnit(chosen) ? chosen : guessUnit(meshLabel(key));
+}
+
+/** Keeps the unit of a surface, whose file has one unit with all options for reading. */
+export const keepUnit = (key: string, unit: Unit) => remember(nameFor(key), unit);
+
+const nameFor = (key: string) => `unit.${keyOfFile(key)}`;
+
 /**
  * The unit of the surface's lengths: a guess until the user chooses. The browser keeps the choice
  * for the surface.
@@ -22,8 +34,9 @@ export class UnitChoice {
   constructor(private readonly changed: (unit: Unit) => void) {
     fill(this.#select, names);
     this.#select.addEventListener('change', () => {
-      remember(`unit.${this.#key}`, this.#select.value);
-      changed(this.#select.value as Unit);
+      const unit = this.#select.value as Unit;
+      keepUnit(this.#key, unit);
+      changed(unit);
     });
   }
 
@@ -31,8 +44,7 @@ export class UnitChoice {
   show(key: string): void {
     if (key === this.#key) return;
     this.#key = key;
-    const chosen = recall(`unit.${key}`);
-    const unit = isUnit(chosen) ? chosen : guessUnit(meshLabel(key));
+    const unit = unitOf(key);
     this.#select.value = unit;
     this.changed(unit);
   }
