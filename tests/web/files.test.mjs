@@ -148,6 +148,9 @@ describe('files of surfaces', () => {
     await tab.page.keyboard.press('Escape');
     await dialog.waitFor({ state: 'hidden' });
     assert.equal((await tab.state()).mesh, 'sphere:1500');
+    // A second question replaces the first.
+    await tab.dropFiles(several.slice(0, 2));
+    await dialog.waitFor();
     await tab.dropFiles(several);
     await dialog.getByRole('button', { name: 'box 13.obj' }).click();
     await opened(tab, 'box 13.obj');

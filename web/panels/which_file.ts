@@ -19,7 +19,13 @@ export function chooseFile(files: readonly File[]): Promise<File | null> {
       return item;
     });
     byId('which-files').replaceChildren(...items);
-    dialog.addEventListener('close', () => resolve(chosen), { once: true });
+    const end = () => {
+      // The event of a first question's close comes after the second has opened the dialog.
+      if (dialog.open) return;
+      dialog.removeEventListener('close', end);
+      resolve(chosen);
+    };
+    dialog.addEventListener('close', end);
     dialog.showModal();
   });
 }
