@@ -63,6 +63,8 @@ export class ObjectLines {
   /** The surface that the lines lie on. */
   surface: Surface | null = null;
   readonly #lines = new Map<string, FatLine>();
+  /** The stencil marks of the lines. */
+  readonly #marks = new Map<string, number>();
   #objects: readonly ObjectDrawing[] = [];
   #color = new Color();
   #surface = new Color();
@@ -109,6 +111,7 @@ export class ObjectLines {
       this.object.remove(line.object);
       line.dispose();
       this.#lines.delete(key);
+      this.#marks.delete(key);
     }
     for (const [key, { style, lines }] of styles) {
       const line = this.#lines.get(key) ?? this.#make(key, style);
@@ -129,12 +132,21 @@ export class ObjectLines {
 
   #make(key: string, style: LineStyle): FatLine {
     const { hidden = usuallyHidden, wider = 0, frames = null } = this.looks;
-    const mark = 1 + (this.#lines.size % mostMarks);
+    const mark = this.#freeMark();
     const drawn = { ...fatStyle(style, this.surface, wider), hidden, mark, frames };
     const line = new FatLine(drawn, this.order);
     line.showHidden(this.#hiddenShown);
     this.#lines.set(key, line);
+    this.#marks.set(key, mark);
     this.object.add(line.object);
     return line;
+  }
+
+  /** The lowest mark without a line; if all have one, the lines share them in turn. */
+  #freeMark(): number {
+    const taken = new Set(this.#marks.values());
+    let mark = 1;
+    while (taken.has(mark)) mark++;
+    return mark <= mostMarks ? mark : 1 + (this.#lines.size % mostMarks);
   }
 }
