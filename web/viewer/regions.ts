@@ -137,8 +137,10 @@ function seenTriangles(
 
 type Place = readonly [number, number];
 
-const keyOf = ({ id, style, color, locked }: PaintedRegion) =>
-  `${id} ${style.fill} ${style.fillColor} ${style.pattern} ${style.spacing} ${color} ${locked}`;
+const keyOf = ({ id, style, color, locked, pattern }: PaintedRegion) => {
+  const { fill, fillColor, pattern: kind, spacing } = style;
+  return `${[id, fill, fillColor, kind, spacing, color, locked, pattern === undefined]}`;
+};
 
 /** Whether a point lies in a region. */
 export function holds({ whole, parts, corners }: Region, { face, bary }: SurfacePoint): boolean {
