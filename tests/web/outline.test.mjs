@@ -1,5 +1,6 @@
 // The surface's outline and its visible parts: against closed forms, and in a saved file.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { load as loadEngine } from 'karcher';
@@ -142,20 +143,13 @@ describe('the outline', () => {
 describe('a saved outline', () => {
   const browser = browserOfSuite({ viewport: { width: 1280, height: 800 } });
 
-  test('surrounds the surface, and leaves out hidden parts', async () => {
-    const points = '&points=&circle=300,0.3,0.3;0.5,0,0,1';
-    const tab = await Tab.open(
-      browser,
-      `mesh=sphere:5000&kind=circle&method=karcher-fast${points}`,
-    );
-    const { page } = tab;
-    await tab.still();
+  /** The distances of the outline's points from the stage's middle, and the other lines' opacities. */
+  async function savedOutline({ page }) {
     const coming = page.waitForEvent('download');
     await page.locator('#save').click();
     await page.getByRole('menuitem', { name: 'with the surface’s outline' }).press('Enter');
     const download = await coming;
     assert.match(download.suggestedFilename(), /\.svg$/);
-    const { readFileSync } = await import('node:fs');
     const svg = readFileSync(await download.path(), 'utf8');
     const { outline, others } = await page.evaluate((text) => {
       const root = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
@@ -175,14 +169,55 @@ describe('a saved outline', () => {
       };
     }, svg);
     const { width, height } = await page.locator('#stage').boundingBox();
-    assert.ok(outline.length >= 200);
-    const radii = outline.map(([x, y]) => Math.hypot(x - width / 2, y - height / 2));
+    return { radii: outline.map(([x, y]) => Math.hypot(x - width / 2, y - height / 2)), others };
+  }
+
+  test('surrounds the surface, and leaves out hidden parts', async () => {
+    const points = '&points=&circle=300,0.3,0.3;0.5,0,0,1';
+    const tab = await Tab.open(
+      browser,
+      `mesh=sphere:5000&kind=circle&method=karcher-fast${points}`,
+    );
+    await tab.still();
+    const { radii, others } = await savedOutline(tab);
+    assert.ok(radii.length >= 200);
     const [least, most] = [Math.min(...radii), Math.max(...radii)];
     assert.ok(most / least < 1.02 && least > 150, `a circle, from ${least} to ${most}`);
     assert.ok(
       others.every((opacity) => opacity === null),
       'nothing faint',
     );
+    await tab.close();
+  });
+
+  test('is that of the visible parts of a cut, with their rim', async () => {
+    const tab = await Tab.open(browser, 'mesh=sphere:6000&kind=circle');
+    const { page } = tab;
+    const { x, y } = await tab.middle();
+    // The circle around the stage's middle appears as a circle.
+    await tab.drag({ x, y }, { x: x + 90, y });
+    const button = (name) => page.getByRole('button', { name, exact: true });
+    await button('Cut').click();
+    await tab.settled();
+    const lines = async () => {
+      const { radii } = await savedOutline(tab);
+      return {
+        rim: radii.some((radius) => Math.abs(radius - 90) < 3),
+        contour: radii.some((radius) => radius > 150),
+        between: radii.some((radius) => Math.abs(radius - 90) >= 3 && radius <= 150),
+      };
+    };
+    assert.deepEqual(await lines(), { rim: false, contour: true, between: false }, 'both parts');
+    await button('Show or hide Part 2').click();
+    await tab.settled();
+    assert.deepEqual(await lines(), { rim: true, contour: true, between: false }, 'the rest');
+    await button('Show or hide Part 2').click();
+    await button('Show or hide Part 1').click();
+    await tab.settled();
+    assert.deepEqual(await lines(), { rim: true, contour: false, between: false }, 'the cap');
+    await button('Delete Part 2').click();
+    await tab.settled();
+    assert.deepEqual(await lines(), { rim: false, contour: false, between: false }, 'nothing');
     await tab.close();
   });
 });

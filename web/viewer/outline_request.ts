@@ -4,7 +4,8 @@ import type { Frame } from './frame';
 import type { Sight } from './hidden_lines';
 
 export interface OutlineRequest {
-  mesh: MeshBlobs;
+  /** The surface, or its parts, whose vertices fit each other exactly. */
+  meshes: readonly MeshBlobs[];
   frame: Frame;
   sight: Sight;
 }
@@ -14,7 +15,7 @@ export interface OutlineRequest {
  * the stage. Rejects with the signal's reason.
  */
 export async function requestOutline(
-  { mesh, frame }: Pick<OutlineRequest, 'mesh' | 'frame'>,
+  { meshes, frame }: Pick<OutlineRequest, 'meshes' | 'frame'>,
   camera: PerspectiveCamera,
   stage: { width: number; height: number },
   signal: AbortSignal,
@@ -32,7 +33,7 @@ export async function requestOutline(
         event.preventDefault();
         reject(new Error(event.message || 'the outline could not be drawn'));
       };
-      worker.postMessage({ mesh, frame, sight } satisfies OutlineRequest);
+      worker.postMessage({ meshes, frame, sight } satisfies OutlineRequest);
     });
   } finally {
     worker.terminate();

@@ -13,7 +13,7 @@ import {
 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import { surfacePoint, type Vector } from '../model/figure';
-import type { MeshBlobs } from '../model/mesh_blobs';
+import { blobsOf, type MeshBlobs } from '../model/mesh_blobs';
 import type { SurfacePart } from '../model/parts';
 import type { Pattern, Region } from '../model/traced';
 import { clayMesh, edgeMesh, paint, showClay, showTint, showValues } from './clay';
@@ -55,10 +55,12 @@ type Triangulated = Omit<Region, 'area' | 'side' | 'boundary' | 'corners'> & {
 export class Surface {
   readonly object = new Group();
   readonly frame: Frame;
-  /** The mesh in the surface's own coordinates. */
-  readonly mesh: MeshBlobs;
   /** Whether the surface's file has colors. */
   readonly hasColors: boolean;
+  /** The whole mesh in the surface's own coordinates. */
+  readonly #mesh: MeshBlobs;
+  /** The visible parts of a cut surface; null if the whole is visible. */
+  #shown: readonly SurfacePart[] | null = null;
   readonly #geometry = new BufferGeometry();
   readonly #tree: MeshBVH;
   readonly #positions: Float32Array;
@@ -77,7 +79,7 @@ export class Surface {
 
   constructor(drawn: DrawnGeometry) {
     this.frame = drawn.frame;
-    this.mesh = drawn.mesh;
+    this.#mesh = drawn.mesh;
     this.#positions = drawn.positions;
     this.#triangles = drawn.triangles;
     this.#normals = drawn.normals;
@@ -104,6 +106,11 @@ export class Surface {
   /** The surface's vertices and triangles, in the scene. */
   get arrays(): { positions: Float32Array; triangles: Uint32Array } {
     return { positions: this.#positions, triangles: this.#triangles };
+  }
+
+  /** What is visible, in the surface's own coordinates: the whole mesh, or each visible part. */
+  get shownMeshes(): readonly MeshBlobs[] {
+    return this.#shown?.map(blobsOf) ?? [this.#mesh];
   }
 
   /** The number of triangles. */
@@ -140,7 +147,8 @@ export class Surface {
     this.#whole.visible = parts === null;
     this.#edges.visible = this.#edgesShown && parts === null;
     this.#parts.show(parts ?? [], (part) => this.#partGeometry(part));
-    this.#seen = parts && seenFaces(parts, this.triangles);
+    this.#shown = parts?.map(({ part }) => part) ?? null;
+    this.#seen = this.#shown && seenFaces(this.#shown, this.triangles);
   }
 
   #partGeometry({ faces, weights }: SurfacePart): BufferGeometry {
@@ -390,8 +398,8 @@ export class Surface {
   }
 }
 
-function seenFaces(parts: readonly { part: SurfacePart }[], count: number): Uint8Array {
+function seenFaces(parts: readonly SurfacePart[], count: number): Uint8Array {
   const seen = new Uint8Array(count);
-  for (const { part } of parts) for (const face of part.faces) seen[face] = 1;
+  for (const { faces } of parts) for (const face of faces) seen[face] = 1;
   return seen;
 }

@@ -475,7 +475,8 @@ export class Viewer {
 
   /** The lines of the surface's outline in this view: x, y of their points, in CSS pixels. */
   outline(signal: AbortSignal): Promise<Float32Array[]> {
-    return requestOutline(this.#surface!, this.#view.camera, this.#size, signal);
+    const { shownMeshes: meshes, frame } = this.#surface!;
+    return requestOutline({ meshes, frame }, this.#view.camera, this.#size, signal);
   }
 
   #render(): void {
