@@ -35,6 +35,16 @@ function grid(across, along, place, [closedAcross, closedAlong] = [false, false]
   return { positions, triangles };
 }
 
+/** The triangles, with those turned over whose first corner is at one of the places. */
+function withTurned({ positions, triangles }, isTurned) {
+  const result = Int32Array.from(triangles);
+  for (let i = 0; i < result.length; i += 3) {
+    const first = 3 * result[i];
+    if (isTurned(positions.slice(first, first + 3))) result.subarray(i, i + 3).reverse();
+  }
+  return result;
+}
+
 /** A closed and oriented shell with positive volume. */
 function shellOf(part, thickness) {
   const shell = thickened(part, thickness);
@@ -97,29 +107,31 @@ test('two opposite plates allow half of their gap', () => {
 
 test('the command line cuts and thickens, and says what is allowed', async () => {
   const sphere = engine.shape('sphere', 2000);
-  const file = folder.write(
-    'ball.ply',
-    meshFile({ positions: sphere.positions(), triangles: sphere.triangles() }, 'ply'),
-  );
+  const surface = { positions: sphere.positions(), triangles: sphere.triangles() };
+  // Half of the faces turned over, as in files of several programs: the import turns them back.
+  const turned = { ...surface, triangles: withTurned(surface, ([, , z]) => z < 0) };
   const points = [0, 1, 2, 3].map((i) => {
     const angle = (i * Math.PI) / 2;
-    return sphere.nearestPoint([1, Math.cos(angle), Math.sin(angle)]).point;
+    return sphere.nearestPoint([1, Math.cos(angle), Math.sin(angle)]).position;
   });
-  const curve = folder.write(
-    'ring.json',
-    JSON.stringify({ kind: 'catmullrom', closed: true, points }),
-  );
-  const run = async (thickness) => {
+  const run = async (mesh, thickness) => {
+    const file = folder.write('ball.ply', meshFile(mesh, 'ply'));
+    const own = engine.meshFromArrays(mesh.positions, mesh.triangles);
+    const places = points.map((place) => own.nearestPoint(place).point);
+    const record = { kind: 'catmullrom', closed: true, points: places };
+    const curve = folder.write('ring.json', JSON.stringify(record));
     const args = ['cut', file, '--curve', curve, '--thickness', `${thickness}`];
     return (await printed(...args)).parts;
   };
-  const thin = await run(0.1);
-  assert.equal(thin.length, 2);
-  for (const { closed, volume, allowed } of thin) {
-    assert.ok(closed && volume > 0);
-    assert.equal(allowed, undefined);
+  for (const mesh of [surface, turned]) {
+    const thin = await run(mesh, 0.1);
+    assert.equal(thin.length, 2);
+    for (const { closed, volume, allowed } of thin) {
+      assert.ok(closed && volume > 0);
+      assert.equal(allowed, undefined);
+    }
+    near(thin[0].volume + thin[1].volume, (4 / 3) * Math.PI * (1.1 ** 3 - 1), 0.02, 'both shells');
+    const [large] = await run(mesh, -3);
+    near(large.allowed, 1, 0.05, 'what the larger one allows');
   }
-  near(thin[0].volume + thin[1].volume, (4 / 3) * Math.PI * (1.1 ** 3 - 1), 0.02, 'both shells');
-  const [large] = await run(-3);
-  near(large.allowed, 1, 0.05, 'what the larger one allows');
 });

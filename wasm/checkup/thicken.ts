@@ -34,7 +34,8 @@ type Vector = [number, number, number];
  *
  * For a part that `mesh.cut` returned, pass the mesh as `whole`: the part then has the normals of
  * the mesh. Along the cut, the part's own triangles are so small that their normals would not
- * describe the shape. Throws `KarcherError` badArgument for a thickness of 0.
+ * describe the shape. The mesh's triangles may have any orientation, since the part's orientation
+ * counts. Throws `KarcherError` badArgument for a thickness of 0.
  */
 export function thickened(part: Triangles, thickness: number): Thickened;
 export function thickened(
@@ -51,9 +52,9 @@ export function thickened(
   if (thickness === 0) throw new KarcherError('badArgument', 'the thickness must not be 0');
   const { positions, triangles } = part;
   const count = positions.length / 3;
-  const shape = whole ? united(whole) : { positions, triangles };
-  const shapeNormals = vertexNormals(shape.positions, shape.triangles);
   const { faces } = part;
+  const shape = whole ? turnedLike(part, faces!, united(whole)) : { positions, triangles };
+  const shapeNormals = vertexNormals(shape.positions, shape.triangles);
   const normals = whole ? carried(part, faces!, shape, shapeNormals) : shapeNormals;
   const bounding = whole ? facesOf(shape.triangles, faces!) : triangles;
   const moved = Float64Array.from(positions, (value, i) => value + thickness * normals[i]!);
@@ -96,6 +97,58 @@ function united({ positions, triangles }: Triangles): Triangles {
     same[vertex] = before !== undefined && apart(before, vertex) === 0 ? same[before]! : vertex;
   });
   return { positions, triangles: Int32Array.from(triangles, (vertex) => same[vertex]!) };
+}
+
+/**
+ * The whole mesh with the orientation of the part: at the part's faces, and at the other faces
+ * around their corners as far as edges of two faces connect them with the part.
+ */
+function turnedLike(part: Triangles, faces: ArrayLike<number>, whole: Triangles): Triangles {
+  const { positions } = whole;
+  const triangles = Int32Array.from(whole.triangles);
+  const turn = (face: number) => triangles.subarray(3 * face, 3 * face + 3).reverse();
+  const agreement = new Map<number, number>();
+  for (let i = 0; i < faces.length; i++) {
+    const face = faces[i]!;
+    const agrees = dot(acrossOf(part, 3 * i), acrossOf(whole, 3 * face));
+    agreement.set(face, (agreement.get(face) ?? 0) + agrees);
+  }
+  const isCorner = new Uint8Array(positions.length / 3);
+  for (const [face, agrees] of agreement) {
+    if (agrees < 0) turn(face);
+    for (const vertex of cornersOf(triangles, 3 * face)) isCorner[vertex] = 1;
+  }
+  const facesAt = new Map<number, number[]>();
+  const edgesOf = (face: number) => {
+    const corners = cornersOf(triangles, 3 * face);
+    return corners.map((tail, k): [number, number] => [tail, corners[(k + 1) % 3]!]);
+  };
+  const keyOf = (a: number, b: number) => Math.min(a, b) * isCorner.length + Math.max(a, b);
+  for (let face = 0; 3 * face < triangles.length; face++) {
+    if (agreement.has(face)) continue;
+    for (const [a, b] of edgesOf(face)) {
+      if (!isCorner[a] && !isCorner[b]) continue;
+      const known = facesAt.get(keyOf(a, b));
+      if (known) known.push(face);
+      else facesAt.set(keyOf(a, b), [face]);
+    }
+  }
+  for (const face of agreement.keys()) {
+    for (const [a, b] of edgesOf(face)) facesAt.get(keyOf(a, b))?.push(face);
+  }
+  const reached = new Set(agreement.keys());
+  // The loop also visits the faces that it adds.
+  for (const face of reached) {
+    for (const [a, b] of edgesOf(face)) {
+      const pair = facesAt.get(keyOf(a, b));
+      if (pair?.length !== 2) continue;
+      const other = pair[0] === face ? pair[1]! : pair[0]!;
+      if (reached.has(other)) continue;
+      if (edgesOf(other).some(([tail, head]) => tail === a && head === b)) turn(other);
+      reached.add(other);
+    }
+  }
+  return { positions, triangles };
 }
 
 /** The triangles with these face numbers. A repeated number counts once. */
@@ -149,6 +202,12 @@ const vectorAt = (of: ArrayLike<number>, vertex: number): Vector => [
   of[3 * vertex + 2]!,
 ];
 
+/** A vector along the normal of the triangle whose corners begin at `i`, of twice its area. */
+function acrossOf({ positions, triangles }: Triangles, i: number): Vector {
+  const [a, b, c] = cornersOf(triangles, i).map((vertex) => vectorAt(positions, vertex));
+  return cross(minus(b!, a!), minus(c!, a!));
+}
+
 const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a: Vector, b: Vector): Vector => [
@@ -166,7 +225,7 @@ function vertexNormals(positions: ArrayLike<number>, triangles: ArrayLike<number
   for (let i = 0; i < triangles.length; i += 3) {
     const corners = cornersOf(triangles, i);
     const places = corners.map((vertex) => vectorAt(positions, vertex)) as [Vector, Vector, Vector];
-    const across = cross(minus(places[1], places[0]), minus(places[2], places[0]));
+    const across = acrossOf({ positions, triangles }, i);
     const length = Math.hypot(...across);
     if (length === 0) continue;
     for (let k = 0; k < 3; k++) {
