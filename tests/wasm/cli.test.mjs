@@ -57,6 +57,8 @@ test('help, of the program and of each command', async () => {
     assert.equal(status, 0);
     assert.equal(stderr, '');
     assert.match(stdout, new RegExp(`^karcher ${command} MESH `));
+    const options = Array.from(stdout.matchAll(/^ {2}(--\S+)/gm), ([, option]) => option);
+    assert.equal(new Set(options).size, options.length, `an option of ${command} is there twice`);
     assert.equal((await karcher(command, 'anything', '--more', '--help')).stdout, stdout);
   }
 });

@@ -383,6 +383,10 @@ test('a Voronoi diagram and centroids', async () => {
   const triangle = ['--points', corners, '--kind', 'polyline', '--closed', '--samples', '900'];
   const [inside] = (await printed('centroid', plane, ...triangle)).centroids;
   near(inside.position, [2, 2, 0], 1e-6);
+  // The samples of the outline are independent of the points that represent its region.
+  const few = [...triangle, '--region-samples', '3'];
+  assert.ok((await printed('centroid', plane, ...few)).centroids[0].samples <= 3);
+  assert.ok(inside.samples > 3);
 });
 
 test('even points of a path, transport along it, radii and the nearest point', async () => {

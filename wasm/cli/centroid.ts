@@ -16,7 +16,7 @@ export const centroid: Command = {
       default: '1 everywhere',
     },
     {
-      name: 'samples',
+      name: 'region-samples',
       value: 'N',
       help: 'the largest number of points that represent a region',
       default: '1000',
@@ -25,7 +25,8 @@ export const centroid: Command = {
   async run(args) {
     const statistics = await import('../statistics/index.js');
     const density = args.given('density') ? (await args.rows('density')).flat() : undefined;
-    const options = { ...args.whereGiven(['samples'], (name) => args.integer(name)), density };
+    const samples = args.given('region-samples') ? args.integer('region-samples') : undefined;
+    const options = { samples, density };
     const centroids = [];
     if (args.given('points') || args.given('curve')) {
       const { mesh, outlines } = await readOutlines(args);
