@@ -299,6 +299,10 @@ test('each of several meshes has a line, and a failing one does not stop the oth
   const written = readdirSync(folder.path).filter((name) => name.startsWith('copy_'));
   assert.deepEqual(written.sort(), ['copy_other.stl', 'copy_plane.stl']);
   assert.match(await failure('convert', plane, other, '--out', 'a.stl'), /needs a '\*'/);
+  assert.match(
+    await failure('convert', plane, other, 'a/plane.ply', '--out', star),
+    /--out .*'.*plane\.obj' and 'a\/plane\.ply' are both named 'plane'/,
+  );
   const drawn = ['--from', 'v:0', '--to', 'v:2', '--format', 'obj'];
   assert.match(await failure('path', plane, other, ...drawn), /takes one mesh with --format obj/);
   // One read of standard input serves all meshes.

@@ -47,7 +47,7 @@ export class Arguments {
     takeFormatOfName(command, values);
     const [meshPath, ...more] = positionals;
     if (meshPath === undefined) throw new UsageError(`${command.name} needs a mesh: a file`);
-    if (more.length > 0) checkBatch(command, values);
+    if (more.length > 0) checkBatch(command, values, positionals);
     const files = command.options.filter(({ name, value }) => value === 'FILE' && name !== 'out');
     const read = [...positionals, ...files.map(({ name }) => values.get(name))];
     if (read.filter((path) => path === '-').length > 1) {
@@ -85,7 +85,7 @@ export class Arguments {
     const value = this.#values.get(name) ?? option!.default!;
     if (this.meshes.length === 1 || name !== 'out' || this.#command.options.includes(outOption))
       return value;
-    return value.replaceAll('*', basename(this.#meshPath, extname(this.#meshPath)));
+    return value.replaceAll('*', stemOf(this.#meshPath));
   }
 
   choice<Name extends string>(name: string): Name {
@@ -258,8 +258,15 @@ function takeFormatOfName(command: Described, values: Map<string, string>): void
   }
 }
 
-/** Throws if a command cannot run for several meshes. */
-function checkBatch(command: Described, values: ReadonlyMap<string, string>): void {
+/** The name of a file without its folder and its ending. */
+const stemOf = (path: string) => basename(path, extname(path));
+
+/** Throws if a command cannot run for these meshes. */
+function checkBatch(
+  command: Described,
+  values: ReadonlyMap<string, string>,
+  meshes: readonly string[],
+): void {
   const format = values.get('format') ?? 'json';
   if (format !== 'json') {
     throw new UsageError(`${command.name} takes one mesh with --format ${format}`);
@@ -267,10 +274,23 @@ function checkBatch(command: Described, values: ReadonlyMap<string, string>): vo
   // A command with its own `out` writes one file for each mesh.
   if (command.options.includes(outOption) || !command.options.some(({ name }) => name === 'out'))
     return;
-  if (!values.has('out') || values.get('out')!.includes('*')) return;
-  throw new UsageError(
-    `--out of ${command.name} needs a '*' for the name of each of several meshes`,
-  );
+  if (!values.has('out')) return;
+  if (!values.get('out')!.includes('*')) {
+    throw new UsageError(
+      `--out of ${command.name} needs a '*' for the name of each of several meshes`,
+    );
+  }
+  const byName = new Map<string, string>();
+  for (const mesh of meshes) {
+    const name = stemOf(mesh);
+    const other = byName.get(name);
+    if (other !== undefined) {
+      throw new UsageError(
+        `--out of ${command.name} names a file by each mesh, but '${other}' and '${mesh}' are both named '${name}'`,
+      );
+    }
+    byName.set(name, mesh);
+  }
 }
 
 interface Read {
