@@ -271,6 +271,40 @@ test('glTF: a mesh that many nodes place is read once, and one that is too large
   await assert.rejects(open(places), { code: 'badFile', message: /place 1,000,000 parts/ });
 });
 
+test('glTF: primitives of the same places have their own colors', async () => {
+  const one = cutBox.positions.length / 3;
+  const { json, buffer } = files.gltfParts({
+    positions: [...cutBox.positions, ...cutBox.positions.map((x) => x + 9)],
+    faces: [...cutBox.faces, ...cutBox.faces.map((face) => face.map((vertex) => vertex + one))],
+  });
+  const rows = 2 * one;
+  const colors = Uint8Array.from({ length: 4 * rows }, (_, i) => (i % 4 === 0 ? 0 : 255));
+  const bytes = new Uint8Array([...buffer, ...colors]);
+  json.buffers[0].byteLength = bytes.length;
+  json.bufferViews.push({ buffer: 0, byteOffset: buffer.length, byteLength: colors.length });
+  const [, indices] = json.accessors;
+  const half = indices.count / 2;
+  json.accessors.push(
+    { ...{ bufferView: 2, componentType: 5121, normalized: true }, count: rows, type: 'VEC4' },
+    { ...indices, count: half },
+    { ...indices, byteOffset: 4 * half, count: half },
+  );
+  const plain = { attributes: { POSITION: 0 }, indices: 3 };
+  const colored = { attributes: { POSITION: 0, COLOR_0: 2 }, indices: 4 };
+  for (const primitives of [
+    [plain, colored],
+    [colored, plain],
+  ]) {
+    json.meshes[0].primitives = primitives;
+    const { mesh, file } = await open(files.glbOf({ json, buffer: bytes }));
+    mesh.triangles().forEach((vertex, i) => {
+      const isColored = primitives[file.partOf[Math.floor(i / 3)]] === colored;
+      const wanted = isColored ? [0, 255, 255] : [255, 255, 255];
+      assert.deepEqual([...file.colors.subarray(3 * vertex, 3 * vertex + 3)], wanted);
+    });
+  }
+});
+
 test('glTF: a node of very many children', async () => {
   const children = Array.from({ length: 300_000 }, (_, i) => i + 1);
   const nodes = [{ children }, ...children.map((i) => (i === 7 ? { mesh: 0 } : {}))];

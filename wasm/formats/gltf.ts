@@ -68,14 +68,19 @@ export async function readGltf(
   return { positions: scene.positions, corners: scene.corners, sizes: null, info };
 }
 
+/** The vertices of those primitives of a mesh that have the same places and the same colors. */
+interface Vertices {
+  places: Accessor;
+  colors: Accessor | null;
+}
+
 /** A primitive that has triangles. All nodes that place its mesh share it. */
 interface Primitive {
   mode: 'triangles' | 'strip' | 'fan';
-  places: Accessor;
+  vertices: Vertices;
   /** The vertex numbers that form the triangles; null if they are 0, 1, 2, and so on. */
   indices: Accessor | null;
   triangles: number;
-  colors: Accessor | null;
   /** The number of the primitive's material, -1 for none. */
   material: number;
   /**
@@ -153,6 +158,7 @@ async function stripsOf(
 async function primitivesOf(mesh: Json, accessors: Accessors, slices: Slices): Promise<Primitives> {
   const found: Primitives = { triangles: [], points: 0, lines: 0, morphed: 0 };
   const primitives = listOf(mesh, 'primitives');
+  const known = new Map<Accessor, Map<Accessor | null, Vertices>>();
   for (const i of primitives.keys()) {
     if (slices.over) await slices.rest(0);
     const primitive = entryOf(mesh, 'primitives', i);
@@ -173,7 +179,10 @@ async function primitivesOf(mesh: Json, accessors: Accessors, slices: Slices): P
     const colors = accessors.colorsOf(primitive);
     const told = typeof primitive.material === 'number' ? primitive.material : -1;
     const material = told in listOf(accessors.json, 'materials') ? told : -1;
-    found.triangles.push({ mode, places, indices, triangles, number, colors, material });
+    const byColors = known.get(places) ?? new Map<Accessor | null, Vertices>();
+    const vertices = byColors.get(colors) ?? { places, colors };
+    known.set(places, byColors.set(colors, vertices));
+    found.triangles.push({ mode, vertices, indices, triangles, number, material });
   }
   return found;
 }
@@ -338,34 +347,34 @@ class Scene {
   #vertices = 0;
   #corner = 0;
   /**
-   * For each accessor of the last node, the number of the first of its vertices in the scene. The
-   * node's primitives share these vertices.
+   * The number of the first vertex in the scene, for all vertices of the last node. The node's
+   * primitives share them.
    */
-  #starts = new Map<Accessor, number>();
+  #starts = new Map<Vertices, number>();
   #node: PlacedMesh | null = null;
 
   /** Reserves memory for all strips. Throws `KarcherError` outOfMemory if they do not fit. */
   constructor(slices: Slices, strips: readonly Strip[]) {
     this.#slices = slices;
     let [triangles, vertices] = [0, 0];
-    const seen = new Set<Accessor>();
+    const seen = new Set<Vertices>();
     for (const [i, { node, primitive }] of strips.entries()) {
       triangles += primitive.triangles;
       if (node !== strips[i - 1]?.node) seen.clear();
-      if (!seen.has(primitive.places)) vertices += primitive.places.count;
-      seen.add(primitive.places);
+      if (!seen.has(primitive.vertices)) vertices += primitive.vertices.places.count;
+      seen.add(primitive.vertices);
     }
     checkMeshFits(vertices, triangles, 'the glTF file makes');
     this.positions = new Float64Array(3 * vertices);
     this.corners = new Int32Array(3 * triangles);
-    const isColored = strips.some(({ primitive }) => primitive.colors);
+    const isColored = strips.some(({ primitive }) => primitive.vertices.colors);
     this.colors = isColored ? new Uint8Array(3 * vertices).fill(255) : null;
   }
 
   async add({ name, node, primitive }: Strip): Promise<void> {
-    const { mode, places, indices, triangles, colors } = primitive;
-    const vertices = places.count;
-    const start = await this.#start(node, places, colors);
+    const { mode, vertices, indices, triangles } = primitive;
+    const { count } = vertices.places;
+    const start = await this.#start(node, vertices);
     const turned = mirrors(node.matrix);
     const index = new Float64Array(1);
     const { corners } = this;
@@ -375,10 +384,10 @@ class Scene {
       if ((row & batchMask) === 0 && this.#slices.over) await this.#rest();
       indices?.fill(row, index);
       const vertex = indices ? index[0]! : row;
-      if (!(vertex < vertices)) {
+      if (!(vertex < count)) {
         throw new KarcherError(
           'badIndex',
-          `'${name}', corner ${row}: a triangle uses vertex ${vertex}, but there are ${counted(vertices)}`,
+          `'${name}', corner ${row}: a triangle uses vertex ${vertex}, but there are ${counted(count)}`,
         );
       }
       const corner = mode === 'triangles' ? row % 3 : Math.min(row, 2);
@@ -401,11 +410,12 @@ class Scene {
    * Adds the vertices of a node's primitive to the scene, unless an earlier primitive of the node
    * has added them. Returns the number of the first of these vertices.
    */
-  async #start(node: PlacedMesh, places: Accessor, colors: Accessor | null): Promise<number> {
+  async #start(node: PlacedMesh, vertices: Vertices): Promise<number> {
     if (node !== this.#node) this.#starts = new Map();
     this.#node = node;
-    const known = this.#starts.get(places);
+    const known = this.#starts.get(vertices);
     if (known !== undefined) return known;
+    const { places, colors } = vertices;
     const start = this.#vertices;
     const { matrix } = node;
     const { positions } = this;
@@ -427,7 +437,7 @@ class Scene {
       }
     }
     this.#vertices += places.count;
-    this.#starts.set(places, start);
+    this.#starts.set(vertices, start);
     return start;
   }
 
