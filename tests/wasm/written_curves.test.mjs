@@ -122,6 +122,17 @@ describe('CSV', () => {
     });
   }
 
+  test('of a curve that ends with a bridge has all parameters', () => {
+    const torus = engine.shape('torus', 2000);
+    const points = [1148, 364, 986, 768].map((face) => ({ face, bary: [0.2, 0.3, 0.5] }));
+    const curve = torus.curve({ kind: 'bspline', points, levels: 0, samples: 33 });
+    assert.equal(curve.bridged().at(-1).t1, 1);
+    const parameters = pathParameters(curve.path(), curve.samples());
+    assert.equal(parameters.at(-1), curve.segmentCount);
+    assert.deepEqual(parameters, parameters.toSorted());
+    torus.dispose();
+  });
+
   test('of a curve in a worker is the same', async () => {
     const remote = await loadInWorker();
     try {

@@ -136,14 +136,18 @@ export function pathParameters(
   const { count } = path;
   const isAt = (vertex: number, sample: number) =>
     [0, 1, 2].every((k) => polyline[3 * vertex + k] === samples.position[3 * sample + k]);
+  const parameterOf = (sample: number) => samples.segment[sample]! + samples.t[sample]!;
   const known: { vertex: number; parameter: number }[] = [];
-  for (let sample = 0, vertex = 0; sample < samples.count; sample++) {
+  const last = samples.count - 1;
+  for (let sample = 0, vertex = 0; sample < last; sample++) {
     let found = vertex;
     while (found < count && !isAt(found, sample)) found++;
     if (found === count) continue;
-    known.push({ vertex: found, parameter: samples.segment[sample]! + samples.t[sample]! });
+    known.push({ vertex: found, parameter: parameterOf(sample) });
     vertex = found;
   }
+  // A bridge may miss the last sample, which is the path's end, by a rounding error.
+  known.push({ vertex: count - 1, parameter: parameterOf(last) });
   const parameters = new Float64Array(count);
   known.forEach(({ vertex, parameter }, i) => {
     const next = known[i + 1] ?? { vertex, parameter };
