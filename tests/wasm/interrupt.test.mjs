@@ -166,6 +166,26 @@ test('a dragged curve continues, including its legs', minutes, async (t) => {
   assert.deepEqual(await seen(), shortest);
 });
 
+test('an edit that ends although it was cancelled stays', minutes, async (t) => {
+  const karcher = await loadForTest(t, { worker: endless });
+  const mesh = await karcher.meshFromObj(grid(12));
+  const points = [3, 40, 70].map((vertex) => ({ vertex }));
+  const curve = await mesh.curve({ kind: 'polyline', points });
+  const other = await mesh.curve({ kind: 'polyline', points });
+  const cancelled = async (edit) => {
+    const controller = new AbortController();
+    const progress = () => controller.abort(reason);
+    await assert.rejects(edit({ signal: controller.signal, progress }), reason);
+  };
+  await cancelled((work) => curve.movePoint(1, { vertex: 99 }, work));
+  await cancelled((work) => other.set({ kind: 'polyline', points: points.toReversed() }, work));
+  const seen = () =>
+    Promise.all([curve.value(), curve.polyline(), other.value(), other.polyline()]);
+  const before = await seen();
+  await interrupt(karcher, spin(karcher));
+  assert.deepEqual(await seen(), before);
+});
+
 test('a call is independent of the caller’s later changes', minutes, async (t) => {
   const karcher = await loadForTest(t, { worker: endless });
   const mesh = await karcher.meshFromObj(grid(12));

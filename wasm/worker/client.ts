@@ -51,6 +51,7 @@ interface Pending {
 
 /** A cancelled call that the worker has to acknowledge. */
 interface Cancelled {
+  pending: Pending;
   begun: boolean;
   timer?: ReturnType<typeof setTimeout>;
 }
@@ -209,7 +210,7 @@ export class WorkerClient {
     pending.reject(reason);
     this.#worker.postMessage({ cancel: id } satisfies Request);
     if (!this.#start || !this.#keepsAll) return;
-    const cancelled = { begun: false };
+    const cancelled = { pending, begun: false };
     this.#cancelled.set(id, cancelled);
     if (pending.begun > 0) this.#impatient(cancelled);
   }
@@ -335,6 +336,7 @@ export class WorkerClient {
   #receive(reply: Reply): void {
     this.#hasAnswered = true;
     const pending = this.#pending.get(reply.id);
+    const cancelled = this.#cancelled.get(reply.id);
     if ('callback' in reply) {
       try {
         pending?.callbacks[reply.callback]?.(...reply.args);
@@ -346,25 +348,22 @@ export class WorkerClient {
     }
     if ('begun' in reply) {
       if (pending) pending.begun = performance.now();
-      const cancelled = this.#cancelled.get(reply.id);
       if (cancelled) this.#impatient(cancelled);
       return;
     }
-    clearTimeout(this.#cancelled.get(reply.id)?.timer);
+    clearTimeout(cancelled?.timer);
     this.#cancelled.delete(reply.id);
-    if ('cancelled' in reply) {
-      this.#hold();
-      return;
-    }
     this.#pending.delete(reply.id);
-    if ('result' in reply) {
+    if ('cancelled' in reply) this.#hold();
+    else if ('result' in reply) {
       const result = this.#received(reply.result, pending);
-      this.#keep(reply, pending);
+      // A cancelled call that ended nevertheless had its effect, too.
+      this.#keep(reply, pending ?? cancelled?.pending);
       pending?.resolve(result);
-      return;
+    } else {
+      pending?.reject(errorOf(reply.failure));
+      if (reply.failure.fatal) this.#break(errorOf(reply.failure));
     }
-    pending?.reject(errorOf(reply.failure));
-    if (reply.failure.fatal) this.#break(errorOf(reply.failure));
   }
 
   /**
