@@ -3,12 +3,13 @@
 export { Bend } from '../../web/editor/engine/bend';
 export { curveValueOf } from '../../web/editor/engine/compute';
 export { CurveEdits } from '../../web/editor/engine/curve_edits';
+export { Expansion } from '../../web/editor/engine/expansion';
 export { mirroredFigures, mirrorLine } from '../../web/editor/engine/mirroring';
 export { Move } from '../../web/editor/engine/moving';
 export { Session } from '../../web/editor/engine/session';
 export { Editor } from '../../web/editor/state/editor';
 export { arranging, reordering } from '../../web/model/arranging';
-export { apply } from '../../web/model/commands';
+export { apply, invert } from '../../web/model/commands';
 export { copiedText, pastedObjects } from '../../web/model/copied';
 export { cornersOf, cubicAt, fittedCubics } from '../../web/model/cubic_fit';
 export { activeObject, emptyDrawing, newObject, othersOf } from '../../web/model/drawing';

@@ -1,7 +1,7 @@
 /** The sources of objects: other objects of their drawing, by their ids. */
 import { isBoolean, isDerived } from './derived';
 import { type Drawing, type DrawnObject, objectOf } from './drawing';
-import { type Figure, isCurve, isRound, type Operand } from './figure';
+import { type Enclosing, enclosingOf, type Figure, isCurve, isRound, type Operand } from './figure';
 
 const sourcesOf = ({ figure }: DrawnObject) =>
   isDerived(figure.kind) ? (figure.derived?.sources ?? []) : [];
@@ -50,6 +50,14 @@ export function isLoop({ kind, settings, derived, operands = [] }: Figure): bool
 
 export const areLoops = (operands: readonly Operand[]): boolean =>
   operands.every(({ figure }) => isLoop(figure));
+
+/**
+ * The side and the rule by which a figure's lines enclose a region. The region of a derived figure
+ * lies on the left of its lines, even if the other side is smaller. The figure's `operands` must be
+ * resolved.
+ */
+export const enclosedBy = (figure: Figure): Enclosing =>
+  isDerived(figure.kind) && isLoop(figure) ? { inside: 'left' } : enclosingOf(figure);
 
 /** The ids of these objects and of all their sources, to any depth, without missing objects. */
 export function withSources(drawing: Drawing, ids: readonly number[]): number[] {

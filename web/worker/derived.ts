@@ -1,6 +1,6 @@
 /** Lines derived from other lines: their offsets, and booleans of their regions. */
 import { KarcherError, type Mesh, type Path, type Region, type SurfacePoint } from 'karcher';
-import type { BooleanKind, Offset, OffsetSide } from '../model/derived';
+import type { BooleanKind, Offset } from '../model/derived';
 import type { Enclosing } from '../model/figure';
 import type { Fill } from '../model/traced';
 import { painted, regionOf } from './fills';
@@ -12,19 +12,6 @@ export interface DerivedLines {
   paths: Path[];
   fill: Fill | null;
 }
-
-/**
- * The region that outlines enclose. It lies on the smaller side or, with the line `inside`, on the
- * side that contains the middle of this line.
- */
-const outlined = (
-  mesh: Mesh,
-  outlines: (Outline | Path)[],
-  inside?: Outline | undefined,
-): Region => {
-  const told = inside?.[inside.length >> 1];
-  return mesh.regions([{ outlines, ...(told && { inside: told }) }])[0]!;
-};
 
 /** The region that lines enclose; null if they enclose none. */
 function enclosed(mesh: Mesh, outlines: Outline[], enclosing: Enclosing): Region | null {
@@ -38,7 +25,8 @@ function enclosed(mesh: Mesh, outlines: Outline[], enclosing: Enclosing): Region
 
 /**
  * The offset of lines. If all lines are closed and enclose a region, `inwards` means the region's
- * side; otherwise it means the left side.
+ * side; otherwise it means the left side. The region of the offset then lies on the left of its
+ * lines.
  */
 export function offsetOf(
   mesh: Mesh,
@@ -54,23 +42,21 @@ export function offsetOf(
   fill: boolean,
 ): DerivedLines {
   const sides = { inwards: 'left', outwards: 'right', both: 'both' } as const;
+  const region = closed && side !== 'both' ? enclosed(mesh, outlines, enclosing) : null;
   let from: (Outline | Path)[] = outlines;
-  let which: (typeof sides)[OffsetSide] = sides[side];
-  if (closed && side !== 'both') {
-    const region = enclosed(mesh, outlines, enclosing);
-    // With two distances the given lines stay, since the distances count from the lines' start, and
-    // the boundary may start elsewhere.
-    if (region && end === undefined) from = region.boundary();
-    else if (region?.data().isLeft === false) which = side === 'inwards' ? 'right' : 'left';
-  }
+  // With two distances the given lines stay, since the distances count from the lines' start, and
+  // the boundary may start elsewhere.
+  if (region && end === undefined) from = region.boundary();
+  else if (region?.data().isLeft === false) from = outlines.map((line) => line.toReversed());
   const paths = mesh.offset(from, {
     distance: end === undefined ? distance : [distance, end],
-    side: which,
+    side: sides[side],
     corners,
   });
   // The line itself lies in the band around it, and in the region of an outer offset.
-  const inside = side === 'inwards' ? undefined : outlines[0];
-  return { paths, fill: fill ? painted(mesh, () => outlined(mesh, paths, inside)) : null };
+  const isLeft = region !== null || side !== 'inwards';
+  const shape = { outlines: paths, ...(isLeft && ({ inside: 'left' } as const)) };
+  return { paths, fill: fill ? painted(mesh, () => regionOf(mesh, shape)) : null };
 }
 
 export function combined(

@@ -1,7 +1,8 @@
 /** The engine's results for derived figures. */
 import type { Path } from 'karcher';
 import { isBoolean } from '../../model/derived';
-import { enclosingOf, type Figure, type Operand } from '../../model/figure';
+import type { Figure, Operand } from '../../model/figure';
+import { enclosedBy } from '../../model/sources';
 import type { EngineClient, OutlinedShape } from '../../worker/client';
 import type { ShownIsolines } from './circle_drawing';
 
@@ -25,7 +26,7 @@ export async function drawDerived(
   const shapes: OutlinedShape[] = [];
   // Operands come one after the other: a worker traces one curve at a time.
   for (const operand of operands) {
-    shapes.push({ outlines: await outlinesOf(operand), ...enclosingOf(operand.figure) });
+    shapes.push({ outlines: await outlinesOf(operand), ...enclosedBy(operand.figure) });
   }
   if (shapes.some(({ outlines }) => outlines.length === 0)) {
     throw new Error('something that it is made of has no line');
@@ -34,7 +35,7 @@ export async function drawDerived(
     ? await client.combined(shapes, kind, fill)
     : await client.offset(
         shapes.flatMap(({ outlines }) => outlines),
-        { ...derived!.offset!, ...(operands.length === 1 && enclosingOf(operands[0]!.figure)) },
+        { ...derived!.offset!, ...(operands.length === 1 && enclosedBy(operands[0]!.figure)) },
         fill,
       );
   if (lines.lines.length === 0) {

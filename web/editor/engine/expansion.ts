@@ -1,10 +1,11 @@
 import type { Path, SurfacePoint } from 'karcher';
 import { expanding } from '../../model/combining';
 import { isDerived } from '../../model/derived';
-import { type DrawnObject, objectOf } from '../../model/drawing';
-import { emptyFigure, type Figure, type Vector } from '../../model/figure';
+import { activeObject, type DrawnObject, objectOf } from '../../model/drawing';
+import { emptyFigure, type Figure, type Vector, withInside } from '../../model/figure';
 import { longestName, shortened } from '../../model/names';
 import { type LinePieces, piecesOf } from '../../model/origins';
+import { enclosedBy, resolvedFigure } from '../../model/sources';
 import { anchorsOf } from '../../model/stroke';
 import type { Surface } from '../../viewer/surface';
 import type { Editor } from '../state/editor';
@@ -39,6 +40,11 @@ export class Expansion {
     const figures = paths.map((path) =>
       curveAlong(path, surface, diagonal, from && piecesOf(path, from, diagonal, nameOf)),
     );
+    // The lines of several curves enclose the region together, and none encloses it alone.
+    if (figures.length === 1) {
+      const { inside } = enclosedBy(resolvedFigure(state.drawing, activeObject(state.drawing)));
+      figures[0] = withInside(figures[0]!, inside);
+    }
     editor.perform(expanding(state.drawing, figures), { selection: null, chosen: [], none: false });
   }
 }
