@@ -90,6 +90,20 @@ export function remaking(
   return { type: 'figure', id, edit: { type: 'replace', from, to: { ...from, derived } } };
 }
 
+/** Puts other objects in the place of one that is a source of others. */
+export const inherited = (
+  { objects }: Drawing,
+  removed: number,
+  heirs: readonly number[],
+): Command[] =>
+  objects.flatMap(({ id, figure: from }): Command[] => {
+    if (!isDerived(from.kind) || !from.derived?.sources.includes(removed)) return [];
+    const sources = from.derived.sources.flatMap((one) => (one === removed ? heirs : [one]));
+    const derived = { ...from.derived, sources: [...new Set(sources)] };
+    const edit = { type: 'replace', from, to: { ...from, derived } } as const;
+    return [{ type: 'figure', id, edit }];
+  });
+
 /** Replaces the edited object by objects with the same shape but without sources. */
 export function expanding(drawing: Drawing, figures: readonly Figure[]): Command | null {
   const object = activeObject(drawing);
@@ -99,6 +113,11 @@ export function expanding(drawing: Drawing, figures: readonly Figure[]): Command
   const added = figures.map((figure, i) => ({ ...object, id: first + i, figure }));
   return joined([
     ...added.map((one, i): Command => ({ type: 'add', index: index + 1 + i, object: one })),
+    ...inherited(
+      drawing,
+      object.id,
+      added.map(({ id }) => id),
+    ),
     { type: 'activate', from: object.id, to: added.at(-1)!.id },
     { type: 'delete', index, object },
   ]);

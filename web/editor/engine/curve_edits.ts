@@ -1,4 +1,5 @@
 import type { SurfacePoint } from 'karcher';
+import { inherited } from '../../model/combining';
 import type { Command } from '../../model/commands';
 import { isDerived } from '../../model/derived';
 import { activeObject, freeId, indexOf, objectOf, othersOf } from '../../model/drawing';
@@ -261,6 +262,7 @@ export class CurveEdits {
     const to = withSpline(figure, whole);
     const steps: Command[] = [
       { type: 'figure', id: drawing.active, edit: { type: 'replace', from: figure, to } },
+      ...inherited(drawing, id, [drawing.active]),
       { type: 'delete', index: indexOf(drawing, id), object },
     ];
     this.editor.perform({ type: 'steps', steps }, { selection: null });
