@@ -48,7 +48,6 @@ export interface Derived {
   readonly thickness?: number;
 }
 
-export const mostSources = 200;
 export const mostParts = 1000;
 
 /**

@@ -3,13 +3,13 @@ import {
   cornerShapes,
   type Derived,
   mostParts,
-  mostSources,
   offsetSides,
   type PartChoice,
   plainOffset,
 } from './derived';
 import type { Kind } from './figure';
 import { formatPoint, parsePoint } from './link_numbers';
+import { mostObjects } from './saved_drawing';
 
 /**
  * The fields of a figure's sources and settings. `numberOf` returns the position of the object with
@@ -34,7 +34,7 @@ export function derivedFields(
  * The derivation of a figure in a fragment. The ids of objects are their positions, counted from 1.
  */
 export function parseDerived(kind: Kind, fields: URLSearchParams): Derived {
-  const texts = (fields.get('of') ?? '').split(',').slice(0, mostSources);
+  const texts = (fields.get('of') ?? '').split(',').slice(0, mostObjects);
   const sources = texts.filter((text) => /^[1-9]\d{0,8}$/.test(text)).map(Number);
   const positive = (name: string) => {
     const value = Number(fields.get(name) ?? NaN);

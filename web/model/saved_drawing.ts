@@ -8,7 +8,6 @@ import {
   type Derived,
   isDerived,
   mostParts,
-  mostSources,
   offsetSides,
   type PartChoice,
   plainOffset,
@@ -178,7 +177,7 @@ function readFigure(value: unknown, what: string): Figure {
 function readDerived(value: unknown, kind: Kind, of: string): Derived {
   const { sources, offset, parts, thickness } = record(value, `what ${of} is made of`);
   const told = {
-    sources: list(sources, `the objects that ${of} is made of`, mostSources).map((id) =>
+    sources: list(sources, `the objects that ${of} is made of`, mostObjects).map((id) =>
       whole(id, 1, Number.MAX_SAFE_INTEGER, `an object that ${of} is made of`),
     ),
   };
