@@ -115,23 +115,31 @@ class Seams {
     Array<int> uses;
     Array<uint8_t> gone;
     for (int i = 0; i < suspects.count();) {
-      const int kept = suspects[i];
-      for (++i; i < suspects.count() && key(suspects[i]) == key(kept); ++i) {
+      const int first = suspects[i];
+      int reversed = -1;  // the first face of the other orientation that stays
+      for (++i; i < suspects.count() && key(suspects[i]) == key(first); ++i) {
         const int f = suspects[i];
-        const DuplicateFace duplicate = {faces_.source[f], faces_.source[kept], match(f, kept)};
-        const bool turned = (duplicate.corner[1] - duplicate.corner[0] + 3) % 3 == 2;
-        if (turned) {
+        int kept = first;
+        std::array<int, 3> corner = match(f, first);
+        const bool turned = (corner[1] - corner[0] + 3) % 3 == 2;
+        if (turned && reversed >= 0) {
+          kept = reversed;
+          corner = match(f, reversed);
+        } else if (turned) {
           if (uses.empty()) uses = countUses();
-          if (!branches[f] || !(hangsOnNone(f, uses) || sameVertices(f, kept))) continue;
+          if (!branches[f] || !(hangsOnNone(f, uses) || sameVertices(f, first))) {
+            reversed = f;
+            continue;
+          }
         }
         if (gone.empty()) gone.assign(faces_.corners.size(), 0);
         gone[f] = 1;
         for (int k = 0; k < 3; ++k) {
-          const int other = duplicate.corner[static_cast<size_t>(k)];
+          const int other = corner[static_cast<size_t>(k)];
           repairs_.welded +=
               target_.unite(faces_.corners[f][k], faces_.corners[kept][other]) ? 1 : 0;
         }
-        repairs_.duplicates.push_back(duplicate);
+        repairs_.duplicates.push_back({faces_.source[f], faces_.source[kept], corner});
       }
     }
     if (gone.empty()) return false;

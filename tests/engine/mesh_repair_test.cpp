@@ -371,6 +371,24 @@ TEST(RepairMesh, DoesNotTearASheetWithItsBack) {
   }
 }
 
+/// A face of the back occurs twice or thrice.
+TEST(RepairMesh, LeavesOutARepeatedFaceOfASheetsBack) {
+  for (const auto& [columns, rows] : {std::pair(1, 1), {6, 6}}) {
+    for (const int copies : {1, 2}) {
+      TriangleSoup soup = sheetWithItsBack(columns, rows);
+      const int faces = soup.triangles.count();
+      const Triangle back = soup.triangles[3 * faces / 4];
+      for (int i = 0; i < copies; ++i) soup.triangles.push_back(back);
+      const ImportedMesh imported = importMesh(soup);
+      EXPECT_EQ(countsOf(imported)["duplicate"], copies);
+      EXPECT_EQ(countsOf(imported).count("turnedOver"), 0);
+      EXPECT_EQ(imported.mesh.faceCount(), faces);
+      EXPECT_EQ(topology(imported.mesh).components, 1);
+      expectSamePlaces(soup, imported, 1e-12);
+    }
+  }
+}
+
 /// The input faces at the edges of each input face, and those around each input vertex: independent
 /// of the engine's numbering.
 Array<Array<int>> neighborsInFile(const ImportedMesh& imported) {
