@@ -279,14 +279,18 @@ class Reading {
   std::string material_;
 };
 
-/// Checks that no face uses a vertex that is not finite.
+/// Checks the positions of the vertices that faces use.
 void checkUses(const PolygonSoup& faces, const ObjLines& lines) {
-  if (lines.notFinite.empty()) return;
-  Array<uint8_t> used(faces.positions.size(), 0);
-  for (const int v : faces.corners) used[v] = 1;
+  Array<uint8_t> isUsed(faces.positions.size(), 0);
+  for (const int v : faces.corners) isUsed[v] = 1;
   for (const NotFinite& bad : lines.notFinite) {
-    if (used[bad.vertex]) throw Error(ErrorCode::kNotFinite, bad.sentence);
+    if (isUsed[bad.vertex]) throw Error(ErrorCode::kNotFinite, bad.sentence);
   }
+  Array<int> used;
+  for (int v = 0; v < isUsed.count(); ++v) {
+    if (isUsed[v]) used.push_back(v);
+  }
+  checkPositions(faces.positions, &used);
 }
 
 }  // namespace
@@ -306,8 +310,11 @@ ObjContents readObj(std::string_view bytes, const ObjOptions& options) {
   }
   Reading reading(lines, options);
   reading.read(bytes);
-  checkUses(reading.faces, lines);
-  if (lines.notFinite.empty()) checkPositions(reading.faces.positions);
+  if (options.mend) {
+    checkUses(reading.faces, lines);
+  } else {
+    checkPositions(reading.faces.positions);
+  }
   const auto lineOf = [&](PolygonNumber number) { return reading.polygonLines[number.polygon]; };
   ObjContents contents;
   CutPolygons cut = cutPolygons(std::move(reading.faces), options.mend, [&](PolygonNumber number) {

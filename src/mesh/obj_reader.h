@@ -41,7 +41,7 @@ struct ObjContents {
 };
 
 struct ObjOptions {
-  /// Whether to mend the file. If so, vertices that no face uses may have non-finite coordinates,
+  /// Whether to mend the file. If so, vertices that no face uses may have any coordinates,
   /// the reader omits faces of fewer than three corners, and `cutPolygons` mends polygons.
   bool mend = true;
   /// The parts whose faces to read; all parts if unset.

@@ -436,6 +436,20 @@ TEST(ReadObj, LeavesAVertexThatIsNoNumberWhereNoFaceUsesIt) {
   EXPECT_EQ(errorOf(text + "f 1 3 4\nf 1 2 3\n"), error);
 }
 
+TEST(ReadObj, ChecksTheCoordinatesOfUsedVerticesOnly) {
+  for (const std::string far : {"1e31", "1e999"}) {
+    for (const std::string unused : {"", "v nan 0 0\n"}) {
+      const std::string text = kThree + "v " + far + " 0 0\n" + unused;
+      const ImportedMesh mesh = importObj(text + "f 1 2 3\n");
+      ASSERT_EQ(mesh.repairs.count(), 1);
+      EXPECT_EQ(mesh.repairs[0].kind, Repair::Kind::kDropped);
+      const std::string code = far == "1e31" ? "badArgument: " : "notFinite: ";
+      EXPECT_TRUE(errorOf(text + "f 1 2 3\nf 1 2 4 3\n").starts_with(code + "vertex 3 "));
+      EXPECT_NE(errorOf(text + "f 1 2 3\n", false), "") << "not mended";
+    }
+  }
+}
+
 TEST(ReadObj, LeavesOutComments) {
   const ObjContents obj = readObj(
       "v 0 0 0 # a\nv 1 0 0 # b \\\nv 0 1 0 #\n#f 1 2 9\nf 1 2 3 # comment 4\nf 1 \\\n2 3 # x\n");
