@@ -1,6 +1,7 @@
 #include "mesh/face_tree.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesh/nearest_in_triangle.h"
 #include "mesh/positions.h"
@@ -60,8 +61,9 @@ void FaceTree::search(int node, const Vec3& place, Nearest& best) const {
     std::swap(near, far);
     std::swap(toNear, toFar);
   }
-  if (toNear <= best.distance * best.distance) search(near, place, best);
-  if (toFar <= best.distance * best.distance) search(far, place, best);
+  // A square of the rounded distance could be less than that of an equally distant box.
+  if (std::sqrt(toNear) <= best.distance) search(near, place, best);
+  if (std::sqrt(toFar) <= best.distance) search(far, place, best);
 }
 
 /// The squared distance of a place from a node's box; kInfinity for a box without faces.

@@ -32,6 +32,20 @@ TEST(FaceTree, AgreesWithASearchOfAllFaces) {
   }
 }
 
+/// A fan whose apex is the point nearest to each place. The box of the later four faces is nearer.
+TEST(FaceTree, TakesTheSmallestOfEquallyNearFaces) {
+  const Array<Vec3> positions = {{0, 0, 0},      {2, 0, 0},      {1, 1, 0},    {0, 2, 0},
+                                 {0, 1, 1},      {0, 0, 2},      {-.25, 0, 2}, {-.5, 0, 2},
+                                 {-.5, -.25, 2}, {-.25, -.25, 2}};
+  Array<Triangle> triangles;
+  for (int i = 1; i < 9; ++i) triangles.emplace_back(0, i, i + 1);
+  const TriangleMesh mesh = buildMesh(positions, triangles);
+  const FaceTree tree(mesh);
+  for (int i = 1; i <= 100; ++i) {
+    EXPECT_EQ(tree.nearest(Vec3::Constant(-i)).face, 0) << "place -" << i;
+  }
+}
+
 TEST(FaceTree, RefusesPlacesWhoseSquaresOverflow) {
   TriangleSoup soup = makeShape(Shape::kKnot, 700);
   const TriangleMesh mesh = buildMesh(std::move(soup.positions), std::move(soup.triangles));
