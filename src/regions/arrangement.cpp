@@ -129,7 +129,7 @@ class Builder {
         addHalfedge(here.second, line);
         last = here;
       }
-      all_.uses.push_back({line, piece.path, piece.part, piece.from == here.first ? 1 : -1});
+      all_.uses.push_back({line, piece.path, piece.order, piece.from == here.first ? 1 : -1});
     }
   }
 
@@ -275,7 +275,8 @@ class Builder {
       const int twin = all_.twin[h];
       const bool isSmaller = twin < 0 || h < twin;
       const int sign = from < to ? 1 : -1;
-      all_.uses.push_back({isSmaller ? h : twin, piece.path, piece.part, isSmaller ? sign : -sign});
+      all_.uses.push_back(
+          {isSmaller ? h : twin, piece.path, piece.order, isSmaller ? sign : -sign});
     }
   }
 

@@ -13,8 +13,8 @@ namespace karcher {
 struct PathUse {
   int halfedge = 0;  ///< the smaller of the edge's two half-edges
   int path = 0;
-  int part = 0;
-  int sign = 1;  ///< 1 if the path runs along the half-edge, -1 if against it
+  double order = 0;  ///< a number that grows along the path (`DrawnPiece::order`)
+  int sign = 1;      ///< 1 if the path runs along the half-edge, -1 if against it
 };
 
 struct Arrangement {

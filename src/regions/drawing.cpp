@@ -57,7 +57,7 @@ class Drawer {
       const bool closes = closed && i == path.points.count() - 1 && isIn(face, first);
       const int here = closes ? first : vertexAt(point.face, point.bary);
       if (i == 0) first = here;
-      if (i > 0 && here != last) addPiece(face, {last, here, number, i - 1});
+      if (i > 0 && here != last) addPiece(face, {last, here, number, static_cast<double>(i - 1)});
       last = here;
     }
   }
@@ -339,8 +339,9 @@ class Drawer {
       }
       through.push_back(ends.second);
       if (piece.from != ends.first) std::reverse(through.begin(), through.end());
+      const double span = piece.span / (through.count() - 1);
       for (int i = 1; i < through.count(); ++i) {
-        addPiece(f, {through[i - 1], through[i], piece.path, piece.part});
+        addPiece(f, {through[i - 1], through[i], piece.path, piece.order + (i - 1) * span, span});
       }
     }
     wait(number);
@@ -359,10 +360,13 @@ class Drawer {
       }
       if (from > to) std::reverse(through.begin(), through.end());
       through.push_back(piece.to);
+      const double span = piece.span / through.count();
+      double order = piece.order;
       int last = piece.from;
       for (const int vertex : through) {
-        edge.pieces.push_back({last, vertex, piece.path, piece.part});
+        edge.pieces.push_back({last, vertex, piece.path, order, span});
         last = vertex;
+        order += span;
       }
     }
   }

@@ -27,7 +27,10 @@ struct DrawnPiece {
   int from = 0;
   int to = 0;
   int path = 0;
-  int part = 0;  ///< the index of the path's point before the piece
+  /// A number that grows along the path: the index of the path's point before the piece, plus a
+  /// fraction if the piece does not start at that point.
+  double order = 0;
+  double span = 1;  ///< the difference to the next piece's `order`
 };
 
 /// An edge's vertices in order along its `drawnHalfedge`, and the pieces on the edge.

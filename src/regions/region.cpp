@@ -30,7 +30,7 @@ EdgeCount countAt(const Arrangement& all, const PathRange& paths, int& i) {
     const int path = use.path - paths.first;
     if (path < 0 || path >= paths.count) continue;
     count.change += use.sign;
-    const bool isEarlier = count.firstOfAll.path < 0 || use.part < count.firstOfAll.part;
+    const bool isEarlier = count.firstOfAll.path < 0 || use.order < count.firstOfAll.order;
     if (path == 0 && isEarlier) count.firstOfAll = use;
   }
   return count;
@@ -156,7 +156,7 @@ std::optional<int> cellBeside(const Arrangement& arrangement, const PathRange& p
     if (use.path < 0 || (rule == FillRule::kEvenOdd ? count.change % 2 : count.change) == 0)
       continue;
     const bool isHere = arrangement.twin[use.halfedge] >= 0;
-    const bool isBetter = isHere == isInside ? use.part < first.part : isHere;
+    const bool isBetter = isHere == isInside ? use.order < first.order : isHere;
     if (first.halfedge >= 0 && !isBetter) continue;
     first = use;
     isInside = isHere;

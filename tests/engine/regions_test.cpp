@@ -287,6 +287,42 @@ TEST(Regions, StayOnTheSideOfAMovingCurve) {
   }
 }
 
+/// The first side of an outline is cut by later sides. It ends at a vertex of the mesh, and in some
+/// rounds runs along an edge.
+TEST(Regions, LieOnASideOfTheirOutlinesFirstPlace) {
+  const Sheet square(planeGrid(1, 1));
+  const SurfacePath fish = polygonOn(square.geometry, {{.4, .2}, {1, 0}, {.95, .3}, {.4, .05}});
+  const Arrangement both = arrange(square.geometry, std::span(&fish, 1));
+  // The first and third side meet at (307, 71) / 520, so that the loops have the areas 1207 / 20800
+  // and 297 / 20800.
+  const auto area = [&](PathSide side) {
+    return areaOf(both, enclosedBeside(both, kFirst, FillRule::kEvenOdd, side));
+  };
+  EXPECT_NEAR(area(PathSide::kLeft), 603.0 / 650, 1e-9);
+  EXPECT_NEAR(area(PathSide::kRight), 47.0 / 650, 1e-9);
+
+  const Sheet sheet(planeGrid(3, 3));
+  for (uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const auto place = [&] { return Vec2(random.uniform(0, 3), random.uniform(0, 3)); };
+    const Vec2 end(1 + random.index(2), 1 + random.index(2));
+    const double along = random.uniform(-.9, .9);
+    const Vec2 start = random.index(2) == 0 ? place() : Vec2(end + Vec2(along, 0));
+    const SurfacePath path =
+        polygonOn(sheet.geometry, {start, end, place(), place(), place(), place(), place()});
+    const Arrangement all = arrange(sheet.geometry, std::span(&path, 1));
+    const Vec2 way = 1e-4 * (end - start);
+    for (const PathSide side : {PathSide::kLeft, PathSide::kRight}) {
+      const double across = side == PathSide::kLeft ? 1e-4 : -1e-4;
+      const Vec2 beside = start + way + across * Vec2(-way.y(), way.x());
+      const int piece =
+          pieceHolding(sheet.mesh, all, nearestPoint(sheet.mesh, {beside.x(), beside.y(), 0}));
+      EXPECT_EQ(cellBeside(all, kFirst, FillRule::kEvenOdd, side), all.cellOfPiece[piece]);
+    }
+  }
+}
+
 /// A square that starts along the boundary, and one that is the whole boundary.
 TEST(Regions, OnASideOfTheBoundaryAreTheFacesOfThatSide) {
   const Sheet sheet(planeGrid(4, 4));
